@@ -1,0 +1,16 @@
+// What pushes the oscillator from outside.
+#pragma once
+
+namespace cromer {
+
+/// F cos(w t + phi), t from the start of the run.
+template <class Real>
+struct HarmonicDrive {
+  Real amplitude = 0;  // [N] >= 0; 0 is no drive
+  Real frequency = 0;  // [rad/s] >= 0, angular
+  Real phase = 0;      // [rad]
+
+  friend bool operator==(const HarmonicDrive&, const HarmonicDrive&) = default;
+};
+
+}  // namespace cromer

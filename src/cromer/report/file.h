@@ -1,0 +1,18 @@
+// Files written whole or not at all.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+/// Writes to a temporary name in the same folder, then renames. On failure nothing is left and the Error names path and reason. "-" is standard output.
+/// A path that is no regular file (/dev/null, a pipe) is written to directly.
+Result<void> write_file(const std::string& path, std::string_view bytes);
+
+/// That `path` can be written (folder exists, is writable, path is no folder): asked before long work starts.
+Result<void> check_writable(const std::string& path);
+
+}  // namespace cromer

@@ -1,0 +1,54 @@
+// A report as data and as one HTML file that opens offline.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+/// Texts are Markdown-like in a small way: *italic*, **bold**, `code`, x_{0} and x^{2} for sub- and superscript, blank line for a new paragraph. All else is escaped.
+struct Heading { std::string text; };
+struct Paragraph { std::string text; };
+struct Code { std::string text; std::string caption; };
+
+/// Numbers right-aligned (`text_columns` names those that are words), the answer column bold.
+struct TableBlock {
+  std::string caption;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+  std::vector<int> text_columns{0};
+  int answer_column = -1;
+};
+
+/// An SVG figure; `width` is the share of the column it may take: 1 or 0.5 (two such that follow each other stand side by side).
+struct FigureBlock {
+  std::string id;       ///< "figure-01"; also the file's name
+  std::string svg;      ///< the bytes of the SVG
+  std::string alt;
+  std::string label;    ///< "Figure 1"
+  std::string caption;
+  double width = 1;
+};
+
+using Block = std::variant<Heading, Paragraph, Code, TableBlock, FigureBlock>;
+
+/// The four large figures under the summary: what, value, remark.
+struct KeyFigure { std::string name, value, remark; };
+
+struct Page {
+  std::string title;
+  std::string byline;
+  std::string summary;
+  std::vector<KeyFigure> key_figures;
+  std::vector<Block> blocks;
+  std::string footer;  ///< versions
+};
+
+/// One HTML document, everything inside it, light and dark, printable.
+std::string to_html(const Page& page);
+
+}  // namespace cromer

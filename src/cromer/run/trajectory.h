@@ -1,0 +1,18 @@
+// The states a run keeps.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace cromer {
+
+/// Kept states in order of time; the three columns have the same length.
+struct Trajectory {
+  std::vector<double> t;  // [s]
+  std::vector<double> x;  // [m]
+  std::vector<double> v;  // [m/s]
+
+  std::size_t size() const { return t.size(); }
+};
+
+}  // namespace cromer

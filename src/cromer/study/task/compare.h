@@ -1,0 +1,39 @@
+// Task: a recording beside simulations of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cromer/run/trajectory.h"
+#include "cromer/study/task/fit.h"
+
+namespace cromer {
+
+struct CompareOptions {
+  FitOptions fit;
+  std::string method = "euler-cromer";
+  std::optional<double> step;  // [s] > 0; by default the sample spacing divided so that a period has at least 200 steps
+};
+
+/// One simulation laid beside the recording, at the recording's own times; x is the displacement from the fitted equilibrium.
+struct ComparedCurve {
+  std::string label;  ///< "one constant decay rate", "viscous+drag"
+  Law law;
+  std::string method;
+  Trajectory trajectory;
+  double rms = 0;                  // [m] or the column's SI unit
+  double r_squared = 0;
+  double amplitude_ratio_end = 0;  ///< simulated over measured, over the last ten periods
+  double phase_drift = 0;          // [rad] simulated minus measured, at the end
+};
+
+struct CompareResult {
+  FittedRecording recording;
+  std::vector<ComparedCurve> curves;
+  std::vector<std::string> warnings;
+};
+
+/// The constant rate is the mean of the segments' rates where segments were asked for, else that of the viscous fit.
+Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_view file, const CompareOptions& options, const Watch& watch = {});
+
+}  // namespace cromer

@@ -1,0 +1,29 @@
+// Task: what is in a file.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/result.h"
+#include "cromer/record/dialects/recording.h"
+
+namespace cromer {
+
+/// What `cromer inspect` says: of the whole file, and of the column that a fit would take in each run.
+struct Inspection {
+  Recording recording;
+  std::vector<Series> series;  ///< one per run, of its main column
+  std::size_t samples = 0;     ///< rows of the longest run
+  double rate = 0;             // [1/s] 0 if unknown
+  double duration = 0;         // [s] 0 if unknown
+  std::string time_column;
+  double jitter = 0;
+  std::vector<Gap> gaps;
+  std::vector<Outlier> outliers;
+  std::vector<std::string> warnings;
+};
+
+Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options);
+
+}  // namespace cromer
