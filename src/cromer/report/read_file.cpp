@@ -1,0 +1,40 @@
+#include "cromer/report/read_file.h"
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace cromer {
+
+Result<std::string> read_file(const std::string& path) {
+  struct stat info {};
+  const bool standard_input = path == "-";
+  if (!standard_input) {
+    if (stat(path.c_str(), &info) != 0) return Error{path + ": cannot be read: " + std::strerror(errno)};
+    if (S_ISDIR(info.st_mode)) return Error{path + ": is a folder; name a file in it"};
+  }
+  std::FILE* file = standard_input ? stdin : std::fopen(path.c_str(), "rb");
+  if (!file) return Error{path + ": cannot be read: " + std::strerror(errno)};
+
+  std::string bytes;
+  std::size_t used = 0;
+  const std::size_t expected = info.st_size > 0 ? static_cast<std::size_t>(info.st_size) : 0;
+  while (true) {
+    // One byte more than the file has, so that its end is seen without growing the buffer.
+    const std::size_t room = used < expected ? expected - used + 1 : std::size_t{1} << 16;
+    bytes.resize(used + room);
+    const std::size_t got = std::fread(bytes.data() + used, 1, room, file);
+    used += got;
+    if (got < room) break;
+  }
+  const bool failed = std::ferror(file) != 0;
+  const int reason = errno;
+  if (!standard_input) std::fclose(file);
+  if (failed) return Error{path + ": cannot be read: " + std::strerror(reason)};
+  bytes.resize(used);
+  return bytes;
+}
+
+}  // namespace cromer

@@ -1,0 +1,13 @@
+// Whole files in, as bytes.
+#pragma once
+
+#include <string>
+
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+/// The bytes of a file, or of standard input for "-". Missing, unreadable, or a folder is an Error that names the path and the reason.
+Result<std::string> read_file(const std::string& path);
+
+}  // namespace cromer
