@@ -1,0 +1,216 @@
+#include <filesystem>
+#include <set>
+
+#include "cromer/study/study_file.h"
+#include "cromer/study/toml_reader.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::string_view commands[] = {"simulate", "fit", "compare", "resonance", "local_error"};
+
+/// Reads one table with a function that asks a TomlReader for its keys.
+template <class Read>
+auto read_table(const toml::table& table, const std::string& file, Read read) -> Result<decltype(read(std::declval<TomlReader&>()))> {
+  TomlReader reader(table, file);
+  auto value = read(reader);
+  if (const auto finished = reader.finish(); !finished) return finished.error();
+  return value;
+}
+
+/// Reads every table of a list; the first Error ends it.
+template <class Spec, class Read>
+Result<std::vector<Spec>> read_tables(const std::vector<const toml::table*>& tables, const std::string& file, Read read) {
+  std::vector<Spec> specs;
+  for (const toml::table* table : tables) {
+    auto spec = read_table(*table, file, read);
+    if (!spec) return spec.error();
+    specs.push_back(std::move(*spec));
+  }
+  return specs;
+}
+
+std::string with_hyphens(std::string text) {
+  for (char& c : text)
+    if (c == '_') c = '-';
+  return text;
+}
+
+TaskSpec read_task(TomlReader& toml) {
+  TaskSpec task;
+  task.place = toml.place();
+  for (const auto command : commands)
+    if (toml.has(command)) {
+      task.command = with_hyphens(std::string(command));
+      task.id = toml.text(command);
+    }
+  for (const std::string& key : toml.keys()) {
+    if (with_hyphens(key) == task.command) continue;
+    Setting setting{with_hyphens(key), toml.values(key), task.place};
+    task.settings.push_back(std::move(setting));
+  }
+  return task;
+}
+
+CurveSpec read_curve(TomlReader& toml) {
+  CurveSpec curve;
+  curve.place = toml.place();
+  curve.of = toml.text("of");
+  curve.minus = toml.text("minus");
+  curve.x = toml.text("x");
+  curve.y = toml.text("y");
+  curve.look.role = toml.text("role");
+  curve.look.name = toml.text("name");
+  curve.look.remark = toml.text("remark");
+  curve.look.dashed = toml.yes("dashed");
+  const std::string mark = toml.text("mark", "line");
+  curve.look.mark = mark == "dots" ? Mark::dots : mark == "band" ? Mark::band : Mark::line;
+  curve.look.label_x = toml.maybe_number("label_x");
+  curve.look.label_y = toml.maybe_number("label_y");
+  curve.look.text_x = toml.maybe_number("text_x");
+  curve.look.text_y = toml.maybe_number("text_y");
+  return curve;
+}
+
+Axis read_axis(TomlReader& toml, const std::string& which) {
+  Axis axis;
+  axis.name = toml.text(which + "_name");
+  axis.low = toml.number(which + "_low", axis.low);
+  axis.high = toml.number(which + "_high", axis.high);
+  axis.step = toml.number(which + "_step", axis.step);
+  axis.logarithmic = toml.yes(which + "_logarithmic");
+  return axis;
+}
+
+Note read_note(TomlReader& toml) {
+  Note note;
+  note.text = toml.text("text");
+  note.x = toml.number("x", note.x);
+  note.y = toml.number("y", note.y);
+  note.text_x = toml.number("text_x", note.text_x);
+  note.text_y = toml.number("text_y", note.text_y);
+  note.circle = toml.yes("circle");
+  note.leader = !toml.yes("no_leader");
+  return note;
+}
+
+/// Errors of inner tables are kept by the outer reader.
+template <class Spec, class Read>
+std::vector<Spec> inner_tables(TomlReader& toml, const std::string& file, std::string_view key, Read read, std::optional<Error>& error) {
+  auto specs = read_tables<Spec>(toml.tables(key), file, read);
+  if (specs) return std::move(*specs);
+  if (!error) error = specs.error();
+  return {};
+}
+
+struct StudyReader {
+  std::string file;
+  std::optional<Error> error{};
+
+  PanelSpec panel(TomlReader& toml) {
+    PanelSpec panel;
+    panel.place = toml.place();
+    panel.look.x = read_axis(toml, "x");
+    panel.look.y = read_axis(toml, "y");
+    panel.x = toml.text("x");
+    panel.y = toml.text("y");
+    panel.x_unit = toml.text("x_unit");
+    panel.y_unit = toml.text("y_unit");
+    panel.from = toml.maybe_number("from");
+    panel.to = toml.maybe_number("to");
+    panel.look.phase_portrait = toml.yes("phase_portrait");
+    panel.look.title = toml.text("panel_title");
+    panel.curves = inner_tables<CurveSpec>(toml, file, "curve", read_curve, error);
+    panel.look.notes = inner_tables<Note>(toml, file, "note", read_note, error);
+    return panel;
+  }
+
+  FigureSpec figure(TomlReader& toml) {
+    FigureSpec figure;
+    figure.place = toml.place();
+    figure.look.id = toml.text("id");
+    figure.look.title = toml.text("title");
+    figure.look.caption = toml.text("caption");
+    figure.look.columns = toml.whole("columns", 1);
+    figure.width = toml.number("width", 1);
+    const std::string size = toml.text("size", "single");
+    figure.look.size = size == "wide" ? FigureSize::wide : size == "phase" ? FigureSize::phase : FigureSize::single;
+    if (toml.has("panel"))
+      figure.panels = inner_tables<PanelSpec>(toml, file, "panel", [this](TomlReader& inner) { return panel(inner); }, error);
+    else
+      figure.panels.push_back(panel(toml));
+    if (size == "phase")
+      for (PanelSpec& each : figure.panels) each.look.phase_portrait = true;
+    return figure;
+  }
+
+  BlockSpec block(TomlReader& toml) {
+    BlockSpec block;
+    block.place = toml.place();
+    if (toml.has("heading")) block.content = BlockSpec::Heading{toml.text("heading")};
+    else if (toml.has("figure")) block.content = BlockSpec::FigureName{toml.text("figure")};
+    else if (toml.has("code")) block.content = BlockSpec::Code{toml.text("code"), toml.text("caption")};
+    else if (toml.has("table")) {
+      TableSpec table;
+      table.caption = toml.text("table");
+      table.header = toml.texts("header");
+      table.rows = toml.rows("rows");
+      table.each = toml.texts("each");
+      table.row = toml.texts("row");
+      if (toml.has("text_columns")) table.text_columns = toml.wholes("text_columns");
+      table.answer_column = toml.whole("answer_column", -1);
+      block.content = std::move(table);
+    } else {
+      block.content = BlockSpec::Text{toml.text("text")};
+    }
+    return block;
+  }
+};
+
+KeyFigureSpec read_key_figure(TomlReader& toml) { return {toml.text("name"), toml.text("value"), toml.text("remark")}; }
+
+Result<void> check(const Study& study) {
+  std::set<std::string> ids;
+  for (const TaskSpec& task : study.tasks) {
+    if (task.command.empty())
+      return task.place.error("a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, resonance, local_error)");
+    if (task.id.empty() || !ids.insert(task.id).second) return task.place.error("each task needs a name of its own");
+  }
+  ids.clear();
+  for (const FigureSpec& figure : study.figures)
+    if (figure.look.id.empty() || !ids.insert(figure.look.id).second) return figure.place.error("each figure needs an id of its own");
+  for (const BlockSpec& block : study.blocks)
+    if (const auto* named = std::get_if<BlockSpec::FigureName>(&block.content); named && !ids.count(named->id))
+      return block.place.error("\"" + named->id + "\" is no figure of this study");
+  return {};
+}
+
+}  // namespace
+
+Result<Study> read_study(std::string_view bytes, const std::string& file) {
+  const toml::parse_result parsed = toml::parse(bytes, file);
+  if (!parsed) {
+    const auto begin = parsed.error().source().begin;
+    return Place{file, begin.line, begin.column}.error(std::string(parsed.error().description()));
+  }
+  StudyReader reader{file};
+  auto study = read_table(parsed.table(), file, [&](TomlReader& toml) {
+    Study read;
+    read.file = file;
+    read.folder = std::filesystem::path(file).parent_path().string();
+    read.title = toml.text("title");
+    read.byline = toml.text("byline");
+    read.summary = toml.text("summary");
+    read.key_figures = inner_tables<KeyFigureSpec>(toml, file, "key_figure", read_key_figure, reader.error);
+    read.tasks = inner_tables<TaskSpec>(toml, file, "task", read_task, reader.error);
+    read.figures = inner_tables<FigureSpec>(toml, file, "figure", [&](TomlReader& inner) { return reader.figure(inner); }, reader.error);
+    read.blocks = inner_tables<BlockSpec>(toml, file, "block", [&](TomlReader& inner) { return reader.block(inner); }, reader.error);
+    return read;
+  });
+  if (reader.error) return *reader.error;
+  if (!study) return study;
+  if (const auto checked = check(*study); !checked) return checked.error();
+  return study;
+}
+
+}  // namespace cromer

@@ -1,0 +1,48 @@
+// What the tasks of a study found, by name: numbers for its texts and tables, columns for its figures.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cromer/base/quantity.h"
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+/// A number with its SI unit ("" for a plain one).
+struct Number {
+  Quantity quantity;
+  std::string unit;
+};
+
+/// A column of numbers, all in one SI unit.
+struct ResultColumn {
+  std::vector<double> values;
+  std::string unit;
+  std::string name;  ///< for an axis: "position {/:Italic x}"
+};
+
+/// Names are paths: "two.stiffness", "damped.3.steady.amplitude". A name that is missing is an Error that suggests the nearest.
+class Results {
+ public:
+  void set(const std::string& name, Quantity quantity, std::string_view unit) { facts_[name] = Number{quantity, std::string(unit)}; }
+  void set(const std::string& name, double value, std::string_view unit = "") { set(name, Quantity{value, 0}, unit); }
+  void set(const std::string& name, std::string text) { facts_[name] = std::move(text); }
+  void set_column(const std::string& name, std::vector<double> values, std::string_view unit, std::string_view axis) {
+    columns_[name] = ResultColumn{std::move(values), std::string(unit), std::string(axis)};
+  }
+
+  using Fact = std::variant<Number, std::string>;
+  Result<Fact> fact(std::string_view name) const;
+  Result<const ResultColumn*> column(std::string_view name) const;
+  const std::map<std::string, Fact, std::less<>>& facts() const { return facts_; }
+
+ private:
+  std::map<std::string, Fact, std::less<>> facts_;
+  std::map<std::string, ResultColumn, std::less<>> columns_;
+};
+
+}  // namespace cromer

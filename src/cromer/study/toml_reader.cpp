@@ -1,0 +1,168 @@
+#include "cromer/study/toml_reader.h"
+
+#include <algorithm>
+
+#include "cromer/base/nearest.h"
+#include "cromer/base/quantity.h"
+
+namespace cromer {
+namespace {
+
+/// The text the command line would take for this value; empty optional for tables and arrays.
+std::optional<std::string> as_option_text(const toml::node& node) {
+  if (const auto* text = node.as_string()) return text->get();
+  if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
+  if (const auto* number = node.as_floating_point()) return shortest(number->get());
+  if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  return std::nullopt;
+}
+
+}  // namespace
+
+const toml::node* TomlReader::find(std::string_view key) {
+  asked_.emplace_back(key);
+  return table_.get(key);
+}
+
+Place TomlReader::place_of(const toml::node& node) const {
+  const auto begin = node.source().begin;
+  return Place{file_, begin.line, begin.column};
+}
+
+void TomlReader::fail(const toml::node& node, const std::string& message) {
+  if (!error_) error_ = place_of(node).error(message);
+}
+
+bool TomlReader::has(std::string_view key) { return find(key) != nullptr; }
+
+std::vector<std::string> TomlReader::keys() const {
+  std::vector<std::string> names;
+  for (const auto& [key, node] : table_) names.emplace_back(key.str());
+  return names;
+}
+
+std::string TomlReader::text(std::string_view key, std::string otherwise) {
+  const toml::node* node = find(key);
+  if (!node) return otherwise;
+  if (const auto* value = node->as_string()) return value->get();
+  fail(*node, "\"" + std::string(key) + "\" takes a text in quotes");
+  return otherwise;
+}
+
+double TomlReader::number(std::string_view key, double otherwise) { return maybe_number(key).value_or(otherwise); }
+
+std::optional<double> TomlReader::maybe_number(std::string_view key) {
+  const toml::node* node = find(key);
+  if (!node) return std::nullopt;
+  if (const auto value = node->value<double>()) return value;
+  fail(*node, "\"" + std::string(key) + "\" takes a number");
+  return std::nullopt;
+}
+
+int TomlReader::whole(std::string_view key, int otherwise) {
+  const toml::node* node = find(key);
+  if (!node) return otherwise;
+  if (const auto value = node->value_exact<std::int64_t>(); value && *value >= -1'000'000 && *value <= 1'000'000)
+    return static_cast<int>(*value);
+  fail(*node, "\"" + std::string(key) + "\" takes a whole number");
+  return otherwise;
+}
+
+bool TomlReader::yes(std::string_view key) {
+  const toml::node* node = find(key);
+  if (!node) return false;
+  if (const auto value = node->value_exact<bool>()) return *value;
+  fail(*node, "\"" + std::string(key) + "\" takes true or false");
+  return false;
+}
+
+std::vector<std::string> TomlReader::values(std::string_view key) {
+  const toml::node* node = find(key);
+  if (!node) return {};
+  if (const auto single = as_option_text(*node)) return {*single};
+  std::vector<std::string> texts;
+  if (const auto* array = node->as_array()) {
+    for (const toml::node& element : *array) {
+      const auto text = as_option_text(element);
+      if (!text) fail(element, "\"" + std::string(key) + "\" takes numbers or texts");
+      else texts.push_back(*text);
+    }
+  } else {
+    fail(*node, "\"" + std::string(key) + "\" takes a number, a text or a list of them");
+  }
+  return texts;
+}
+
+std::vector<std::string> TomlReader::texts(std::string_view key) { return values(key); }
+
+std::vector<int> TomlReader::wholes(std::string_view key) {
+  std::vector<int> numbers;
+  const toml::node* node = find(key);
+  if (!node) return numbers;
+  if (const auto* array = node->as_array()) {
+    for (const toml::node& element : *array) {
+      const auto value = element.value_exact<std::int64_t>();
+      if (!value || *value < 0 || *value > 1000) fail(element, "\"" + std::string(key) + "\" takes a list of whole numbers from 0");
+      else numbers.push_back(static_cast<int>(*value));
+    }
+  } else {
+    fail(*node, "\"" + std::string(key) + "\" takes a list of whole numbers");
+  }
+  return numbers;
+}
+
+std::vector<const toml::table*> TomlReader::tables(std::string_view key) {
+  std::vector<const toml::table*> found;
+  const toml::node* node = find(key);
+  if (!node) return found;
+  const auto* array = node->as_array();
+  if (!array) {
+    fail(*node, "\"" + std::string(key) + "\" is a list of tables: write [[" + std::string(key) + "]]");
+    return found;
+  }
+  for (const toml::node& element : *array) {
+    if (const auto* table = element.as_table()) found.push_back(table);
+    else fail(element, "\"" + std::string(key) + "\" is a list of tables");
+  }
+  return found;
+}
+
+std::vector<std::vector<std::string>> TomlReader::rows(std::string_view key) {
+  std::vector<std::vector<std::string>> all;
+  const toml::node* node = find(key);
+  if (!node) return all;
+  const auto* array = node->as_array();
+  if (!array) {
+    fail(*node, "\"" + std::string(key) + "\" takes a list of rows");
+    return all;
+  }
+  for (const toml::node& element : *array) {
+    const auto* row = element.as_array();
+    if (!row) {
+      fail(element, "a row is a list of texts");
+      continue;
+    }
+    auto& cells = all.emplace_back();
+    for (const toml::node& cell : *row) {
+      const auto text = as_option_text(cell);
+      if (!text) fail(cell, "a cell is a text or a number");
+      else cells.push_back(*text);
+    }
+  }
+  return all;
+}
+
+Result<void> TomlReader::finish() const {
+  if (error_) return *error_;
+  for (const auto& [key, node] : table_) {
+    if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
+    const std::vector<std::string_view> known(asked_.begin(), asked_.end());
+    const std::string near = nearest(key.str(), known);
+    std::string message = "\"" + std::string(key.str()) + "\" is not known here";
+    if (!near.empty()) message += "; did you mean \"" + near + "\"?";
+    return place_of(node).error(message);
+  }
+  return {};
+}
+
+}  // namespace cromer
