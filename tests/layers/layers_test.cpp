@@ -1,0 +1,98 @@
+// Which folder may include which: the includes are read and held to the list of the architecture.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, std::set<std::string>>& allowed() {
+  static const std::map<std::string, std::set<std::string>> list = {
+      {"base", {}},
+      {"model", {"base"}},
+      {"methods", {"base"}},
+      {"record/dialects", {"base"}},
+      {"record/live", {"base", "record/dialects"}},
+      {"report", {"base"}},
+      {"run", {"base", "methods"}},
+      {"analysis", {"base", "model", "methods", "run"}},
+      {"ensemble", {"base", "model", "methods", "run", "analysis"}},
+      {"identify", {"base", "model", "methods", "run", "analysis"}},
+      {"study/task", {"base", "model", "methods", "run", "analysis", "identify", "ensemble", "record/dialects"}},
+      {"study",
+       {"base", "model", "methods", "run", "analysis", "identify", "ensemble", "record/dialects", "record/live", "report",
+        "study/task"}},
+  };
+  return list;
+}
+
+/// The layer a path below src/cromer belongs to: the longest name of the list that begins it; "" if none does.
+std::string layer_of(const std::string& path) {
+  std::string best;
+  for (const auto& [layer, seen] : allowed())
+    if (path.rfind(layer + "/", 0) == 0 && layer.size() > best.size()) best = layer;
+  return best;
+}
+
+/// What is wrong with one include, or "".
+std::string complaint(const std::string& file, const std::string& included) {
+  const std::string from = layer_of(file), to = layer_of(included);
+  if (from.empty()) return file + " lies in no folder of the architecture";
+  if (included == "version.h") return from == "study" ? "" : file + " includes version.h, which only study and apps may";
+  if (to.empty()) return file + " includes " + included + ", which lies in no folder of the architecture";
+  if (from == to || allowed().at(from).count(to)) return "";
+  return file + " (" + from + ") may not include " + included + " (" + to + ")";
+}
+
+TEST(Layers, includes_keep_to_the_architecture) {
+  const fs::path root = fs::path(CROMER_SOURCE_DIR) / "src" / "cromer";
+  const std::regex include(R"(^\s*#\s*include\s*"([^"]+)\")");
+  int files = 0, includes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    const auto ending = entry.path().extension();
+    if (ending != ".h" && ending != ".cpp") continue;
+    ++files;
+    const std::string file = fs::relative(entry.path(), root).string();
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      ++includes;
+      const std::string name = match[1];
+      ASSERT_EQ(name.rfind("cromer/", 0), 0u) << file << " includes \"" << name << "\": write it from the root, \"cromer/...\"";
+      EXPECT_EQ(complaint(file, name.substr(7)), "");
+    }
+  }
+  EXPECT_GT(files, 50);
+  EXPECT_GT(includes, 100);
+}
+
+TEST(Layers, a_wrong_include_is_seen) {
+  EXPECT_NE(complaint("model/propagate.h", "run/solve.h"), "");
+  EXPECT_NE(complaint("model/propagate.h", "methods/rk4.h"), "");
+  EXPECT_NE(complaint("report/figure.cpp", "analysis/energy.h"), "");
+  EXPECT_NE(complaint("study/task/fit.cpp", "report/json.h"), "");
+  EXPECT_NE(complaint("misc/thing.h", "base/state.h"), "");
+  EXPECT_EQ(complaint("study/task/fit.cpp", "record/dialects/recording.h"), "");
+}
+
+TEST(Layers, files_stay_short) {
+  for (const char* folder : {"src", "apps", "tests", "bench"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(CROMER_SOURCE_DIR) / folder)) {
+      const auto ending = entry.path().extension();
+      if (ending != ".h" && ending != ".cpp") continue;
+      std::ifstream stream(entry.path());
+      const auto lines = std::count(std::istreambuf_iterator<char>(stream), {}, '\n');
+      EXPECT_LE(lines, 400) << entry.path() << ": split it by noun";
+    }
+}
+
+}  // namespace
