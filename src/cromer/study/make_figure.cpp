@@ -42,16 +42,24 @@ Result<void> fill_in(std::string& text, const Results& results, bool enhanced) {
   return {};
 }
 
-void keep_range(Curve& curve, const PanelSpec& panel) {
-  if (!panel.from && !panel.to) return;
+/// Leaves out the rows whose time lies outside [from, to].
+Result<void> keep_range(Curve& curve, const CurveSpec& spec, const PanelSpec& panel, const Results& results) {
+  const auto from = spec.from ? spec.from : panel.from;
+  const auto to = spec.to ? spec.to : panel.to;
+  if (!from && !to) return {};
+  const auto time = results.column(column_name(spec.of, "t"));
+  if (!time) return time.error();
+  const std::vector<double>& t = (*time)->values;
+  if (t.size() != curve.x.size()) return Error{"\"" + spec.of + "\": from and to need a column t as long as the ones drawn"};
   std::vector<double> x, y;
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if ((panel.from && curve.x[i] < *panel.from) || (panel.to && curve.x[i] > *panel.to)) continue;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if ((from && t[i] < *from) || (to && t[i] > *to)) continue;
     x.push_back(curve.x[i]);
     y.push_back(curve.y[i]);
   }
   curve.x = std::move(x);
   curve.y = std::move(y);
+  return {};
 }
 
 Result<void> subtract(DrawnColumn& y, const Results& results, const CurveSpec& spec, const std::string& column, const std::string& unit) {
@@ -77,7 +85,7 @@ Result<Curve> make_curve(const CurveSpec& spec, const PanelSpec& panel, Panel& m
   Curve curve = spec.look;
   curve.x = std::move(x->values);
   curve.y = std::move(y->values);
-  keep_range(curve, panel);
+  if (const auto done = keep_range(curve, spec, panel, results); !done) return done.error();
   if (made.x.name.empty()) made.x.name = to_enhanced(x->axis);
   if (made.y.name.empty()) made.y.name = to_enhanced(y->axis);
   for (std::string* text : {&curve.name, &curve.remark})

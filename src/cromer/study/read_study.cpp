@@ -59,6 +59,8 @@ CurveSpec read_curve(TomlReader& toml) {
   curve.minus = toml.text("minus");
   curve.x = toml.text("x");
   curve.y = toml.text("y");
+  curve.from = toml.maybe_number("from");
+  curve.to = toml.maybe_number("to");
   curve.look.role = toml.text("role");
   curve.look.name = toml.text("name");
   curve.look.remark = toml.text("remark");

@@ -43,6 +43,7 @@ struct CurveSpec {
   std::string of;      ///< "undamped.1"; x and y are its columns
   std::string minus;   ///< another result whose y is taken off, row by row
   std::string x, y;    ///< columns; the panel's by default
+  std::optional<double> from, to;  ///< [s] rows whose time (the result's column t) lies outside are left out; the panel's by default
   Curve look;          ///< role, name, remark, mark, dashed, label places; no numbers yet
   Place place;
 };
@@ -50,7 +51,7 @@ struct CurveSpec {
 struct PanelSpec {
   std::string x, y;                 ///< columns of the curves
   std::string x_unit, y_unit;       ///< what to draw them in; SI by default
-  std::optional<double> from, to;   ///< rows whose x lies outside are left out (in x_unit)
+  std::optional<double> from, to;   // [s]
   Panel look;                       ///< title, axes, notes, phase_portrait; names of axes made from column and unit where empty
   std::vector<CurveSpec> curves;
   Place place;
