@@ -7,7 +7,7 @@
 namespace cromer {
 namespace {
 
-constexpr std::string_view commands[] = {"simulate", "fit", "compare", "resonance", "local_error"};
+constexpr std::string_view commands[] = {"simulate", "fit", "compare", "resonance", "local_error", "difference"};
 
 /// Reads one table with a function that asks a TomlReader for its keys.
 template <class Read>
@@ -175,7 +175,7 @@ Result<void> check(const Study& study) {
   std::set<std::string> ids;
   for (const TaskSpec& task : study.tasks) {
     if (task.command.empty())
-      return task.place.error("a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, resonance, local_error)");
+      return task.place.error("a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, resonance, local_error, difference)");
     if (task.id.empty() || !ids.insert(task.id).second) return task.place.error("each task needs a name of its own");
   }
   ids.clear();
