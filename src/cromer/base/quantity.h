@@ -32,16 +32,16 @@ struct Unit {
   friend bool operator==(const Unit&, const Unit&) = default;
 };
 
-/// Reads a unit: a product or quotient of the symbols in quantity.cpp's table with SI prefixes and integer powers
+/// Reads a unit: a product or quotient of the symbols in unit.cpp's table with SI prefixes and integer powers
 /// ("N/m", "kg m/s^2", "m/s²", "1/s", "kg·m⁻¹", "%", "°C", "rpm"). Hz, kHz and rpm count cycles: they are rad/s times
 /// 2 pi. "g" is the gram unless `expected` has the dimension of an acceleration.
 Result<Unit> parse_unit(std::string_view text, const Dimension* expected = nullptr);
 
 /// Reads "0.2176", "217.6 g", "217.6 ± 0.3 g", "217.6 +/- 0.3 g", "0.2176(3) kg", "5 %": a bare number is in
 /// `si_unit` already. `si_unit` is the coherent SI symbol ("kg", "N/m", "rad/s", "s", "" for a plain number); text with a unit of
-/// another dimension is an Error that names both: `"5 N" is not a mass: expected kg (for instance g)`-like. 1/s and rad/s are told
-/// apart only where a cycle unit is written (a decay rate in Hz is refused, a frequency in 1/s too).
-/// Not-finite numbers are errors.
+/// another dimension is an Error that names both: `"5 N" is a force; expected a mass, for instance 217.6 g`. 1/s and rad/s are told
+/// apart: a decay rate in Hz or rad/s is refused, a frequency in 1/s too. With `si_unit` "Hz" the number counts samples per second
+/// ("100", "100 Hz", "100 1/s"). Not-finite numbers, decimal commas and negative uncertainties are errors.
 Result<Quantity> parse_quantity(std::string_view text, std::string_view si_unit);
 
 /// "17.04 ± 0.02 N/m" in the words of look/LOOK.md: the ± at two digits if it begins with 1 or 2, else at one; the value to the same place;

@@ -1,0 +1,145 @@
+// Numbers written for people, and the shortest text for programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "cromer/base/quantity.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::string_view true_minus = "\u2212";
+constexpr std::string_view no_break_space = "\u00a0";
+
+/// digits × 10^place, digits a whole number without sign ("0" for nothing): what is left of a double after
+/// rounding.
+struct Decimal {
+  std::string digits;
+  int place = 0;
+
+  int exponent() const { return digits == "0" ? place : place + static_cast<int>(digits.size()) - 1; }
+};
+
+/// `count` significant digits, correctly rounded from the exact value of the double.
+Decimal significant(double value, int count) {
+  if (value == 0) return {"0", 0};
+  const std::string text = fmt::format("{:.{}e}", std::fabs(value), count - 1);
+  const std::size_t e = text.find('e');
+  Decimal decimal;
+  for (const char c : text.substr(0, e))
+    if (c != '.') decimal.digits += c;
+  int exponent = 0;
+  const char* first = text.data() + e + (text[e + 1] == '+' ? 2 : 1);
+  std::from_chars(first, text.data() + text.size(), exponent);
+  decimal.place = exponent - (count - 1);
+  return decimal;
+}
+
+/// Rounded to a multiple of 10^place.
+Decimal rounded_to(double value, int place) {
+  const int count = significant(value, 17).exponent() - place + 1;
+  if (value == 0 || count < 0) return {"0", place};
+  if (count == 0) {
+    const bool up = significant(value, 1).digits[0] >= '5';
+    return {up ? "1" : "0", place};
+  }
+  Decimal decimal = significant(value, count);
+  if (decimal.place > place) decimal.digits += '0';  // 9.96 to one place has become 10.0
+  decimal.place = place;
+  return decimal;
+}
+
+/// digits × 10^shift with a point, no exponent.
+std::string fixed(std::string digits, int shift) {
+  if (shift >= 0) return digits == "0" ? digits : digits + std::string(static_cast<std::size_t>(shift), '0');
+  const std::size_t decimals = static_cast<std::size_t>(-shift);
+  if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
+  return digits.insert(digits.size() - decimals, ".");
+}
+
+/// With the sign of the value, unless nothing but zeros is left of it.
+std::string signed_text(bool negative, const std::string& text) {
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return negative && !zero ? std::string(true_minus) + text : text;
+}
+
+bool needs_power(int exponent) { return exponent < -4 || exponent >= 6; }
+
+std::string power_of_ten(int exponent) {
+  constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                                          "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+  std::string text = fmt::format("{0}\u00d7{0}10", no_break_space);
+  for (const char c : std::to_string(exponent))
+    text += c == '-' ? "\u207b" : superscripts[static_cast<std::size_t>(c - '0')];
+  return text;
+}
+
+std::string not_finite(double value) {
+  if (std::isnan(value)) return "nan";
+  return value < 0 ? std::string(true_minus) + "inf" : "inf";
+}
+
+std::string write(double value, Decimal decimal) {
+  const int exponent = decimal.exponent();
+  if (!needs_power(exponent)) return signed_text(value < 0, fixed(decimal.digits, decimal.place));
+  return signed_text(value < 0, fixed(decimal.digits, decimal.place - exponent)) + power_of_ten(exponent);
+}
+
+/// The last place an uncertainty is quoted to: two digits if it begins with 1 or 2, else one.
+int last_place(double uncertainty) {
+  const Decimal two = significant(uncertainty, 2);
+  if (two.digits[0] == '1' || two.digits[0] == '2') return two.place;
+  const Decimal one = significant(uncertainty, 1);
+  return one.digits[0] == '1' ? one.place - 1 : one.place;  // 0.096 is 0.10
+}
+
+std::string with_unit(std::string text, std::string_view unit) {
+  if (unit.empty()) return text;
+  if (unit != "°") text += no_break_space;
+  return text.append(unit);
+}
+
+}  // namespace
+
+std::string rounded(double value, int digits) {
+  if (!std::isfinite(value)) return not_finite(value);
+  if (value == 0) return "0";
+  return write(value, significant(value, std::clamp(digits, 1, 17)));
+}
+
+std::string shortest(double value) {
+  if (std::isnan(value)) return "nan";
+  if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
+}
+
+std::string format_quantity(Quantity quantity, std::string_view unit) {
+  const auto [value, uncertainty] = quantity;
+  if (!std::isfinite(value)) return with_unit(not_finite(value), unit);
+  if (!(uncertainty > 0) || !std::isfinite(uncertainty)) {
+    if (value == 0) return with_unit("0", unit);
+    Decimal decimal = significant(value, 6);
+    while (decimal.digits.size() > 1 && decimal.digits.back() == '0') {
+      decimal.digits.pop_back();
+      ++decimal.place;
+    }
+    return with_unit(write(value, decimal), unit);
+  }
+  const int place = last_place(uncertainty);
+  const Decimal v = rounded_to(value, place);
+  const Decimal u = rounded_to(uncertainty, place);
+  const int exponent = std::max(v.exponent(), u.exponent());
+  const bool power = needs_power(exponent);
+  const int shift = power ? place - exponent : place;
+  std::string text = signed_text(value < 0, fixed(v.digits, shift));
+  text += fmt::format("{0}±{0}{1}", no_break_space, fixed(u.digits, shift));
+  if (power) text = "(" + text + ")" + power_of_ten(exponent);
+  return with_unit(text, unit);
+}
+
+}  // namespace cromer

@@ -1,0 +1,29 @@
+#include "cromer/base/number.h"
+
+#include <fast_float/fast_float.h>
+
+namespace cromer {
+
+std::optional<LeadingNumber> leading_number(std::string_view text, char decimal) {
+  constexpr std::string_view true_minus = "\u2212";
+  std::size_t sign = 0;
+  bool negative = false;
+  if (text.starts_with(true_minus)) {
+    sign = true_minus.size();
+    negative = true;
+  } else if (text.starts_with('-') || text.starts_with('+')) {
+    sign = 1;
+    negative = text.front() == '-';
+  }
+  const std::string_view rest = text.substr(sign);
+  const bool digit = !rest.empty() && rest[0] >= '0' && rest[0] <= '9';
+  const bool fraction = rest.size() > 1 && rest[0] == decimal && rest[1] >= '0' && rest[1] <= '9';
+  if (!digit && !fraction) return std::nullopt;
+  double value = 0;
+  const fast_float::parse_options options(fast_float::chars_format::general, decimal);
+  const auto end = fast_float::from_chars_advanced(rest.data(), rest.data() + rest.size(), value, options);
+  if (end.ptr == rest.data()) return std::nullopt;
+  return LeadingNumber{negative ? -value : value, sign + static_cast<std::size_t>(end.ptr - rest.data())};
+}
+
+}  // namespace cromer

@@ -1,0 +1,198 @@
+// The units Cromer knows and the grammar that joins them.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+#include <optional>
+
+#include "cromer/base/quantity.h"
+
+namespace cromer {
+namespace {
+
+struct Symbol {
+  std::string_view text;
+  double factor;
+  Dimension dimension;
+  bool prefixed = false;  ///< takes SI prefixes
+};
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double cycle = 2 * std::numbers::pi;
+constexpr double gravity = 9.80665;      // [m/s^2] standard acceleration, 3rd CGPM (1901)
+constexpr double zero_celsius = 273.15;  // [K]
+
+constexpr Dimension none{};
+constexpr Dimension acceleration{.metre = 1, .second = -2};
+
+// kg, m, s, K, A, rad in the order of Dimension.
+constexpr std::array symbols{
+    Symbol{"g", 1e-3, {1}, true},
+    Symbol{"m", 1, {0, 1}, true},
+    Symbol{"s", 1, {0, 0, 1}, true},
+    Symbol{"sec", 1, {0, 0, 1}},
+    Symbol{"min", 60, {0, 0, 1}},
+    Symbol{"h", 3600, {0, 0, 1}},
+    Symbol{"K", 1, {0, 0, 0, 1}, true},
+    Symbol{"A", 1, {0, 0, 0, 0, 1}, true},
+    Symbol{"N", 1, {1, 1, -2}, true},
+    Symbol{"J", 1, {1, 2, -2}, true},
+    Symbol{"W", 1, {1, 2, -3}, true},
+    Symbol{"Pa", 1, {1, -1, -2}, true},
+    Symbol{"V", 1, {1, 2, -3, 0, -1}, true},
+    Symbol{"T", 1, {1, 0, -2, 0, -1}, true},
+    Symbol{"Hz", cycle, {0, 0, -1, 0, 0, 1}, true},
+    Symbol{"rpm", cycle / 60, {0, 0, -1, 0, 0, 1}},
+    Symbol{"rad", 1, {0, 0, 0, 0, 0, 1}, true},
+    Symbol{"deg", degree, {0, 0, 0, 0, 0, 1}},
+    Symbol{"°", degree, {0, 0, 0, 0, 0, 1}},
+    Symbol{"in", 0.0254, {0, 1}},
+    Symbol{"ft", 0.3048, {0, 1}},
+    Symbol{"%", 0.01, none},
+    Symbol{"1", 1, none},
+    Symbol{"°C", 1, {0, 0, 0, 1}},
+    Symbol{"degC", 1, {0, 0, 0, 1}},
+};
+
+struct Prefix {
+  std::string_view text;
+  double factor;
+};
+
+constexpr std::array prefixes{
+    Prefix{"p", 1e-12},     Prefix{"n", 1e-9}, Prefix{"u", 1e-6}, Prefix{"\u00b5", 1e-6},
+    Prefix{"\u03bc", 1e-6}, Prefix{"m", 1e-3}, Prefix{"c", 1e-2}, Prefix{"d", 1e-1},
+    Prefix{"h", 1e2},       Prefix{"k", 1e3},  Prefix{"M", 1e6},  Prefix{"G", 1e9},
+};
+
+std::optional<Symbol> find_symbol(std::string_view text) {
+  for (const Symbol& symbol : symbols)
+    if (symbol.text == text) return symbol;
+  for (const Prefix& prefix : prefixes) {
+    if (!text.starts_with(prefix.text)) continue;
+    for (const Symbol& symbol : symbols) {
+      if (!symbol.prefixed || symbol.text != text.substr(prefix.text.size())) continue;
+      const bool kilogram = symbol.text == "g" && prefix.text == "k";  // 1, not 1e3 * 1e-3
+      return Symbol{text, kilogram ? 1 : prefix.factor * symbol.factor, symbol.dimension};
+    }
+  }
+  return std::nullopt;
+}
+
+/// Reads from the front of a text.
+struct Reader {
+  std::string_view rest;
+
+  bool take(std::string_view token) {
+    if (!rest.starts_with(token)) return false;
+    rest.remove_prefix(token.size());
+    return true;
+  }
+
+  bool take_blank() { return take(" ") || take("\t") || take("\u00a0") || take("\u202f") || take("\u2009"); }
+
+  void skip_blanks() {
+    while (take_blank()) {
+    }
+  }
+};
+
+constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                                        "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+
+/// "^-2", "²", "⁻¹" or the bare digit of "m/s2"; 1 where no power is written, nothing where it is malformed.
+/// At most one digit.
+std::optional<int> take_power(Reader& reader) {
+  const bool caret = reader.take("^");
+  bool negative = reader.take("\u207b");
+  if (!negative && !reader.rest.empty()) {
+    const bool digit_follows = reader.rest.size() > 1 && reader.rest[1] >= '0' && reader.rest[1] <= '9';
+    if (digit_follows || caret) negative = reader.take("-") || reader.take("\u2212");
+  }
+  int power = 0;
+  if (!reader.rest.empty() && reader.rest[0] >= '0' && reader.rest[0] <= '9') {
+    power = reader.rest[0] - '0';
+    reader.rest.remove_prefix(1);
+  } else {
+    for (std::size_t digit = 0; digit < superscripts.size(); ++digit)
+      if (reader.take(superscripts[digit])) power = static_cast<int>(digit);
+    if (power == 0) {
+      if (caret || negative) return std::nullopt;
+      return 1;
+    }
+  }
+  if (power == 0) return std::nullopt;
+  return negative ? -power : power;
+}
+
+bool ends_symbol(std::string_view rest) {
+  constexpr std::array<std::string_view, 11> ends{" ",      "\t",     "/",      "*",      "^",     "-",
+                                                  "\u00b7", "\u22c5", "\u00a0", "\u207b", "\u2212"};
+  for (const std::string_view end : ends)
+    if (rest.starts_with(end)) return true;
+  for (const std::string_view digit : superscripts)
+    if (rest.starts_with(digit)) return true;
+  return rest[0] >= '0' && rest[0] <= '9';
+}
+
+std::string_view take_symbol(Reader& reader) {
+  if (reader.rest.starts_with('1')) {
+    const std::string_view one = reader.rest.substr(0, 1);
+    reader.rest.remove_prefix(1);
+    return one;
+  }
+  std::size_t length = 0;
+  while (length < reader.rest.size() && !ends_symbol(reader.rest.substr(length))) ++length;
+  const std::string_view symbol = reader.rest.substr(0, length);
+  reader.rest.remove_prefix(length);
+  return symbol;
+}
+
+bool multiply(Dimension& dimension, const Dimension& other, int power) {
+  constexpr std::array parts{&Dimension::kilogram, &Dimension::metre,  &Dimension::second,
+                             &Dimension::kelvin,   &Dimension::ampere, &Dimension::radian};
+  for (const auto part : parts) {
+    const int exponent = dimension.*part + power * (other.*part);
+    if (std::abs(exponent) > 100) return false;
+    dimension.*part = static_cast<signed char>(exponent);
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
+  const auto unknown = [](std::string_view spelled) {
+    return Error{fmt::format("unknown unit \"{}\"", spelled)};
+  };
+  Reader reader{text};
+  reader.skip_blanks();
+  while (!reader.rest.empty() && reader.rest.back() == ' ') reader.rest.remove_suffix(1);
+  if (reader.rest == "g" && expected && *expected == acceleration) return Unit{gravity, 0, acceleration};
+  if (reader.rest == "°C" || reader.rest == "degC") return Unit{1, zero_celsius, {.kelvin = 1}};
+
+  Unit unit;
+  int sign = 1;
+  bool wanted = !reader.rest.empty();
+  while (wanted) {
+    const std::string_view name = take_symbol(reader);
+    const auto symbol = find_symbol(name);
+    if (!symbol) return unknown(name.empty() ? text : name);
+    const auto power = name == "1" ? std::optional<int>(1) : take_power(reader);
+    if (!power || !multiply(unit.dimension, symbol->dimension, sign * *power)) return unknown(text);
+    // Only products of small whole powers, so that kg m/s^2 is exactly 1.
+    for (int i = 0; i < std::abs(*power); ++i)
+      unit.factor = sign * *power > 0 ? unit.factor * symbol->factor : unit.factor / symbol->factor;
+    reader.skip_blanks();
+    if (reader.rest.empty()) break;
+    sign = reader.take("/") ? -1 : 1;
+    if (sign == 1 && !reader.take("*") && !reader.take("\u00b7")) reader.take("\u22c5");
+    reader.skip_blanks();
+  }
+  if (!(unit.factor > 0) || !std::isfinite(unit.factor)) return unknown(text);
+  return unit;
+}
+
+}  // namespace cromer
