@@ -46,8 +46,7 @@ TaskSpec read_task(TomlReader& toml) {
     }
   for (const std::string& key : toml.keys()) {
     if (with_hyphens(key) == task.command) continue;
-    Setting setting{with_hyphens(key), toml.values(key), task.place};
-    task.settings.push_back(std::move(setting));
+    task.settings.push_back({with_hyphens(key), toml.values(key), toml.place_of_key(key)});
   }
   return task;
 }

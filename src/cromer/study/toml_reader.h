@@ -37,6 +37,8 @@ class TomlReader {
   std::vector<std::string> keys() const;
   Place place() const { return place_of(table_); }
   Place place_of(const toml::node& node) const;
+  /// Of the value of a key that is there.
+  Place place_of_key(std::string_view key) const { return place_of(*table_.get(key)); }
   void fail(const toml::node& node, const std::string& message);
   /// The first error, or that a key is none of those asked for.
   Result<void> finish() const;

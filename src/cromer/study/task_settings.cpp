@@ -1,0 +1,44 @@
+#include "cromer/study/task_settings.h"
+
+#include <algorithm>
+
+#include "cromer/base/nearest.h"
+#include "cromer/study/text.h"
+
+namespace cromer {
+namespace {
+
+std::string as_key(std::string_view option) {
+  std::string key(option);
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
+Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Option>& options) {
+  std::vector<std::string_view> names;
+  for (const Option& option : options) names.push_back(option.name);
+  const std::string near = nearest(setting.option, names);
+  std::string message = "\"" + as_key(setting.option) + "\" is no option of " + task.command;
+  if (!near.empty()) message += "; did you mean \"" + as_key(near) + "\"?";
+  return setting.place.error(message);
+}
+
+}  // namespace
+
+Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options, const Results& results) {
+  for (const Setting& setting : task.settings) {
+    const auto option =
+        std::find_if(options.begin(), options.end(), [&](const Option& each) { return each.name == setting.option; });
+    if (option == options.end()) return unknown(setting, task, options);
+    if (setting.values.size() != 1 && !option->is_list())
+      return setting.place.error("\"" + as_key(setting.option) + "\" takes one value, not a list");
+    for (const std::string& value : setting.values) {
+      const auto text = fill(value, results);
+      if (!text) return setting.place.error(text.error().message);
+      if (const auto assigned = assign(*option, *text); !assigned) return setting.place.error(assigned.error().message);
+    }
+  }
+  return {};
+}
+
+}  // namespace cromer
