@@ -1,0 +1,86 @@
+// The registry: the only list of methods. A new one is an include and an entry.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "cromer/base/nearest.h"
+#include "cromer/base/result.h"
+#include "cromer/methods/euler_cromer.h"
+#include "cromer/methods/exact.h"
+#include "cromer/methods/forward_euler.h"
+#include "cromer/methods/implicit_euler.h"
+#include "cromer/methods/rk4.h"
+#include "cromer/methods/verlet.h"
+
+namespace cromer {
+
+using AllMethods = std::tuple<ForwardEuler, EulerCromer, ImplicitEuler, Verlet, Rk4, Exact>;
+
+/// What a run may set; a method takes what it has a use for.
+struct MethodSettings {
+  NewtonOptions newton;
+};
+
+template <class M>
+constexpr M make_method(const MethodSettings& settings) {
+  M method;
+  if constexpr (requires { method.newton; }) method.newton = settings.newton;
+  return method;
+}
+
+/// Calls f(method) for every method, in the order of the list.
+template <class F>
+constexpr void for_each_method(const MethodSettings& settings, F&& f) {
+  [&]<class... M>(std::type_identity<std::tuple<M...>>) {
+    (f(make_method<M>(settings)), ...);
+  }(std::type_identity<AllMethods>{});
+}
+
+/// Names in the order of the list.
+inline constexpr auto method_names = []<class... M>(std::type_identity<std::tuple<M...>>) {
+  return std::array<std::string_view, sizeof...(M)>{M::info.name...};
+}(std::type_identity<AllMethods>{});
+
+/// What is known of each method, in the order of the list.
+inline constexpr auto method_infos = []<class... M>(std::type_identity<std::tuple<M...>>) {
+  return std::array<MethodInfo, sizeof...(M)>{M::info...};
+}(std::type_identity<AllMethods>{});
+
+/// The information on one method; nullptr if there is none of that name.
+constexpr const MethodInfo* find_method(std::string_view name) {
+  for (const MethodInfo& info : method_infos)
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+/// Calls f(method) for the method of that name, which must be in the list (find_method), and returns what f
+/// returns: the same type, default constructible, for every method. The one look-up by name, outside every
+/// loop.
+template <class F>
+auto visit_method(std::string_view name, const MethodSettings& settings, F&& f) {
+  return [&]<class... M>(std::type_identity<std::tuple<M...>>) {
+    using R = std::common_type_t<decltype(f(std::declval<const M&>()))...>;
+    R result{};
+    static_cast<void>(((M::info.name == name && (result = f(make_method<M>(settings)), true)) || ...));
+    return result;
+  }(std::type_identity<AllMethods>{});
+}
+
+/// Success, or what to say about a name that is not in the list.
+inline Result<void> check_method_name(std::string_view name) {
+  if (find_method(name)) return {};
+  std::string message = "there is no method \"" + std::string(name) + "\"";
+  if (const std::string guess = nearest(name, method_names); !guess.empty())
+    message += "; did you mean " + guess + "?";
+  message += " (";
+  for (std::size_t i = 0; i < method_names.size(); ++i)
+    message += (i ? ", " : "") + std::string(method_names[i]);
+  return Error{message + ")"};
+}
+
+}  // namespace cromer

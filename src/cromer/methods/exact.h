@@ -1,0 +1,37 @@
+#pragma once
+
+#include "cromer/methods/method.h"
+
+namespace cromer {
+
+/// The closed form, where the system has one; always from the start of the run, so that no error builds up.
+struct Exact {
+  static constexpr MethodInfo info{
+      .name = "exact",
+      .order = 0,
+      .error_order = 0,
+      .evaluations = 0,
+      .implicit = false,
+      .symplectic = true,
+      .divisions = 0,
+      .source = "closed form; cromer/model/propagate.h",
+  };
+
+  /// Where the run began.
+  template <class Real>
+  struct Memory {
+    Real t0;  // [s]
+    State<Real> y0;
+  };
+
+  template <class S, class Time, class Real>
+  requires ExactSystem<S, Real> Memory<Real> start(const S&, const Time& t, const State<Real>& y)
+  const { return {Real(t), y}; }
+
+  template <class S, class Time, class Real>
+  requires ExactSystem<S, Real> Trial<Real> step(const S& system, const Time& t, const Time& h,
+                                                 const State<Real>&, Memory<Real>& memory)
+  const { return {.y = system.propagate(memory.t0, Real(t + h), memory.y0)}; }
+};
+
+}  // namespace cromer

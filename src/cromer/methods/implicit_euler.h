@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/base/dual.h"
+#include "cromer/methods/method.h"
+#include "cromer/methods/newton.h"
+
+namespace cromer {
+
+/// v' = v + h a(t + h, x', v'), x' = x + h v': the second put into the first leaves one equation, for v'.
+/// Stable at any step, and damps what is not damped: decay rate about w^2 h/2.
+struct ImplicitEuler {
+  static constexpr MethodInfo info{
+      .name = "implicit-euler",
+      .order = 1,
+      .error_order = 0,
+      .evaluations = 0,
+      .implicit = true,
+      .symplectic = false,
+      .divisions = 1,
+      .source = "C. F. Curtiss & J. O. Hirschfelder, Proc. Natl. Acad. Sci. 38, 235 (1952)",
+  };
+
+  NewtonOptions newton;
+
+  /// The largest velocity of the motion so far [m/s].
+  template <class Real>
+  struct Memory {
+    double scale;
+  };
+
+  template <class S, class Time, class Real>
+  Memory<Real> start(const S&, const Time&, const State<Real>& y) const {
+    return {std::abs(value_of(y.v))};
+  }
+
+  template <class S, class Time, class Real>
+  Trial<Real> step(const S& system, const Time& t, const Time& h, const State<Real>& y,
+                   Memory<Real>& memory) const {
+    const auto residual = [&](const Dual<Real, 1>& v) {
+      return v - y.v - h * system.acceleration(t + h, y.x + h * v, v);
+    };
+    // A velocity that moves x by less than its last digit changes nothing.
+    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(value_of(y.x) / value_of(h));
+    const auto solved = cromer::newton(residual, y.v, {memory.scale, rounding}, newton);
+    const Real v = solved.root;
+    memory.scale = std::max(memory.scale, std::abs(value_of(v)));
+    return {.y = {y.x + h * v, v}, .newton_iterations = solved.iterations, .converged = solved.converged};
+  }
+};
+
+}  // namespace cromer

@@ -1,0 +1,57 @@
+// What a method of integration is: its contract, what it carries from step to step, and its formula.
+//
+// A method is one struct in one header: `info`, `Memory<Real>`, `start` and `step`, over any scalar and any
+// System. To add one, write that header and name it in methods/all.h; tests, tables and commands find it
+// there.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+
+#include "cromer/base/state.h"
+
+namespace cromer {
+
+/// What is known of a method before it runs.
+struct MethodInfo {
+  std::string_view name;    ///< as typed: "euler-cromer"
+  int order;                ///< of the global error; 0 where there is none (exact)
+  int error_order;          ///< of the embedded error estimate; > 0 for adaptive methods
+  int evaluations;          ///< of the acceleration a step, besides one for each Newton iteration
+  bool implicit;            ///< a step solves an equation
+  bool symplectic;          ///< of the undamped law
+  int divisions;            ///< a step asks for accelerations at t + i h/divisions only; 0: at any time
+  std::string_view source;  ///< who published it
+};
+
+/// What one step gives.
+template <class Real>
+struct Trial {
+  State<Real> y;
+  State<Real> error{};        ///< estimate, of adaptive methods
+  int newton_iterations = 0;  ///< of implicit methods
+  bool converged = true;      ///< false: the iteration limit was reached, y is not a solution
+};
+
+/// For methods that carry nothing.
+struct NoMemory {};
+
+/// M integrates S: start makes the memory for a run from y at t, step goes from y at t to t + h.
+template <class M, class S, class Real>
+concept Method = requires(const M& method, const S& system, double t, double h, State<Real> y,
+                          typename M::template Memory<Real> memory) {
+  { M::info } -> std::convertible_to<MethodInfo>;
+  { method.start(system, t, y) } -> std::convertible_to<typename M::template Memory<Real>>;
+  { method.step(system, t, h, y, memory) } -> std::convertible_to<Trial<Real>>;
+};
+
+/// False only where the system says so: then methods spare the equation for v'.
+template <class S>
+constexpr bool depends_on_velocity() {
+  if constexpr (requires { S::depends_on_velocity; })
+    return S::depends_on_velocity;
+  else
+    return true;
+}
+
+}  // namespace cromer

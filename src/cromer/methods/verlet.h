@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/base/dual.h"
+#include "cromer/methods/method.h"
+#include "cromer/methods/newton.h"
+
+namespace cromer {
+
+/// Velocity Verlet: x' = x + h v + h^2/2 a, v' = v + h/2 (a + a(t + h, x', v')). Where the force depends on
+/// the velocity the second is an equation for v', solved by Newton's iteration.
+struct Verlet {
+  static constexpr MethodInfo info{
+      .name = "verlet",
+      .order = 2,
+      .error_order = 0,
+      .evaluations = 1,
+      .implicit = false,
+      .symplectic = true,
+      .divisions = 1,
+      .source = "W. C. Swope et al., J. Chem. Phys. 76, 637 (1982)",
+  };
+
+  NewtonOptions newton;
+
+  /// The acceleration at the state, and the largest velocity of the motion so far.
+  template <class Real>
+  struct Memory {
+    Real acceleration;  // [m/s^2]
+    double scale;       // [m/s]
+  };
+
+  template <class S, class Time, class Real>
+  Memory<Real> start(const S& system, const Time& t, const State<Real>& y) const {
+    return {system.acceleration(t, y.x, y.v), std::abs(value_of(y.v))};
+  }
+
+  template <class S, class Time, class Real>
+  Trial<Real> step(const S& system, const Time& t, const Time& h, const State<Real>& y,
+                   Memory<Real>& memory) const {
+    const Real a = memory.acceleration;
+    const Real x = y.x + h * (y.v + h / 2 * a);
+    if constexpr (!depends_on_velocity<S>()) {
+      memory.acceleration = system.acceleration(t + h, x, y.v);
+      return {.y = {x, y.v + h / 2 * (a + memory.acceleration)}};
+    } else {
+      const auto residual = [&](const Dual<Real, 1>& v) {
+        return v - y.v - h / 2 * (a + system.acceleration(t + h, Dual<Real, 1>(x), v));
+      };
+      const auto solved = cromer::newton(residual, y.v + h * a, {memory.scale, 0.0}, newton);
+      const Real v = solved.root;
+      memory.acceleration = system.acceleration(t + h, x, v);
+      memory.scale = std::max(memory.scale, std::abs(value_of(v)));
+      return {.y = {x, v}, .newton_iterations = solved.iterations, .converged = solved.converged};
+    }
+  }
+};
+
+}  // namespace cromer

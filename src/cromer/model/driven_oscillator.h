@@ -1,0 +1,123 @@
+// Oscillator and drive joined to what a method integrates: an acceleration.
+//
+//   return with_terms(oscillator, drive, [&](const auto& system) { return ...; });
+//
+// calls with the DrivenOscillator that has exactly the terms present, so that absent ones cost nothing in the
+// loop.
+#pragma once
+
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "cromer/base/dual.h"
+#include "cromer/base/state.h"
+#include "cromer/model/drive.h"
+#include "cromer/model/harmonic_force.h"
+#include "cromer/model/oscillator.h"
+#include "cromer/model/propagate.h"
+#include "cromer/model/terms.h"
+
+namespace cromer {
+
+/// The law per unit mass: x'' = f(t) - (s + k3 x^2) x - (c + d |x'|) x' - f0 sgn(x'), each coefficient
+/// divided by m. Friction is the plain sign function, 0 at rest. Force gives f(t) [m/s^2]: HarmonicForce, or
+/// TabulatedForce after on_grid.
+template <class Real, Terms terms, class Force = HarmonicForce<Real>>
+class DrivenOscillator {
+ public:
+  /// Oscillator and force per unit mass.
+  DrivenOscillator(const Oscillator<Real>& per_mass, const Force& force) : law_(per_mass), force_(force) {}
+
+  static constexpr bool depends_on_velocity = terms.damping || terms.drag || terms.friction;
+
+  /// [m/s^2]. T is Real, or a Dual over it.
+  template <class Time, class T>
+  T acceleration([[maybe_unused]] const Time& t, const T& x, [[maybe_unused]] const T& v) const {
+    // The restoring force last: from x to the next x is the longest way through a step.
+    if constexpr (terms.drive && depends_on_velocity)
+      return (T(force_(t)) - resistance(v)) - restoring(x);
+    else if constexpr (terms.drive)
+      return T(force_(t)) - restoring(x);
+    else if constexpr (depends_on_velocity)
+      return -resistance(v) - restoring(x);
+    else
+      return -restoring(x);
+  }
+
+  /// The state at t of the motion through y0 at t0.
+  State<Real> propagate(const Real& t0, const Real& t, const State<Real>& y0) const
+      requires(is_linear(terms) && std::is_same_v<Force, HarmonicForce<Real>>) {
+    const LinearLaw<Real> linear{law_.damping / Real(2), law_.stiffness, force_.amplitude, force_.frequency,
+                                 force_.phase};
+    return cromer::propagate(linear, t0, t, y0);
+  }
+
+  /// The same law for times `spacing` [s] apart, its drive from a table: move_to(first) makes the next
+  /// `block` spacings ready.
+  auto on_grid(double spacing) const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
+    return DrivenOscillator<Real, terms, TabulatedForce<Real>>(law_, TabulatedForce<Real>(force_, spacing));
+  }
+  static constexpr int block = TabulatedForce<Real>::block;
+  void move_to(double first) requires(std::is_same_v<Force, TabulatedForce<Real>>) { force_.move_to(first); }
+
+ private:
+  template <class T>
+  T restoring(const T& x) const {
+    if constexpr (terms.cubic)
+      return (law_.stiffness + law_.cubic * (x * x)) * x;
+    else
+      return law_.stiffness * x;
+  }
+
+  template <class T>
+  T resistance(const T& v) const {
+    using std::abs;
+    T r(0);
+    if constexpr (terms.drag)
+      r = (law_.damping + law_.drag * abs(v)) * v;
+    else
+      r = law_.damping * v;
+    if constexpr (terms.friction) r = r + law_.friction * sgn(v);
+    return r;
+  }
+
+  Oscillator<Real> law_;  // per unit mass; its mass is not used
+  Force force_;
+};
+
+/// Calls f with the DrivenOscillator that has the terms with a coefficient other than zero, and returns what
+/// it returns. Of the resistances a higher one brings the lower along (damping < drag < friction): 16
+/// instantiations instead of 32.
+template <class Real, class F>
+decltype(auto) with_terms(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive, F&& f) {
+  const Terms present = terms_of(oscillator, drive);
+  const Real& m = oscillator.mass;
+  const Oscillator<Real> per_mass{Real(1),
+                                  oscillator.stiffness / m,
+                                  oscillator.damping / m,
+                                  oscillator.drag / m,
+                                  oscillator.friction / m,
+                                  oscillator.cubic / m};
+  const HarmonicForce<Real> force{drive.amplitude / m, drive.frequency, drive.phase};
+
+  const auto call = [&]<Terms terms>() -> decltype(auto) {
+    return std::forward<F>(f)(DrivenOscillator<Real, terms>(per_mass, force));
+  };
+  const auto with_resistance = [&]<Terms terms>() -> decltype(auto) {
+    constexpr Terms damped{.drive = terms.drive, .damping = true, .cubic = terms.cubic};
+    constexpr Terms dragged{.drive = terms.drive, .damping = true, .cubic = terms.cubic, .drag = true};
+    constexpr Terms rubbed{terms.drive, true, terms.cubic, true, true};
+    if (present.friction) return call.template operator()<rubbed>();
+    if (present.drag) return call.template operator()<dragged>();
+    if (present.damping) return call.template operator()<damped>();
+    return call.template operator()<terms>();
+  };
+  if (present.drive && present.cubic)
+    return with_resistance.template operator()<Terms{.drive = true, .cubic = true}>();
+  if (present.drive) return with_resistance.template operator()<Terms{.drive = true}>();
+  if (present.cubic) return with_resistance.template operator()<Terms{.cubic = true}>();
+  return with_resistance.template operator()<Terms{}>();
+}
+
+}  // namespace cromer

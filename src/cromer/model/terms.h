@@ -1,0 +1,43 @@
+// Which terms of the law are there; decided once, outside every loop.
+#pragma once
+
+#include "cromer/model/drive.h"
+#include "cromer/model/oscillator.h"
+
+namespace cromer {
+
+/// Inertia and stiffness are always there.
+struct Terms {
+  bool drive = false;
+  bool damping = false;
+  bool cubic = false;
+  bool drag = false;
+  bool friction = false;
+
+  friend constexpr bool operator==(const Terms&, const Terms&) = default;
+};
+
+/// The terms with a coefficient other than zero.
+template <class Real>
+constexpr Terms terms_of(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive) {
+  return {.drive = drive.amplitude != Real(0),
+          .damping = oscillator.damping != Real(0),
+          .cubic = oscillator.cubic != Real(0),
+          .drag = oscillator.drag != Real(0),
+          .friction = oscillator.friction != Real(0)};
+}
+
+/// The linear law with harmonic drive: the one with a closed form.
+constexpr bool is_linear(Terms terms) { return !terms.cubic && !terms.drag && !terms.friction; }
+
+/// Empty if the oscillator has a closed form; otherwise the term that prevents it, for people: "drag (0.02
+/// kg/m)"-like is the caller's.
+template <class Real>
+constexpr const char* why_not_exact(const Oscillator<Real>& oscillator) {
+  if (oscillator.cubic != Real(0)) return "cubic";
+  if (oscillator.drag != Real(0)) return "drag";
+  if (oscillator.friction != Real(0)) return "friction";
+  return "";
+}
+
+}  // namespace cromer

@@ -1,0 +1,164 @@
+// The loop: a method, step by step, from the start to the end of an interval.
+//
+// A task joins law, method and loop in two lines; the names are looked up once, inside there are direct
+// calls:
+//
+//   KeepEvery keep(every, count_steps(interval, step));
+//   Outcome outcome = with_terms(oscillator, drive, [&](const auto& system) {
+//     return visit_method(name, settings, [&](const auto& method) { return solve(system, method, interval,
+//     start, step, keep, watch); });
+//   });
+//   Trajectory trajectory = keep.take();
+//
+// The name must be in the list (check_method_name), a law without a closed form refused for `exact`
+// (why_not_exact): a method that cannot integrate a system is a programmer's error.
+#pragma once
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+#include "cromer/base/dual.h"
+#include "cromer/base/interrupt.h"
+#include "cromer/base/state.h"
+#include "cromer/methods/method.h"
+#include "cromer/run/keep.h"
+#include "cromer/run/outcome.h"
+#include "cromer/run/steps.h"
+
+namespace cromer {
+
+/// When to give up.
+struct Limits {
+  long long steps = std::numeric_limits<long long>::max();  ///< > 0; where more are needed the run ends with
+                                                            ///< Status::step_limit
+};
+
+/// True if both are numbers.
+template <class Real>
+bool is_finite(const State<Real>& y) {
+  // One comparison for both, false also for NaN.
+  return std::abs(value_of(y.x)) + std::abs(value_of(y.v)) <= std::numeric_limits<double>::max();
+}
+
+/// A system for any times: itself.
+template <class S>
+class OffGrid {
+ public:
+  static constexpr int block = 128;
+  OffGrid(const S& system, double) : system_(system) {}
+  const S& from(double) { return system_; }
+
+ private:
+  const S& system_;
+};
+
+/// A system ready for times t, t + spacing, ..., block of them: its own tabulated form if it has one, else
+/// itself.
+template <class S>
+class OnGrid : public OffGrid<S> {
+  using OffGrid<S>::OffGrid;
+};
+
+template <class S>
+requires requires(const S& system) { system.on_grid(1.0).move_to(0.0); }
+class OnGrid<S> {
+ public:
+  static constexpr int block = S::block;
+  OnGrid(const S& system, double spacing) : tabulated_(system.on_grid(spacing)) {}
+  const auto& from(double first) {
+    tabulated_.move_to(first);
+    return tabulated_;
+  }
+
+ private:
+  decltype(std::declval<const S&>().on_grid(1.0)) tabulated_;
+};
+
+/// Runs method on system over the interval (until >= from) from the start state, in steps of `step` > 0 [s];
+/// state n is at from + n step, never accumulated. The recorder is called with (t, state) of the start and of
+/// every accepted step, all finite. Deterministic; allocates nothing. Interrupt and progress are looked at
+/// every hundred steps or so.
+template <class S, class M, class Real, class Recorder>
+requires Method<M, S, Real> Outcome solve(const S& system, const M& method, Interval interval,
+                                          const State<Real>& start, double step, Recorder&& record,
+                                          const Watch& watch = {}, const Limits& limits = {}) {
+  // A method that asks at other times than a grid's gets the system as it is.
+  constexpr int divisions = M::info.divisions;
+  using Grid = std::conditional_t<(divisions > 0), OnGrid<S>, OffGrid<S>>;
+  constexpr int parts = std::max(divisions, 1);
+  constexpr int block = Grid::block / parts;
+  Grid grid(system, step / parts);
+
+  const Steps steps = count_steps(interval, step);
+  const long long whole = std::min(steps.whole, limits.steps);
+  const auto time = [&](long long n) { return interval.from + static_cast<double>(n) * step; };
+
+  State<Real> y = start;
+  auto memory = method.start(system, interval.from, y);
+  long long n = 0, newton_iterations = 0;
+  double t = interval.from;
+  record(t, y);
+
+  const auto attempt = [&](const auto& law, double h, double next) {
+    const Trial<Real> trial = method.step(law, t, h, y, memory);
+    newton_iterations += trial.newton_iterations;
+    if (!trial.converged) return Status::no_convergence;
+    if (!is_finite(trial.y)) return Status::not_finite;
+    y = trial.y;
+    t = next;
+    ++n;
+    record(t, y);
+    return Status::reached_end;
+  };
+
+  Outcome outcome;
+  Status status = Status::reached_end;
+  while (n < whole && status == Status::reached_end) {
+    if (watch.interrupted()) {
+      outcome.interrupted = true;
+      status = Status::stopped_by_event;
+      break;
+    }
+    if (watch.progress && n % (64 * block) == 0)
+      watch.progress(static_cast<double>(n) / static_cast<double>(steps.count()));
+    const auto& law = grid.from(t);
+    const long long end = std::min(n + block, whole);
+    while (n < end && status == Status::reached_end) status = attempt(law, step, time(n + 1));
+  }
+  if (status == Status::reached_end && whole < steps.count()) {
+    if (whole >= limits.steps)
+      status = Status::step_limit;
+    else if (status = attempt(system, steps.last, interval.until); status == Status::reached_end)
+      outcome.last_step = steps.last;
+  }
+  if (status == Status::reached_end && watch.progress) watch.progress(1.0);
+
+  outcome.status = status;
+  outcome.t = t;
+  outcome.y = {value_of(y.x), value_of(y.v)};
+  outcome.step = n;
+  outcome.counts = {.accepted = n,
+                    .rejected = 0,
+                    .evaluations = n * M::info.evaluations + newton_iterations,
+                    .newton_iterations = newton_iterations};
+  return outcome;
+}
+
+/// A method that cannot integrate this system (`exact` and a law without a closed form): to be refused
+/// before.
+template <class S, class M, class Real, class Recorder>
+requires(!Method<M, S, Real>) Outcome solve(const S&, const M&, Interval interval, const State<Real>& start,
+                                            double, Recorder&&, const Watch& = {}, const Limits& = {}) {
+  assert(!"the method cannot integrate this system");
+  Outcome outcome;
+  outcome.status = Status::no_convergence;
+  outcome.t = interval.from;
+  outcome.y = {value_of(start.x), value_of(start.v)};
+  return outcome;
+}
+
+}  // namespace cromer
