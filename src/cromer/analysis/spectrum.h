@@ -1,0 +1,28 @@
+// Amplitude spectrum of a sampled quantity and its strongest line.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace cromer {
+
+/// One-sided amplitude spectrum: a sinusoid of amplitude A shows a peak of A.
+struct Spectrum {
+  double step = 0;                // [rad/s] between neighbouring values
+  std::vector<double> amplitude;  ///< at 0, step, 2 step, ... up to half the sampling frequency
+};
+
+/// Spectrum of samples h [s] apart, h > 0, at least 4 of them, all finite: mean taken off, Hann window, padded with zeros to a power of two.
+Spectrum amplitude_spectrum(std::span<const double> y, double h);
+
+struct SpectralLine {
+  double angular_frequency = 0;  // [rad/s]
+  double amplitude = 0;
+};
+
+/// The highest local maximum, refined by a parabola through the logarithms of three values: a few thousandths of the window's resolution
+/// 2 pi/(n h) for a lone undamped line. Drift that falls off from zero frequency is passed over. Empty where nothing rises.
+std::optional<SpectralLine> strongest_line(const Spectrum& spectrum);
+
+}  // namespace cromer

@@ -1,0 +1,57 @@
+// The free motion of any law of this folder, integrated with its derivatives.
+//
+//   x'' = -w0^2 x - 2 g x' - q x'|x'| - k3 x^3,   x measured from the equilibrium,  q = d/m, k3 per mass
+#pragma once
+
+#include <span>
+
+#include "cromer/identify/law.h"
+#include "cromer/identify/normal_equations.h"
+#include "cromer/identify/record.h"
+#include "cromer/run/trajectory.h"
+
+namespace cromer {
+
+/// The numbers that fix one motion; terms that a law lacks are 0.
+struct MotionParameters {
+  double angular_frequency = 0;  // [rad/s] w0, undamped
+  double decay_rate = 0;         // [1/s] g
+  double drag = 0;               // [1/unit] q
+  double cubic = 0;              // [1/(s^2 unit^2)] k3
+  double equilibrium = 0;        // [unit]
+  double position = 0;           // [unit] from the equilibrium, at the first time
+  double velocity = 0;           // [unit/s] at the first time
+};
+
+/// Which of them a law fits, in the order angular_frequency, decay_rate, drag, cubic, equilibrium, position, velocity.
+struct FittedParameters {
+  int count = 0;
+  double MotionParameters::*member[max_parameters]{};
+  const char* name[max_parameters]{};
+};
+FittedParameters fitted_parameters(const Law& law);
+
+Parameters pack(const FittedParameters& fitted, const MotionParameters& motion);
+MotionParameters unpack(const FittedParameters& fitted, const Parameters& parameters);
+
+/// Longest step [s] for which rk4 over `duration` keeps the motion within `error` times its amplitude: its phase error is (w h)^4/120 a radian.
+/// Between 1/2000 and 1/40 of a period.
+double motion_step(double angular_frequency, double duration, double error);
+
+/// Displacement and velocity at the times t [s], strictly increasing, starting from position and velocity at t[0]. Steps of at most h.
+Trajectory free_motion(const MotionParameters& motion, std::span<const double> t, double h);
+
+/// data - model, at steps of at most h.
+std::vector<double> motion_residuals(const MotionParameters& motion, const Record& record, double h);
+
+/// The normal equations of the law at parameters packed as fitted_parameters(law) says, at steps of at most h; derivatives by dual numbers.
+NormalEquations motion_equations(const Law& law, const Parameters& parameters, const Record& record, double h);
+
+/// Velocity at time t (from t0, where the motion starts) and its derivatives in the order of fitted_parameters(law).
+struct VelocityGradient {
+  double velocity = 0;
+  Parameters derivative{};
+};
+VelocityGradient velocity_gradient(const Law& law, const MotionParameters& motion, double duration, double h);
+
+}  // namespace cromer

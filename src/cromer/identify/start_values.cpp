@@ -1,0 +1,132 @@
+#include "cromer/identify/start_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "cromer/analysis/spectrum.h"
+#include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/sampling.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr std::size_t longest_transform = 16384;
+constexpr std::size_t grid_samples = 1024;
+
+// A copy of some of a record's samples.
+struct Samples {
+  std::vector<double> t, y;
+
+  void add(double time, double value) {
+    t.push_back(time);
+    y.push_back(value);
+  }
+  Record record() const { return {t, y, 0}; }
+  double duration() const { return t.back() - t.front(); }
+};
+
+// Values on an even grid, by straight lines between the samples; a record that is even already is only copied.
+Samples even_samples(const Record& record, std::size_t count, double h) {
+  Samples even;
+  const double t0 = record.t.front(), t1 = record.t[count - 1];
+  const auto points = static_cast<std::size_t>((t1 - t0) / h + 1.0000001);
+  if (points == count || points > 4 * longest_transform) {  // mostly gaps: the order of the samples must do
+    even.t.assign(record.t.begin(), record.t.begin() + static_cast<std::ptrdiff_t>(count));
+    even.y.assign(record.y.begin(), record.y.begin() + static_cast<std::ptrdiff_t>(count));
+    return even;
+  }
+  for (std::size_t i = 0, k = 0; k < points; ++k) {
+    const double t = t0 + static_cast<double>(k) * h;
+    while (i + 2 < count && record.t[i + 1] <= t) ++i;
+    const double share = std::clamp((t - record.t[i]) / (record.t[i + 1] - record.t[i]), 0.0, 1.0);
+    even.add(t, (1 - share) * record.y[i] + share * record.y[i + 1]);
+  }
+  return even;
+}
+
+// Means over groups of samples: the whole of a long record whose first part shows less than a few periods.
+Samples group_means(const Record& record, std::size_t groups) {
+  Samples means;
+  const std::size_t size = (record.t.size() + groups - 1) / groups;
+  for (std::size_t i = 0; i + size <= record.t.size(); i += size) {
+    double t = 0, y = 0;
+    for (std::size_t j = i; j < i + size; ++j) {
+      t += record.t[j];
+      y += record.y[j];
+    }
+    means.add(t / static_cast<double>(size), y / static_cast<double>(size));
+  }
+  return means;
+}
+
+// Every so manieth sample, few enough for a grid search and at least eight a period.
+Samples thinned(const Samples& all, double w) {
+  const double h = all.duration() / static_cast<double>(all.t.size() - 1);
+  const auto most = static_cast<std::size_t>(std::max(1.0, two_pi / (8 * w * h)));
+  const std::size_t stride = std::min(most, std::max<std::size_t>(1, all.t.size() / grid_samples));
+  if (stride == 1) return all;
+  Samples thin;
+  for (std::size_t i = 0; i < all.t.size(); i += stride) thin.add(all.t[i], all.y[i]);
+  return thin;
+}
+
+struct GridPoint {
+  double w = 0, g = 0, sum_of_squares = HUGE_VAL;
+};
+
+// The decay rates worth trying: none, and from one that is hardly seen within the record to one gone within a radian (most_damping 1) or less.
+GridPoint search(const DampedPhasor& model, double duration, double w_low, double w_high, int count,
+                 double most_damping) {
+  GridPoint best;
+  for (int i = 0; i < count; ++i) {
+    const double w = count == 1 ? w_low : w_low + (w_high - w_low) * i / (count - 1);
+    for (double g = 0; g <= most_damping * w; g = g > 0 ? 1.8 * g : 0.1 / duration) {
+      const double rest = model.best_linear(w, g).sum_of_squares;
+      if (rest < best.sum_of_squares) best = {w, g, rest};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<StartValues> find_start_values(const Record& record) {
+  const std::size_t n = record.t.size();
+  StartValues start;
+  start.samples = std::min(n, longest_transform);
+  const double h = find_sampling(record.t.first(start.samples)).step;
+  Samples part = even_samples(record, start.samples, h);
+  std::optional<SpectralLine> line = strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
+  if (start.samples < n && (!line || line->angular_frequency * part.duration() < 4 * two_pi)) {
+    part = group_means(record, longest_transform);
+    start.samples = n;
+    line = strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
+  }
+
+  const double T = part.duration();
+  GridPoint best;
+  if (line && line->angular_frequency * T > 6 * two_pi) {
+    const Samples thin = thinned(part, line->angular_frequency);
+    best = search(DampedPhasor(thin.record()), T, line->angular_frequency, line->angular_frequency, 1, 1);
+  } else {
+    // Few periods: a window over them blurs every line, so frequencies are searched as well.
+    const Samples thin = thinned(part, 7 * two_pi / T);
+    best = search(DampedPhasor(thin.record()), T, 0.6 * two_pi / T, 7 * two_pi / T, 60, 10);
+    if (!std::isfinite(best.sum_of_squares)) return std::nullopt;
+  }
+
+  // Amplitudes from the part itself, now at the record's own times.
+  const Record own{record.t.first(start.samples), record.y.first(start.samples), record.resolution};
+  const DampedPhasor::Linear linear = DampedPhasor(own).best_linear(best.w, best.g);
+  start.phasor[DampedPhasor::angular_frequency] = best.w;
+  start.phasor[DampedPhasor::decay_rate] = best.g;
+  start.phasor[DampedPhasor::equilibrium] = linear.equilibrium;
+  start.phasor[DampedPhasor::cosine] = linear.cosine;
+  start.phasor[DampedPhasor::sine] = linear.sine;
+  return start;
+}
+
+}  // namespace cromer
