@@ -1,4 +1,5 @@
-// A figure as data: panels of curves with a role, a name and a remark. Drawn by gnuplot in the look of this project.
+// A figure as data: panels of curves with a role, a name and a remark. Drawn by gnuplot in the look of this
+// project.
 #pragma once
 
 #include <limits>
@@ -7,39 +8,55 @@
 #include <vector>
 
 #include "cromer/base/result.h"
+#include "cromer/report/text_width.h"
 
 namespace cromer {
 
-/// How a curve's points are drawn.
+/// How a curve's points are drawn. Dots too dense to be told apart are drawn as a band, a band that is not
+/// dense as a line.
 enum class Mark { line, dots, band };
 
-/// One curve. `role` says what it means and with it its colour, width and dash (palette.h): "exact", "measured", "fitted", "forward-euler",
-/// "euler-cromer", ... (any method's name), "constant-rate", "family:0" to "family:4" (one hue, dark to light), "drive".
+/// One curve. `role` says what it means and with it its colour, width and dash (palette.h): "exact",
+/// "measured", "fitted", "forward-euler", "euler-cromer", ... (any method's name), "constant-rate",
+/// "family:0" to "family:4" (one hue, dark to light), "drive".
 struct Curve {
   std::vector<double> x, y;  ///< same length; NaN breaks the line
   std::string role;
-  std::string name;    ///< the word at the curve; empty: none. May carry {/:Italic w}-like gnuplot enhanced markup
+  std::string name;    ///< the word at the curve; empty: none. May carry {/:Italic w}-like gnuplot enhanced
+                       ///< markup; "\n" breaks it
   std::string remark;  ///< what it does, under the name: "grows, -0.060 1/s"
   Mark mark = Mark::line;
   bool dashed = false;
-  std::optional<double> label_x, label_y;  ///< where the word's leader line points to, in data units; by default the curve's end, outside at right
-  std::optional<double> text_x, text_y;    ///< where the word stands when label_x is given, in graph fractions 0 to 1
+  /// Where the word's leader line points to, in data units (label_y alone is optional: the curve's own height
+  /// at label_x). Without label_x the word stands outside at right, or, where names are inside, in a free
+  /// place near the curve.
+  std::optional<double> label_x, label_y;
+  std::optional<double> text_x,
+      text_y;  ///< where the word stands, in graph fractions 0 to 1; by default a free place near the point
 };
 
 /// A word in the plot with a leader line to a point; an extra mark.
 struct Note {
-  std::string text;
-  double x = 0, y = 0;                   ///< the point, in data units
-  double text_x = 0.5, text_y = 0.5;     ///< where the word stands, in graph fractions
-  bool circle = false;                   ///< a ring about the point
+  std::string text;                   ///< "\n" breaks it
+  double x = 0, y = 0;                ///< the point, in data units
+  double text_x = 0.5, text_y = 0.5;  ///< where the word stands, in graph fractions
+  bool circle = false;                ///< a ring about the point
   bool leader = true;
+  bool dot = false;  ///< a dot at the point
+};
+
+/// A vertical line through the panel with a word at its top: a drive frequency, the end of a segment.
+struct Marker {
+  double x = 0;
+  std::string text;
+  std::string role = "drive";
 };
 
 struct Axis {
   std::string name;  ///< with unit: "position x (cm)"; the italic symbol as {/:Italic x}
-  double low = std::numeric_limits<double>::quiet_NaN();   ///< NaN: from the data
+  double low = std::numeric_limits<double>::quiet_NaN();  ///< NaN: from the data
   double high = std::numeric_limits<double>::quiet_NaN();
-  double step = 0;   ///< of the ticks; 0: chosen (1, 2, 2.5 or 5 times a power of ten)
+  double step = 0;  ///< of the ticks; 0: chosen (1, 2, 2.5 or 5 times a power of ten)
   bool logarithmic = false;
 };
 
@@ -49,9 +66,14 @@ struct Panel {
   std::vector<Curve> curves;
   std::vector<Note> notes;
   bool phase_portrait = false;  ///< square, names inside
+  std::vector<Marker> markers;
+  int span = 1;               ///< how many of the figure's columns it takes
+  bool names_inside = false;  ///< names in free places of the plot instead of the right margin
 };
 
-enum class FigureSize { single, wide, phase };  // 760 x 440, 1100 x 440, 480 x 440 per row
+/// 760 x 440, 1100 x 440, 480 x 440 px, and for half the report's column 420 x 300 px, names inside. With
+/// several rows a row is 300 px high (phase: 440). A figure of phase portraits is 480 px wide per column.
+enum class FigureSize { single, wide, phase, half };
 
 struct Figure {
   std::string id;       ///< file name without ending: "figure-01"
@@ -59,7 +81,8 @@ struct Figure {
   std::string caption;  ///< what is seen, with its numbers
   FigureSize size = FigureSize::single;
   std::vector<Panel> panels;
-  int columns = 1;      ///< panels per row
+  int columns = 1;        ///< panels per row
+  bool shared_x = false;  ///< only the lowest row writes the numbers and the name of its x axis
 };
 
 /// The format is chosen by the ending.
@@ -67,9 +90,11 @@ enum class FigureFormat { svg, png, pdf };
 Result<FigureFormat> figure_format(const std::string& path);
 
 /// The gnuplot script that draws it on its standard output; pure.
-std::string gnuplot_script(const Figure& figure, FigureFormat format);
+std::string gnuplot_script(const Figure& figure, FigureFormat format, Typeface typeface = Typeface::lato);
 
-/// Draws it with gnuplot (`gnuplot -d`, data in the script) and returns the picture's bytes. gnuplot missing or failing is an Error that says what to do.
+/// Draws it with gnuplot (`gnuplot -d`, data in the script) and returns the picture's bytes. gnuplot missing
+/// or failing is an Error that says what to do. The SVG is rewritten by tidy_svg: it can stand in a page as
+/// it is.
 Result<std::string> draw(const Figure& figure, FigureFormat format);
 
 }  // namespace cromer

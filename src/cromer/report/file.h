@@ -8,11 +8,14 @@
 
 namespace cromer {
 
-/// Writes to a temporary name in the same folder, then renames. On failure nothing is left and the Error names path and reason. "-" is standard output.
-/// A path that is no regular file (/dev/null, a pipe) is written to directly.
+/// Writes to a temporary name in the same folder, then renames. On failure nothing is left and the Error
+/// names path and reason. "-" is standard output. A path that is no regular file (/dev/null, a pipe) is
+/// written to directly; a symbolic link keeps pointing, its target is replaced. An existing file keeps its
+/// permissions.
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
 /// That `path` can be written (folder exists, is writable, path is no folder): asked before long work starts.
+/// Changes nothing.
 Result<void> check_writable(const std::string& path);
 
 }  // namespace cromer

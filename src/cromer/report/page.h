@@ -10,10 +10,18 @@
 
 namespace cromer {
 
-/// Texts are Markdown-like in a small way: *italic*, **bold**, `code`, x_{0} and x^{2} for sub- and superscript, blank line for a new paragraph. All else is escaped.
-struct Heading { std::string text; };
-struct Paragraph { std::string text; };
-struct Code { std::string text; std::string caption; };
+/// Texts are Markdown-like in a small way: *italic*, **bold**, `code`, x_{0} and x^{2} for sub- and
+/// superscript, blank line for a new paragraph. All else is escaped.
+struct Heading {
+  std::string text;
+};
+struct Paragraph {
+  std::string text;
+};
+struct Code {
+  std::string text;
+  std::string caption;
+};
 
 /// Numbers right-aligned (`text_columns` names those that are words), the answer column bold.
 struct TableBlock {
@@ -24,12 +32,13 @@ struct TableBlock {
   int answer_column = -1;
 };
 
-/// An SVG figure; `width` is the share of the column it may take: 1 or 0.5 (two such that follow each other stand side by side).
+/// An SVG figure; `width` is the share of the column it may take: 1 or 0.5 (two such that follow each other
+/// stand side by side).
 struct FigureBlock {
-  std::string id;       ///< "figure-01"; also the file's name
-  std::string svg;      ///< the bytes of the SVG
+  std::string id;   ///< "figure-01"; also the file's name
+  std::string svg;  ///< the bytes of the SVG
   std::string alt;
-  std::string label;    ///< "Figure 1"
+  std::string label;  ///< "Figure 1"
   std::string caption;
   double width = 1;
 };
@@ -37,7 +46,9 @@ struct FigureBlock {
 using Block = std::variant<Heading, Paragraph, Code, TableBlock, FigureBlock>;
 
 /// The four large figures under the summary: what, value, remark.
-struct KeyFigure { std::string name, value, remark; };
+struct KeyFigure {
+  std::string name, value, remark;
+};
 
 struct Page {
   std::string title;

@@ -1,0 +1,60 @@
+// Where words go: names at the right are moved apart, names inside look for a free place.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cromer/report/thinning.h"
+
+namespace cromer {
+
+/// A rectangle in px, y downwards.
+struct Box {
+  double x = 0, y = 0, width = 0, height = 0;
+
+  double right() const { return x + width; }
+  double bottom() const { return y + height; }
+  bool overlaps(const Box& other) const {
+    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+  }
+  Spot nearest(Spot p) const;
+};
+
+/// Moves intervals of the given `heights` apart with the smallest sum of squared shifts from `centres`,
+/// keeping order, at least `gaps[i]` free after the i-th. Returns the new centres. They stay between `top`
+/// and `bottom` while they fit there.
+std::vector<double> spread(std::span<const double> centres, std::span<const double> heights,
+                           std::span<const double> gaps, double top, double bottom);
+
+/// What is drawn in a panel already, in squares of 2 px.
+class Occupancy {
+ public:
+  explicit Occupancy(Box frame);
+  void add_line(std::span<const Spot> points, double width);
+  void add_box(const Box& box);
+  /// Squares inside `box` that are taken.
+  int taken(const Box& box) const;
+  /// Squares that the straight line crosses and that are taken.
+  int crossed(Spot from, Spot to) const;
+
+ private:
+  void mark(double x, double y);
+  bool is_taken(double x, double y) const;
+  Box frame_;
+  int columns_, rows_;
+  std::vector<char> cells_;
+};
+
+/// A place for a box of the given size inside `frame`, as near as can be to one of `targets`, on nothing that
+/// is drawn; and the target it is nearest to.
+struct FreePlace {
+  Box box;
+  Spot target;
+  double distance = 0;
+  int covered = 0;  ///< squares of 2 px that are covered all the same; 0 where there is room
+};
+FreePlace free_place(const Occupancy& drawn, const Box& frame, double width, double height,
+                     std::span<const Spot> targets);
+
+}  // namespace cromer

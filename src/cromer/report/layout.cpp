@@ -1,0 +1,309 @@
+#include "cromer/report/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/report/axis_range.h"
+#include "cromer/report/palette.h"
+#include "cromer/report/place_curve.h"
+#include "cromer/report/place_names.h"
+
+namespace cromer {
+namespace {
+
+struct Canvas {
+  double width, row_height, text_scale;
+};
+
+constexpr double row_of_several = 310;
+constexpr double wide_text = 1.15;     // a wide figure is shown smaller on the page
+constexpr double margin_share = 0.14;  // of the width, for names
+constexpr double most_margin = 0.30;
+constexpr double edge = 6;         // free at the figure's edge [px]
+constexpr double tick_length = 8;  // with the gap to its number [px]
+
+Canvas canvas_of(const Figure& figure, int rows) {
+  const int columns = std::max(1, figure.columns);
+  switch (figure.size) {
+    case FigureSize::single:
+      return {760, rows > 1 ? row_of_several : 440, 1};
+    case FigureSize::wide:
+      return {1100, rows > 1 ? row_of_several : 440, wide_text};
+    case FigureSize::phase:
+      return {480.0 * columns, 440, 1};
+    case FigureSize::half:
+      return {420, rows > 1 ? 230.0 : 300.0, 1};
+  }
+  return {760, 440, 1};
+}
+
+// Panels in rows: one row after the other, each as many columns wide as it says.
+std::vector<std::vector<std::size_t>> rows_of(const Figure& figure) {
+  std::vector<std::vector<std::size_t>> rows;
+  const int columns = std::max(1, figure.columns);
+  int used = columns;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const int span = std::clamp(figure.panels[i].span, 1, columns);
+    if (used + span > columns) rows.emplace_back(), used = 0;
+    rows.back().push_back(i);
+    used += span;
+  }
+  return rows;
+}
+
+// A panel on its way to its place.
+struct Cell {
+  const Panel* panel;
+  Box box;
+  bool lowest;  // of a shared x axis
+  std::string letter;
+  AxisRange x, y;
+  std::vector<Tick> x_ticks, y_ticks;
+  double left = 0, right = 0, top = 0, bottom = 0;  // margins
+};
+
+struct Fonts {
+  TextSizes sizes;
+  Typeface typeface;
+  double width(const std::string& text, double size, bool bold = false) const {
+    return text_width(text, size, bold, typeface);
+  }
+};
+
+double widest_label(const std::vector<Tick>& ticks, const Fonts& fonts) {
+  double widest = 0;
+  for (const Tick& tick : ticks) widest = std::max(widest, fonts.width(tick.label, fonts.sizes.tick));
+  return widest;
+}
+
+bool titled(const Cell& cell) { return !cell.panel->title.empty() || !cell.letter.empty(); }
+
+void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
+  const Panel& panel = *cell.panel;
+  const TextSizes& s = fonts.sizes;
+  cell.x = x_range(panel);
+  cell.y = y_range(panel, cell.x);
+  const bool named = !panel.y.name.empty();
+  cell.top = titled(cell) ? s.title + 17 : named ? s.axis + 16 : 12;
+  cell.bottom = cell.lowest ? tick_length + s.tick + 6 + (panel.x.name.empty() ? 0 : s.axis + 6) : 14;
+  const double height = cell.box.height - cell.top - cell.bottom;
+  cell.y_ticks = ticks_of(panel.y, cell.y, height < 150 ? 5 : 6);
+  cell.left =
+      edge + widest_label(cell.y_ticks, fonts) + tick_length + (named && titled(cell) ? s.axis + 8 : 0);
+  const double names = names_margin(panel, s, fonts.typeface, most_margin * cell.box.width);
+  const bool sole_column = figure.columns <= 1 && names > 0;
+  cell.right = std::max(names, sole_column ? margin_share * cell.box.width : 18);
+  cell.right = std::min(cell.right, 0.5 * cell.box.width);
+}
+
+// As many x ticks as their numbers leave room for, 7 at most.
+void choose_x_ticks(Cell& cell, const Box& frame, const Fonts& fonts) {
+  for (int most = 7;; --most) {
+    cell.x_ticks = ticks_of(cell.panel->x, cell.x, most);
+    const auto labelled = std::count_if(cell.x_ticks.begin(), cell.x_ticks.end(),
+                                        [](const Tick& t) { return !t.label.empty(); });
+    if (most <= 2 || widest_label(cell.x_ticks, fonts) + 14 <=
+                         frame.width / static_cast<double>(std::max<long>(1, labelled)))
+      return;
+    if (cell.panel->x.step > 0) return;
+  }
+}
+
+PlacedText text(const std::string& words, Spot at, Align align, double size, std::string_view colour,
+                const Fonts& fonts) {
+  PlacedText placed;
+  placed.text = words;
+  placed.at = at;
+  placed.align = align;
+  placed.size = size;
+  placed.colour = colour;
+  const double width = fonts.width(words, size), left = align == Align::left    ? 0
+                                                        : align == Align::right ? width
+                                                                                : width / 2;
+  placed.box = {at.x - left, at.y - size * 0.6, width, size * 1.2};
+  return placed;
+}
+
+void place_axes(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
+  const Box& f = placed.frame;
+  const TextSizes& s = fonts.sizes;
+  const Panel& panel = *cell.panel;
+  const auto& colour = light_surface;
+  for (const Tick& tick : cell.x_ticks) {
+    const double at = cell.x.px(tick.value);
+    placed.x_ticks.push_back({at, tick.label.empty()});
+    if (cell.lowest && !tick.label.empty()) {
+      placed.texts.push_back(text(tick.label, {at, f.bottom() + tick_length + s.tick / 2 + 2}, Align::centre,
+                                  s.tick, colour.text_2, fonts));
+    }
+  }
+  for (const Tick& tick : cell.y_ticks) {
+    const double at = cell.y.px(tick.value);
+    placed.y_ticks.push_back({at, tick.label.empty()});
+    if (!tick.label.empty())
+      placed.texts.push_back(
+          text(tick.label, {f.x - tick_length, at}, Align::right, s.tick, colour.text_2, fonts));
+  }
+  const double name_y = f.bottom() + tick_length + s.tick + s.axis / 2 + 8;
+  if (cell.lowest && !panel.x.name.empty()) {
+    const bool centred = titled(cell);
+    placed.texts.push_back(text(panel.x.name, {centred ? f.x + f.width / 2 : f.right(), name_y},
+                                centred ? Align::centre : Align::right, s.axis, colour.text_2, fonts));
+  }
+  if (!panel.y.name.empty() && !titled(cell)) {
+    const double left = std::max(cell.box.x + edge, f.x - tick_length - widest_label(cell.y_ticks, fonts));
+    placed.texts.push_back(
+        text(panel.y.name, {left, f.y - s.axis / 2 - 8}, Align::left, s.axis, colour.text_2, fonts));
+  } else if (!panel.y.name.empty()) {
+    PlacedText name = text(panel.y.name, {f.x - cell.left + edge + s.axis / 2, f.y + f.height / 2},
+                           Align::centre, s.axis, colour.text_2, fonts);
+    name.rotated = true;
+    name.box = {name.at.x - s.axis * 0.6, name.at.y - name.box.width / 2, s.axis * 1.2, name.box.width};
+    placed.texts.push_back(name);
+  }
+  if (titled(cell)) {
+    double x = f.x - cell.left + edge;
+    const double y = cell.box.y + s.title * 0.6 + 3;
+    if (!cell.letter.empty()) {
+      PlacedText letter = text(cell.letter, {x, y}, Align::left, s.title, colour.ink, fonts);
+      letter.bold = true;
+      placed.texts.push_back(letter);
+      x += s.title * 1.5;
+    }
+    if (!panel.title.empty()) {
+      const double room = cell.box.right() - x - edge, width = fonts.width(panel.title, s.title);
+      const double size = width > room ? std::max(s.remark, s.title * room / width) : s.title;
+      placed.texts.push_back(text(panel.title, {x, y}, Align::left, size, colour.ink, fonts));
+    }
+  }
+  const double zero_y = cell.y.px(0), zero_x = cell.x.px(0);
+  const auto inside = [](double at, double from, double to) { return at > from + 1 && at < to - 1; };
+  if (inside(zero_y, f.y, f.bottom()))
+    placed.zero_lines.push_back({{f.x, zero_y}, {f.right(), zero_y}, std::string(colour.zero_line), 0.8});
+  if (panel.phase_portrait && inside(zero_x, f.x, f.right())) {
+    placed.zero_lines.push_back({{zero_x, f.y}, {zero_x, f.bottom()}, std::string(colour.zero_line), 0.8});
+  }
+}
+
+// Bands, then the exact road, then dots, then the rest as given.
+int layer_of(const Curve& curve, const PlacedCurve& placed) {
+  if (placed.mark == Mark::band) return 0;
+  if (curve.role == "exact") return 1;
+  return placed.mark == Mark::dots || curve.role == "measured" ? 2 : 3;
+}
+
+PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
+  const Panel& panel = *cell.panel;
+  PlacedPanel placed;
+  Box& f = placed.frame;
+  f = {cell.box.x + cell.left, cell.box.y + cell.top, cell.box.width - cell.left - cell.right,
+       cell.box.height - cell.top - cell.bottom};
+  if (panel.phase_portrait) f.width = f.height = std::min(f.width, f.height);
+  choose_x_ticks(cell, f, fonts);
+  cell.x.from = f.x, cell.x.to = f.right();
+  cell.y.from = f.bottom(), cell.y.to = f.y;
+  place_axes(placed, cell, fonts);
+
+  std::vector<std::vector<Spot>> spots;
+  std::vector<std::pair<int, PlacedCurve>> layered;
+  for (const Curve& curve : panel.curves) {
+    spots.push_back(spots_of(curve, cell.x, cell.y));
+    PlacedCurve drawn = place_curve(curve, spots.back(), panel.curves.size() == 1, panel.phase_portrait);
+    const int layer = layer_of(curve, drawn);
+    layered.emplace_back(layer, std::move(drawn));
+  }
+  std::stable_sort(layered.begin(), layered.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (auto& each : layered) placed.curves.push_back(std::move(each.second));
+  place_words(placed, panel, spots, cell.x, cell.y, cell.box, fonts.sizes, fonts.typeface);
+  return placed;
+}
+
+// The widths of a row's panels: equal shares, but phase portraits take no more than their square needs when
+// others stand beside them.
+std::vector<double> row_widths(const std::vector<Cell>& row, double width, double height, int columns) {
+  std::vector<double> widths;
+  double left_over = width, shares = 0;
+  int used = 0;
+  for (const Cell& cell : row) used += std::clamp(cell.panel->span, 1, columns);
+  const bool mixed =
+      std::any_of(row.begin(), row.end(), [](const Cell& c) { return !c.panel->phase_portrait; });
+  for (const Cell& cell : row) {
+    const double share = std::clamp(cell.panel->span, 1, columns);
+    const double wanted = height - cell.top - cell.bottom + cell.left + cell.right + 12;
+    const bool fixed = mixed && cell.panel->phase_portrait && wanted < width * share / columns;
+    widths.push_back(fixed ? wanted : -share);
+    if (fixed)
+      left_over -= wanted;
+    else
+      shares += share;
+  }
+  const double unit = used == columns ? left_over / std::max(shares, 1.0) : width / columns;
+  for (double& w : widths) w = w < 0 ? -w * unit : w;
+  return widths;
+}
+
+}  // namespace
+
+Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
+  Figure figure = source;
+  if (figure.panels.empty()) figure.panels.emplace_back();
+  if (figure.size == FigureSize::half) {
+    for (Panel& panel : figure.panels) panel.names_inside = true;
+  }
+  const auto rows = rows_of(figure);
+  const int columns = std::max(1, figure.columns);
+  const Canvas canvas = canvas_of(figure, static_cast<int>(rows.size()));
+  Fonts fonts{{}, typeface};
+  for (double* size :
+       {&fonts.sizes.title, &fonts.sizes.name, &fonts.sizes.remark, &fonts.sizes.axis, &fonts.sizes.tick}) {
+    *size = *size * canvas.text_scale - smaller_by;
+  }
+
+  Layout layout{canvas.width, canvas.row_height * static_cast<double>(rows.size()), {}};
+  const double hidden = figure.shared_x && rows.size() > 1 ? fonts.sizes.axis + fonts.sizes.tick + 8
+                                                           : 0;  // what upper rows save
+  std::vector<std::vector<Cell>> cells;
+  std::vector<double> heights;
+  double y = 0;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const bool lowest = !figure.shared_x || r + 1 == rows.size();
+    const double height = canvas.row_height - (lowest ? 0 : hidden);
+    auto& row = cells.emplace_back();
+    for (const std::size_t i : rows[r]) {
+      const std::string letter =
+          figure.panels.size() > 1 ? std::string(1, static_cast<char>('a' + i % 26)) : "";
+      Cell cell{&figure.panels[i], {0, y, canvas.width / columns, height}, lowest, letter, {}, {}, {}, {}};
+      cell.box.width *= std::clamp(cell.panel->span, 1, columns);
+      measure(cell, figure, fonts);
+      row.push_back(std::move(cell));
+    }
+    heights.push_back(height);
+    y += height;
+  }
+  layout.height = y;
+
+  // Panels below each other share their left and right edge where rows hold the same number of panels.
+  for (auto& row : cells) {
+    for (std::size_t c = 0; c < row.size(); ++c) {
+      for (const auto& other : cells) {
+        if (other.size() != row.size()) continue;
+        row[c].left = std::max(row[c].left, other[c].left);
+        row[c].right = std::max(row[c].right, other[c].right);
+      }
+    }
+  }
+  for (std::size_t r = 0; r < cells.size(); ++r) {
+    const std::vector<double> widths = row_widths(cells[r], canvas.width, heights[r], columns);
+    double x = 0;
+    for (std::size_t c = 0; c < cells[r].size(); ++c) {
+      cells[r][c].box.x = x;
+      cells[r][c].box.width = widths[c];
+      x += widths[c];
+      layout.panels.push_back(place_panel(cells[r][c], fonts));
+    }
+  }
+  return layout;
+}
+
+}  // namespace cromer

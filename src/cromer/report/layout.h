@@ -1,0 +1,68 @@
+// A figure with every place worked out, in px, y downwards: what the script then only has to write.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cromer/report/figure.h"
+#include "cromer/report/labels.h"
+
+namespace cromer {
+
+/// Font sizes of a figure [px].
+struct TextSizes {
+  double title = 13, name = 12, remark = 11, axis = 12, tick = 11.5;
+};
+
+enum class Align { left, centre, right };
+
+struct PlacedText {
+  std::string text;  ///< one line of enhanced text
+  Spot at;           ///< its middle height, at the side `align` says
+  Align align = Align::left;
+  double size = 12;
+  std::string colour;
+  bool bold = false;
+  bool rotated = false;  ///< reads upwards
+  bool ground = false;   ///< stands on white, because it covers a curve
+  Box box;               ///< what it takes
+};
+
+struct PlacedLine {
+  Spot from, to;
+  std::string colour;
+  double width = 0.8;
+};
+
+struct PlacedCurve {
+  Mark mark = Mark::line;
+  std::vector<std::vector<Spot>> pieces;  ///< of a line; of dots: one piece
+  Band band;
+  std::string colour;
+  double width = 1.3;
+  std::array<double, 4> dash{};
+};
+
+struct PlacedTick {
+  double at = 0;  ///< [px]
+  bool minor = false;
+};
+
+struct PlacedPanel {
+  Box frame;
+  std::vector<PlacedTick> x_ticks, y_ticks;
+  std::vector<PlacedLine> zero_lines, leaders;
+  std::vector<PlacedCurve> curves;  ///< lowest first
+  std::vector<PlacedText> texts;
+  std::vector<Spot> rings, dots;
+};
+
+struct Layout {
+  double width = 0, height = 0;
+  std::vector<PlacedPanel> panels;
+};
+
+Layout lay_out(const Figure& figure, Typeface typeface, double smaller_by = 0);
+
+}  // namespace cromer

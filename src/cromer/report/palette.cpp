@@ -1,0 +1,52 @@
+#include "cromer/report/palette.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
+    dash_dot{8, 3, 2, 3};
+
+// Hue is the family, dash the member. Where LOOK.md gives one colour only, the word's is darkened (lightened)
+// to 4.5:1.
+constexpr std::array<RoleStyle, 22> roles{{
+    {"exact", "#8A93A0", "#5B6573", "#7F8A98", "#AAB4C0", 4, solid},
+    {"measured", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 2.6, solid},
+    {"fitted", "#AA4488", "#983A79", "#E08CC0", "#EBA3CF", 2, solid},
+    {"drive", "#6A55C7", "#6A55C7", "#A99BF5", "#A99BF5", 1.5, solid},
+    {"constant-rate", "#626C7A", "#626C7A", "#949FAE", "#949FAE", 1.5, dashes},
+
+    {"forward-euler", "#D55E00", "#B84E00", "#F2803B", "#F79A60", 1.5, solid},
+    {"euler-cromer", "#0072B2", "#0068A3", "#4AA8E8", "#6DBBF0", 1.5, solid},
+    {"implicit-euler", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, solid},
+
+    {"verlet", "#2E8FBF", "#1F759F", "#8CCBF2", "#8CCBF2", 1.5, solid},
+    {"yoshida4", "#2E8FBF", "#1F759F", "#8CCBF2", "#8CCBF2", 1.5, long_dash},
+    {"rk4", "#A06A00", "#A06A00", "#E3B04B", "#E3B04B", 1.5, solid},
+    {"heun", "#A06A00", "#A06A00", "#E3B04B", "#E3B04B", 1.5, short_dash},
+    {"dormand-prince", "#A06A00", "#A06A00", "#E3B04B", "#E3B04B", 1.5, dash_dot},
+    {"implicit-midpoint", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, long_dash},
+    {"newmark", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, short_dash},
+    {"generalized-alpha", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, dash_dot},
+    {"gauss-legendre4", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, dots},
+
+    {"family:0", "#00304D", "#00304D", "#C4E4FB", "#C4E4FB", 1.5, solid},
+    {"family:1", "#005A8C", "#005A8C", "#9AD1F7", "#9AD1F7", 1.5, solid},
+    {"family:2", "#0072B2", "#0068A3", "#4AA8E8", "#6DBBF0", 1.5, solid},
+    {"family:3", "#2E86BE", "#2A76A6", "#3F97D3", "#5AAEE6", 1.5, solid},
+    {"family:4", "#5596C2", "#3A7296", "#3985B9", "#4F9FD6", 1.5, solid},
+}};
+
+constexpr RoleStyle unknown{"", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 1.5, solid};
+
+}  // namespace
+
+std::span<const RoleStyle> palette() { return roles; }
+
+const RoleStyle& style_of(std::string_view role) {
+  for (const RoleStyle& style : roles) {
+    if (style.role == role) return style;
+  }
+  return unknown;
+}
+
+}  // namespace cromer

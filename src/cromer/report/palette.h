@@ -1,0 +1,39 @@
+// Colour, width and dash of every meaning a curve can have: a meaning keeps its colour on every page, figure
+// and report.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+namespace cromer {
+
+/// How a role is drawn. Colours are "#RRGGBB": `line` at least 3:1 against its ground, `word` at least 4.5:1.
+struct RoleStyle {
+  std::string_view role;
+  std::string_view line, word;            ///< on the white ground (#FFFFFF)
+  std::string_view line_dark, word_dark;  ///< on the dark ground (#171C23)
+  double width = 1.5;                     ///< [px]; of dots: twice their radius
+  std::array<double, 4> dash{};           ///< [px] on, off, on, off; all 0: solid
+};
+
+/// Ground, ink and lines of the surface a figure stands on.
+struct SurfaceColours {
+  std::string_view ground, ink, text_2, text_3, axis, grid, zero_line;
+};
+inline constexpr SurfaceColours light_surface{"#FFFFFF", "#171C24", "#4A5361", "#626C7A",
+                                              "#7B8594", "#E4E8ED", "#C3CAD3"};
+inline constexpr SurfaceColours dark_surface{"#171C23", "#EDF0F4", "#B7C0CC", "#949FAE",
+                                             "#76828F", "#2A323D", "#465160"};
+
+/// Dashes of a rejected or constant-rate model, and of any curve marked as dashed [px].
+inline constexpr std::array<double, 4> dashes{6, 4, 0, 0};
+
+/// All roles: "exact", "measured", "fitted", "drive", "constant-rate", "family:0" to "family:4" and every
+/// method's name.
+std::span<const RoleStyle> palette();
+
+/// The style of `role`; an unknown role is drawn in ink.
+const RoleStyle& style_of(std::string_view role);
+
+}  // namespace cromer

@@ -1,0 +1,111 @@
+#include "cromer/report/place_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/report/palette.h"
+
+namespace cromer {
+namespace {
+
+constexpr double figure_width = 1.3 / 1.5;  // a figure's curves against the page's
+constexpr double exact_width = 4.5, exact_width_phase = 3;
+constexpr double dense_dots = 4;      // per pixel column: dots cannot be told apart
+constexpr double band_columns = 6;    // columns per period from which on a band is filled
+constexpr double far_outside = 3000;  // [px] beyond this a point is held, so that the line's direction stays
+
+bool is_dense(const std::vector<Spot>& spots) {
+  std::vector<Spot> finite;
+  double left = std::numeric_limits<double>::infinity(), right = -left;
+  for (const Spot& p : spots) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    finite.push_back(p);
+    left = std::min(left, p.x), right = std::max(right, p.x);
+  }
+  if (finite.size() < dense_dots * std::max(1.0, right - left)) return false;
+  const Band band = min_max_band(finite, 1);
+  double thickness = 0;
+  for (std::size_t i = 0; i < band.x.size(); ++i) thickness += band.high[i] - band.low[i];
+  return thickness > 2 * static_cast<double>(band.x.size());
+}
+
+}  // namespace
+
+std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRange& y) {
+  const std::size_t n = std::min(curve.x.size(), curve.y.size());
+  std::vector<Spot> spots(n);
+  const double low_y = std::min(y.from, y.to) - far_outside, high_y = std::max(y.from, y.to) + far_outside;
+  const double low_x = std::min(x.from, x.to) - far_outside, high_x = std::max(x.from, x.to) + far_outside;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (std::size_t i = 0; i < n; ++i) {
+    const double px = x.px(curve.x[i]), py = y.px(curve.y[i]);
+    if (std::isnan(px) || std::isnan(py))
+      spots[i] = {none, none};
+    else
+      spots[i] = {std::clamp(px, low_x, high_x), std::clamp(py, low_y, high_y)};
+  }
+  return spots;
+}
+
+PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool alone, bool phase) {
+  const RoleStyle& style = style_of(curve.role);
+  PlacedCurve placed;
+  placed.colour = style.line;
+  placed.dash = curve.dashed && style.dash[0] == 0 ? dashes : style.dash;
+  placed.width = curve.role == "exact" ? (phase ? exact_width_phase : exact_width)
+                                       : style.width * (alone ? 1 : figure_width);
+  placed.mark = curve.mark;
+  if (curve.mark != Mark::line) {
+    const double columns = columns_per_period(spots);
+    const bool dense = is_dense(spots);
+    if (dense && columns <= band_columns) {
+      placed.mark = Mark::band;
+      placed.band = min_max_band(spots, std::max(1, static_cast<int>(std::ceil(columns))));
+      return placed;
+    }
+    if (curve.mark == Mark::band || dense) {
+      placed.mark = Mark::line;
+      placed.width = 1;
+    }
+  }
+  if (placed.mark == Mark::dots) {
+    placed.width = style_of("measured").width;
+    placed.pieces.push_back(thin_dots(spots));
+    return placed;
+  }
+  for (const auto& piece : unbroken(spots)) placed.pieces.push_back(thin_line(piece));
+  return placed;
+}
+
+double height_at_end(const std::vector<Spot>& spots, const Box& frame) {
+  std::vector<Spot> seen;
+  for (const Spot& p : spots) {
+    if (std::isfinite(p.x) && std::isfinite(p.y) && p.x >= frame.x - 0.5 && p.x <= frame.right() + 0.5)
+      seen.push_back(p);
+  }
+  if (seen.empty()) return frame.y + frame.height / 2;
+  const double from = frame.x + frame.width * 2 / 3;
+  const double end = seen.back().y;
+  // Backwards in time: a turn counts once the curve has come back by 2 px, for noise is no swing.
+  constexpr double come_back = 2;
+  double extreme = end, last_peak = end;
+  int direction = 0, turns = 0;
+  bool has_peak = false;
+  for (std::size_t i = seen.size(); i-- > 0 && seen[i].x >= from;) {
+    const double y = seen[i].y;
+    if (direction == 0) {
+      if (std::abs(y - end) > come_back) direction = y < end ? -1 : 1, extreme = y;
+    } else if ((y - extreme) * direction > 0) {
+      extreme = y;
+    } else if (std::abs(y - extreme) > come_back) {
+      if (direction < 0 && !has_peak) last_peak = extreme, has_peak = true;
+      ++turns;
+      direction = -direction;
+      extreme = y;
+    }
+  }
+  return std::clamp(has_peak && turns >= 2 ? last_peak : end, frame.y, frame.bottom());
+}
+
+}  // namespace cromer

@@ -1,0 +1,22 @@
+// From a curve's numbers to what is drawn of it.
+#pragma once
+
+#include <vector>
+
+#include "cromer/report/axis_range.h"
+#include "cromer/report/layout.h"
+
+namespace cromer {
+
+/// The curve's points in px, NaN where nothing can be drawn; x far outside the panel is left out.
+std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRange& y);
+
+/// Thinned and styled; `alone`: the panel's only curve, drawn a little wider; `phase`: exact is drawn
+/// narrower.
+PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool alone, bool phase);
+
+/// Where the name at the right belongs: at the curve's last peak if it still oscillates in the last third,
+/// else at its end [px].
+double height_at_end(const std::vector<Spot>& spots, const Box& frame);
+
+}  // namespace cromer

@@ -1,0 +1,257 @@
+#include "cromer/report/place_names.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/report/palette.h"
+#include "cromer/report/place_curve.h"
+
+namespace cromer {
+namespace {
+
+constexpr double leading = 1.28;    // line height over font size
+constexpr double off = 8;           // names beside the plot [px]
+constexpr double leader_from = 14;  // a word this far from its point gets a leader line [px]
+constexpr double leader_gap = 3;    // between a leader line and what it joins [px]
+constexpr double ring_radius = 4.5;
+constexpr std::size_t most_targets = 240;
+
+class Words {
+ public:
+  Words(PlacedPanel& placed, Occupancy& drawn, const AxisRange& x, const AxisRange& y)
+      : placed_(placed), drawn_(drawn), x_(x), y_(y) {}
+
+  // `block` with its box at a place already chosen.
+  void put(const NameBlock& block, const Box& box, Align align, bool ground) {
+    double top = box.y;
+    for (PlacedText line : block.lines) {
+      const double height = line.size * leading;
+      line.align = align;
+      line.at = {align == Align::left    ? box.x
+                 : align == Align::right ? box.right()
+                                         : box.x + box.width / 2,
+                 top + height / 2};
+      line.ground = ground;
+      line.box = {box.x, top, box.width, height};
+      placed_.texts.push_back(line);
+      top += height;
+    }
+    drawn_.add_box(box);
+  }
+
+  // Where it was asked for, in graph fractions: to the left or right of that place, on the side away from
+  // `point`.
+  Box asked(const NameBlock& block, double text_x, double text_y, Spot point) const {
+    const Box& f = placed_.frame;
+    const double px = f.x + text_x * f.width, py = f.bottom() - text_y * f.height;
+    const double left = std::isfinite(point.x) && px < point.x ? px - block.width : px;
+    return {std::clamp(left, f.x + 3, std::max(f.x + 3, f.right() - block.width - 1)), py - block.height / 2,
+            block.width, block.height};
+  }
+
+  void leader(const Box& box, Spot point, const std::string& colour, double gap_at_point) {
+    if (!std::isfinite(point.x) || !std::isfinite(point.y)) return;
+    Spot edge = box.nearest(point);
+    if (point.x < box.x || point.x > box.right())
+      edge.y = std::clamp(point.y, box.y + 6, std::max(box.y + 6, box.bottom() - 6));
+    const double length = std::hypot(point.x - edge.x, point.y - edge.y);
+    if (length < leader_from) return;
+    const double ux = (point.x - edge.x) / length, uy = (point.y - edge.y) / length;
+    placed_.leaders.push_back({{edge.x + leader_gap * ux, edge.y + leader_gap * uy},
+                               {point.x - gap_at_point * ux, point.y - gap_at_point * uy},
+                               colour,
+                               0.8});
+  }
+
+  Spot at(double x, double y) const { return {x_.px(x), y_.px(y)}; }
+  bool covers(const Box& box) const { return drawn_.taken(box) > 0; }
+  const Occupancy& drawn() const { return drawn_; }
+
+ private:
+  PlacedPanel& placed_;
+  Occupancy& drawn_;
+  const AxisRange& x_;
+  const AxisRange& y_;
+};
+
+// The curve's height at px `x`, by linear interpolation; NaN where it has none.
+double height_at(const std::vector<Spot>& spots, double x) {
+  for (std::size_t i = 1; i < spots.size(); ++i) {
+    const Spot &a = spots[i - 1], &b = spots[i];
+    if ((a.x <= x && x <= b.x) || (b.x <= x && x <= a.x))
+      return a.x == b.x ? a.y : a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+  }
+  return std::nan("");
+}
+
+std::vector<Spot> targets_of(const PlacedCurve& curve, const Box& frame) {
+  std::vector<Spot> all;
+  for (const auto& piece : curve.pieces) {
+    for (const Spot& p : piece) {
+      if (p.x >= frame.x && p.x <= frame.right() && p.y >= frame.y && p.y <= frame.bottom()) all.push_back(p);
+    }
+  }
+  std::vector<Spot> some;
+  const std::size_t stride = std::max<std::size_t>(1, all.size() / most_targets);
+  for (std::size_t i = 0; i < all.size(); i += stride) some.push_back(all[i]);
+  return some;
+}
+
+void draw_on(Occupancy& drawn, const PlacedCurve& curve) {
+  for (const auto& piece : curve.pieces) {
+    if (curve.mark == Mark::dots) {
+      for (const Spot& p : piece) drawn.add_line(std::span(&p, 1), 3);
+    } else {
+      drawn.add_line(piece, curve.width);
+    }
+  }
+  for (std::size_t i = 0; i < curve.band.x.size(); ++i) {
+    drawn.add_box({curve.band.x[i], std::min(curve.band.low[i], curve.band.high[i]), 1,
+                   std::abs(curve.band.high[i] - curve.band.low[i])});
+  }
+}
+
+void place_outside(Words& words, const PlacedPanel& placed, const Panel& panel,
+                   const std::vector<std::vector<Spot>>& spots, const Box& cell, const TextSizes& sizes,
+                   Typeface typeface) {
+  std::vector<NameBlock> blocks;
+  std::vector<double> centres, heights, gaps;
+  const double room = cell.right() - placed.frame.right() - off;
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    if (!stands_outside(panel.curves[i], panel)) continue;
+    blocks.push_back(name_block(panel.curves[i], sizes, typeface, room));
+    const NameBlock& block = blocks.back();
+    // The name's own line, not the remark, faces the curve.
+    centres.push_back(height_at_end(spots[i], placed.frame) + block.height / 2 - sizes.name * leading / 2);
+    heights.push_back(block.height);
+    gaps.push_back(panel.curves[i].remark.empty() ? 0 : 6);
+  }
+  const std::vector<double> placed_at =
+      spread(centres, heights, gaps, std::max(cell.y, placed.frame.y - 6), cell.bottom());
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    words.put(blocks[i],
+              {placed.frame.right() + off, placed_at[i] - heights[i] / 2, blocks[i].width, heights[i]},
+              Align::left, false);
+  }
+}
+
+}  // namespace
+
+bool stands_outside(const Curve& curve, const Panel& panel) {
+  return !curve.name.empty() && !curve.label_x && !panel.phase_portrait && !panel.names_inside &&
+         curve.mark != Mark::band;
+}
+
+NameBlock name_block(const Curve& curve, const TextSizes& sizes, Typeface typeface, double room) {
+  NameBlock block;
+  const auto add = [&](const std::string& text, double size, bool bold, std::string_view colour) {
+    if (text.empty()) return;
+    for (const std::string& line : wrapped(text, size, bold, typeface, room)) {
+      PlacedText placed;
+      placed.text = line;
+      placed.size = size;
+      placed.bold = bold;
+      placed.colour = colour;
+      block.lines.push_back(placed);
+      block.width = std::max(block.width, text_width(line, size, bold, typeface));
+      block.height += size * leading;
+    }
+  };
+  add(curve.name, sizes.name, true, style_of(curve.role).word);
+  add(curve.remark, sizes.remark, false, light_surface.text_2);
+  return block;
+}
+
+double names_margin(const Panel& panel, const TextSizes& sizes, Typeface typeface, double room) {
+  double widest = 0;
+  for (const Curve& curve : panel.curves) {
+    if (stands_outside(curve, panel))
+      widest = std::max(widest, name_block(curve, sizes, typeface, room).width);
+  }
+  return widest > 0 ? widest + off + 4 : 0;
+}
+
+void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
+                 const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
+                 Typeface typeface) {
+  const Box& frame = placed.frame;
+  Occupancy drawn(frame);
+  std::vector<PlacedCurve> in_order;  // of panel.curves, not of drawing
+  for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+    in_order.push_back(
+        place_curve(panel.curves[i], spots[i], panel.curves.size() == 1, panel.phase_portrait));
+    draw_on(drawn, in_order.back());
+  }
+  Words words(placed, drawn, x, y);
+  const double room_inside = 0.6 * frame.width;
+
+  for (const Marker& marker : panel.markers) {
+    const double at = x.px(marker.x);
+    if (!(at >= frame.x - 0.5 && at <= frame.right() + 0.5)) continue;
+    const RoleStyle& style = style_of(marker.role);
+    placed.leaders.push_back({{at, frame.y}, {at, frame.bottom()}, std::string(style.line), 1.3});
+    if (marker.text.empty()) continue;
+    Curve word;
+    word.name = marker.text, word.role = marker.role;
+    const NameBlock block = name_block(word, sizes, typeface, room_inside);
+    const bool fits_right = at + 5 + block.width <= frame.right();
+    const Box box{fits_right ? at + 5 : at - 5 - block.width, frame.y + 2, block.width, block.height};
+    words.put(block, box, Align::left, words.covers(box));
+  }
+
+  for (const Note& note : panel.notes) {
+    const Spot point = words.at(note.x, note.y);
+    if (note.circle) placed.rings.push_back(point);
+    if (note.dot) placed.dots.push_back(point);
+    if (note.text.empty()) continue;
+    Curve word;
+    word.remark = note.text;
+    NameBlock block = name_block(word, sizes, typeface, room_inside);
+    for (PlacedText& line : block.lines) line.colour = light_surface.ink;
+    const bool points = note.leader || note.circle || note.dot;
+    const Box box = words.asked(block, note.text_x, note.text_y, points ? point : Spot{-1e9, 0});
+    words.put(block, box, Align::left, words.covers(box));
+    if (note.leader)
+      words.leader(box, point, std::string(light_surface.ink), note.circle ? ring_radius + 1 : 3);
+  }
+
+  place_outside(words, placed, panel, spots, cell, sizes, typeface);
+
+  for (const bool fixed : {true, false}) {
+    for (std::size_t i = 0; i < panel.curves.size(); ++i) {
+      const Curve& curve = panel.curves[i];
+      if (curve.name.empty() || stands_outside(curve, panel) || (curve.text_x && curve.text_y) != fixed)
+        continue;
+      const NameBlock block = name_block(curve, sizes, typeface, room_inside);
+      const std::string colour(style_of(curve.role).word);
+      Spot point{std::nan(""), std::nan("")};
+      if (curve.label_x) {
+        point = words.at(*curve.label_x, curve.label_y.value_or(0));
+        if (!curve.label_y) point.y = height_at(spots[i], point.x);
+      }
+      if (fixed) {
+        const Box box = words.asked(block, *curve.text_x, *curve.text_y, point);
+        words.put(block, box, Align::left, words.covers(box));
+        words.leader(box, point, colour, 1);
+      } else if (in_order[i].mark == Mark::band && !curve.label_x) {
+        const Band& band = in_order[i].band;
+        const double middle_x = frame.x + frame.width / 2;
+        const auto column = static_cast<std::size_t>(
+            std::lower_bound(band.x.begin(), band.x.end(), middle_x) - band.x.begin());
+        const std::size_t k = std::min(column, band.x.size() - 1);
+        const Box box{middle_x - block.width / 2, (band.low[k] + band.high[k]) / 2 - block.height / 2,
+                      block.width, block.height};
+        words.put(block, box, Align::centre, true);
+      } else {
+        const std::vector<Spot> targets = curve.label_x && std::isfinite(point.y)
+                                              ? std::vector<Spot>{point}
+                                              : targets_of(in_order[i], frame);
+        const FreePlace place = free_place(drawn, frame, block.width, block.height, targets);
+        words.put(block, place.box, Align::left, place.covered > 0);
+        words.leader(place.box, place.target, colour, 1);
+      }
+    }
+  }
+}
+
+}  // namespace cromer

@@ -1,0 +1,31 @@
+// The words of a panel: names at the right or inside, notes and markers.
+#pragma once
+
+#include <vector>
+
+#include "cromer/report/axis_range.h"
+#include "cromer/report/layout.h"
+
+namespace cromer {
+
+/// Whether the curve's name stands in the right margin.
+bool stands_outside(const Curve& curve, const Panel& panel);
+
+/// The lines of a name and its remark, and how wide they are.
+struct NameBlock {
+  std::vector<PlacedText> lines;  ///< only text, size, colour, bold
+  double width = 0, height = 0;
+};
+NameBlock name_block(const Curve& curve, const TextSizes& sizes, Typeface typeface, double room);
+
+/// The right margin the names of a panel need [px]; 0 without names outside.
+double names_margin(const Panel& panel, const TextSizes& sizes, Typeface typeface, double room);
+
+/// Adds texts, leaders, rings and dots to `placed`, whose frame and curves are there already. `cell` is the
+/// panel's whole place, `spots` the points of each curve. The words do not overlap each other while there is
+/// room.
+void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
+                 const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
+                 Typeface typeface);
+
+}  // namespace cromer

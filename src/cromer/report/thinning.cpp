@@ -1,0 +1,150 @@
+#include "cromer/report/thinning.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace cromer {
+namespace {
+
+constexpr std::size_t longest_skip = 64;  // bounds the work; more collinear points than this are rare
+
+bool never_goes_back(std::span<const Spot> points) {
+  return std::is_sorted(points.begin(), points.end(), [](const Spot& a, const Spot& b) { return a.x < b.x; });
+}
+
+std::vector<Spot> peaks_of_columns(std::span<const Spot> points) {
+  std::vector<Spot> kept;
+  for (std::size_t begin = 0; begin < points.size();) {
+    const double column = std::floor(2 * points[begin].x);
+    std::size_t end = begin + 1, low = begin, high = begin;
+    for (; end < points.size() && std::floor(2 * points[end].x) == column; ++end) {
+      if (points[end].y < points[low].y) low = end;
+      if (points[end].y > points[high].y) high = end;
+    }
+    const std::set<std::size_t> chosen{begin, low, high, end - 1};
+    for (const std::size_t i : chosen) kept.push_back(points[i]);
+    begin = end;
+  }
+  return kept;
+}
+
+double distance_to_segment(Spot p, Spot a, Spot b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, length2 = dx * dx + dy * dy;
+  const double s = length2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / length2, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - s * dx, p.y - a.y - s * dy);
+}
+
+}  // namespace
+
+std::vector<std::vector<Spot>> unbroken(std::span<const Spot> points) {
+  std::vector<std::vector<Spot>> pieces;
+  bool open = false;
+  for (const Spot& p : points) {
+    const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
+    if (finite && !open) pieces.emplace_back();
+    if (finite) pieces.back().push_back(p);
+    open = finite;
+  }
+  return pieces;
+}
+
+std::vector<Spot> thin_line(std::span<const Spot> piece, double tolerance) {
+  const std::vector<Spot> points =
+      never_goes_back(piece) ? peaks_of_columns(piece) : std::vector<Spot>(piece.begin(), piece.end());
+  if (points.size() < 3) return points;
+  std::vector<Spot> kept{points.front()};
+  std::size_t last = 0;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    bool straight = i - last <= longest_skip;
+    for (std::size_t j = last + 1; straight && j < i; ++j) {
+      straight = distance_to_segment(points[j], points[last], points[i]) <= tolerance;
+    }
+    if (!straight) {
+      last = i - 1;
+      kept.push_back(points[last]);
+    }
+  }
+  kept.push_back(points.back());
+  return kept;
+}
+
+std::vector<Spot> thin_dots(std::span<const Spot> dots) {
+  std::vector<Spot> kept;
+  std::set<std::pair<long, long>> taken;
+  for (const Spot& p : dots) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    if (taken.emplace(std::lround(4 * p.x), std::lround(4 * p.y)).second) kept.push_back(p);
+  }
+  return kept;
+}
+
+Band min_max_band(std::span<const Spot> points, int columns) {
+  Band band;
+  std::vector<Spot> sorted;
+  for (const Spot& p : points) {
+    if (std::isfinite(p.x) && std::isfinite(p.y)) sorted.push_back(p);
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Spot& a, const Spot& b) { return a.x < b.x; });
+  if (sorted.empty()) return band;
+
+  Band raw;
+  for (std::size_t i = 0; i < sorted.size();) {
+    const double column = std::floor(sorted[i].x);
+    double low = sorted[i].y, high = low;
+    for (; i < sorted.size() && std::floor(sorted[i].x) == column; ++i) {
+      low = std::min(low, sorted[i].y);
+      high = std::max(high, sorted[i].y);
+    }
+    raw.x.push_back(column + 0.5);
+    raw.low.push_back(low);
+    raw.high.push_back(high);
+  }
+  raw.x.front() = sorted.front().x;
+  raw.x.back() = sorted.back().x;
+
+  const std::size_t n = raw.x.size(), before = static_cast<std::size_t>(columns - 1) / 2,
+                    after = static_cast<std::size_t>(columns) / 2;
+  for (std::size_t i = 0; i < n; ++i) {
+    // The window keeps its length at the ends, so that half a period there does not narrow the band.
+    const std::size_t wanted = i > before ? i - before : 0;
+    const std::size_t end = std::min(n, wanted + before + after + 1);
+    const std::size_t begin = std::min(wanted, end - std::min(end, before + after + 1));
+    band.x.push_back(raw.x[i]);
+    band.low.push_back(*std::min_element(raw.low.begin() + static_cast<long>(begin),
+                                         raw.low.begin() + static_cast<long>(end)));
+    band.high.push_back(*std::max_element(raw.high.begin() + static_cast<long>(begin),
+                                          raw.high.begin() + static_cast<long>(end)));
+  }
+  for (std::size_t i = 0; i + 1 < n; ++i) {  // joined: no gap between a column and the next
+    if (band.low[i + 1] > band.high[i]) band.low[i + 1] = band.high[i];
+    if (band.high[i + 1] < band.low[i]) band.high[i + 1] = band.low[i];
+  }
+  return band;
+}
+
+double columns_per_period(std::span<const Spot> points) {
+  double low = std::numeric_limits<double>::infinity(), high = -low, left = low, right = high, sum = 0;
+  std::size_t count = 0;
+  for (const Spot& p : points) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    low = std::min(low, p.y), high = std::max(high, p.y);
+    left = std::min(left, p.x), right = std::max(right, p.x);
+    sum += p.y;
+    ++count;
+  }
+  if (count < 3) return std::numeric_limits<double>::infinity();
+  const double middle = sum / static_cast<double>(count),
+               guard = 0.02 * (high - low);  // noise about the middle is no crossing
+  int crossings = 0, side = 0;
+  for (const Spot& p : points) {
+    const int now = p.y > middle + guard ? 1 : p.y < middle - guard ? -1 : 0;
+    if (now != 0 && side != 0 && now != side) ++crossings;
+    if (now != 0) side = now;
+  }
+  return crossings < 2 ? std::numeric_limits<double>::infinity() : 2 * (right - left) / crossings;
+}
+
+}  // namespace cromer

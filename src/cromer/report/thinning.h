@@ -1,0 +1,41 @@
+// Fewer points, the same picture: what a curve needs to look the same at the size it is drawn.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace cromer {
+
+/// A place in a picture, in px; y grows downwards unless said otherwise.
+struct Spot {
+  double x = 0, y = 0;
+
+  friend bool operator==(const Spot&, const Spot&) = default;
+};
+
+/// A curve in px as its unbroken pieces; what is not finite breaks it.
+std::vector<std::vector<Spot>> unbroken(std::span<const Spot> points);
+
+/// Leaves out points until the line through the rest would be off by more than `tolerance` [px]. Where x
+/// never goes back, first, lowest, highest and last point of each half pixel column are kept before that, so
+/// that the dense curve keeps every peak.
+std::vector<Spot> thin_line(std::span<const Spot> piece, double tolerance = 0.08);
+
+/// One dot per quarter pixel: what lies under another dot is left out.
+std::vector<Spot> thin_dots(std::span<const Spot> dots);
+
+/// A filled band: lowest and highest y at each x.
+struct Band {
+  std::vector<double> x, low, high;
+};
+
+/// Lowest and highest point of each pixel column, taken over `columns` neighbouring ones (>= 1) and joined to
+/// the next column.
+Band min_max_band(std::span<const Spot> points, int columns);
+
+/// How many pixel columns one period of the signal takes: from the crossings of its middle; infinite where it
+/// never crosses.
+double columns_per_period(std::span<const Spot> points);
+
+}  // namespace cromer
