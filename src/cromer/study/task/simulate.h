@@ -21,31 +21,33 @@ struct SensorOptions {
   double resolution = 0;  // [m] >= 0; 0: not rounded
   double offset = 0;      // [m]
   unsigned long long seed = 1;
-  bool used = false;      ///< any of them was asked for
+  bool used = false;  ///< any of them was asked for
 };
 
 /// What `cromer simulate` takes; empty optionals are the documented defaults.
 struct SimulateOptions {
-  double mass = 1;                           // [kg] > 0
-  std::optional<double> stiffness;           // [N/m] any sign; 1 by default
-  std::optional<double> damping;             // [kg/s] >= 0; 0 by default
-  double drag = 0;                           // [kg/m] >= 0
-  double friction = 0;                       // [N] >= 0
-  double cubic = 0;                          // [N/m^3] any sign
-  std::optional<double> natural_frequency;   // [rad/s] > 0, in place of stiffness
-  std::optional<double> damping_ratio;       // >= 0, in place of damping
-  std::optional<double> quality_factor;      // > 0, in place of damping
-  double drive_amplitude = 0;                // [N] >= 0
-  std::vector<double> drive_frequency;       // [rad/s] >= 0; one run each
-  double drive_phase = 0;                    // [rad]
-  std::optional<double> position;            // [m]; 1 when nothing else sets the motion going
-  std::optional<double> velocity;            // [m/s]; 0
-  std::vector<std::string> method;           ///< names; euler-cromer by default
-  std::optional<double> step;                // [s] > 0; 1/200 of the shorter of natural and drive period
-  std::optional<double> until;               // [s] > 0; 20 natural periods
-  std::optional<double> tolerance;           // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
-  long long every = 1;                       ///< keep every Nth state, > 0
+  double mass = 1;                          // [kg] > 0
+  std::optional<double> stiffness;          // [N/m] any sign; 1 by default
+  std::optional<double> damping;            // [kg/s] >= 0; 0 by default
+  double drag = 0;                          // [kg/m] >= 0
+  double friction = 0;                      // [N] >= 0
+  double cubic = 0;                         // [N/m^3] any sign
+  std::optional<double> natural_frequency;  // [rad/s] > 0, in place of stiffness
+  std::optional<double> damping_ratio;      // >= 0, in place of damping
+  std::optional<double> quality_factor;     // > 0, in place of damping
+  double drive_amplitude = 0;               // [N] >= 0
+  std::vector<double> drive_frequency;      // [rad/s] >= 0; one run each
+  double drive_phase = 0;                   // [rad]
+  std::optional<double> position;           // [m]; 1 when nothing else sets the motion going
+  std::optional<double> velocity;           // [m/s]; 0
+  std::vector<std::string> method;          ///< names; euler-cromer by default
+  std::optional<double> step;               // [s] > 0; 1/200 of the shorter of natural and drive period
+  std::optional<double> until;              // [s] > 0; 20 natural periods
+  std::optional<double> tolerance;  // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
+  long long every = 1;              ///< keep every Nth state, > 0
   SensorOptions sensor;
+  double memory =
+      0;  // [bytes] most that the kept states may take; 0: no limit. Set by the caller, not an option
 };
 
 /// One run and everything that defines it.
@@ -77,7 +79,5 @@ struct SimulateResult {
 
 /// Checks the options (an Error names option, value and constraint), then runs.
 Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& watch = {});
-
-/// m v^2/2 + k x^2/2 + k3 x^4/4 [J]; in analysis/energy.h for any scalar.
 
 }  // namespace cromer

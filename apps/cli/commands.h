@@ -1,0 +1,25 @@
+// The commands: one file each, listed in main.cpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cromer::cli {
+
+/// What stands on the command line after the command's name.
+using Arguments = std::vector<std::string>;
+
+struct Command {
+  std::string_view name;
+  std::string_view description;  ///< one line
+  int (*run)(const Arguments& arguments);
+};
+
+int run_simulate(const Arguments& arguments);
+int run_methods(const Arguments& arguments);
+int run_inspect(const Arguments& arguments);
+int run_fit(const Arguments& arguments);
+int run_compare(const Arguments& arguments);
+
+}  // namespace cromer::cli

@@ -1,0 +1,84 @@
+#include "cromer/study/task/compare.h"
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "compare_csv.h"
+#include "compare_figure.h"
+#include "cromer/report/file.h"
+#include "cromer/report/read_file.h"
+#include "cromer/study/json/documents.h"
+#include "exit_status.h"
+#include "message.h"
+#include "output.h"
+#include "syntax.h"
+#include "text_table.h"
+#include "watching.h"
+
+namespace cromer::cli {
+namespace {
+
+std::string table(const std::vector<CompareResult>& comparisons) {
+  std::string out;
+  for (const auto& comparison : comparisons) {
+    const FittedRecording& recording = comparison.recording;
+    out += fmt::format("{}, {}, run {}\n", recording.file, recording.series.column, recording.series.run);
+    std::vector<std::vector<std::string>> rows{
+        {"rms", "R squared", "amplitude ratio at the end", "phase drift (rad)", "method", "simulated"}};
+    for (const auto& curve : comparison.curves)
+      rows.push_back({fmt::format("{:.4g}", curve.rms), fmt::format("{:.6f}", curve.r_squared),
+                      fmt::format("{:.4f}", curve.amplitude_ratio_end),
+                      fmt::format("{:.4f}", curve.phase_drift), curve.method, curve.label});
+    out += text_table(rows, 0, 4);
+  }
+  return out;
+}
+
+Result<void> write_files(const std::vector<CompareResult>& comparisons, const OutputOptions& output) {
+  if (!output.output.empty()) {
+    const bool csv = *file_format(output.output) == FileFormat::csv;
+    if (auto good = write_file(output.output, csv ? compare_csv(comparisons) : to_json(comparisons)); !good)
+      return good;
+  }
+  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, compare_figure(comparisons));
+}
+
+}  // namespace
+
+int run_compare(const Arguments& arguments) {
+  CompareOptions options;
+  OutputOptions output;
+  Syntax syntax{
+      .command = "compare",
+      .description =
+          "A recording beside simulations of it: one constant decay rate, and the law that fit chose.",
+      .files = "FILE",
+      .options = options_of(options),
+      .example =
+          "  cromer compare lab.csv --mass \"217.6 g\" --method rk4 --segment \"30 s\" --plot compare.svg"};
+  add_output_options(syntax.options, output, {},
+                     "measured and simulated motion as .csv, or the document as .json");
+  std::vector<std::string> files;
+  if (const auto status = parse(syntax, arguments, files)) return *status;
+  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  auto bytes = read_file(files.front());
+  if (!bytes) return refuse(bytes.error().message);
+  auto comparisons = compare(*bytes, files.front(), options, watching(output.quiet));
+  clear_progress();
+  if (!comparisons) return refuse(comparisons.error().message);
+  bool ok = true;
+  for (const auto& comparison : *comparisons) {
+    warn(comparison.warnings, output.quiet);
+    const FreeDecay& fit = comparison.recording.fit;
+    if (fit.status == FitStatus::converged) continue;
+    complain(fmt::format("{}: run {}: {}: {}", files.front(), comparison.recording.series.run,
+                         name(fit.status), fit.message));
+    ok = false;
+  }
+  if (auto good = write_files(*comparisons, output); !good) return refuse(good.error().message);
+  if (output.output != "-" && !print(output.json ? to_json(*comparisons) : table(*comparisons)))
+    return refuse("standard output cannot be written");
+  return ok ? done : no_success;
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,15 @@
+// Measured and simulated motions as CSV.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cromer/study/task/compare.h"
+
+namespace cromer::cli {
+
+/// "run,curve,t (s),measured,simulated": displacements from the fitted equilibrium, in the SI unit of the
+/// column.
+std::string compare_csv(const std::vector<CompareResult>& comparisons);
+
+}  // namespace cromer::cli

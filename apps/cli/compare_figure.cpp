@@ -1,0 +1,50 @@
+#include "compare_figure.h"
+
+#include <fmt/format.h>
+
+#include "measured_axis.h"
+
+namespace cromer::cli {
+namespace {
+
+/// A simulation with one constant rate keeps its method's colour, dashed.
+Curve simulated(const ComparedCurve& compared, const MeasuredAxis& axis) {
+  Curve curve{.x = compared.trajectory.t,
+              .y = axis.scaled(compared.trajectory.x),
+              .role = compared.method,
+              .name = compared.method};
+  curve.remark = fmt::format("{:.3g} of the measured\namplitude at the end", compared.amplitude_ratio_end);
+  curve.dashed = compared.label.find("constant") != std::string::npos;
+  return curve;
+}
+
+}  // namespace
+
+Figure compare_figure(const std::vector<CompareResult>& comparisons) {
+  Figure figure;
+  figure.id = "compare";
+  figure.title = "Measured motion and simulations of it";
+  figure.size = FigureSize::wide;
+  for (const auto& comparison : comparisons) {
+    if (comparison.recording.series.t.empty()) continue;
+    const MeasuredAxis axis = measured_axis(comparison.recording);
+    const Series& series = comparison.recording.series;
+    for (const auto& compared : comparison.curves) {
+      Panel panel;
+      panel.title =
+          comparisons.size() > 1 ? fmt::format("Run {}: {}", series.run, compared.label) : compared.label;
+      panel.x.name = "time {/:Italic t} (s)";
+      panel.y.name = axis.name;
+      panel.curves.push_back({.x = series.t,
+                              .y = axis.displacements(series.y),
+                              .role = "measured",
+                              .name = "measured",
+                              .mark = Mark::dots});
+      panel.curves.push_back(simulated(compared, axis));
+      figure.panels.push_back(std::move(panel));
+    }
+  }
+  return figure;
+}
+
+}  // namespace cromer::cli

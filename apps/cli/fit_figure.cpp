@@ -1,0 +1,81 @@
+#include "fit_figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/identify/free_motion.h"
+#include "measured_axis.h"
+
+namespace cromer::cli {
+namespace {
+
+/// The fitted displacements at the measured times.
+std::vector<double> fitted_motion(const FittedRecording& fitted) {
+  const FreeDecay& fit = fitted.fit;
+  const MotionParameters motion{.angular_frequency = fit.angular_frequency.value,
+                                .decay_rate = fit.decay_rate.value,
+                                .drag = fit.drag ? fit.drag->value : 0,
+                                .cubic = fit.cubic ? fit.cubic->value : 0,
+                                .equilibrium = fit.equilibrium.value,
+                                .position = fit.position.value,
+                                .velocity = fit.velocity.value};
+  const auto& t = fitted.series.t;
+  return free_motion(motion, t, motion_step(motion.angular_frequency, t.back() - t.front(), 1e-6)).x;
+}
+
+Panel measured_panel(const FittedRecording& fitted, const MeasuredAxis& axis) {
+  Panel panel;
+  panel.x.name = "time {/:Italic t} (s)";
+  panel.y.name = axis.name;
+  panel.curves.push_back({.x = fitted.series.t,
+                          .y = axis.displacements(fitted.series.y),
+                          .role = "measured",
+                          .name = "measured",
+                          .remark = fmt::format("{} samples", fitted.series.t.size()),
+                          .mark = Mark::dots});
+  return panel;
+}
+
+void append_panels(Figure& figure, const FittedRecording& fitted) {
+  const MeasuredAxis axis = measured_axis(fitted);
+  Panel motion = measured_panel(fitted, axis);
+  motion.title = fmt::format("{}, run {}", fitted.series.column, fitted.series.run);
+  if (fitted.fit.status != FitStatus::converged) {
+    figure.panels.push_back(std::move(motion));
+    return;
+  }
+  const std::vector<double> model = fitted_motion(fitted);
+  Curve fit_curve{.x = fitted.series.t, .y = axis.scaled(model), .role = "fitted", .name = "fitted"};
+  fit_curve.remark = to_text(fitted.fit.law);
+  Panel residual;
+  residual.title = "What the law leaves";
+  residual.x.name = motion.x.name;
+  residual.y.name = fmt::format("residual ({})", axis.unit);
+  Curve rest{.x = fitted.series.t,
+             .y = motion.curves.front().y,
+             .role = "measured",
+             .name = "residual",
+             .mark = Mark::dots};
+  for (std::size_t i = 0; i < rest.y.size(); ++i) rest.y[i] -= fit_curve.y[i];
+  rest.remark = fmt::format("rms {:.3g} {}", fitted.fit.residual.rms / axis.unit_size, axis.unit);
+  residual.curves.push_back(std::move(rest));
+  motion.curves.push_back(std::move(fit_curve));
+  figure.panels.push_back(std::move(motion));
+  figure.panels.push_back(std::move(residual));
+}
+
+}  // namespace
+
+Figure fit_figure(const std::vector<FittedRecording>& fits) {
+  Figure figure;
+  figure.id = "fit";
+  figure.title = "Measured and fitted motion, and the residual";
+  figure.size = FigureSize::wide;
+  for (const auto& fitted : fits)
+    if (!fitted.series.t.empty()) append_panels(figure, fitted);
+  return figure;
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,70 @@
+#include "fit_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cromer/base/quantity.h"
+#include "text_table.h"
+
+namespace cromer::cli {
+namespace {
+
+std::string in_words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string quantity(const Estimate& estimate, std::string_view unit) {
+  return format_quantity({estimate.value, estimate.standard_error}, unit);
+}
+
+std::string heading(const FittedRecording& fitted) {
+  const Series& series = fitted.series;
+  std::string text =
+      fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, name(fitted.fit.status));
+  if (fitted.fit.status != FitStatus::converged) return text + ", " + fitted.fit.message + "\n";
+  return text + fmt::format(", {} of {} samples, {:.6g} to {:.6g} s, law {}\n", series.t.size(),
+                            fitted.samples, series.t.front(), series.t.back(), to_text(fitted.fit.law));
+}
+
+std::string si_unit(const FittedRecording& fitted) {
+  for (const auto& parameter : fitted.parameters)
+    if (parameter.name == "position") return parameter.unit;
+  return "";
+}
+
+std::string one_fit(const FittedRecording& fitted) {
+  std::string out = heading(fitted);
+  std::vector<std::vector<std::string>> rows;
+  for (const auto* list : {&fitted.parameters, &fitted.derived})
+    for (const auto& entry : *list)
+      rows.push_back({"  " + in_words(entry.name), quantity(entry.estimate, entry.unit)});
+  for (const auto& segment : fitted.segments)
+    rows.push_back({fmt::format("  decay rate {:.6g} to {:.6g} s", segment.from, segment.to),
+                    quantity(segment.rate, "1/s")});
+  if (fitted.decay_rate_mean)
+    rows.push_back({"  mean of the segments", quantity(*fitted.decay_rate_mean, "1/s")});
+  if (fitted.reynolds_max)
+    rows.push_back({fmt::format("  largest Reynolds number, at {:.6g} s", fitted.reynolds_max_t),
+                    quantity(*fitted.reynolds_max, "")});
+  if (!fitted.parameters.empty())
+    rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, si_unit(fitted))});
+  out += text_table(rows, 0, 0);
+  if (fitted.candidates.size() > 1)
+    for (const auto& candidate : fitted.candidates)
+      out += fmt::format("  candidate {}: residual {:.4g}, BIC {:.6g}\n", to_text(candidate.law),
+                         candidate.rms, candidate.bic);
+  if (!fitted.simulate.empty()) out += "  simulate it: " + fitted.simulate + "\n";
+  return out;
+}
+
+}  // namespace
+
+std::string fit_text(const std::vector<FittedRecording>& fits) {
+  std::string out;
+  for (const auto& fitted : fits) out += (out.empty() ? "" : "\n") + one_fit(fitted);
+  return out;
+}
+
+}  // namespace cromer::cli

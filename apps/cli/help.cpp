@@ -1,0 +1,74 @@
+#include <fmt/format.h>
+
+#include "syntax.h"
+
+namespace cromer::cli {
+namespace {
+
+constexpr std::size_t help_column = 34;
+constexpr std::size_t last_column = 110;
+
+std::string left_side(const Option& option) {
+  std::string text = option.name == "output" ? "  -o, --output" : fmt::format("  --{}", option.name);
+  if (option.is_flag()) return text;
+  if (option.name == "output" || option.name == "plot") return text + " FILE";
+  if (option.is_text()) return text + " NAME";
+  if (option.unit.empty()) return text + " NUMBER";
+  return text + fmt::format(" <{}>", option.unit);
+}
+
+/// Words of `text` from help_column on, in lines of at most last_column.
+void append_wrapped(std::string& out, std::string_view text) {
+  std::size_t column = help_column;
+  while (!text.empty()) {
+    const auto end = text.find(' ');
+    const std::string_view word = text.substr(0, end);
+    if (column > help_column && column + 1 + word.size() > last_column) {
+      out += '\n' + std::string(help_column, ' ');
+      column = help_column;
+    } else if (column > help_column) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += word.size();
+    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+  }
+}
+
+void append_option(std::string& out, const Option& option) {
+  std::string text(option.help);
+  if (option.range == Range::positive || option.range == Range::not_negative)
+    text += fmt::format("; must {}", constraint(option.range));
+  if (!option.default_text.empty()) text += fmt::format(" [{}]", option.default_text);
+  const std::string left = left_side(option);
+  out += left;
+  out += left.size() + 2 > help_column ? '\n' + std::string(help_column, ' ')
+                                       : std::string(help_column - left.size(), ' ');
+  append_wrapped(out, text);
+  out += '\n';
+}
+
+}  // namespace
+
+std::string help(const Syntax& syntax) {
+  std::string out = fmt::format("Usage: cromer {}{}{} [OPTIONS]\n\n{}\n", syntax.command,
+                                syntax.files.empty() ? "" : " ", syntax.files, syntax.description);
+  std::string_view group;
+  for (const auto& option : syntax.options) {
+    if (option.group != group) {
+      group = option.group;
+      out += fmt::format("\n{}:\n", group);
+    }
+    append_option(out, option);
+  }
+  out += "  --help" + std::string(help_column - 8, ' ') + "this text\n";
+  out +=
+      "\nValues are SI numbers or texts with a unit, such as \"217.6 g\", \"12 cm\", \"3 Hz\". A frequency "
+      "in Hz or rpm counts\n"
+      "cycles and is multiplied by 2 pi. In brackets: the default.\n";
+  out += fmt::format("\nExample:\n{}\n", syntax.example);
+  return out;
+}
+
+}  // namespace cromer::cli

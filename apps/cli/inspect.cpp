@@ -1,0 +1,77 @@
+#include "cromer/study/task/inspect.h"
+
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "cromer/report/file.h"
+#include "cromer/report/read_file.h"
+#include "cromer/study/json/documents.h"
+#include "exit_status.h"
+#include "message.h"
+#include "output.h"
+#include "recording_csv.h"
+#include "syntax.h"
+
+namespace cromer::cli {
+namespace {
+
+std::string summary(const Inspection& inspection) {
+  const Recording& recording = inspection.recording;
+  const auto line = [](std::string_view what, const std::string& value) {
+    return fmt::format("{:<13}{}\n", what, value);
+  };
+  std::string out = recording.file + "\n";
+  out += line("dialect", fmt::format("{}, {}, separated by {}, decimal {}", recording.dialect.name,
+                                     recording.dialect.encoding, recording.dialect.separator,
+                                     recording.dialect.decimal));
+  for (const auto& column : recording.table.columns)
+    out += line("column", fmt::format("{}{}{}", column_header(column, true),
+                                      column.quantity.empty() ? "" : ": ", column.quantity));
+  out += line("samples", fmt::format("{}", inspection.samples));
+  if (inspection.rate > 0) out += line("rate", format_quantity({inspection.rate, 0}, "1/s"));
+  if (inspection.duration > 0) out += line("duration", format_quantity({inspection.duration, 0}, "s"));
+  out += line("time", inspection.time_column.empty() ? "no time column" : inspection.time_column);
+  if (inspection.jitter > 0)
+    out += line("jitter", format_quantity({100 * inspection.jitter, 0}, "% of a step"));
+  out += line("gaps", fmt::format("{}", inspection.gaps.size()));
+  for (const auto& gap : inspection.gaps)
+    out += line("", fmt::format("{:.6g} s long at {:.6g} s", gap.length, gap.t));
+  out += line("outliers", fmt::format("{}", inspection.outliers.size()));
+  for (const auto& outlier : inspection.outliers)
+    out += line("", fmt::format("{:.6g} at {:.6g} s, line {}", outlier.value, outlier.t, outlier.line));
+  return out;
+}
+
+}  // namespace
+
+int run_inspect(const Arguments& arguments) {
+  ReadOptions options;
+  OutputOptions output;
+  Syntax syntax{
+      .command = "inspect",
+      .description =
+          "What is in a recording: its dialect, columns, rate, gaps and outliers. -o converts any dialect.",
+      .files = "FILE",
+      .options = options_of(options),
+      .example = "  cromer inspect lab.csv -o clean.csv"};
+  add_output_options(syntax.options, output, {.plot = false}, "the columns as .csv or .json");
+  std::vector<std::string> files;
+  if (const auto status = parse(syntax, arguments, files)) return *status;
+  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  auto bytes = read_file(files.front());
+  if (!bytes) return refuse(bytes.error().message);
+  auto inspection = inspect(*bytes, files.front(), options);
+  if (!inspection) return refuse(inspection.error().message);
+  warn(inspection->warnings, output.quiet);
+  if (!output.output.empty()) {
+    const bool csv = *file_format(output.output) == FileFormat::csv;
+    const std::string text = csv ? recording_csv(*inspection, options.rate) : to_json(*inspection, true);
+    if (auto good = write_file(output.output, text); !good) return refuse(good.error().message);
+  }
+  if (output.output == "-") return done;
+  return print(output.json ? to_json(*inspection, false) : summary(*inspection))
+             ? done
+             : refuse("standard output cannot be written");
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,72 @@
+// cromer: arguments in, a task called, a result printed. The table of commands is here; each has a file of
+// its own.
+#include <fmt/format.h>
+
+#include <exception>
+#include <string_view>
+
+#include "commands.h"
+#include "cromer/base/nearest.h"
+#include "cromer/version.h"
+#include "exit_status.h"
+#include "message.h"
+#include "output.h"
+
+namespace cromer::cli {
+namespace {
+
+constexpr Command commands[] = {
+    {"simulate", "run the oscillator by one or more methods", run_simulate},
+    {"methods", "list the methods of integration", run_methods},
+    {"inspect", "say what is in a recording; convert it", run_inspect},
+    {"fit", "find the law of motion from a recording", run_fit},
+    {"compare", "lay simulations beside a recording", run_compare},
+};
+
+std::string overview() {
+  std::string text =
+      "Usage: cromer COMMAND [OPTIONS]\n\nThe oscillator on a spring: from a recording to its law of "
+      "motion.\n\nCommands:\n";
+  for (const auto& command : commands) text += fmt::format("  {:<10}{}\n", command.name, command.description);
+  text +=
+      "\ncromer COMMAND --help explains a command; cromer --version says which version this is.\n"
+      "\nExample:\n  cromer simulate --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 "
+      "--until 50 --plot run.svg\n";
+  return text;
+}
+
+int unknown_command(std::string_view typed) {
+  std::vector<std::string_view> names;
+  for (const auto& command : commands) names.push_back(command.name);
+  const std::string near = nearest(typed, names);
+  const std::string_view kind = typed.substr(0, 1) == "-" ? "option" : "command";
+  return refuse(fmt::format("unknown {} \"{}\"{}; see cromer --help", kind, typed,
+                            near.empty() ? "" : fmt::format(", did you mean {}?", near)));
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.empty()) {
+    complain("a command is needed");
+    std::fputs(overview().c_str(), stderr);
+    return wrong_input;
+  }
+  const std::string& first = arguments.front();
+  if (first == "--version") return print("cromer " CROMER_VERSION "\n") ? done : wrong_input;
+  if (first == "--help" || first == "-h" || first == "help") return print(overview()) ? done : wrong_input;
+  for (const auto& command : commands)
+    if (command.name == first) return command.run(Arguments(arguments.begin() + 1, arguments.end()));
+  return unknown_command(first);
+}
+
+}  // namespace
+}  // namespace cromer::cli
+
+int main(int count, char** words) {
+  try {
+    return cromer::cli::run({words + 1, words + count});
+  } catch (const std::bad_alloc&) {
+    return cromer::cli::refuse("not enough memory for this");
+  } catch (const std::exception& problem) {
+    return cromer::cli::refuse(problem.what());
+  }
+}

@@ -1,0 +1,47 @@
+#include "measured_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "length_unit.h"
+
+namespace cromer::cli {
+namespace {
+
+std::string unit_of(const FittedRecording& fitted) {
+  for (const auto& parameter : fitted.parameters)
+    if (parameter.name == "equilibrium") return parameter.unit;
+  return fitted.series.quantity == "position" ? "m" : "";
+}
+
+}  // namespace
+
+std::vector<double> MeasuredAxis::displacements(std::vector<double> values) const {
+  for (double& value : values) value = (value - equilibrium) / unit_size;
+  return values;
+}
+
+std::vector<double> MeasuredAxis::scaled(std::vector<double> values) const {
+  for (double& value : values) value /= unit_size;
+  return values;
+}
+
+MeasuredAxis measured_axis(const FittedRecording& fitted) {
+  MeasuredAxis axis;
+  const bool centred = fitted.fit.status == FitStatus::converged;
+  axis.equilibrium = centred ? fitted.fit.equilibrium.value : 0;
+  axis.unit = unit_of(fitted);
+  double size = 0;
+  for (const double y : fitted.series.y) size = std::max(size, std::abs(y - axis.equilibrium));
+  if (axis.unit == "m") {
+    const LengthUnit unit = length_unit(size);
+    axis.unit = unit.symbol;
+    axis.unit_size = unit.metres;
+  }
+  const std::string quantity = fitted.series.quantity.empty() ? "reading" : fitted.series.quantity;
+  axis.name = (quantity == "position" && centred ? "displacement {/:Italic x}" : quantity) +
+              (axis.unit.empty() ? "" : " (" + axis.unit + ")");
+  return axis;
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,23 @@
+#include "message.h"
+
+#include <cstdio>
+
+#include "exit_status.h"
+
+namespace cromer::cli {
+
+void complain(std::string_view message) {
+  std::fprintf(stderr, "cromer: %.*s\n", static_cast<int>(message.size()), message.data());
+}
+
+int refuse(std::string_view message) {
+  complain(message);
+  return wrong_input;
+}
+
+void warn(const std::vector<std::string>& warnings, bool quiet) {
+  if (quiet) return;
+  for (const auto& warning : warnings) complain("warning: " + warning);
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,66 @@
+#include "output.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "cromer/report/file.h"
+
+namespace cromer::cli {
+
+void add_output_options(std::vector<Option>& options, OutputOptions& output, OutputKinds kinds,
+                        std::string_view what) {
+  constexpr std::string_view group = "Output";
+  options.push_back({"json", &output.json, "", Range::any, "one JSON document on standard output",
+                     "a text for people", group});
+  if (kinds.files) options.push_back({"output", &output.output, "", Range::any, what, "none", group});
+  if (kinds.plot)
+    options.push_back(
+        {"plot", &output.plot, "", Range::any, "draw a figure: .svg, .png or .pdf", "none", group});
+  options.push_back({"quiet", &output.quiet, "", Range::any, "no warnings, no progress",
+                     "warnings on standard error", group});
+}
+
+Result<FileFormat> file_format(const std::string& path) {
+  if (path == "-") return FileFormat::csv;
+  const auto slash = path.find_last_of('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  const auto dot = name.find_last_of('.');
+  const std::string ending = dot == std::string::npos ? "" : name.substr(dot);
+  if (ending == ".csv") return FileFormat::csv;
+  if (ending == ".json") return FileFormat::json;
+  if (ending == ".h5")
+    return Error{fmt::format("--output: {}: HDF5 files cannot be written yet; use .csv or .json", path)};
+  return Error{fmt::format("--output: {}: the ending says the format, and \"{}\" is neither .csv nor .json",
+                           path, ending)};
+}
+
+Result<void> check_outputs(const OutputOptions& options) {
+  if (!options.output.empty()) {
+    if (auto format = file_format(options.output); !format) return format.error();
+    if (options.output == "-" && options.json)
+      return Error{"--json and -o - both want standard output; give -o a file name"};
+    if (options.output != "-")
+      if (auto good = check_writable(options.output); !good) return good;
+  }
+  if (!options.plot.empty()) {
+    if (auto format = figure_format(options.plot); !format) return Error{"--plot: " + format.error().message};
+    if (auto good = check_writable(options.plot); !good) return good;
+    if (options.plot == options.output) return Error{fmt::format("-o and --plot both name {}", options.plot)};
+  }
+  return {};
+}
+
+Result<void> write_plot(const std::string& path, const Figure& figure) {
+  auto format = figure_format(path);
+  if (!format) return format.error();
+  auto picture = draw(figure, *format);
+  if (!picture) return picture.error();
+  return write_file(path, *picture);
+}
+
+bool print(std::string_view text) {
+  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+}
+
+}  // namespace cromer::cli

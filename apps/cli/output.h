@@ -1,0 +1,45 @@
+// What a command writes and where: options common to all commands, checks before the work, files after it.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/result.h"
+#include "cromer/report/figure.h"
+#include "cromer/study/task/option.h"
+
+namespace cromer::cli {
+
+struct OutputOptions {
+  bool json = false;
+  bool quiet = false;
+  std::string output;  ///< "" none
+  std::string plot;    ///< "" none
+};
+
+/// Which of them a command offers.
+struct OutputKinds {
+  bool files = true;
+  bool plot = true;
+};
+
+/// Appends --json, -o, --plot and --quiet, with `what` as the help of -o.
+void add_output_options(std::vector<Option>& options, OutputOptions& output, OutputKinds kinds,
+                        std::string_view what);
+
+enum class FileFormat { csv, json };
+
+/// By the ending of the name; "-" is CSV on standard output. HDF5 and unknown endings are Errors.
+Result<FileFormat> file_format(const std::string& path);
+
+/// That all outputs have a known format and can be written; asked before long work.
+Result<void> check_outputs(const OutputOptions& options);
+
+/// Draws the figure and writes it.
+Result<void> write_plot(const std::string& path, const Figure& figure);
+
+/// Standard output; false if it could not take all of it.
+bool print(std::string_view text);
+
+}  // namespace cromer::cli

@@ -1,0 +1,94 @@
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <cstdio>
+
+#include "cromer/base/nearest.h"
+#include "exit_status.h"
+#include "message.h"
+#include "syntax.h"
+
+namespace cromer::cli {
+namespace {
+
+/// What was typed for one option of the table.
+struct Typed {
+  const Option* option;
+  std::vector<std::string> texts;
+  bool flag = false;
+};
+
+int unknown_option(const Syntax& syntax, const std::string& typed) {
+  std::vector<std::string_view> names{"help"};
+  for (const auto& option : syntax.options) names.push_back(option.name);
+  const std::string_view bare = std::string_view(typed).substr(typed.find_first_not_of('-'));
+  const std::string near = nearest(bare.substr(0, bare.find('=')), names);
+  return refuse(fmt::format("unknown option {}{}; see cromer {} --help", typed,
+                            near.empty() ? "" : fmt::format(", did you mean --{}?", near), syntax.command));
+}
+
+Result<void> assign_all(const std::vector<Typed>& typed) {
+  for (const auto& [option, texts, flag] : typed) {
+    if (flag)
+      if (auto good = assign(*option, "true"); !good) return good;
+    if (texts.size() > 1 && !option->is_list())
+      return Error{fmt::format("--{} is given {} times; it takes one value", option->name, texts.size())};
+    for (const auto& text : texts)
+      if (auto good = assign(*option, text); !good) return good;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files) {
+  if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end() ||
+      std::find(arguments.begin(), arguments.end(), "-h") != arguments.end()) {
+    std::fputs(help(syntax).c_str(), stdout);
+    return done;
+  }
+
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  std::vector<Typed> typed;
+  typed.reserve(syntax.options.size());  // CLI11 keeps pointers into it
+  for (const auto& option : syntax.options) {
+    auto& entry = typed.emplace_back(Typed{&option, {}, false});
+    const std::string names = (option.name == "output" ? "-o,--" : "--") + std::string(option.name);
+    if (option.is_flag())
+      app.add_flag(names, entry.flag);
+    else
+      app.add_option(names, entry.texts)
+          ->expected(1)
+          ->allow_extra_args(false)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+  try {
+    app.parse(Arguments(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ArgumentMismatch& problem) {
+    const std::string_view what = problem.what();
+    return refuse(fmt::format("{} needs a value", what.substr(0, what.find(':'))));
+  } catch (const CLI::ParseError& problem) {
+    return refuse(problem.what());
+  }
+
+  for (const auto& left : app.remaining()) {
+    if (left.size() > 1 && left.front() == '-') return unknown_option(syntax, left);
+    files.push_back(left);
+  }
+  if (syntax.files.empty() && !files.empty())
+    return refuse(fmt::format("cromer {} takes no file, but \"{}\" is given", syntax.command, files.front()));
+  if (!syntax.files.empty() && files.empty())
+    return refuse(
+        fmt::format("cromer {} needs a file; see cromer {} --help", syntax.command, syntax.command));
+  if (syntax.files == "FILE" && files.size() > 1)
+    return refuse(fmt::format("cromer {} takes one file, but {} are given", syntax.command, files.size()));
+  if (auto good = assign_all(typed); !good) return refuse(good.error().message);
+  return std::nullopt;
+}
+
+}  // namespace cromer::cli

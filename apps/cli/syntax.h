@@ -1,0 +1,29 @@
+// What a command accepts, and the parsing of its arguments.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands.h"
+#include "cromer/study/task/option.h"
+
+namespace cromer::cli {
+
+struct Syntax {
+  std::string_view command;
+  std::string_view description;  ///< the first lines of --help
+  std::string_view files;        ///< "FILE", "FILE..." or "" where none are taken
+  std::vector<Option> options;   ///< in the order of --help
+  std::string_view example;      ///< one or more command lines
+};
+
+/// Assigns every option and collects the files. Returns the exit status where there is nothing left to do:
+/// --help was printed, or an error said.
+std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files);
+
+/// The text of --help.
+std::string help(const Syntax& syntax);
+
+}  // namespace cromer::cli

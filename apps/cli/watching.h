@@ -1,0 +1,16 @@
+// Ctrl-C and progress: the edges where signals and clocks are.
+#pragma once
+
+#include "cromer/base/interrupt.h"
+
+namespace cromer::cli {
+
+/// A Watch that Ctrl-C (or a termination signal) interrupts: the first asks the work to stop and keep what it
+/// has, the second ends the program. Progress is shown on standard error after half a second, only on a
+/// terminal and unless `quiet`.
+Watch watching(bool quiet);
+
+/// Takes the progress line away, if there is one.
+void clear_progress();
+
+}  // namespace cromer::cli

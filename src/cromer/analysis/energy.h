@@ -1,0 +1,16 @@
+// Mechanical energy of an oscillator.
+#pragma once
+
+#include "cromer/base/state.h"
+#include "cromer/model/oscillator.h"
+
+namespace cromer {
+
+/// m v^2/2 + k x^2/2 + k3 x^4/4 [J]; negative in a double well is right.
+template <class Real>
+constexpr Real energy(const Oscillator<Real>& oscillator, const State<Real>& y) {
+  const Real square = y.x * y.x;
+  return (oscillator.mass * y.v * y.v + (oscillator.stiffness + oscillator.cubic * square / 2) * square) / 2;
+}
+
+}  // namespace cromer

@@ -1,0 +1,44 @@
+#include "cromer/study/json/documents.h"
+#include "cromer/study/json/json.h"
+#include "cromer/study/json/recording.h"
+
+namespace cromer {
+namespace {
+
+Json document(const CompareResult& comparison) {
+  const FreeDecay& fit = comparison.recording.fit;
+  Json object;
+  object["recording"] = recording_object(comparison.recording);
+  object["status"] = name(fit.status);
+  if (fit.status != FitStatus::converged) object["message"] = fit.message;
+  Json& curves = object["curves"] = Json::array();
+  for (const auto& curve : comparison.curves)
+    curves.push_back({{"label", curve.label},
+                      {"law", to_text(curve.law)},
+                      {"method", curve.method},
+                      {"rms", curve.rms},
+                      {"r_squared", curve.r_squared},
+                      {"amplitude_ratio_end", curve.amplitude_ratio_end},
+                      {"phase_drift", curve.phase_drift}});
+  object["warnings"] = comparison.warnings;
+  return object;
+}
+
+}  // namespace
+
+std::string to_json(std::span<const CompareResult> comparisons) {
+  if (comparisons.size() == 1) return to_text(document(comparisons.front()));
+  Json all;
+  Json& list = all["comparisons"] = Json::array();
+  std::size_t failed = 0;
+  for (const auto& comparison : comparisons) {
+    list.push_back(document(comparison));
+    failed += comparison.recording.fit.status != FitStatus::converged;
+  }
+  if (failed > 0)
+    all["message"] =
+        std::to_string(failed) + " of " + std::to_string(comparisons.size()) + " fits did not succeed";
+  return to_text(all);
+}
+
+}  // namespace cromer

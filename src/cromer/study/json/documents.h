@@ -1,0 +1,32 @@
+// The results of the tasks as the JSON documents that contract.md promises. Not-finite numbers are null.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cromer/study/task/compare.h"
+#include "cromer/study/task/fit.h"
+#include "cromer/study/task/inspect.h"
+#include "cromer/study/task/methods.h"
+#include "cromer/study/task/simulate.h"
+
+namespace cromer {
+
+/// {"runs": [...], "warnings": [...]}, with "message" when a run ended early. `with_states` adds the kept
+/// states of each run.
+std::string to_json(const SimulateResult& result, bool with_states);
+
+/// {"methods": [...]}
+std::string to_json(std::span<const MethodRow> methods);
+
+/// What is in the file; `with_values` adds the columns' numbers.
+std::string to_json(const Inspection& inspection, bool with_values);
+
+/// The fit's object; {"fits": [...]} unless there is exactly one.
+std::string to_json(std::span<const FittedRecording> fits);
+
+/// The comparison's object; {"comparisons": [...]} unless there is exactly one.
+std::string to_json(std::span<const CompareResult> comparisons);
+
+}  // namespace cromer

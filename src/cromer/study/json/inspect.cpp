@@ -1,0 +1,34 @@
+#include "cromer/study/json/documents.h"
+#include "cromer/study/json/json.h"
+
+namespace cromer {
+
+std::string to_json(const Inspection& inspection, bool with_values) {
+  const Recording& recording = inspection.recording;
+  Json document;
+  document["file"] = recording.file;
+  document["dialect"] = recording.dialect.name;
+  document["encoding"] = recording.dialect.encoding;
+  document["separator"] = recording.dialect.separator;
+  document["decimal"] = recording.dialect.decimal;
+  Json& columns = document["columns"] = Json::array();
+  for (const auto& column : recording.table.columns) {
+    columns.push_back(
+        {{"name", column.name}, {"quantity", column.quantity}, {"unit", column.unit}, {"run", column.run}});
+    if (with_values) columns.back()["values"] = column.values;
+  }
+  document["samples"] = inspection.samples;
+  document["rate"] = or_null(inspection.rate);
+  document["duration"] = or_null(inspection.duration);
+  document["time_column"] = inspection.time_column.empty() ? Json(nullptr) : Json(inspection.time_column);
+  document["jitter"] = inspection.jitter;
+  Json& gaps = document["gaps"] = Json::array();
+  for (const auto& gap : inspection.gaps) gaps.push_back({{"t", gap.t}, {"length", gap.length}});
+  Json& outliers = document["outliers"] = Json::array();
+  for (const auto& outlier : inspection.outliers)
+    outliers.push_back({{"t", outlier.t}, {"value", outlier.value}, {"line", outlier.line}});
+  document["warnings"] = inspection.warnings;
+  return to_text(document, with_values);
+}
+
+}  // namespace cromer

@@ -1,0 +1,25 @@
+// The JSON type all documents are built from, and how they are written. Included by the .cpp files of this
+// folder only.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "cromer/record/dialects/recording.h"
+
+namespace cromer {
+
+/// Keeps the fields in the order they were set.
+using Json = nlohmann::ordered_json;
+
+/// Indented by two, or on one line; NaN and infinity as null, bytes that are not UTF-8 as U+FFFD, a newline
+/// at the end.
+inline std::string to_text(const Json& document, bool on_one_line = false) {
+  return document.dump(on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Zero stands for unknown in rates and durations.
+inline Json or_null(double value) { return value == 0 ? Json(nullptr) : Json(value); }
+
+}  // namespace cromer

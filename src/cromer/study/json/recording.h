@@ -1,0 +1,12 @@
+// What the documents of fit and compare have in common.
+#pragma once
+
+#include "cromer/study/json/json.h"
+#include "cromer/study/task/fit.h"
+
+namespace cromer {
+
+/// {"file", "column", "samples", "used", "from", "to", "rate", "duration", "gaps", "outliers"} and the run.
+Json recording_object(const FittedRecording& fitted);
+
+}  // namespace cromer

@@ -1,0 +1,83 @@
+#include "cromer/analysis/energy.h"
+#include "cromer/study/json/documents.h"
+#include "cromer/study/json/json.h"
+
+namespace cromer {
+namespace {
+
+Json parameters(const SimulatedRun& run) {
+  const auto& law = run.oscillator;
+  return {{"mass", law.mass},
+          {"stiffness", law.stiffness},
+          {"damping", law.damping},
+          {"drag", law.drag},
+          {"friction", law.friction},
+          {"cubic", law.cubic},
+          {"drive_amplitude", run.drive.amplitude},
+          {"drive_frequency", run.drive.frequency},
+          {"drive_phase", run.drive.phase},
+          {"position", run.start.x},
+          {"velocity", run.start.v}};
+}
+
+Json sensor(const SensorOptions& options) {
+  if (!options.used) return nullptr;
+  return {{"noise", options.noise},
+          {"resolution", options.resolution},
+          {"offset", options.offset},
+          {"seed", options.seed}};
+}
+
+Json states(const SimulatedRun& run) {
+  Json energies = Json::array();
+  for (std::size_t i = 0; i < run.trajectory.size(); ++i)
+    energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[i], run.trajectory.v[i]}));
+  Json columns = {{"t", run.trajectory.t}, {"x", run.trajectory.x}, {"v", run.trajectory.v}};
+  columns["energy"] = std::move(energies);
+  if (!run.sensor.empty()) columns["sensor"] = run.sensor;
+  return columns;
+}
+
+Json document(const SimulatedRun& run, const SimulateOptions& options) {
+  const Outcome& outcome = run.outcome;
+  Json object;
+  object["method"] = run.method;
+  object["label"] = run.label;
+  object["parameters"] = parameters(run);
+  object["step"] = run.step;
+  object["until"] = run.until;
+  object["tolerance"] = run.tolerance;
+  object["every"] = options.every;
+  object["status"] = name(outcome.status);
+  if (!run.message.empty()) object["message"] = run.message;
+  object["interrupted"] = outcome.interrupted;
+  object["last_step"] = outcome.last_step == 0 ? run.step : outcome.last_step;
+  object["counts"] = {{"accepted", outcome.counts.accepted},
+                      {"rejected", outcome.counts.rejected},
+                      {"evaluations", outcome.counts.evaluations},
+                      {"newton_iterations", outcome.counts.newton_iterations}};
+  object["final"] = {{"t", outcome.t},
+                     {"x", outcome.y.x},
+                     {"v", outcome.y.v},
+                     {"energy", energy(run.oscillator, outcome.y)}};
+  object["sensor"] = sensor(options.sensor);
+  return object;
+}
+
+}  // namespace
+
+std::string to_json(const SimulateResult& result, bool with_states) {
+  Json document_of_all;
+  Json& runs = document_of_all["runs"] = Json::array();
+  std::string message;
+  for (const auto& run : result.runs) {
+    runs.push_back(document(run, result.options));
+    if (with_states) runs.back()["states"] = states(run);
+    if (!run.message.empty()) message += (message.empty() ? "" : "; ") + run.label + ": " + run.message;
+  }
+  document_of_all["warnings"] = result.warnings;
+  if (!message.empty()) document_of_all["message"] = message;
+  return to_text(document_of_all, with_states);
+}
+
+}  // namespace cromer

@@ -1,0 +1,68 @@
+// Options defined once: the command line, the study file and the tasks' own checks all read these tables.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cromer/base/quantity.h"
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+struct SimulateOptions;
+struct ReadOptions;
+struct FitOptions;
+struct CompareOptions;
+
+/// What a value must satisfy.
+enum class Range { any, positive, not_negative, tolerance, air_temperature };
+
+/// The constraint in words, to follow "it must": "be positive"; empty for any.
+std::string_view constraint(Range range);
+
+/// One option: where its value goes, in which unit, and what it means.
+struct Option {
+  using Target = std::variant<double*, std::optional<double>*, std::vector<double>*, std::optional<Quantity>*,
+                              std::optional<int>*, long long*, unsigned long long*, bool*, std::string*,
+                              std::vector<std::string>*>;
+
+  std::string_view name;  ///< as typed, without dashes: "drive-frequency"; "drive_frequency" in a study file
+  Target target;          ///< outlives the Option
+  std::string_view unit;  ///< SI unit of the value; "" for a plain number or a text; "Hz" counts per second
+  Range range = Range::any;
+  std::string_view help;          ///< what it is, in a few words
+  std::string_view default_text;  ///< what holds when it is not given; "" where nothing does
+  std::string_view group;         ///< heading in --help
+  bool* asked = nullptr;          ///< set to true when the option is given
+
+  bool is_flag() const { return std::holds_alternative<bool*>(target); }
+  /// May be given several times; each time adds a value.
+  bool is_list() const {
+    return std::holds_alternative<std::vector<double>*>(target) ||
+           std::holds_alternative<std::vector<std::string>*>(target);
+  }
+  /// Holds words rather than a number.
+  bool is_text() const {
+    return std::holds_alternative<std::string*>(target) ||
+           std::holds_alternative<std::vector<std::string>*>(target);
+  }
+};
+
+/// The tables, in the order of --help. The pointers go into the struct given.
+std::vector<Option> options_of(SimulateOptions& options);
+std::vector<Option> options_of(ReadOptions& options);
+std::vector<Option> options_of(FitOptions& options);      ///< with those of its ReadOptions
+std::vector<Option> options_of(CompareOptions& options);  ///< with those of its FitOptions
+
+/// Reads `text` (a quantity with unit, a whole number, a word, "true" or "false" for a flag) into the target;
+/// a list grows by one. An Error names the option, the text and what was expected.
+Result<void> assign(const Option& option, std::string_view text);
+
+/// That the target's present value keeps to the option's range and is finite; the Error names option, value
+/// and constraint.
+Result<void> check(const Option& option);
+
+}  // namespace cromer

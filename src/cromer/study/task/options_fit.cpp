@@ -1,0 +1,60 @@
+#include "cromer/study/task/compare.h"
+#include "cromer/study/task/fit.h"
+#include "cromer/study/task/option.h"
+
+namespace cromer {
+namespace {
+
+std::vector<Option> joined(std::vector<Option> first, const std::vector<Option>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+}  // namespace
+
+std::vector<Option> options_of(ReadOptions& o) {
+  constexpr std::string_view file = "Reading the file";
+  return {
+      {"rate", &o.rate, "Hz", Range::positive, "samples per second, for files without time",
+       "from the time column", file},
+      {"time-column", &o.time_column, "", Range::any, "name of the time column", "found", file},
+      {"delimiter", &o.delimiter, "", Range::any, "\",\", \";\", tab or blank", "found", file},
+      {"decimal", &o.decimal, "", Range::any, "decimal mark, \".\" or \",\"", "found", file},
+      {"skip-bad-rows", &o.skip_bad_rows, "", Range::any, "leave out rows with a word in a number column",
+       "such a row is an error", file},
+  };
+}
+
+std::vector<Option> options_of(FitOptions& o) {
+  constexpr std::string_view samples = "Which samples";
+  constexpr std::string_view model = "The law and what is known about the apparatus";
+  const std::vector<Option> own = {
+      {"column", &o.column, "", Range::any, "column to fit",
+       "a position, else angle, angular velocity, velocity, acceleration", samples},
+      {"run", &o.run, "", Range::positive, "which run of the file, from 1", "all runs", samples},
+      {"from", &o.from, "s", Range::any, "first time used", "the first sample", samples},
+      {"to", &o.to, "s", Range::any, "last time used", "the last sample", samples},
+      {"law", &o.law, "", Range::any, "auto, or a sum such as viscous+drag", "auto", model},
+      {"mass", &o.mass, "kg", Range::positive, "oscillating mass, for the spring constant", "none", model},
+      {"spring-mass", &o.spring_mass, "kg", Range::not_negative, "mass of the spring; a third of it is added",
+       "0", model},
+      {"disc-diameter", &o.disc_diameter, "m", Range::positive, "diameter of a disc, for the Reynolds number",
+       "none", model},
+      {"temperature", &o.temperature, "K", Range::air_temperature, "of the air", "20 °C", model},
+      {"segment", &o.segment, "s", Range::positive, "decay rate per segment of this length", "none", model},
+      {"segments", &o.segments, "", Range::positive, "at most so many segments", "all whole ones", model},
+  };
+  return joined(own, options_of(o.read));
+}
+
+std::vector<Option> options_of(CompareOptions& o) {
+  constexpr std::string_view integration = "Integration";
+  const std::vector<Option> own = {
+      {"method", &o.method, "", Range::any, "a name from `cromer methods`", "euler-cromer", integration},
+      {"step", &o.step, "s", Range::positive, "time step",
+       "the sample spacing, divided to have 200 steps in a period", integration},
+  };
+  return joined(options_of(o.fit), own);
+}
+
+}  // namespace cromer

@@ -1,0 +1,54 @@
+#include "cromer/study/task/option.h"
+#include "cromer/study/task/simulate.h"
+
+namespace cromer {
+
+std::vector<Option> options_of(SimulateOptions& o) {
+  constexpr std::string_view law =
+      "Law of motion: m x'' = F cos(w t + phi) - k x - k3 x^3 - c x' - d x'|x'| - f sgn(x')";
+  constexpr std::string_view start = "Start";
+  constexpr std::string_view drive = "Drive: F cos(w t + phi)";
+  constexpr std::string_view integration = "Integration";
+  constexpr std::string_view sensor = "Simulated motion sensor: -o then writes what a logger would";
+  return {
+      {"mass", &o.mass, "kg", Range::positive, "mass m", "1 kg", law},
+      {"stiffness", &o.stiffness, "N/m", Range::any,
+       "spring constant k; negative with a cubic is a double well", "1 N/m", law},
+      {"damping", &o.damping, "kg/s", Range::not_negative, "viscous damping c", "0", law},
+      {"drag", &o.drag, "kg/m", Range::not_negative, "quadratic drag d", "0", law},
+      {"friction", &o.friction, "N", Range::not_negative, "dry friction f", "0", law},
+      {"cubic", &o.cubic, "N/m^3", Range::any, "cubic stiffness k3", "0", law},
+      {"natural-frequency", &o.natural_frequency, "rad/s", Range::positive,
+       "in place of stiffness: k = m w0^2", "", law},
+      {"damping-ratio", &o.damping_ratio, "", Range::not_negative,
+       "in place of damping: c = 2 zeta sqrt(k m)", "", law},
+      {"quality-factor", &o.quality_factor, "", Range::positive, "in place of damping: c = sqrt(k m) / Q", "",
+       law},
+      {"position", &o.position, "m", Range::any, "displacement at the start",
+       "1 m when nothing else sets the motion going, else 0", start},
+      {"velocity", &o.velocity, "m/s", Range::any, "velocity at the start", "0", start},
+      {"drive-amplitude", &o.drive_amplitude, "N", Range::not_negative, "amplitude F of the driving force",
+       "0: none", drive},
+      {"drive-frequency", &o.drive_frequency, "rad/s", Range::not_negative,
+       "its angular frequency w; may be given several times", "none", drive},
+      {"drive-phase", &o.drive_phase, "rad", Range::any, "its phase phi at t = 0", "0", drive},
+      {"method", &o.method, "", Range::any, "a name from `cromer methods`; may be given several times",
+       "euler-cromer", integration},
+      {"step", &o.step, "s", Range::positive, "time step", "1/200 of the shorter of natural and drive period",
+       integration},
+      {"until", &o.until, "s", Range::positive, "end of the run",
+       "20 natural periods (of the drive where the law has none)", integration},
+      {"tolerance", &o.tolerance, "", Range::tolerance,
+       "Newton's last update over the motion's scale; 1e-15 to 1e-2", "1e-12", integration},
+      {"every", &o.every, "", Range::positive, "keep every Nth state", "1", integration},
+      {"sensor-noise", &o.sensor.noise, "m", Range::not_negative, "standard deviation of the noise", "0",
+       sensor, &o.sensor.used},
+      {"sensor-resolution", &o.sensor.resolution, "m", Range::not_negative, "rounding step", "0: not rounded",
+       sensor, &o.sensor.used},
+      {"sensor-offset", &o.sensor.offset, "m", Range::any, "reading at x = 0", "0", sensor, &o.sensor.used},
+      {"seed", &o.sensor.seed, "", Range::any,
+       "of the noise; the same seed gives the same samples everywhere", "1", sensor, &o.sensor.used},
+  };
+}
+
+}  // namespace cromer

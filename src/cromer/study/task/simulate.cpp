@@ -1,0 +1,93 @@
+#include "cromer/study/task/simulate.h"
+
+#include <fmt/format.h>
+
+#include "cromer/methods/all.h"
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/model/sensor.h"
+#include "cromer/run/keep.h"
+#include "cromer/run/solve.h"
+#include "cromer/study/task/simulate_setup.h"
+
+namespace cromer {
+namespace {
+
+/// Why the run ended early, with the last good time and step; empty if it did not.
+std::string message_of(const Outcome& outcome) {
+  const std::string place = fmt::format("t = {:.6g} s (step {})", outcome.t, outcome.step);
+  switch (outcome.status) {
+    case Status::reached_end:
+      return "";
+    case Status::stopped_by_event:
+      return (outcome.interrupted ? "interrupted after " : "stopped by an event at ") + place;
+    case Status::step_limit:
+      return "the step limit was reached at " + place;
+    case Status::step_too_small:
+      return "the step became too small at " + place;
+    case Status::no_convergence:
+      return "no convergence in Newton's iteration after " + place;
+    case Status::not_finite:
+      return "diverged: not finite after " + place;
+  }
+  return "";
+}
+
+void integrate(SimulatedRun& run, long long every, const Watch& watch) {
+  const Interval interval{0, run.until};
+  const MethodSettings settings{.newton = {.tolerance = run.tolerance}};
+  KeepEvery keep(every, count_steps(interval, run.step));
+  run.outcome = with_terms(run.oscillator, run.drive, [&](const auto& system) {
+    return visit_method(run.method, settings, [&](const auto& method) {
+      return solve(system, method, interval, run.start, run.step, keep, watch);
+    });
+  });
+  run.trajectory = keep.take();
+  run.message = message_of(run.outcome);
+}
+
+std::vector<double> readings(const Trajectory& trajectory, const SensorOptions& options) {
+  SensorReadings sensor({options.noise, options.resolution, options.offset, options.seed});
+  std::vector<double> samples;
+  samples.reserve(trajectory.size());
+  for (const double x : trajectory.x) samples.push_back(sensor.next(x));
+  return samples;
+}
+
+/// The part of the work that one run of many is.
+Watch part_of(const Watch& watch, std::size_t index, std::size_t count) {
+  Watch part{watch.interrupt, {}};
+  if (watch.progress)
+    part.progress = [&watch, index, count](double fraction) {
+      watch.progress((static_cast<double>(index) + fraction) / static_cast<double>(count));
+    };
+  return part;
+}
+
+SimulateOptions with_defaults(SimulateOptions options, const SimulatedRun& run) {
+  options.stiffness = run.oscillator.stiffness;
+  options.damping = run.oscillator.damping;
+  options.position = run.start.x;
+  options.velocity = run.start.v;
+  if (options.method.empty()) options.method = {run.method};
+  options.tolerance = run.tolerance;
+  return options;
+}
+
+}  // namespace
+
+Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& watch) {
+  auto runs = set_up_runs(options);
+  if (!runs) return runs.error();
+  SimulateResult result;
+  result.warnings = setup_warnings(options, *runs);
+  result.options = with_defaults(options, runs->front());
+  result.runs = *std::move(runs);
+  for (std::size_t i = 0; i < result.runs.size(); ++i) {
+    SimulatedRun& run = result.runs[i];
+    integrate(run, options.every, part_of(watch, i, result.runs.size()));
+    if (options.sensor.used) run.sensor = readings(run.trajectory, options.sensor);
+  }
+  return result;
+}
+
+}  // namespace cromer

@@ -1,0 +1,193 @@
+#include "cromer/study/task/simulate_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/methods/all.h"
+#include "cromer/model/terms.h"
+#include "cromer/run/steps.h"
+#include "cromer/study/task/option.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double steps_per_period = 200;
+constexpr double periods_per_run = 20;
+
+Result<void> check_ranges(SimulateOptions options) {
+  for (const auto& option : options_of(options))
+    if (auto good = check(option); !good) return good;
+  return {};
+}
+
+/// At most one of the options that set the same thing.
+Result<void> check_alternatives(const SimulateOptions& o) {
+  if (o.stiffness && o.natural_frequency)
+    return Error{"--stiffness and --natural-frequency both set the spring; give one of them"};
+  if (o.damping.has_value() + o.damping_ratio.has_value() + o.quality_factor.has_value() > 1)
+    return Error{"--damping, --damping-ratio and --quality-factor all set the damping; give one of them"};
+  if (o.drive_amplitude > 0 && o.drive_frequency.empty())
+    return Error{fmt::format("--drive-amplitude: {} N needs a --drive-frequency (0 is a constant force)",
+                             shortest(o.drive_amplitude))};
+  return {};
+}
+
+Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
+  const double m = o.mass;
+  const double k =
+      o.natural_frequency ? m * *o.natural_frequency * *o.natural_frequency : o.stiffness.value_or(1);
+  double c = o.damping.value_or(0);
+  if (o.damping_ratio || o.quality_factor) {
+    if (!(k > 0))
+      return Error{fmt::format("--{}: it needs a positive stiffness, not {} N/m; give --damping instead",
+                               o.damping_ratio ? "damping-ratio" : "quality-factor", shortest(k))};
+    c = o.damping_ratio ? 2 * *o.damping_ratio * std::sqrt(k * m) : std::sqrt(k * m) / *o.quality_factor;
+  }
+  if (!std::isfinite(k) || !std::isfinite(c))
+    return Error{
+        "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
+  return Oscillator<double>{
+      .mass = m, .stiffness = k, .damping = c, .drag = o.drag, .friction = o.friction, .cubic = o.cubic};
+}
+
+State<double> start_of(const SimulateOptions& o) {
+  const bool moves = o.position || o.velocity || o.drive_amplitude > 0;
+  return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
+}
+
+/// Fills step and until of one run.
+Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
+  const double natural = natural_period(run.oscillator);
+  const double drive = run.drive.amplitude > 0 && run.drive.frequency > 0 ? two_pi / run.drive.frequency : 0;
+  const double shorter = natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
+  if (!(shorter > 0) && !(o.step && o.until))
+    return Error{
+        fmt::format("this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic "
+                    "drive: give --step and --until",
+                    shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic))};
+  run.step = o.step.value_or(shorter / steps_per_period);
+  run.until = o.until.value_or(periods_per_run * (natural > 0 ? natural : drive));
+  return {};
+}
+
+Result<void> check_exact(const SimulatedRun& run) {
+  const Oscillator<double>& law = run.oscillator;
+  const std::string_view term = why_not_exact(law);
+  if (run.method != "exact" || term.empty()) return {};
+  const double value = term == "cubic" ? law.cubic : term == "drag" ? law.drag : law.friction;
+  const std::string_view unit = term == "cubic" ? "N/m^3" : term == "drag" ? "kg/m" : "N";
+  return Error{fmt::format(
+      "--method exact: there is no closed form with {} ({} {}); leave it out or choose another method, "
+      "for instance rk4 with a short step",
+      term, shortest(value), unit)};
+}
+
+std::string bytes_in_words(double bytes) {
+  constexpr std::string_view units[] = {"kB", "MB", "GB", "TB", "PB", "EB"};
+  std::size_t unit = 0;
+  for (bytes /= 1000; bytes >= 1000 && unit + 1 < std::size(units); bytes /= 1000) ++unit;
+  return fmt::format("{:.3g} {}", bytes, units[unit]);
+}
+
+Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedRun>& runs) {
+  constexpr double most_steps = 9007199254740992.0;  // 2^53: beyond, t0 + n h cannot tell its steps apart
+  double states = 0;
+  for (const auto& run : runs) {
+    const double count = run.until / run.step;
+    if (!(count < most_steps))
+      return Error{fmt::format(
+          "--step: {} s up to {} s are {:.3g} steps, too many to be told apart; take a longer step",
+          shortest(run.step), shortest(run.until), count)};
+    states += static_cast<double>(number_of_kept_states(count_steps({0, run.until}, run.step), o.every));
+  }
+  const double bytes = states * (o.sensor.used ? 4 : 3) * sizeof(double);
+  const double memory = o.memory > 0 ? o.memory : 1e18;  // no machine has more, and vectors cannot be longer
+  if (bytes <= memory) return {};
+  return Error{fmt::format(
+      "--step: keeping {:.3g} states needs {} of memory, and there are {}; take a longer --step, a "
+      "shorter --until, or keep every Nth state with --every N",
+      states, bytes_in_words(bytes), bytes_in_words(memory))};
+}
+
+/// Methods that solve an equation, in every step or where the force depends on the velocity.
+bool uses_tolerance(std::string_view name) {
+  return visit_method(name, {}, [](const auto& method) {
+    return requires { method.newton; };
+  });
+}
+
+std::string label_of(const SimulateOptions& o, const SimulatedRun& run) {
+  if (o.drive_frequency.size() < 2) return run.method;
+  return fmt::format("{}, {} rad/s", run.method, rounded(run.drive.frequency, 6));
+}
+
+}  // namespace
+
+double natural_period(const Oscillator<double>& oscillator) {
+  const double k = oscillator.stiffness;
+  if (k > 0) return two_pi * std::sqrt(oscillator.mass / k);
+  // At the bottom of a well, x^2 = -k/k3, the stiffness is k + 3 k3 x^2.
+  if (k < 0 && oscillator.cubic > 0) return two_pi * std::sqrt(oscillator.mass / (-2 * k));
+  return 0;
+}
+
+Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
+  if (auto good = check_ranges(options); !good) return good.error();
+  if (auto good = check_alternatives(options); !good) return good.error();
+  auto oscillator = oscillator_of(options);
+  if (!oscillator) return oscillator.error();
+
+  std::vector<std::string> methods = options.method;
+  if (methods.empty()) methods.emplace_back("euler-cromer");
+  std::vector<double> frequencies = options.drive_frequency;
+  if (frequencies.empty()) frequencies.push_back(0);
+
+  std::vector<SimulatedRun> runs;
+  for (const auto& method : methods) {
+    if (auto good = check_method_name(method); !good) return Error{"--method: " + good.error().message};
+    for (const double frequency : frequencies) {
+      SimulatedRun run;
+      run.method = method;
+      run.oscillator = *oscillator;
+      run.drive = {options.drive_amplitude, frequency, options.drive_phase};
+      run.start = start_of(options);
+      run.tolerance = options.tolerance.value_or(NewtonOptions{}.tolerance);
+      run.label = label_of(options, run);
+      if (auto good = set_times(options, run); !good) return good.error();
+      if (auto good = check_exact(run); !good) return good.error();
+      runs.push_back(std::move(run));
+    }
+  }
+  if (auto good = check_memory(options, runs); !good) return good.error();
+  return runs;
+}
+
+std::vector<std::string> setup_warnings(const SimulateOptions& options,
+                                        const std::vector<SimulatedRun>& runs) {
+  std::vector<std::string> warnings;
+  const auto add_once = [&](std::string warning) {
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(std::move(warning));
+  };
+  if (options.friction > 0)
+    add_once(
+        "friction acts as f sgn(v) only: the mass chatters about its resting place instead of sticking "
+        "there");
+  if (!options.drive_frequency.empty() && options.drive_amplitude == 0)
+    add_once("--drive-frequency has no effect without a --drive-amplitude");
+  for (const auto& run : runs) {
+    if (options.tolerance && !uses_tolerance(run.method))
+      add_once(fmt::format("--tolerance has no effect on {}", run.method));
+    const Steps steps = count_steps({0, run.until}, run.step);
+    if (steps.last > 0)
+      add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {} s",
+                           shortest(run.until), shortest(run.step), rounded(steps.last, 6)));
+  }
+  return warnings;
+}
+
+}  // namespace cromer
