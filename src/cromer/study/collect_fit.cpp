@@ -1,0 +1,111 @@
+#include "cromer/analysis/envelope.h"
+#include "cromer/study/collect.h"
+
+namespace cromer {
+namespace {
+
+void set_estimate(Results& results, const std::string& name, const Estimate& estimate, std::string_view unit) {
+  results.set(name, Quantity{estimate.value, estimate.standard_error}, unit);
+  results.set(name + ".low", estimate.low, unit);
+  results.set(name + ".high", estimate.high, unit);
+}
+
+void set_optional(Results& results, const std::string& name, const std::optional<Quantity>& quantity, std::string_view unit) {
+  if (quantity) results.set(name, *quantity, unit);
+}
+
+void collect_segments(const std::string& id, const FittedRecording& fitted, Results& results) {
+  for (std::size_t i = 0; i < fitted.segments.size(); ++i) {
+    const std::string name = id + ".segment." + std::to_string(i + 1);
+    results.set(name + ".from", fitted.segments[i].from, "s");
+    results.set(name + ".to", fitted.segments[i].to, "s");
+    set_estimate(results, name + ".rate", fitted.segments[i].rate, "1/s");
+  }
+  if (!fitted.decay_rate_mean) return;
+  set_estimate(results, id + ".decay_rate_mean", *fitted.decay_rate_mean, "1/s");
+  // The damping that would give the mean rate: c = 2 m gamma.
+  if (const Estimate* stiffness = fitted.find("stiffness")) {
+    const double w = fitted.fit.angular_frequency.value;
+    results.set(id + ".damping_mean", 2 * fitted.decay_rate_mean->value * stiffness->value / (w * w), "kg/s");
+  }
+}
+
+void collect_reynolds(const std::string& id, const FittedRecording& fitted, Results& results) {
+  if (fitted.reynolds.empty()) return;
+  std::vector<double> t, value;
+  for (const ReynoldsWindow& window : fitted.reynolds) {
+    t.push_back(window.t);
+    value.push_back(window.value);
+  }
+  results.set(id + ".reynolds_last", value.back());
+  if (fitted.reynolds_max) set_estimate(results, id + ".reynolds_max", *fitted.reynolds_max, "");
+  results.set(id + ".reynolds_max_t", fitted.reynolds_max_t, "s");
+  results.set_column(id + ".window_t", std::move(t), "s", "time *t*");
+  results.set_column(id + ".reynolds", std::move(value), "", "Reynolds number Re");
+}
+
+void collect_columns(const std::string& id, const FittedRecording& fitted, Results& results) {
+  const double mean = fitted.fit.equilibrium.value;
+  const std::string unit = fitted.series.quantity == "angle" ? "rad" : "m";
+  std::vector<double> displacement = fitted.series.y;
+  for (double& value : displacement) value -= mean;
+  results.set_column(id + ".t", fitted.series.t, "s", "time *t*");
+  results.set_column(id + ".measured", fitted.series.y, unit, "measured " + fitted.series.quantity);
+  results.set_column(id + ".displacement", std::move(displacement), unit, "position *x*");
+  results.set_column(id + ".mean", std::vector<double>(fitted.series.t.size(), mean), unit, "mean");
+}
+
+/// Where in the motion the simulation's amplitude exceeds the law's most, and by how much.
+void collect_excess(const std::string& name, const Envelope& simulated, const Envelope& law, Results& results) {
+  double most = 0, when = 0;
+  for (std::size_t i = 0; i < simulated.top.size() && !law.top.empty(); ++i) {
+    const double excess = simulated.top[i] / interpolate(law.top_t, law.top, simulated.top_t[i]) - 1;
+    if (excess > most) {
+      most = excess;
+      when = simulated.top_t[i];
+    }
+  }
+  results.set(name + ".excess_max", most);
+  results.set(name + ".excess_max_t", when, "s");
+}
+
+}  // namespace
+
+void collect(const std::string& id, const FittedRecording& fitted, Results& results) {
+  results.set(id + ".file", fitted.file);
+  results.set(id + ".law", to_text(fitted.fit.law));
+  results.set(id + ".samples", static_cast<double>(fitted.series.t.size()));
+  results.set(id + ".rms", fitted.fit.residual.rms, fitted.series.quantity == "angle" ? "rad" : "m");
+  for (const auto* group : {&fitted.parameters, &fitted.derived})
+    for (const NamedEstimate& each : *group) set_estimate(results, id + "." + each.name, each.estimate, each.unit);
+  set_optional(results, id + ".mass", fitted.options.mass, "kg");
+  set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
+  collect_segments(id, fitted, results);
+  collect_reynolds(id, fitted, results);
+  collect_columns(id, fitted, results);
+}
+
+void collect(const std::string& id, const CompareResult& compared, Results& results) {
+  collect(id, compared.recording, results);
+  std::vector<Envelope> envelopes;
+  for (const ComparedCurve& curve : compared.curves) envelopes.push_back(envelope(curve.trajectory.t, curve.trajectory.x));
+  for (std::size_t i = 0; i < compared.curves.size(); ++i) {
+    const ComparedCurve& curve = compared.curves[i];
+    const std::string name = id + "." + std::to_string(i + 1);
+    results.set(name + ".label", curve.label);
+    results.set(name + ".rms", curve.rms, "m");
+    results.set(name + ".r_squared", curve.r_squared);
+    results.set(name + ".amplitude_error_end", curve.amplitude_ratio_end - 1);
+    results.set(name + ".phase_drift", curve.phase_drift, "rad");
+    // The last curve is the law that the data chose.
+    collect_excess(name, envelopes[i], envelopes.back(), results);
+    results.set_column(name + ".t", curve.trajectory.t, "s", "time *t*");
+    results.set_column(name + ".x", curve.trajectory.x, "m", "position *x*");
+    results.set_column(name + ".top_t", envelopes[i].top_t, "s", "time *t*");
+    results.set_column(name + ".top", envelopes[i].top, "m", "position *x*");
+    results.set_column(name + ".bottom_t", envelopes[i].bottom_t, "s", "time *t*");
+    results.set_column(name + ".bottom", envelopes[i].bottom, "m", "position *x*");
+  }
+}
+
+}  // namespace cromer

@@ -1,0 +1,80 @@
+#include "cromer/study/write_report.h"
+
+#include <filesystem>
+#include <map>
+#include <system_error>
+
+#include "cromer/report/file.h"
+#include "cromer/report/json.h"
+#include "cromer/report/read_file.h"
+#include "cromer/study/make_figure.h"
+#include "cromer/study/make_page.h"
+
+namespace cromer {
+namespace {
+
+/// Every number found, SI, by name: what scripts read.
+std::string results_json(const Results& results) {
+  Json document = Json::object();
+  for (const auto& [name, fact] : results.facts()) {
+    if (const auto* text = std::get_if<std::string>(&fact)) {
+      document[name] = *text;
+      continue;
+    }
+    const Number& number = std::get<Number>(fact);
+    Json& entry = document[name];
+    entry["value"] = number.quantity.value;
+    if (number.quantity.uncertainty > 0) entry["standard_error"] = number.quantity.uncertainty;
+    entry["unit"] = number.unit;
+  }
+  return to_text(document);
+}
+
+Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, const Results& results, const Watch& watch) {
+  std::map<std::string, DrawnFigure> drawn;
+  for (const FigureSpec& spec : study.figures) {
+    if (watch.interrupted()) return spec.place.error("interrupted before " + spec.look.id);
+    auto figure = make_figure(spec, results);
+    if (!figure) return figure.error();
+    auto svg = draw(*figure, FigureFormat::svg);
+    if (!svg) return spec.place.error(svg.error().message);
+    drawn[spec.look.id] = DrawnFigure{std::move(*svg), figure->title, figure->caption, spec.width};
+  }
+  return drawn;
+}
+
+Result<void> make_folder(const std::string& folder) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) return Error{folder + ": cannot be made: " + failed.message()};
+  return check_writable(folder + "/index.html");
+}
+
+}  // namespace
+
+Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder, const std::string& date,
+                                   const std::string& versions, const Watch& watch, const StudyProgress& progress) {
+  const auto bytes = read_file(study_path);
+  if (!bytes) return bytes.error();
+  auto study = read_study(*bytes, study_path);
+  if (!study) return study.error();
+  if (const auto made = make_folder(folder); !made) return made.error();
+
+  auto run = run_study(*study, watch, progress);
+  if (!run) return run.error();
+  if (progress) progress("figures", 1);
+  const auto figures = draw_figures(*study, run->results, watch);
+  if (!figures) return figures.error();
+  study->byline += (study->byline.empty() ? "" : " · ") + date;
+  const auto page = make_page(*study, run->results, *figures, versions);
+  if (!page) return page.error();
+
+  for (const auto& [id, figure] : *figures)
+    if (const auto written = write_file(folder + "/" + id + ".svg", figure.svg); !written) return written.error();
+  if (const auto written = write_file(folder + "/results.json", results_json(run->results)); !written) return written.error();
+  const std::string index = folder + "/index.html";
+  if (const auto written = write_file(index, to_html(*page)); !written) return written.error();
+  return WrittenReport{index, run->warnings};
+}
+
+}  // namespace cromer

@@ -1,0 +1,22 @@
+// A study becomes a folder: index.html, its figures as SVG files, and what was found as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/base/result.h"
+#include "cromer/study/run_study.h"
+
+namespace cromer {
+
+struct WrittenReport {
+  std::string index;  ///< path of index.html
+  std::vector<std::string> warnings;
+};
+
+/// Reads the study, runs it, draws its figures and only then writes; each file whole or not at all. `date` is shown under the title ("21 November 2026").
+Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder, const std::string& date,
+                                   const std::string& versions, const Watch& watch = {}, const StudyProgress& progress = {});
+
+}  // namespace cromer

@@ -1,0 +1,56 @@
+#include "cromer/study/text.h"
+
+#include <gtest/gtest.h>
+
+namespace cromer {
+namespace {
+
+class Text : public testing::Test {
+ protected:
+  Text() {
+    results_.set("two.stiffness", Quantity{17.0423, 0.0235}, "N/m");
+    results_.set("two.position", 0.036012, "m");
+    results_.set("compared.1.amplitude_error_end", -0.0968);
+    results_.set("runs.1.label", std::string("rk4"));
+    results_.set("runs.1.peak", 0.25, "m");
+    results_.set("phase", 1.5707963267948966, "rad");
+    results_.set("missing_value", std::numeric_limits<double>::quiet_NaN(), "m");
+  }
+
+  std::string filled(std::string_view text, std::string_view scope = "") {
+    const auto result = fill(text, results_, scope);
+    return result ? *result : "error: " + result.error().message;
+  }
+
+  Results results_;
+};
+
+TEST_F(Text, writes_quantities_with_their_uncertainty) {
+  EXPECT_EQ(filled("k = {two.stiffness}."), "k = 17.042\u00a0±\u00a00.024\u00a0N/m.");
+  EXPECT_EQ(filled("{two.stiffness, bare}"), "17.042\u00a0±\u00a00.024");
+  EXPECT_EQ(filled("{two.stiffness, no ±}"), "17.0423\u00a0N/m");
+}
+
+TEST_F(Text, converts_and_rounds) {
+  EXPECT_EQ(filled("{two.position, cm, 2}"), "3.6\u00a0cm");
+  EXPECT_EQ(filled("{compared.1.amplitude_error_end, %, 2, abs}"), "9.7\u00a0%");
+  EXPECT_EQ(filled("{compared.1.amplitude_error_end, %, 2, signed}"), "−9.7\u00a0%");
+  EXPECT_EQ(filled("{phase, °, 4, bare}"), "90.00");
+  EXPECT_EQ(filled("{missing_value}"), "–");
+}
+
+TEST_F(Text, gives_options_every_digit) { EXPECT_EQ(filled("{two.position, si}"), "0.036012"); }
+
+TEST_F(Text, takes_names_relative_to_a_run) { EXPECT_EQ(filled("{.label}: {.peak, cm}", "runs.1"), "rk4: 25\u00a0cm"); }
+
+TEST_F(Text, leaves_markup_alone) { EXPECT_EQ(filled("*ω*_{d}^{2} {{x}"), "*ω*_{d}^{2} {x}"); }
+
+TEST_F(Text, says_what_is_wrong) {
+  EXPECT_EQ(filled("{two.stifness}"), "error: \"two.stifness\" is no result of this study; did you mean \"two.stiffness\"?");
+  EXPECT_NE(filled("{two.position, kg}").find("cannot be written in \"kg\""), std::string::npos);
+  EXPECT_NE(filled("{two.position, sideways}").find("neither a unit nor"), std::string::npos);
+  EXPECT_NE(filled("k = {two.position").find("not closed"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace cromer
