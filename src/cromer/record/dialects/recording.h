@@ -1,4 +1,5 @@
-// From the bytes of a logger's file to a table: dialect, header, types, time, as named stages. Pure: no files here.
+// From the bytes of a logger's file to a table: dialect, header, types, time, as named stages. Pure: no files
+// here.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +14,10 @@ namespace cromer {
 
 /// What the user knows better than the file; empty means find out.
 struct ReadOptions {
-  std::string delimiter;     ///< "," ";" "\t" or "tab", " " or "blank"
-  std::string decimal;       ///< "." or ","
-  std::string time_column;   ///< name of the time column
-  double rate = 0;           ///< samples per second for files without a time column; 0: not given
+  std::string delimiter;    ///< "," ";" "\t" or "tab", " " or "blank"
+  std::string decimal;      ///< "." or ","
+  std::string time_column;  ///< name of the time column
+  double rate = 0;          ///< samples per second for files without a time column; 0: not given
   bool skip_bad_rows = false;
 };
 
@@ -43,28 +44,30 @@ struct Dialect {
 struct Recording {
   std::string file;
   Dialect dialect;
-  Table table;                     ///< without bad rows; ragged runs padded with NaN
-  std::vector<long> lines;         ///< line number of each row
+  Table table;              ///< without bad rows; ragged runs padded with NaN
+  std::vector<long> lines;  ///< line number of each row
   std::vector<std::string> warnings;
 };
 
-/// Reads a whole file. An Error names file, line, column and cure: `lab.csv:17: column "Position (m)": "abc" is not a number; ...`.
+/// Reads a whole file. An Error names file, line, column and cure: `lab.csv:17: column "Position (m)": "abc"
+/// is not a number; ...`.
 Result<Recording> read_recording(std::string_view bytes, std::string_view file, const ReadOptions& options);
 
-/// One quantity of one run with its times, missing values left out, times made strictly increasing; everything repaired is said in warnings.
+/// One quantity of one run with its times, missing values left out, times made strictly increasing;
+/// everything repaired is said in warnings.
 struct Series {
-  std::string column;        ///< as the file names it, with unit
-  std::string quantity;      ///< position, angle, ...
-  std::string unit;          ///< as spelled
-  double to_si = 1;          ///< value in SI = to_si * y
+  std::string column;    ///< as the file names it, with unit
+  std::string quantity;  ///< position, angle, ...
+  std::string unit;      ///< as spelled
+  double to_si = 1;      ///< value in SI = to_si * y
   int run = 1;
-  std::string time_column;   ///< "" if the times come from --rate
-  std::vector<double> t;     // [s]
-  std::vector<double> y;     ///< in SI units
+  std::string time_column;  ///< "" if the times come from --rate
+  std::vector<double> t;    // [s]
+  std::vector<double> y;    ///< in SI units
   std::vector<long> lines;
-  double rate = 0;           // [1/s] one over the median step
-  double jitter = 0;         ///< standard deviation of the steps over their median
-  double resolution = 0;     ///< rounding step of the values in SI, 0 if none is seen
+  double rate = 0;        // [1/s] one over the median step
+  double jitter = 0;      ///< standard deviation of the steps over their median
+  double resolution = 0;  ///< rounding step of the values in SI, 0 if none is seen
   std::vector<Gap> gaps;
   std::vector<Outlier> outliers;  ///< listed here, and left in t and y
   std::vector<std::string> warnings;
@@ -73,8 +76,10 @@ struct Series {
 /// The runs of a recording: 1, 2, ...
 std::vector<int> runs(const Recording& recording);
 
-/// Picks a column: `column` matched exactly, else without case, decoration and unit if unambiguous; empty: a position is taken (else angle, angular
-/// velocity, velocity, acceleration); several alike are an Error that lists them. `run` from 1.
-Result<Series> take_series(const Recording& recording, std::string_view column, int run, const ReadOptions& options);
+/// Picks a column: `column` matched exactly, else without case, decoration and unit if unambiguous; empty: a
+/// position is taken (else angle, angular velocity, velocity, acceleration); several alike are an Error that
+/// lists them. `run` from 1.
+Result<Series> take_series(const Recording& recording, std::string_view column, int run,
+                           const ReadOptions& options);
 
 }  // namespace cromer

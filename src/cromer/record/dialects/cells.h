@@ -1,0 +1,49 @@
+// Stage 3: lines to cells, cells to numbers.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cromer::dialects {
+
+/// How rows are written. Blanks (' ') stand for any run of spaces and tabs; 0: one value a line.
+struct Layout {
+  char separator = ',';  // , ; \t ' ' or 0
+  char decimal = '.';    // . or ,
+  std::size_t columns = 1;
+};
+
+/// Takes the cells of a line one by one. Quotes are taken off; blanks around a cell too.
+class CellReader {
+ public:
+  CellReader(std::string_view line, const Layout& layout);
+
+  /// The next cell; false at the end of the line.
+  bool next(std::string_view& cell);
+
+ private:
+  std::size_t cell_end() const;
+
+  std::string_view rest_;
+  char separator_;
+  bool paired_;  ///< comma both as separator and as decimal mark: two pieces make one cell
+  bool more_ = true;
+};
+
+/// All cells of a line; `cells` is reused.
+void split_cells(std::string_view line, const Layout& layout, std::vector<std::string_view>& cells);
+
+enum class CellKind { number, missing, word };
+struct Cell {
+  CellKind kind = CellKind::missing;
+  double value = 0;  ///< NaN unless a number
+};
+
+/// Empty, NaN, null, inf and dashes are missing; anything else that is not wholly a finite number is a word.
+Cell read_cell(std::string_view cell, char decimal);
+
+/// A cell as a message quotes it: short, and without control characters.
+std::string quoted(std::string_view cell);
+
+}  // namespace cromer::dialects

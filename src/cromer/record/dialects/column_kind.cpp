@@ -1,0 +1,179 @@
+#include "cromer/record/dialects/column_kind.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "cromer/base/quantity.h"
+
+namespace cromer {
+namespace {
+
+struct Measure {
+  std::string_view quantity, si_unit;
+};
+
+constexpr std::array measures{
+    Measure{"time", "s"},
+    Measure{"position", "m"},
+    Measure{"angle", "rad"},
+    Measure{"velocity", "m/s"},
+    Measure{"angular velocity", "rad/s"},
+    Measure{"acceleration", "m/s^2"},
+    Measure{"force", "N"},
+    Measure{"voltage", "V"},
+};
+
+struct Word {
+  std::string_view word, quantity;
+};
+
+/// Words anywhere in a name; the first that is found decides, so the narrower stand first.
+constexpr std::array words{
+    Word{"gyroscope", "angular velocity"},
+    Word{"gyro", "angular velocity"},
+    Word{"giroscopio", "angular velocity"},
+    Word{"omega", "angular velocity"},
+    Word{"ω", "angular velocity"},
+    Word{"rotation", "angular velocity"},
+    Word{"winkelgeschwindigkeit", "angular velocity"},
+    Word{"angle", "angle"},
+    Word{"angolo", "angle"},
+    Word{"winkel", "angle"},
+    Word{"theta", "angle"},
+    Word{"θ", "angle"},
+    Word{"phi", "angle"},
+    Word{"φ", "angle"},
+    Word{"acceleration", "acceleration"},
+    Word{"accelerazione", "acceleration"},
+    Word{"accélération", "acceleration"},
+    Word{"aceleración", "acceleration"},
+    Word{"beschleunigung", "acceleration"},
+    Word{"accel", "acceleration"},
+    Word{"velocity", "velocity"},
+    Word{"speed", "velocity"},
+    Word{"velocità", "velocity"},
+    Word{"vitesse", "velocity"},
+    Word{"velocidad", "velocity"},
+    Word{"geschwindigkeit", "velocity"},
+    Word{"position", "position"},
+    Word{"pos", "position"},
+    Word{"posizione", "position"},
+    Word{"posición", "position"},
+    Word{"displacement", "position"},
+    Word{"spostamento", "position"},
+    Word{"distance", "position"},
+    Word{"distanza", "position"},
+    Word{"abstand", "position"},
+    Word{"auslenkung", "position"},
+    Word{"weg", "position"},
+    Word{"ort", "position"},
+    Word{"elongation", "position"},
+    Word{"force", "force"},
+    Word{"forza", "force"},
+    Word{"kraft", "force"},
+    Word{"fuerza", "force"},
+    Word{"voltage", "voltage"},
+    Word{"potential", "voltage"},
+    Word{"tensione", "voltage"},
+    Word{"spannung", "voltage"},
+    Word{"time", "time"},
+    Word{"tempo", "time"},
+    Word{"zeit", "time"},
+    Word{"temps", "time"},
+    Word{"tiempo", "time"},
+};
+
+/// Symbols that are the whole name, subscripts aside.
+constexpr std::array symbols{
+    Word{"t", "time"},          Word{"x", "position"},      Word{"y", "position"},  Word{"z", "position"},
+    Word{"v", "velocity"},      Word{"vx", "velocity"},     Word{"vy", "velocity"}, Word{"a", "acceleration"},
+    Word{"ax", "acceleration"}, Word{"ay", "acceleration"}, Word{"f", "force"},     Word{"θx", "angle"},
+};
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
+
+/// Runs of letters, in lower case.
+std::vector<std::string> words_of(std::string_view name) {
+  std::vector<std::string> found;
+  bool inside = false;
+  for (const char letter : name) {
+    const char c = lower(letter);
+    if (is_letter(c)) {
+      if (!inside) found.emplace_back();
+      found.back() += c;
+    }
+    inside = is_letter(c);
+  }
+  return found;
+}
+
+std::string_view quantity_of_name(std::string_view name) {
+  const std::vector<std::string> found = words_of(name);
+  const auto has = [&](std::string_view word) {
+    return std::find(found.begin(), found.end(), word) != found.end();
+  };
+  const bool angular = has("angular") || has("angolare") || has("angulaire");
+  for (const Word& word : words) {
+    if (!has(word.word)) continue;
+    if (!angular) return word.quantity;
+    if (word.quantity == "velocity") return "angular velocity";
+    if (word.quantity == "position") return "angle";
+    return word.quantity == "angular velocity" || word.quantity == "angle" ? word.quantity
+                                                                           : std::string_view{};
+  }
+  std::string symbol = plain_name(name);
+  while (!symbol.empty() && symbol.back() >= '0' && symbol.back() <= '9') symbol.pop_back();
+  for (const Word& word : symbols)
+    if (word.word == symbol) return word.quantity;
+  return {};
+}
+
+const Dimension* dimension_of(std::string_view si_unit) {
+  static const auto dimensions = [] {
+    std::array<Dimension, measures.size()> all{};
+    for (std::size_t i = 0; i < measures.size(); ++i)
+      all[i] = parse_unit(measures[i].si_unit).value().dimension;
+    return all;
+  }();
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    if (measures[i].si_unit == si_unit) return &dimensions[i];
+  return nullptr;
+}
+
+}  // namespace
+
+std::string_view si_unit_of(std::string_view quantity) {
+  for (const Measure& measure : measures)
+    if (measure.quantity == quantity) return measure.si_unit;
+  return {};
+}
+
+std::string plain_name(std::string_view name) {
+  std::string plain;
+  for (const char c : name)
+    if (std::string_view(" _{}[]()\\$^\t").find(c) == std::string_view::npos) plain += lower(c);
+  return plain;
+}
+
+std::string quantity_of(std::string_view name, std::string_view unit) {
+  const std::string_view by_name = quantity_of_name(name);
+  if (unit.empty()) return std::string(by_name);
+  const auto known = parse_unit(unit, dimension_of(si_unit_of(by_name)));
+  if (!known) return std::string(by_name);
+  if (unit.find("Hz") != std::string_view::npos) return {};  // a frequency, not an angular velocity
+  for (const Measure& measure : measures)
+    if (*dimension_of(measure.si_unit) == known->dimension) return std::string(measure.quantity);
+  return {};
+}
+
+ToSi to_si(const Column& column) {
+  if (column.unit.empty()) return {1, false};
+  const auto unit = parse_unit(column.unit, dimension_of(si_unit_of(column.quantity)));
+  if (!unit) return {1, false};
+  return {unit->factor, true};
+}
+
+}  // namespace cromer

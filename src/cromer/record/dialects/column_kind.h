@@ -1,0 +1,30 @@
+// What a column measures, from its name and unit.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cromer/base/table.h"
+
+namespace cromer {
+
+/// time, position, angle, velocity, angular velocity, acceleration, force, voltage; or "" where neither the
+/// unit nor the name (in English, German, Italian, French or Spanish) tells. The unit decides where it is
+/// known.
+std::string quantity_of(std::string_view name, std::string_view unit);
+
+/// The SI value of 1 in the column's unit; `known` is false where the unit is missing or unknown (then 1 is
+/// returned).
+struct ToSi {
+  double factor = 1;
+  bool known = true;
+};
+ToSi to_si(const Column& column);
+
+/// The SI unit of a quantity ("m" of a position); "" if it is not one of those above.
+std::string_view si_unit_of(std::string_view quantity);
+
+/// Lower case, without blanks, brackets, underscores, braces, backslashes and dollars: "x_{1}" is "x1".
+std::string plain_name(std::string_view name);
+
+}  // namespace cromer

@@ -1,0 +1,206 @@
+#include "cromer/record/dialects/columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cromer/base/concat.h"
+#include "cromer/base/nearest.h"
+#include "cromer/record/dialects/column_kind.h"
+
+namespace cromer {
+namespace {
+
+std::string without_subscript(std::string name) {
+  while (name.size() > 1 && name.back() >= '0' && name.back() <= '9') name.pop_back();
+  return name;
+}
+
+/// Rises with every step (but for a few), in steps that are nearly equal.
+bool runs_evenly_upward(const std::vector<double>& values) {
+  if (values.size() < 3) return false;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (std::isfinite(step)) steps.push_back(step);
+  }
+  if (steps.size() < 2) return false;
+  std::vector<double> sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double median = sorted[sorted.size() / 2];
+  if (!(median > 0)) return false;
+  const auto even = std::count_if(steps.begin(), steps.end(),
+                                  [&](double step) { return std::fabs(step - median) < 0.5 * median; });
+  return static_cast<double>(even) >= 0.9 * static_cast<double>(steps.size());
+}
+
+bool counts_rows(const Column& column) {
+  constexpr std::array<std::string_view, 8> names{"sample", "samples", "index", "row",
+                                                  "frame",  "n",       "no",    "#"};
+  const std::string name = plain_name(column.name);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+std::string column_title(const Column& column) {
+  return column.unit.empty() ? column.name : concat({column.name, " (", column.unit, ")"});
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return concat({std::to_string(count), " ", noun, count == 1 ? "" : "s"});
+}
+
+Result<std::size_t> find_column(const Table& table, std::string_view name, int run) {
+  const auto& columns = table.columns;
+  const auto matching = [&](auto&& matches) {
+    std::vector<std::size_t> found;
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      if ((run == 0 || columns[j].run == run) && matches(columns[j])) found.push_back(j);
+    return found;
+  };
+  auto found = matching([&](const Column& column) { return column_title(column) == name; });
+  if (found.empty()) found = matching([&](const Column& column) { return column.name == name; });
+  const dialects::Heading wanted = dialects::parse_heading(name);
+  const std::string plain = plain_name(wanted.name);
+  if (found.empty()) found = matching([&](const Column& column) { return plain_name(column.name) == plain; });
+  if (found.empty())
+    found =
+        matching([&](const Column& column) { return without_subscript(plain_name(column.name)) == plain; });
+  if (found.size() == 1 || (run == 0 && !found.empty())) return found.front();
+
+  std::string list;
+  std::vector<std::string_view> names;
+  for (const Column& column : columns) {
+    if (run != 0 && column.run != run) continue;
+    names.push_back(column.name);
+    list += concat({list.empty() ? "" : ", ", "\"", column_title(column), "\""});
+  }
+  if (!found.empty()) return Error{concat({"\"", name, "\" fits several columns; there are ", list})};
+  const std::string near = nearest(name, names);
+  const std::string hint = near.empty() ? "" : concat({"; did you mean \"", near, "\"?"});
+  return Error{concat({"no column is called \"", name, "\"; there are ", list, hint})};
+}
+
+namespace dialects {
+
+std::vector<Column> name_columns(const Header& header, std::size_t count) {
+  std::vector<Column> columns(count);
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j < header.headings.size()) {
+      columns[j].name = header.headings[j].name;
+      columns[j].unit = header.headings[j].unit;
+      columns[j].quantity = quantity_of(columns[j].name, columns[j].unit);
+    }
+    if (columns[j].name.empty()) columns[j].name = concat({"column ", std::to_string(j + 1)});
+  }
+  return columns;
+}
+
+void drop_unnamed_empty(Recording& recording) {
+  auto& columns = recording.table.columns;
+  while (columns.size() > 1) {
+    const Column& last = columns.back();
+    const bool unnamed = last.name == concat({"column ", std::to_string(columns.size())});
+    const bool empty =
+        std::all_of(last.values.begin(), last.values.end(), [](double value) { return std::isnan(value); });
+    if (!unnamed || !empty) return;
+    columns.pop_back();
+  }
+}
+
+void number_runs(Recording& recording, const Header& header) {
+  auto& columns = recording.table.columns;
+  std::vector<std::string> labels;
+  for (std::size_t j = 0; j < columns.size() && j < header.headings.size(); ++j) {
+    const std::string& label = header.headings[j].run;
+    if (label.empty()) continue;
+    auto known = std::find(labels.begin(), labels.end(), label);
+    if (known == labels.end()) known = labels.insert(labels.end(), label);
+    columns[j].run = static_cast<int>(known - labels.begin()) + 1;
+  }
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const std::string own = std::to_string(i + 1);
+    const std::size_t digits = labels[i].find_last_not_of("0123456789") + 1;
+    if (digits < labels[i].size() && labels[i].substr(digits) != own)
+      recording.warnings.push_back(concat({"run ", own, " is called \"", labels[i], "\" in the file"}));
+  }
+  if (!labels.empty()) return;
+  // Without labels a repeated name begins the next run.
+  int run = 1;
+  for (std::size_t j = 0; j < columns.size() && j < header.headings.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i)
+      if (columns[i].run == run && columns[i].name == columns[j].name && columns[i].unit == columns[j].unit) {
+        ++run;
+        break;
+      }
+    columns[j].run = run;
+  }
+}
+
+Result<void> mark_time(Recording& recording, const ReadOptions& options, bool has_header) {
+  auto& columns = recording.table.columns;
+  if (!options.time_column.empty()) {
+    const auto asked = find_column(recording.table, options.time_column, 0);
+    if (!asked) return Error{concat({"--time-column: ", asked.error().message})};
+    const std::string name = columns[*asked].name;
+    for (Column& column : columns) {
+      if (column.name == name)
+        column.quantity = "time";
+      else if (column.quantity == "time")
+        column.quantity.clear();
+    }
+    return {};
+  }
+  // A period in seconds is no time if another column is so named.
+  const auto named = [](const Column& column) { return quantity_of(column.name, "") == "time"; };
+  const bool any_named = std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
+    return column.quantity == "time" && named(column);
+  });
+  for (Column& column : columns)
+    if (any_named && column.quantity == "time" && !named(column)) column.quantity.clear();
+  const bool any = std::any_of(columns.begin(), columns.end(),
+                               [](const Column& column) { return column.quantity == "time"; });
+  Column& first = columns.front();
+  const bool may_be_time =
+      !any && options.rate == 0 && columns.size() > 1 && first.quantity.empty() && !counts_rows(first);
+  if (may_be_time && runs_evenly_upward(first.values)) {
+    first.quantity = "time";
+    recording.warnings.push_back(
+        has_header ? concat({"\"", first.name, "\" runs evenly upward: it is taken as the time in seconds"})
+                   : "the first column runs evenly upward: it is taken as the time in seconds");
+  }
+  return {};
+}
+
+void count_missing(Recording& recording) {
+  auto& columns = recording.table.columns;
+  const std::size_t rows = recording.table.rows();
+  const auto length_of = [&](const std::vector<double>& values) {
+    std::size_t length = rows;
+    while (length > 0 && std::isnan(values[length - 1])) --length;
+    return length;
+  };
+  std::vector<std::size_t> length_of_run;
+  for (const Column& column : columns) {
+    const auto run = static_cast<std::size_t>(column.run);
+    if (length_of_run.size() <= run) length_of_run.resize(run + 1);
+    length_of_run[run] = std::max(length_of_run[run], length_of(column.values));
+  }
+  const bool several = length_of_run.size() > 2;
+  for (const Column& column : columns) {
+    std::size_t missing = 0;
+    long first = 0;
+    for (std::size_t i = 0; i < length_of_run[static_cast<std::size_t>(column.run)]; ++i)
+      if (std::isnan(column.values[i]) && missing++ == 0) first = recording.lines[i];
+    if (missing == 0) continue;
+    const std::string run = several ? concat({" of run ", std::to_string(column.run)}) : "";
+    recording.warnings.push_back(
+        concat({"column \"", column_title(column), "\"", run, ": ", counted(missing, "missing value"),
+                ", the first in line ", std::to_string(first)}));
+  }
+}
+
+}  // namespace dialects
+}  // namespace cromer

@@ -1,0 +1,16 @@
+// Which program wrote a file, told from its header.
+#pragma once
+
+#include <string_view>
+
+#include "cromer/record/dialects/header.h"
+
+namespace cromer::dialects {
+
+/// "PASCO Capstone", "DataStudio", "Tracker", "Logger Pro", "Graphical Analysis", "phyphox", or "plain".
+std::string_view dialect_name(const Header& header);
+
+/// Formats that are recognised but not read: an Error that names the format and the cure; nothing otherwise.
+std::string_view foreign_format(std::string_view text);
+
+}  // namespace cromer::dialects

@@ -1,0 +1,67 @@
+#include "cromer/record/dialects/rows.h"
+
+#include <limits>
+
+#include "cromer/base/concat.h"
+#include "cromer/record/dialects/lines.h"
+
+namespace cromer::dialects {
+namespace {
+
+constexpr std::string_view cure = "; --skip-bad-rows drops such rows";
+
+std::string complaint(std::string_view cell, const std::string& name, char decimal) {
+  std::string text = concat({"column \"", name, "\": ", quoted(cell), " is not a number"});
+  const char other = decimal == '.' ? ',' : '.';
+  if (read_cell(cell, other).kind == CellKind::number)
+    text += concat({" (the decimal mark of this file is a ", decimal == '.' ? "point" : "comma", ")"});
+  return text.append(cure);
+}
+
+}  // namespace
+
+Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t data, const Layout& layout,
+                       const std::vector<std::string>& names, bool skip_bad_rows) {
+  // Rows much shorter than the table is wide would cost memory that the file's size does not announce.
+  std::size_t bytes = 0;
+  for (std::size_t i = data; i < lines.size(); ++i) bytes += lines[i].size() + 1;
+  if (layout.columns > 16 && (lines.size() - data) > 16 * bytes / layout.columns + 64)
+    return Error{concat(
+        {": most rows are far shorter than the widest of ", std::to_string(layout.columns), " columns"})};
+
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Rows rows;
+  rows.columns.resize(layout.columns);
+  for (auto& column : rows.columns) column.reserve(lines.size() - data);
+  rows.lines.reserve(lines.size() - data);
+  std::vector<double> row(layout.columns);
+  for (std::size_t i = data; i < lines.size(); ++i) {
+    const std::string_view line = lines[i];
+    if (is_blank(line) || is_comment(line)) continue;
+    CellReader reader(line, layout);
+    std::size_t count = 0;
+    std::string bad;
+    for (std::string_view text; bad.empty() && reader.next(text);) {
+      if (count >= layout.columns) {
+        if (text.empty()) continue;
+        bad = concat({"there are more values than the ", std::to_string(layout.columns), " columns", cure});
+        break;
+      }
+      const Cell cell = read_cell(text, layout.decimal);
+      if (cell.kind == CellKind::word) bad = complaint(text, names[count], layout.decimal);
+      row[count++] = cell.value;
+    }
+    const long number = static_cast<long>(i) + 1;
+    if (!bad.empty()) {
+      if (!skip_bad_rows) return Error{concat({":", std::to_string(number), ": ", bad})};
+      if (rows.bad_rows++ == 0) rows.first_bad_line = number;
+      continue;
+    }
+    for (; count < layout.columns; ++count) row[count] = nan;
+    for (std::size_t j = 0; j < layout.columns; ++j) rows.columns[j].push_back(row[j]);
+    rows.lines.push_back(number);
+  }
+  return rows;
+}
+
+}  // namespace cromer::dialects

@@ -1,0 +1,108 @@
+#include "cromer/record/dialects/series_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cromer::dialects {
+namespace {
+
+/// Units in the last decimal place, if six decimals write all values; else 0.
+double decimal_step(std::span<const double> values) {
+  double scale = 1;
+  for (int decimals = 0; decimals <= 6; ++decimals, scale *= 10) {
+    const bool exact = std::all_of(values.begin(), values.end(), [&](double value) {
+      const double scaled = value * scale;
+      return std::fabs(scaled - std::nearbyint(scaled)) <= 1e-9 * std::max(1.0, std::fabs(scaled));
+    });
+    if (exact) return 1 / scale;
+  }
+  return 0;
+}
+
+/// Distance of y[i] from the cubic through its four neighbours, evenly spaced.
+double distance_from_cubic(std::span<const double> y, std::size_t i) {
+  return y[i] - (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+double rounding_step(std::span<const double> values) {
+  if (values.size() < 3) return 0;
+  std::vector<double> distinct(values.begin(), values.end());
+  std::sort(distinct.begin(), distinct.end());
+  const double range = distinct.back() - distinct.front();
+  const double noise =
+      1e-9 * std::max(std::fabs(distinct.front()), std::fabs(distinct.back()));  // of decimals in binary
+  distinct.erase(
+      std::unique(distinct.begin(), distinct.end(), [&](double a, double b) { return b - a <= noise; }),
+      distinct.end());
+  if (distinct.size() < 3) return 0;
+  const double decimal = decimal_step(values);
+  if (static_cast<double>(distinct.size()) > 0.8 * static_cast<double>(values.size())) return decimal;
+
+  double smallest = range;
+  for (std::size_t i = 1; i < distinct.size(); ++i)
+    smallest = std::min(smallest, distinct[i] - distinct[i - 1]);
+  // A quantum may be printed rounded: 0.0429 and 0.0430 are the same step.
+  const double tolerance = std::max(0.05 * smallest, 1.01 * decimal);
+  std::size_t multiples = 0;
+  double sum = 0, counts = 0;
+  for (std::size_t i = 1; i < distinct.size(); ++i) {
+    const double difference = distinct[i] - distinct[i - 1];
+    const double count = std::nearbyint(difference / smallest);
+    if (std::fabs(difference - count * smallest) > tolerance * std::min(count, 3.0)) continue;
+    ++multiples;
+    if (count > 3) continue;
+    sum += difference;
+    counts += count;
+  }
+  const bool even = static_cast<double>(multiples) >= 0.95 * static_cast<double>(distinct.size() - 1);
+  if (!even || counts == 0) return decimal;
+  // A single decimal place is itself, not its average over binary noise.
+  const double mean = sum / counts;
+  return decimal > 0 && std::fabs(mean - decimal) < 0.01 * decimal ? decimal : mean;
+}
+
+std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
+                                double resolution) {
+  constexpr std::size_t reach = 20;  // samples on either side that say what is usual here
+  constexpr double robust = 1.4826, limit = 12;
+  std::vector<std::size_t> found;
+  const std::size_t n = y.size();
+  if (n < 2 * reach) return found;
+  std::vector<double> distance(n, 0), size(n, 0);
+  for (std::size_t i = 2; i + 2 < n; ++i) {
+    const bool even = t[i + 2] - t[i - 2] < 4 * 1.25 * step;
+    distance[i] = even ? distance_from_cubic(y, i) : 0;
+    size[i] = std::fabs(distance[i]);
+  }
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double everywhere = robust * median(size);
+  const double floor = std::max({limit * everywhere, 6 * resolution, 1e-6 * (*high - *low)});
+  for (std::size_t i = 2; i + 2 < n; ++i) {
+    if (size[i] <= floor) continue;
+    const bool alone = (y[i] - y[i - 1]) * (y[i + 1] - y[i]) < 0 &&
+                       size[i] > 1.2 * std::max(size[i - 1], size[i + 1]) &&
+                       size[i] > 2 * std::max(size[i - 2], size[i + 2]);
+    if (!alone) continue;
+    // Motion may set in on one side only: the livelier side says what is usual.
+    const std::size_t from = i > reach + 2 ? i - reach - 2 : 2, to = std::min(i + reach + 3, n - 2);
+    const auto at = [&](std::size_t k) { return size.begin() + static_cast<std::ptrdiff_t>(k); };
+    double usual = 0;
+    if (i - from > 4) usual = std::max(usual, median({at(from), at(i - 2)}));
+    if (to - i > 5) usual = std::max(usual, median({at(i + 3), at(to)}));
+    if (size[i] > limit * robust * usual) found.push_back(i);
+  }
+  return found;
+}
+
+}  // namespace cromer::dialects

@@ -1,0 +1,24 @@
+// Stage 8: what the samples of a series are like: steps, gaps, rounding, spikes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cromer/record/dialects/recording.h"
+
+namespace cromer::dialects {
+
+/// The median; NaN of nothing. Takes a copy on purpose.
+double median(std::vector<double> values);
+
+/// The step of evenly quantised values: the smallest difference that occurs, if nearly all others are its
+/// multiples; else the last decimal place, if there are at most six. 0 where none is seen.
+double rounding_step(std::span<const double> values);
+
+/// Samples that stick out alone: their distance from the cubic through the four neighbours is more than 12
+/// robust standard deviations (1.4826 MAD) of such distances, near by and overall, and more than 6 rounding
+/// steps. Conservative: steps, kinks and clean oscillations give none.
+std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
+                                double resolution);
+
+}  // namespace cromer::dialects

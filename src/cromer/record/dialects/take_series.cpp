@@ -1,0 +1,170 @@
+// One column of one run as times and values.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "cromer/base/concat.h"
+#include "cromer/base/quantity.h"
+#include "cromer/record/dialects/column_kind.h"
+#include "cromer/record/dialects/columns.h"
+#include "cromer/record/dialects/recording.h"
+#include "cromer/record/dialects/series_shape.h"
+#include "cromer/record/dialects/time.h"
+
+namespace cromer {
+namespace {
+
+constexpr double gap_of_steps = 1.5;
+
+/// Without a name: a position, else an angle, ...; several alike are an Error, nothing known is the first
+/// column that is no time.
+Result<std::size_t> main_column(const Table& table, int run, std::vector<std::string>& warnings) {
+  constexpr std::array<std::string_view, 5> wanted{"position", "angle", "angular velocity", "velocity",
+                                                   "acceleration"};
+  const auto& columns = table.columns;
+  for (const std::string_view quantity : wanted) {
+    std::vector<std::size_t> alike;
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      if (columns[j].run == run && columns[j].quantity == quantity) alike.push_back(j);
+    if (alike.size() == 1) return alike.front();
+    if (alike.empty()) continue;
+    std::string list;
+    for (const std::size_t j : alike)
+      list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
+    return Error{
+        concat({"several columns are alike: ", list, "; say which with --column, for instance --column \"",
+                columns[alike.front()].name, "\""})};
+  }
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (columns[j].run != run || columns[j].quantity == "time") continue;
+    warnings.push_back(concat({"no column is known to be a position, angle or velocity: \"",
+                               column_title(columns[j]), "\" is taken"}));
+    return j;
+  }
+  return Error{"there is no column beside the time"};
+}
+
+/// What is assumed of a column whose unit is missing or unknown.
+void say_assumed_unit(const Column& column, std::vector<std::string>& warnings) {
+  if (to_si(column).known) return;
+  const std::string_view si = si_unit_of(column.quantity);
+  if (!column.unit.empty())
+    warnings.push_back(concat({"unit \"", column.unit, "\" of column \"", column.name,
+                               "\" is not known: its values are taken as they are"}));
+  else if (!si.empty())
+    warnings.push_back(concat({"column \"", column.name, "\" has no unit: ", si, " is assumed"}));
+  else
+    warnings.push_back(
+        concat({"column \"", column.name, "\" has no unit: its values are taken as they are"}));
+}
+
+void describe_steps(Series& series) {
+  if (series.t.size() < 2) return;
+  std::vector<double> steps(series.t.size() - 1);
+  for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = series.t[i + 1] - series.t[i];
+  const double step = dialects::median(steps);
+  series.rate = 1 / step;
+  double mean = 0, squares = 0;
+  for (const double h : steps) mean += h / static_cast<double>(steps.size());
+  for (const double h : steps) squares += (h - mean) * (h - mean);
+  series.jitter = std::sqrt(squares / static_cast<double>(steps.size())) / step;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (steps[i] > gap_of_steps * step) series.gaps.push_back({series.t[i], steps[i]});
+  if (!series.gaps.empty()) {
+    const auto longest = std::max_element(series.gaps.begin(), series.gaps.end(),
+                                          [](const Gap& a, const Gap& b) { return a.length < b.length; });
+    series.warnings.push_back(concat({counted(series.gaps.size(), "gap"), " in the times, the longest ",
+                                      rounded(longest->length, 3), " s at ", rounded(longest->t, 6), " s"}));
+  }
+}
+
+void describe_values(Series& series) {
+  series.resolution = dialects::rounding_step(series.y);
+  if (series.rate > 0)
+    for (const std::size_t i : dialects::spikes(series.t, series.y, 1 / series.rate, series.resolution))
+      series.outliers.push_back({series.t[i], series.y[i], series.lines[i]});
+  if (!series.outliers.empty())
+    series.warnings.push_back(
+        concat({counted(series.outliers.size(), "sample"), series.outliers.size() == 1 ? " sticks" : " stick",
+                " out alone, the first in line ", std::to_string(series.outliers.front().line)}));
+  const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
+  if (!series.y.empty() && *low == *high)
+    series.warnings.push_back(concat({"column \"", series.column, "\" never changes"}));
+}
+
+}  // namespace
+
+std::vector<int> runs(const Recording& recording) {
+  std::set<int> found;
+  for (const Column& column : recording.table.columns) found.insert(column.run);
+  return {found.begin(), found.end()};
+}
+
+Result<Series> take_series(const Recording& recording, std::string_view column, int run,
+                           const ReadOptions& options) {
+  const auto refuse = [&](std::string_view reason) { return Error{concat({recording.file, ": ", reason})}; };
+  const auto& columns = recording.table.columns;
+  if (const auto known = runs(recording); std::find(known.begin(), known.end(), run) == known.end())
+    return refuse(known.size() == 1
+                      ? concat({"there is no run ", std::to_string(run), ": the file has one run"})
+                      : concat({"there is no run ", std::to_string(run), ": the file has ",
+                                counted(known.size(), "run")}));
+  Series series;
+  const auto chosen = column.empty() ? main_column(recording.table, run, series.warnings)
+                                     : find_column(recording.table, column, run);
+  if (!chosen) return refuse(chosen.error().message);
+  const Column& value = columns[*chosen];
+  const double factor = to_si(value).factor;
+  series.column = column_title(value);
+  series.quantity = value.quantity;
+  series.unit = value.unit;
+  series.to_si = factor;
+  series.run = run;
+  say_assumed_unit(value, series.warnings);
+
+  const auto time = dialects::time_column_of(recording.table, *chosen);
+  if (!time && options.rate <= 0)
+    return refuse(
+        "there is no time column: give the samples per second with --rate, or name the column with "
+        "--time-column");
+  double seconds = 1;
+  if (time) {
+    seconds = to_si(columns[*time]).factor;
+    series.time_column = column_title(columns[*time]);
+    if (columns[*time].unit.empty())
+      say_assumed_unit(columns[*time], series.warnings);
+    else if (si_unit_of(quantity_of("", columns[*time].unit)) != "s")
+      series.warnings.push_back(
+          concat({"the unit of \"", series.time_column, "\" is no time: its values are taken as seconds"}));
+    if (options.rate > 0)
+      series.warnings.push_back(
+          concat({"--rate is not used: the times stand in \"", series.time_column, "\""}));
+  }
+
+  std::vector<double> t, y;
+  std::vector<long> lines;
+  for (std::size_t i = 0; i < value.values.size(); ++i) {
+    const double at = time ? columns[*time].values[i] * seconds : static_cast<double>(i) / options.rate;
+    const double y_si = value.values[i] * factor;
+    if (!std::isfinite(at) || !std::isfinite(y_si)) continue;
+    t.push_back(at);
+    y.push_back(y_si);
+    lines.push_back(recording.lines[i]);
+  }
+  if (t.empty())
+    return refuse(concat({"column \"", series.column, "\" of run ", std::to_string(run), " has no values"}));
+  const auto rising = dialects::keep_rising(t, lines);
+  if (!rising) return refuse(concat({"column \"", series.time_column, "\": ", rising.error().message}));
+  series.warnings.insert(series.warnings.end(), rising->warnings.begin(), rising->warnings.end());
+  for (const std::size_t i : rising->kept) {
+    series.t.push_back(t[i]);
+    series.y.push_back(y[i]);
+    series.lines.push_back(lines[i]);
+  }
+  describe_steps(series);
+  describe_values(series);
+  return series;
+}
+
+}  // namespace cromer

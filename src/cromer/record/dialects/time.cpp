@@ -1,0 +1,80 @@
+#include "cromer/record/dialects/time.h"
+
+#include <cmath>
+
+#include "cromer/base/concat.h"
+#include "cromer/record/dialects/columns.h"
+
+namespace cromer::dialects {
+namespace {
+
+/// How many rows were left out for one reason, and where that began.
+struct LeftOut {
+  std::size_t count = 0;
+  long line = 0;
+
+  void add(long at) {
+    if (count++ == 0) line = at;
+  }
+};
+
+}  // namespace
+
+std::optional<std::size_t> time_column_of(const Table& table, std::size_t j) {
+  const auto& columns = table.columns;
+  const auto is_time = [&](std::size_t k) { return k != j && columns[k].quantity == "time"; };
+  for (std::size_t k = j; k-- > 0;)
+    if (is_time(k) && columns[k].run == columns[j].run) return k;
+  for (std::size_t k = j + 1; k < columns.size(); ++k)
+    if (is_time(k) && columns[k].run == columns[j].run) return k;
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (is_time(k)) return k;
+  return std::nullopt;
+}
+
+Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<long>& lines) {
+  std::size_t falling = 0, rising = 0;
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (t[i] < t[i - 1]) ++falling;
+    if (t[i] > t[i - 1]) ++rising;
+  }
+  if (t.size() > 1 && rising == 0)
+    return Error{falling > 0 ? "the time runs backward from the first row to the last"
+                             : "the time stands still: all its values are equal"};
+  if (falling > rising) return Error{"the time runs backward in most rows"};
+
+  RisingTimes result;
+  LeftOut repeated, backward;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (result.kept.empty()) {
+      result.kept.push_back(i);
+      continue;
+    }
+    const double first = t[result.kept.front()], last = t[result.kept.back()];
+    if (t[i] > last) {
+      result.kept.push_back(i);
+    } else if (t[i] == last) {
+      repeated.add(lines[i]);
+    } else {
+      const bool again = result.kept.size() > 10 && t[i] - first <= 0.1 * (last - first) &&
+                         i + 1 < t.size() && t[i + 1] > t[i] && t[i + 1] < last;
+      if (again) {
+        result.warnings.push_back(
+            concat({"the time starts again in line ", std::to_string(lines[i]), ": the ",
+                    counted(t.size() - i, "row"), " from there on are left out"}));
+        break;
+      }
+      backward.add(lines[i]);
+    }
+  }
+  const auto say = [&](const LeftOut& left, std::string_view kind) {
+    if (left.count == 0) return;
+    result.warnings.push_back(concat({counted(left.count, "row"), " with a ", kind,
+                                      " time left out, the first in line ", std::to_string(left.line)}));
+  };
+  say(repeated, "repeated");
+  say(backward, "backward");
+  return result;
+}
+
+}  // namespace cromer::dialects

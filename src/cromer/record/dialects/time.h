@@ -1,0 +1,28 @@
+// Times in seconds for the rows of a table, and their repair.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cromer/base/result.h"
+#include "cromer/record/dialects/recording.h"
+
+namespace cromer::dialects {
+
+/// The time column that belongs to column `j`: the nearest before it in its run, else the first of its run,
+/// else the first of all.
+std::optional<std::size_t> time_column_of(const Table& table, std::size_t j);
+
+/// Which rows stay so that their times rise strictly, and what was left out.
+struct RisingTimes {
+  std::vector<std::size_t> kept;      ///< indices into the times given
+  std::vector<std::string> warnings;  ///< counts and first line numbers
+};
+
+/// Repeated and backward times are left out; where the time starts again, all from there on. A time that runs
+/// backward throughout is an Error. `lines` are the file's line numbers of the times.
+Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<long>& lines);
+
+}  // namespace cromer::dialects
