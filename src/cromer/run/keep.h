@@ -31,6 +31,12 @@ class KeepEvery {
     ++size_;
   }
 
+  /// Forgets the states but keeps the memory, for the next run of as many steps.
+  void clear() {
+    size_ = 0;
+    until_next_ = 1;
+  }
+
   /// The states so far; the recorder is then empty.
   Trajectory take() {
     kept_.t.resize(size_);

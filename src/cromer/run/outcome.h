@@ -12,12 +12,18 @@ enum class Status { reached_end, stopped_by_event, step_limit, step_too_small, n
 /// The name as the contract writes it: "reached_end".
 constexpr std::string_view name(Status status) {
   switch (status) {
-    case Status::reached_end: return "reached_end";
-    case Status::stopped_by_event: return "stopped_by_event";
-    case Status::step_limit: return "step_limit";
-    case Status::step_too_small: return "step_too_small";
-    case Status::no_convergence: return "no_convergence";
-    case Status::not_finite: return "not_finite";
+    case Status::reached_end:
+      return "reached_end";
+    case Status::stopped_by_event:
+      return "stopped_by_event";
+    case Status::step_limit:
+      return "step_limit";
+    case Status::step_too_small:
+      return "step_too_small";
+    case Status::no_convergence:
+      return "no_convergence";
+    case Status::not_finite:
+      return "not_finite";
   }
   return "";
 }
@@ -38,7 +44,8 @@ struct Outcome {
   State<double> y{};         // the last good state; always finite
   long long step = 0;        ///< number of the last good step; the next one failed unless the end was reached
   bool interrupted = false;  ///< the caller asked for it (then status is stopped_by_event)
-  double last_step = 0;      // [s] of the shorter step that ended the run; 0 if `until` was a whole number of steps
+  double last_step =
+      0;  // [s] of the shorter step that ended the run; 0 if `until` was a whole number of steps
   Counts counts;
 };
 

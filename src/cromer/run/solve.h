@@ -78,6 +78,44 @@ class OnGrid<S> {
   decltype(std::declval<const S&>().on_grid(1.0)) tabulated_;
 };
 
+/// Where a run stands.
+template <class Real, class Memory>
+struct Progress {
+  State<Real> y;
+  Memory memory;
+  long long accepted = 0;
+  long long newton_iterations = 0;
+};
+
+/// Steps first to last - 1 of the grid from + n h. What changes is local here, so that it stays in registers.
+template <class S, class M, class Real, class Memory, class Recorder>
+Status advance(const S& system, const M& method, double from, double h, long long first, long long last,
+               Progress<Real, Memory>& progress, Recorder& record) {
+  State<Real> y = progress.y;
+  Memory memory = progress.memory;
+  long long n = first, newton_iterations = 0;
+  Status status = Status::reached_end;
+  double t = from + static_cast<double>(n) * h;
+  while (n < last) {
+    const Trial<Real> trial = method.step(system, t, h, y, memory);
+    newton_iterations += trial.newton_iterations;
+    if (!trial.converged) {
+      status = Status::no_convergence;
+      break;
+    }
+    if (!is_finite(trial.y)) {
+      status = Status::not_finite;
+      break;
+    }
+    y = trial.y;
+    ++n;
+    t = from + static_cast<double>(n) * h;
+    record(t, y);
+  }
+  progress = {y, memory, progress.accepted + (n - first), progress.newton_iterations + newton_iterations};
+  return status;
+}
+
 /// Runs method on system over the interval (until >= from) from the start state, in steps of `step` > 0 [s];
 /// state n is at from + n step, never accumulated. The recorder is called with (t, state) of the start and of
 /// every accepted step, all finite. Deterministic; allocates nothing. Interrupt and progress are looked at
@@ -87,37 +125,22 @@ requires Method<M, S, Real> Outcome solve(const S& system, const M& method, Inte
                                           const State<Real>& start, double step, Recorder&& record,
                                           const Watch& watch = {}, const Limits& limits = {}) {
   // A method that asks at other times than a grid's gets the system as it is.
-  constexpr int divisions = M::info.divisions;
-  using Grid = std::conditional_t<(divisions > 0), OnGrid<S>, OffGrid<S>>;
-  constexpr int parts = std::max(divisions, 1);
-  constexpr int block = Grid::block / parts;
-  Grid grid(system, step / parts);
+  using Grid = std::conditional_t<(M::info.divisions > 0), OnGrid<S>, OffGrid<S>>;
+  constexpr int divisions = std::max(M::info.divisions, 1);
+  constexpr int block = Grid::block / divisions;
+  Grid grid(system, step / divisions);
 
   const Steps steps = count_steps(interval, step);
   const long long whole = std::min(steps.whole, limits.steps);
   const auto time = [&](long long n) { return interval.from + static_cast<double>(n) * step; };
 
-  State<Real> y = start;
-  auto memory = method.start(system, interval.from, y);
-  long long n = 0, newton_iterations = 0;
-  double t = interval.from;
-  record(t, y);
-
-  const auto attempt = [&](const auto& law, double h, double next) {
-    const Trial<Real> trial = method.step(law, t, h, y, memory);
-    newton_iterations += trial.newton_iterations;
-    if (!trial.converged) return Status::no_convergence;
-    if (!is_finite(trial.y)) return Status::not_finite;
-    y = trial.y;
-    t = next;
-    ++n;
-    record(t, y);
-    return Status::reached_end;
-  };
+  auto memory = method.start(system, interval.from, start);
+  Progress<Real, decltype(memory)> progress{start, memory};
+  record(interval.from, start);
 
   Outcome outcome;
-  Status status = Status::reached_end;
-  while (n < whole && status == Status::reached_end) {
+  Status& status = outcome.status;
+  for (long long n = 0; n < whole && status == Status::reached_end; n += block) {
     if (watch.interrupted()) {
       outcome.interrupted = true;
       status = Status::stopped_by_event;
@@ -125,26 +148,27 @@ requires Method<M, S, Real> Outcome solve(const S& system, const M& method, Inte
     }
     if (watch.progress && n % (64 * block) == 0)
       watch.progress(static_cast<double>(n) / static_cast<double>(steps.count()));
-    const auto& law = grid.from(t);
-    const long long end = std::min(n + block, whole);
-    while (n < end && status == Status::reached_end) status = attempt(law, step, time(n + 1));
+    status = advance(grid.from(time(n)), method, interval.from, step, n, std::min(n + block, whole), progress,
+                     record);
   }
+  outcome.t = time(progress.accepted);
   if (status == Status::reached_end && whole < steps.count()) {
-    if (whole >= limits.steps)
+    if (whole == limits.steps) {
       status = Status::step_limit;
-    else if (status = attempt(system, steps.last, interval.until); status == Status::reached_end)
+    } else if (status = advance(system, method, outcome.t, steps.last, 0, 1, progress, record);
+               status == Status::reached_end) {
       outcome.last_step = steps.last;
+      outcome.t += steps.last;
+    }
   }
   if (status == Status::reached_end && watch.progress) watch.progress(1.0);
 
-  outcome.status = status;
-  outcome.t = t;
-  outcome.y = {value_of(y.x), value_of(y.v)};
-  outcome.step = n;
-  outcome.counts = {.accepted = n,
+  outcome.y = {value_of(progress.y.x), value_of(progress.y.v)};
+  outcome.step = progress.accepted;
+  outcome.counts = {.accepted = progress.accepted,
                     .rejected = 0,
-                    .evaluations = n * M::info.evaluations + newton_iterations,
-                    .newton_iterations = newton_iterations};
+                    .evaluations = progress.accepted * M::info.evaluations + progress.newton_iterations,
+                    .newton_iterations = progress.newton_iterations};
   return outcome;
 }
 
@@ -153,7 +177,7 @@ requires Method<M, S, Real> Outcome solve(const S& system, const M& method, Inte
 template <class S, class M, class Real, class Recorder>
 requires(!Method<M, S, Real>) Outcome solve(const S&, const M&, Interval interval, const State<Real>& start,
                                             double, Recorder&&, const Watch& = {}, const Limits& = {}) {
-  assert(!"the method cannot integrate this system");
+  assert(false && "the method cannot integrate this system");
   Outcome outcome;
   outcome.status = Status::no_convergence;
   outcome.t = interval.from;

@@ -1,0 +1,81 @@
+#include "cromer/analysis/steady_state.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace cromer {
+namespace {
+
+struct Sinusoid {
+  double mean, cosine, sine, residual;
+
+  double amplitude() const { return std::hypot(cosine, sine); }
+};
+
+Sinusoid fit_sinusoid(const Trajectory& y, const HarmonicDrive<double>& drive, std::size_t first,
+                      std::size_t last) {
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  const auto basis = [&](std::size_t i) {
+    const double angle = drive.frequency * y.t[i] + drive.phase;
+    return Eigen::Vector3d(1, std::cos(angle), std::sin(angle));
+  };
+  for (std::size_t i = first; i < last; ++i) {
+    const Eigen::Vector3d u = basis(i);
+    normal += u * u.transpose();
+    right += y.x[i] * u;
+  }
+  const Eigen::Vector3d c = normal.ldlt().solve(right);
+  double squares = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const double r = y.x[i] - c.dot(basis(i));
+    squares += r * r;
+  }
+  return {c[0], c[1], c[2], std::sqrt(squares / static_cast<double>(last - first))};
+}
+
+}  // namespace
+
+Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
+                                                 const HarmonicDrive<double>& drive, int cycles) {
+  if (!(drive.amplitude != 0 && drive.frequency > 0))
+    return Error{"no steady oscillation: there is no harmonic drive"};
+  if (trajectory.size() < 8) return Error{"no steady oscillation: the run kept fewer than eight states"};
+  const double period = 2 * std::numbers::pi / drive.frequency;
+  const double end = trajectory.t.back();
+  // A sample early at the start may belong to the window by rounding only.
+  const double slack = 1e-9 * period;
+  const auto since = [&](double t) {
+    return static_cast<std::size_t>(std::lower_bound(trajectory.t.begin(), trajectory.t.end(), t - slack) -
+                                    trajectory.t.begin());
+  };
+  const int available =
+      static_cast<int>(std::min(1e6, std::floor((end - trajectory.t.front()) / period + 1e-9)));
+  const int used = std::min(std::max(cycles, 2), available) / 2 * 2;
+  if (used < 2) return Error{"no steady oscillation: the run is shorter than two periods of the drive"};
+  const std::size_t first = since(end - used * period), last = trajectory.size();
+  if (last - first < 4 * static_cast<std::size_t>(used))
+    return Error{"no steady oscillation: the run kept fewer than four states a period of the drive"};
+
+  const Sinusoid whole = fit_sinusoid(trajectory, drive, first, last);
+  const std::size_t middle = since(end - used / 2 * period);
+  const double before = fit_sinusoid(trajectory, drive, first, middle).amplitude();
+  const double after = fit_sinusoid(trajectory, drive, middle, last).amplitude();
+
+  // a cos u + b sin u = X cos(u - delta)
+  double lag = std::atan2(whole.sine, whole.cosine);
+  if (lag < -std::numbers::pi / 2) lag += 2 * std::numbers::pi;
+  MeasuredSteadyState measured;
+  measured.amplitude = whole.amplitude();
+  measured.phase_lag = lag;
+  measured.mean = whole.mean;
+  measured.residual = whole.residual;
+  measured.change = after > 0 ? (after - before) / after : 0;
+  measured.cycles = used;
+  return measured;
+}
+
+}  // namespace cromer
