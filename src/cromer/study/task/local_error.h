@@ -30,6 +30,6 @@ struct LocalErrorResult {
 };
 
 /// Of a linear law with a natural period; an Error names what prevents it.
-Result<LocalErrorResult> local_error(const LocalErrorOptions& options);
+Result<LocalErrorResult> local_errors(const LocalErrorOptions& options);
 
 }  // namespace cromer

@@ -15,7 +15,7 @@ struct ResonanceOptions {
   SimulateOptions simulate;
   double frequency_from = 0.1;  // [rad/s] > 0
   double frequency_to = 10;     // [rad/s] > frequency_from
-  int points = 200;             ///< >= 2, evenly spaced, both ends included
+  long long points = 200;             ///< >= 2, evenly spaced, both ends included
 };
 
 /// One curve. Where a run did not settle (the method's own damping is negative) amplitude and phase are NaN.

@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/analysis/frequency_response.h"
+#include "cromer/analysis/growth.h"
+#include "cromer/analysis/steady_state.h"
+#include "cromer/model/terms.h"
+#include "cromer/study/collect.h"
+#include "cromer/study/task/simulate_setup.h"
+
+namespace cromer {
+namespace {
+
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+std::vector<double> energies(const SimulatedRun& run) {
+  std::vector<double> values(run.trajectory.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = energy(run.oscillator, State<double>{run.trajectory.x[i], run.trajectory.v[i]});
+  return values;
+}
+
+/// What the energy of a free motion does.
+void collect_energy(const std::string& name, const SimulatedRun& run, const std::vector<double>& energy, Results& results) {
+  const double period = natural_period(run.oscillator);
+  if (run.drive.amplitude > 0 || !(period > 0) || !(energy.front() > 0)) return;
+  const EnergyGrowth growth = energy_growth(run.oscillator, run.trajectory);
+  const auto [least, most] = std::minmax_element(energy.begin(), energy.end());
+  results.set(name + ".energy_start", energy.front(), "J");
+  results.set(name + ".energy_end", energy.back(), "J");
+  results.set(name + ".energy_ratio", energy.back() / energy.front());
+  results.set(name + ".energy_factor_per_cycle", growth.factor_per_cycle(period));
+  results.set(name + ".energy_doubling_time", growth.doubling_time(), "s");
+  results.set(name + ".energy_swing", (*most - *least) / (*most + *least));
+  results.set(name + ".energy_drift", std::expm1(growth.rate * run.outcome.t));
+}
+
+/// What a driven motion settles at, measured and exact.
+void collect_steady(const std::string& name, const SimulatedRun& run, Results& results) {
+  if (!(run.drive.amplitude > 0) || !(run.drive.frequency > 0)) return;
+  const bool has_exact = is_linear(terms_of(run.oscillator, run.drive)) && run.oscillator.damping > 0;
+  const SteadyState exact = frequency_response(run.oscillator, run.drive.amplitude, run.drive.frequency);
+  if (has_exact) {
+    results.set(name + ".exact.amplitude", exact.amplitude, "m");
+    results.set(name + ".exact.phase", exact.phase_lag, "rad");
+  }
+  const auto measured = measure_steady_state(run.trajectory, run.drive);
+  if (!measured) return;
+  results.set(name + ".steady.amplitude", measured->amplitude, "m");
+  results.set(name + ".steady.phase", measured->phase_lag, "rad");
+  results.set(name + ".steady.change", measured->change);
+  if (!has_exact) return;
+  results.set(name + ".amplitude_error", measured->amplitude / exact.amplitude - 1);
+  results.set(name + ".phase_error", measured->phase_lag - exact.phase_lag, "rad");
+}
+
+void collect_run(const std::string& name, const SimulatedRun& run, Results& results) {
+  const Counts& counts = run.outcome.counts;
+  results.set(name + ".label", run.label);
+  results.set(name + ".method", run.method);
+  results.set(name + ".step", run.step, "s");
+  results.set(name + ".until", run.until, "s");
+  results.set(name + ".steps", static_cast<double>(counts.accepted));
+  results.set(name + ".newton_iterations", static_cast<double>(counts.newton_iterations));
+  if (counts.newton_iterations > 0)
+    results.set(name + ".newton_per_step", static_cast<double>(counts.newton_iterations) / static_cast<double>(counts.accepted));
+  else
+    results.set(name + ".newton_per_step", std::string("–"));
+  results.set(name + ".peak", largest_magnitude(run.trajectory.x), "m");
+  results.set(name + ".peak_velocity", largest_magnitude(run.trajectory.v), "m/s");
+  results.set(name + ".final.x", run.outcome.y.x, "m");
+  results.set(name + ".final.v", run.outcome.y.v, "m/s");
+  if (run.drive.amplitude > 0) results.set(name + ".drive_frequency", run.drive.frequency, "rad/s");
+
+  auto energy = energies(run);
+  collect_energy(name, run, energy, results);
+  collect_steady(name, run, results);
+  results.set_column(name + ".t", run.trajectory.t, "s", "time *t*");
+  results.set_column(name + ".x", run.trajectory.x, "m", "position *x*");
+  results.set_column(name + ".v", run.trajectory.v, "m/s", "velocity *v*");
+  results.set_column(name + ".energy", std::move(energy), "J", "energy *E*");
+}
+
+}  // namespace
+
+void collect(const std::string& id, const SimulateResult& result, Results& results) {
+  for (std::size_t i = 0; i < result.runs.size(); ++i) collect_run(id + "." + std::to_string(i + 1), result.runs[i], results);
+}
+
+void collect(const std::string& id, const ResonanceResult& resonance, Results& results) {
+  results.set(id + ".points", static_cast<double>(resonance.curves.front().frequency.size()));
+  for (std::size_t i = 0; i < resonance.curves.size(); ++i) {
+    const ResonanceCurve& curve = resonance.curves[i];
+    const std::string name = id + "." + std::to_string(i + 1);
+    std::size_t peak = 0;
+    for (std::size_t j = 1; j < curve.amplitude.size(); ++j)
+      if (!(curve.amplitude[j] <= curve.amplitude[peak])) peak = j;
+    results.set(name + ".label", curve.method);
+    results.set(name + ".peak", curve.amplitude[peak], "m");
+    results.set(name + ".peak_frequency", curve.frequency[peak], "rad/s");
+    results.set_column(name + ".frequency", curve.frequency, "rad/s", "drive frequency *ω*");
+    results.set_column(name + ".amplitude", curve.amplitude, "m", "steady amplitude");
+    results.set_column(name + ".phase", curve.phase, "rad", "phase lag *φ*");
+  }
+}
+
+void collect(const std::string& id, const LocalErrorResult& errors, Results& results) {
+  for (std::size_t i = 0; i < errors.curves.size(); ++i) {
+    const LocalErrorCurve& curve = errors.curves[i];
+    const std::string name = id + "." + std::to_string(i + 1);
+    results.set(name + ".label", curve.method);
+    results.set(name + ".x_slope", curve.x_slope);
+    results.set(name + ".v_slope", curve.v_slope);
+    results.set(name + ".x_over_predicted", curve.x_over_predicted);
+    results.set(name + ".v_over_predicted", curve.v_over_predicted);
+    results.set_column(name + ".h", curve.h, "s", "step *h*");
+    results.set_column(name + ".x_error", curve.x_error, "m", "error of position");
+    results.set_column(name + ".v_error", curve.v_error, "m/s", "error of velocity");
+  }
+}
+
+}  // namespace cromer

@@ -1,0 +1,142 @@
+#include <filesystem>
+
+#include "cromer/report/read_file.h"
+#include "cromer/study/collect.h"
+#include "cromer/study/run_study.h"
+#include "cromer/study/task_settings.h"
+
+namespace cromer {
+namespace {
+
+using Warnings = std::vector<std::string>;
+
+/// A task at work: what it was asked, in which study, and where its results go.
+struct Work {
+  const TaskSpec& task;
+  const Study& study;
+  Results& results;
+  const Watch& watch;
+
+  /// The bytes of the task's recording, its path relative to the study file.
+  Result<std::string> recording(const std::string& file) const {
+    if (file.empty()) return task.place.error("\"" + task.command + "\" needs file = \"a recording\"");
+    auto bytes = read_file((std::filesystem::path(study.folder) / file).string());
+    if (!bytes) return task.place.error(bytes.error().message);
+    return bytes;
+  }
+
+  Error error(const Error& inner) const { return task.place.error(inner.message); }
+};
+
+Option text_option(std::string_view name, std::string& target) { return {.name = name, .target = &target, .unit = "", .help = "", .default_text = "", .group = ""}; }
+
+Result<Warnings> run_simulate(const Work& work) {
+  SimulateOptions options;
+  if (const auto done = assign_settings(work.task, options_of(options), work.results); !done) return done.error();
+  const auto result = simulate(options, work.watch);
+  if (!result) return work.error(result.error());
+  for (const SimulatedRun& run : result->runs)
+    if (run.outcome.status != Status::reached_end) return work.task.place.error(run.label + ": " + run.message);
+  collect(work.task.id, *result, work.results);
+  return result->warnings;
+}
+
+Result<Warnings> run_fit(const Work& work) {
+  FitOptions options;
+  std::string file;
+  auto table = options_of(options);
+  table.push_back(text_option("file", file));
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  const auto bytes = work.recording(file);
+  if (!bytes) return bytes.error();
+  const auto fits = fit(*bytes, file, options, work.watch);
+  if (!fits) return work.error(fits.error());
+  Warnings warnings;
+  for (std::size_t i = 0; i < fits->size(); ++i) {
+    const FittedRecording& fitted = (*fits)[i];
+    if (fitted.fit.status != FitStatus::converged) return work.task.place.error(file + ": " + fitted.fit.message);
+    collect(fits->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), fitted, work.results);
+    warnings.insert(warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
+  }
+  return warnings;
+}
+
+Result<Warnings> run_compare(const Work& work) {
+  CompareOptions options;
+  std::string file;
+  auto table = options_of(options);
+  table.push_back(text_option("file", file));
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  const auto bytes = work.recording(file);
+  if (!bytes) return bytes.error();
+  const auto compared = compare(*bytes, file, options, work.watch);
+  if (!compared) return work.error(compared.error());
+  Warnings warnings;
+  for (std::size_t i = 0; i < compared->size(); ++i) {
+    const CompareResult& each = (*compared)[i];
+    if (each.recording.fit.status != FitStatus::converged) return work.task.place.error(file + ": " + each.recording.fit.message);
+    collect(compared->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each, work.results);
+    warnings.insert(warnings.end(), each.warnings.begin(), each.warnings.end());
+  }
+  return warnings;
+}
+
+Result<Warnings> run_resonance(const Work& work) {
+  ResonanceOptions options;
+  auto table = options_of(options.simulate);
+  const std::vector<Option> own = {
+      {.name = "frequency-from", .target = &options.frequency_from, .unit = "rad/s", .range = Range::positive, .help = "", .default_text = "", .group = ""},
+      {.name = "frequency-to", .target = &options.frequency_to, .unit = "rad/s", .range = Range::positive, .help = "", .default_text = "", .group = ""},
+      {.name = "points", .target = &options.points, .unit = "", .range = Range::positive, .help = "", .default_text = "", .group = ""}};
+  table.insert(table.end(), own.begin(), own.end());
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  const auto result = resonance(options, work.watch);
+  if (!result) return work.error(result.error());
+  collect(work.task.id, *result, work.results);
+  return result->warnings;
+}
+
+Result<Warnings> run_local_error(const Work& work) {
+  LocalErrorOptions options;
+  if (const auto done = assign_settings(work.task, options_of(options.simulate), work.results); !done) return done.error();
+  const auto result = local_errors(options);
+  if (!result) return work.error(result.error());
+  collect(work.task.id, *result, work.results);
+  return Warnings{};
+}
+
+/// The largest distance between the positions of two results, row by row.
+Result<Warnings> run_difference(const Work& work) {
+  std::string of, minus;
+  if (const auto done = assign_settings(work.task, {text_option("of", of), text_option("minus", minus)}, work.results); !done)
+    return done.error();
+  const auto a = work.results.column(of + ".x"), b = work.results.column(minus + ".x");
+  if (!a) return work.error(a.error());
+  if (!b) return work.error(b.error());
+  const auto& x = (*a)->values;
+  const auto& y = (*b)->values;
+  if (x.size() != y.size()) return work.task.place.error("\"" + of + "\" and \"" + minus + "\" have not the same number of rows");
+  double peak = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) peak = std::max(peak, std::abs(x[i] - y[i]));
+  work.results.set(work.task.id + ".peak", peak, (*a)->unit);
+  return Warnings{};
+}
+
+struct Command {
+  std::string_view name;
+  Result<Warnings> (*run)(const Work&);
+};
+
+constexpr Command commands[] = {{"simulate", run_simulate},   {"fit", run_fit},
+                                {"compare", run_compare},     {"resonance", run_resonance},
+                                {"local-error", run_local_error}, {"difference", run_difference}};
+
+}  // namespace
+
+Result<std::vector<std::string>> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch) {
+  for (const Command& command : commands)
+    if (command.name == task.command) return command.run(Work{task, study, results, watch});
+  return task.place.error("\"" + task.command + "\" is no command of a study");
+}
+
+}  // namespace cromer
