@@ -9,7 +9,9 @@ namespace {
 
 constexpr double room = 0.05;  // of the span, above and below the data
 constexpr double phase_room = 0.10;
-constexpr double near_zero = 0.4;  // data that begin this close to 0, against their span, are shown from 0
+constexpr double tick_room = 0.25;    // of the span, given away at most to end at ticks
+constexpr double just_beyond = 0.01;  // of the span: an x axis goes on to a tick this near
+constexpr double near_zero = 0.6;     // data that begin this close to 0, against their span, are shown from 0
 
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
@@ -48,7 +50,28 @@ AxisRange finish(Extent e, const Axis& axis) {
   if (std::isfinite(axis.high) && !(axis.logarithmic && axis.high <= 0)) e.high = axis.high;
   if (e.low > e.high) std::swap(e.low, e.high);
   open_up(e, axis.logarithmic);
-  return {e.low, e.high, axis.logarithmic, 0, 1};
+  return {e.low, e.high, axis.logarithmic, 0, 1, 0};
+}
+
+// Outwards to ticks, by the step of 3 to 6 ticks that gives away least; 0 where each would take too much
+// room.
+double round_to_ticks(Extent& e) {
+  const double span = e.high - e.low;
+  Extent best = e;
+  double best_step = 0;
+  for (int most = 3; most <= 6; ++most) {
+    const double step = tick_step(e.low - tick_room * span / 2, e.high + tick_room * span / 2, most);
+    const Extent rounded{step * std::floor(e.low / step + 1e-6), step * std::ceil(e.high / step - 1e-6)};
+    const double length = rounded.high - rounded.low, ticks = std::round(length / step) + 1;
+    if (length > (1 + tick_room) * span || ticks < 3 || ticks > 6) continue;
+    // The curve shall not run along the frame.
+    const bool touches = (rounded.low != 0 && e.low - rounded.low < 0.01 * span) ||
+                         (rounded.high != 0 && rounded.high - e.high < 0.01 * span);
+    if (touches || (best_step != 0 && length >= best.high - best.low)) continue;
+    best = rounded, best_step = step;
+  }
+  e = best;
+  return best_step;
 }
 
 void phase_extent(Extent& e, bool logarithmic) {
@@ -76,6 +99,13 @@ AxisRange x_range(const Panel& panel) {
   }
   for (const Marker& marker : panel.markers) e.take(marker.x, panel.x.logarithmic);
   open_up(e, panel.x.logarithmic);
+  if (!panel.phase_portrait && !panel.x.logarithmic) {
+    const double span = e.high - e.low, step = panel.x.step > 0 ? panel.x.step : tick_step(e.low, e.high, 7);
+    const double below = step * std::floor(e.low / step + 1e-6),
+                 above = step * std::ceil(e.high / step - 1e-6);
+    if (e.low - below < just_beyond * span) e.low = below;
+    if (above - e.high < just_beyond * span) e.high = above;
+  }
   if (panel.phase_portrait) phase_extent(e, panel.x.logarithmic);
   return finish(e, panel.x);
 }
@@ -91,13 +121,24 @@ AxisRange y_range(const Panel& panel, const AxisRange& x) {
   open_up(e, logarithmic);
   if (panel.phase_portrait) {
     phase_extent(e, logarithmic);
-  } else {
-    const double low = e.low, high = e.high;
-    widen(e, room, logarithmic);
-    if (!logarithmic && low >= 0 && low < near_zero * (high - low)) e.low = 0;
-    if (!logarithmic && high <= 0 && -high < near_zero * (high - low)) e.high = 0;
+    return finish(e, panel.y);
   }
-  return finish(e, panel.y);
+  const double low = e.low, high = e.high, span = high - low;
+  if (logarithmic) {
+    widen(e, room, true);
+    return finish(e, panel.y);
+  }
+  if (low >= 0 && low < near_zero * span) e.low = 0;
+  if (high <= 0 && -high < near_zero * span) e.high = 0;
+  const bool free = std::isnan(panel.y.low) && std::isnan(panel.y.high) && panel.y.step <= 0;
+  const double step = free ? round_to_ticks(e) : 0;
+  if (step == 0) {
+    if (e.low != 0) e.low -= room * span;
+    if (e.high != 0) e.high += room * span;
+  }
+  AxisRange range = finish(e, panel.y);
+  range.step = step;
+  return range;
 }
 
 std::vector<Tick> ticks_of(const Axis& axis, const AxisRange& range, int most) {

@@ -13,6 +13,7 @@ struct AxisRange {
   double low = 0, high = 1;
   bool logarithmic = false;
   double from = 0, to = 1;  ///< px of low and high
+  double step = 0;          ///< of the ticks the range was rounded to; 0: none
 
   /// NaN where a logarithmic axis cannot show the value.
   double px(double value) const;

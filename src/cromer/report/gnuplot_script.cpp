@@ -166,7 +166,7 @@ class Script {
     for (const PlacedLine& zero : panel.zero_lines) add_line(zero, "back");
     for (const PlacedLine& leader : panel.leaders) add_line(leader, "front");
     for (const Spot& p : panel.rings) {
-      line("set object circle at first {:.2f},{:.2f} size first 4.5 front fs empty border rgb '{}' lw 1.3",
+      line("set object circle at first {:.2f},{:.2f} size first 4.5 front fc rgb '{}' fs empty border lw 1.3",
            p.x, up(p.y), light_surface.ink);
     }
     for (const Spot& p : panel.dots) {

@@ -19,8 +19,11 @@ constexpr double row_of_several = 310;
 constexpr double wide_text = 1.15;     // a wide figure is shown smaller on the page
 constexpr double margin_share = 0.14;  // of the width, for names
 constexpr double most_margin = 0.30;
-constexpr double edge = 6;         // free at the figure's edge [px]
-constexpr double tick_length = 8;  // with the gap to its number [px]
+constexpr double beside_others =
+    1.35;  // width over height of a phase portrait next to other panels: room for its names
+constexpr double wide_frame = 800;  // [px] has room for more than 7 ticks
+constexpr double edge = 6;          // free at the figure's edge [px]
+constexpr double tick_length = 8;   // with the gap to its number [px]
 
 Canvas canvas_of(const Figure& figure, int rows) {
   const int columns = std::max(1, figure.columns);
@@ -44,7 +47,10 @@ std::vector<std::vector<std::size_t>> rows_of(const Figure& figure) {
   int used = columns;
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const int span = std::clamp(figure.panels[i].span, 1, columns);
-    if (used + span > columns) rows.emplace_back(), used = 0;
+    if (used + span > columns) {
+      rows.emplace_back();
+      used = 0;
+    }
     rows.back().push_back(i);
     used += span;
   }
@@ -57,6 +63,7 @@ struct Cell {
   Box box;
   bool lowest;  // of a shared x axis
   std::string letter;
+  bool mixed;  // stands beside panels that are no phase portraits
   AxisRange x, y;
   std::vector<Tick> x_ticks, y_ticks;
   double left = 0, right = 0, top = 0, bottom = 0;  // margins
@@ -86,6 +93,8 @@ void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
   const bool named = !panel.y.name.empty();
   cell.top = titled(cell) ? s.title + 17 : named ? s.axis + 16 : 12;
   cell.bottom = cell.lowest ? tick_length + s.tick + 6 + (panel.x.name.empty() ? 0 : s.axis + 6) : 14;
+  if (figure.panels.size() > static_cast<std::size_t>(std::max(1, figure.columns)))
+    cell.bottom += 8;  // before the next row
   const double height = cell.box.height - cell.top - cell.bottom;
   cell.y_ticks = ticks_of(panel.y, cell.y, height < 150 ? 5 : 6);
   cell.left =
@@ -98,7 +107,7 @@ void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
 
 // As many x ticks as their numbers leave room for, 7 at most.
 void choose_x_ticks(Cell& cell, const Box& frame, const Fonts& fonts) {
-  for (int most = 7;; --most) {
+  for (int most = frame.width > wide_frame ? 9 : 7;; --most) {
     cell.x_ticks = ticks_of(cell.panel->x, cell.x, most);
     const auto labelled = std::count_if(cell.x_ticks.begin(), cell.x_ticks.end(),
                                         [](const Tick& t) { return !t.label.empty(); });
@@ -198,7 +207,10 @@ PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
   Box& f = placed.frame;
   f = {cell.box.x + cell.left, cell.box.y + cell.top, cell.box.width - cell.left - cell.right,
        cell.box.height - cell.top - cell.bottom};
-  if (panel.phase_portrait) f.width = f.height = std::min(f.width, f.height);
+  if (panel.phase_portrait) {
+    f.height = std::min(f.height, f.width);
+    f.width = std::min(f.width, cell.mixed ? beside_others * f.height : f.height);
+  }
   choose_x_ticks(cell, f, fonts);
   cell.x.from = f.x, cell.x.to = f.right();
   cell.y.from = f.bottom(), cell.y.to = f.y;
@@ -221,17 +233,17 @@ PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
 
 // The widths of a row's panels: equal shares, but phase portraits take no more than their square needs when
 // others stand beside them.
-std::vector<double> row_widths(const std::vector<Cell>& row, double width, double height, int columns) {
+std::vector<double> row_widths(std::vector<Cell>& row, double width, double height, int columns) {
   std::vector<double> widths;
   double left_over = width, shares = 0;
   int used = 0;
   for (const Cell& cell : row) used += std::clamp(cell.panel->span, 1, columns);
-  const bool mixed =
-      std::any_of(row.begin(), row.end(), [](const Cell& c) { return !c.panel->phase_portrait; });
-  for (const Cell& cell : row) {
+  std::any_of(row.begin(), row.end(), [](const Cell& c) { return !c.panel->phase_portrait; });
+  for (Cell& cell : row) {
+    cell.mixed = std::any_of(row.begin(), row.end(), [](const Cell& c) { return !c.panel->phase_portrait; });
     const double share = std::clamp(cell.panel->span, 1, columns);
-    const double wanted = height - cell.top - cell.bottom + cell.left + cell.right + 12;
-    const bool fixed = mixed && cell.panel->phase_portrait && wanted < width * share / columns;
+    const double wanted = beside_others * (height - cell.top - cell.bottom) + cell.left + cell.right;
+    const bool fixed = cell.mixed && cell.panel->phase_portrait && wanted < width * share / columns;
     widths.push_back(fixed ? wanted : -share);
     if (fixed)
       left_over -= wanted;
@@ -273,7 +285,8 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
     for (const std::size_t i : rows[r]) {
       const std::string letter =
           figure.panels.size() > 1 ? std::string(1, static_cast<char>('a' + i % 26)) : "";
-      Cell cell{&figure.panels[i], {0, y, canvas.width / columns, height}, lowest, letter, {}, {}, {}, {}};
+      Cell cell{
+          &figure.panels[i], {0, y, canvas.width / columns, height}, lowest, letter, false, {}, {}, {}, {}};
       cell.box.width *= std::clamp(cell.panel->span, 1, columns);
       measure(cell, figure, fonts);
       row.push_back(std::move(cell));

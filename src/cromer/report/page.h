@@ -10,8 +10,8 @@
 
 namespace cromer {
 
-/// Texts are Markdown-like in a small way: *italic*, **bold**, `code`, x_{0} and x^{2} for sub- and
-/// superscript, blank line for a new paragraph. All else is escaped.
+/// Texts are Markdown-like in a small way (page_text.h): *italic*, **bold**, `code`, x_{0} and x^{2} for sub-
+/// and superscript, blank line for a new paragraph. All else is escaped. Headings are numbered by the page.
 struct Heading {
   std::string text;
 };
@@ -23,21 +23,24 @@ struct Code {
   std::string caption;
 };
 
-/// Numbers right-aligned (`text_columns` names those that are words), the answer column bold.
+/// Numbers right-aligned (`text_columns` names those that are words), the answer column bold. In a text
+/// column after the first, cells below each other with the same words are one cell. Numbered by the page,
+/// "Table 1.", unless `label` says otherwise.
 struct TableBlock {
   std::string caption;
   std::vector<std::string> header;
   std::vector<std::vector<std::string>> rows;
   std::vector<int> text_columns{0};
   int answer_column = -1;
+  std::string label;
 };
 
 /// An SVG figure; `width` is the share of the column it may take: 1 or 0.5 (two such that follow each other
 /// stand side by side).
 struct FigureBlock {
-  std::string id;   ///< "figure-01"; also the file's name
-  std::string svg;  ///< the bytes of the SVG
-  std::string alt;
+  std::string id;     ///< "figure-01"; also the file's name
+  std::string svg;    ///< the bytes of the SVG, from draw()
+  std::string alt;    ///< what is seen, for those who cannot; empty: the SVG's own words
   std::string label;  ///< "Figure 1"
   std::string caption;
   double width = 1;
@@ -57,6 +60,7 @@ struct Page {
   std::vector<KeyFigure> key_figures;
   std::vector<Block> blocks;
   std::string footer;  ///< versions
+  std::string language = "en";
 };
 
 /// One HTML document, everything inside it, light and dark, printable.

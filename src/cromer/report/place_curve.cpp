@@ -23,7 +23,7 @@ bool is_dense(const std::vector<Spot>& spots) {
     finite.push_back(p);
     left = std::min(left, p.x), right = std::max(right, p.x);
   }
-  if (finite.size() < dense_dots * std::max(1.0, right - left)) return false;
+  if (static_cast<double>(finite.size()) < dense_dots * std::max(1.0, right - left)) return false;
   const Band band = min_max_band(finite, 1);
   double thickness = 0;
   for (std::size_t i = 0; i < band.x.size(); ++i) thickness += band.high[i] - band.low[i];
@@ -61,7 +61,7 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool
     const bool dense = is_dense(spots);
     if (dense && columns <= band_columns) {
       placed.mark = Mark::band;
-      placed.band = min_max_band(spots, std::max(1, static_cast<int>(std::ceil(columns))));
+      placed.band = min_max_band(spots, std::max(1, static_cast<int>(std::ceil(columns)) + 1));
       return placed;
     }
     if (curve.mark == Mark::band || dense) {

@@ -205,9 +205,12 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
     if (note.dot) placed.dots.push_back(point);
     if (note.text.empty()) continue;
     Curve word;
-    word.remark = note.text;
+    (note.circle ? word.name : word.remark) = note.text;
     NameBlock block = name_block(word, sizes, typeface, room_inside);
-    for (PlacedText& line : block.lines) line.colour = light_surface.ink;
+    for (PlacedText& line : block.lines) {
+      line.colour = light_surface.ink;
+      line.bold = note.circle;
+    }
     const bool points = note.leader || note.circle || note.dot;
     const Box box = words.asked(block, note.text_x, note.text_y, points ? point : Spot{-1e9, 0});
     words.put(block, box, Align::left, words.covers(box));

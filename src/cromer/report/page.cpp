@@ -1,0 +1,186 @@
+#include "cromer/report/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "cromer/report/escape.h"
+#include "cromer/report/page_style.h"
+#include "cromer/report/page_text.h"
+
+namespace cromer {
+namespace {
+
+template <class... Args>
+void add(std::string& out, fmt::format_string<Args...> text, Args&&... args) {
+  fmt::format_to(std::back_inserter(out), text, std::forward<Args>(args)...);
+}
+
+bool is_text(const TableBlock& table, std::size_t column) {
+  return std::find(table.text_columns.begin(), table.text_columns.end(), static_cast<int>(column)) !=
+         table.text_columns.end();
+}
+
+const std::string& cell(const TableBlock& table, std::size_t row, std::size_t column) {
+  static const std::string empty;
+  return column < table.rows[row].size() ? table.rows[row][column] : empty;
+}
+
+// How many rows a cell takes; 0 where the one above takes it along.
+std::size_t rows_taken(const TableBlock& table, std::size_t row, std::size_t column) {
+  if (column == 0 || !is_text(table, column) || cell(table, row, column).empty()) return 1;
+  const std::string& text = cell(table, row, column);
+  if (row > 0 && cell(table, row - 1, column) == text) return 0;
+  std::size_t end = row + 1;
+  while (end < table.rows.size() && cell(table, end, column) == text) ++end;
+  return end - row;
+}
+
+std::string classes(const TableBlock& table, std::size_t column) {
+  const bool words = is_text(table, column), answer = static_cast<int>(column) == table.answer_column;
+  if (!words && !answer) return "";
+  return fmt::format(" class=\"{}{}{}\"", words ? "words" : "", words && answer ? " " : "",
+                     answer ? "answer" : "");
+}
+
+class Writer {
+ public:
+  std::string write(const Page& page) {
+    head(page);
+    add(out_, "<main id=\"content\">\n");
+    if (!page.summary.empty())
+      add(out_, "<div class=\"summary\">\n{}</div>\n", paragraphs_html(page.summary));
+    key_figures(page.key_figures);
+    for (std::size_t i = 0; i < page.blocks.size(); ++i) {
+      pair(page.blocks, i);
+      std::visit([this](const auto& block) { this->block(block); }, page.blocks[i]);
+    }
+    if (in_pair_) add(out_, "</div>\n");
+    add(out_, "</main>\n");
+    if (!page.footer.empty()) add(out_, "<footer><div>{}</div></footer>\n", inline_html(page.footer));
+    add(out_, "</body>\n</html>\n");
+    return std::move(out_);
+  }
+
+ private:
+  void head(const Page& page) {
+    add(out_, "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n",
+        escaped(page.language));
+    add(out_, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n",
+        plain_words(page.title));
+    add(out_, "<link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style>\n</head>\n<body>\n", page_style());
+    add(out_, "<a class=\"skip\" href=\"#content\">Skip to the content</a>\n<header>\n<h1>{}</h1>\n",
+        inline_html(page.title));
+    if (!page.byline.empty()) add(out_, "<p class=\"byline\">{}</p>\n", inline_html(page.byline));
+    add(out_, "</header>\n");
+  }
+
+  void key_figures(const std::vector<KeyFigure>& figures) {
+    if (figures.empty()) return;
+    add(out_, "<dl class=\"key\">\n");
+    for (const KeyFigure& figure : figures) {
+      add(out_, "<div><dt>{}</dt><dd class=\"value\">{}</dd>", inline_html(figure.name),
+          inline_html(figure.value));
+      if (!figure.remark.empty()) add(out_, "<dd class=\"remark\">{}</dd>", inline_html(figure.remark));
+      add(out_, "</div>\n");
+    }
+    add(out_, "</dl>\n");
+  }
+
+  static bool is_half(const Block& block) {
+    const auto* figure = std::get_if<FigureBlock>(&block);
+    return figure && figure->width <= 0.5;
+  }
+
+  // Opens and closes the frame in which half-width figures that follow each other stand side by side.
+  void pair(const std::vector<Block>& blocks, std::size_t i) {
+    const bool half = is_half(blocks[i]);
+    if (in_pair_ && !half) add(out_, "</div>\n"), in_pair_ = false;
+    if (half && !in_pair_) add(out_, "<div class=\"pair\">\n"), in_pair_ = true;
+  }
+
+  void block(const Heading& heading) {
+    ++headings_;
+    add(out_, "<h2 id=\"section-{0}\"><span class=\"number\">{0}</span> {1}</h2>\n", headings_,
+        inline_html(heading.text));
+  }
+
+  void block(const Paragraph& paragraph) { out_ += paragraphs_html(paragraph.text); }
+
+  void block(const Code& code) {
+    if (!code.caption.empty()) add(out_, "<p class=\"caption\">{}</p>\n", inline_html(code.caption));
+    std::string_view text = code.text;
+    while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
+    add(out_, "<pre tabindex=\"0\"><code>{}</code></pre>\n", escaped(text));
+  }
+
+  void block(const TableBlock& table) {
+    ++tables_;
+    const std::string label = table.label.empty() ? fmt::format("Table {}", tables_) : table.label;
+    add(out_, "<div class=\"table\">\n<p class=\"caption\" id=\"table-{}\"><strong>{}.</strong> {}</p>\n",
+        tables_, inline_html(label), inline_html(table.caption));
+    add(out_, "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-labelledby=\"table-{}\"><table>\n",
+        tables_);
+    if (!table.header.empty()) {
+      add(out_, "<thead><tr>");
+      for (std::size_t c = 0; c < table.header.size(); ++c)
+        add(out_, "<th scope=\"col\"{}>{}</th>", classes(table, c), inline_html(table.header[c]));
+      add(out_, "</tr></thead>\n");
+    }
+    add(out_, "<tbody>\n");
+    std::size_t columns = table.header.size();
+    for (const auto& row : table.rows) columns = std::max(columns, row.size());
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      add(out_, "<tr>");
+      for (std::size_t c = 0; c < columns; ++c) {
+        const std::size_t rows = rows_taken(table, r, c);
+        if (rows == 0) continue;
+        const std::string_view name = c == 0 && is_text(table, 0) ? "th scope=\"row\"" : "td";
+        const std::string span = rows > 1 ? fmt::format(" rowspan=\"{}\"", rows) : "";
+        add(out_, "<{}{}{}>{}</{}>", name, span, classes(table, c), inline_html(cell(table, r, c)),
+            name.substr(0, 2));
+      }
+      add(out_, "</tr>\n");
+    }
+    add(out_, "</tbody>\n</table></div>\n</div>\n");
+  }
+
+  void block(const FigureBlock& figure) {
+    add(out_, "<figure{}{}>\n", figure.id.empty() ? "" : fmt::format(" id=\"{}\"", escaped(figure.id)),
+        figure.width > 0.5 ? " class=\"wide\"" : "");
+    out_ += with_alternative(figure.svg, figure.alt);
+    if (!figure.label.empty() || !figure.caption.empty()) {
+      add(out_, "<figcaption>");
+      if (!figure.label.empty()) add(out_, "<strong>{}.</strong> ", inline_html(figure.label));
+      add(out_, "{}</figcaption>\n", inline_html(figure.caption));
+    }
+    add(out_, "</figure>\n");
+  }
+
+  // The SVG without what only a file needs, named by `alt`.
+  static std::string with_alternative(const std::string& svg, const std::string& alt) {
+    const std::size_t start = svg.find("<svg");
+    if (start == std::string::npos) return "";
+    std::string element = svg.substr(start);
+    if (alt.empty()) return element;
+    const std::size_t tag_end = element.find('>'), label = element.find(" aria-label=\"");
+    if (label < tag_end) {
+      const std::size_t value = label + std::string_view(" aria-label=\"").size();
+      element.replace(value, element.find('"', value) - value, plain_words(alt));
+    } else {
+      element.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", plain_words(alt)));
+    }
+    return element;
+  }
+
+  std::string out_;
+  int headings_ = 0, tables_ = 0;
+  bool in_pair_ = false;
+};
+
+}  // namespace
+
+std::string to_html(const Page& page) { return Writer().write(page); }
+
+}  // namespace cromer

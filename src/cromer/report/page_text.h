@@ -1,0 +1,20 @@
+// The small markup of a report's texts.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cromer {
+
+/// One paragraph as HTML: *italic*, **bold**, `code` (nothing inside it is markup), x_{0}, x^{2}, nested as
+/// they come; x_{d}^{2} stands one above the other. A star with a blank at its inner side, or without its
+/// partner, is a star. A number keeps its unit on its line. The rest is escaped.
+std::string inline_html(std::string_view text);
+
+/// Paragraphs, separated by blank lines, each in <p>.
+std::string paragraphs_html(std::string_view text);
+
+/// The words without markup, for titles.
+std::string plain_words(std::string_view text);
+
+}  // namespace cromer
