@@ -16,15 +16,22 @@ namespace cromer {
 struct StudyRun {
   Results results;
   std::vector<std::string> warnings;
+  std::string failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why; the study ended there
+};
+
+/// What one task said besides its results.
+struct TaskReport {
+  std::vector<std::string> warnings;
+  std::string failure;  ///< why it did not succeed; empty if it did
 };
 
 /// Called before each task with what it is ("fit two") and the share done.
 using StudyProgress = std::function<void(const std::string& what, double fraction)>;
 
-/// An Error names the place in the study file; a task that does not succeed (diverged, no oscillation) is one too.
+/// Bad input is an Error that names the place in the study file.
 Result<StudyRun> run_study(const Study& study, const Watch& watch = {}, const StudyProgress& progress = {});
 
-/// Runs one task and adds what it found under its id; returns its warnings.
-Result<std::vector<std::string>> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch);
+/// Runs one task and adds what it found under its id.
+Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch);
 
 }  // namespace cromer

@@ -8,8 +8,6 @@
 namespace cromer {
 namespace {
 
-using Warnings = std::vector<std::string>;
-
 /// A task at work: what it was asked, in which study, and where its results go.
 struct Work {
   const TaskSpec& task;
@@ -30,18 +28,18 @@ struct Work {
 
 Option text_option(std::string_view name, std::string& target) { return {.name = name, .target = &target, .unit = "", .help = "", .default_text = "", .group = ""}; }
 
-Result<Warnings> run_simulate(const Work& work) {
+Result<TaskReport> run_simulate(const Work& work) {
   SimulateOptions options;
   if (const auto done = assign_settings(work.task, options_of(options), work.results); !done) return done.error();
   const auto result = simulate(options, work.watch);
   if (!result) return work.error(result.error());
   for (const SimulatedRun& run : result->runs)
-    if (run.outcome.status != Status::reached_end) return work.task.place.error(run.label + ": " + run.message);
+    if (run.outcome.status != Status::reached_end) return TaskReport{result->warnings, run.label + ": " + run.message};
   collect(work.task.id, *result, work.results);
-  return result->warnings;
+  return TaskReport{result->warnings, ""};
 }
 
-Result<Warnings> run_fit(const Work& work) {
+Result<TaskReport> run_fit(const Work& work) {
   FitOptions options;
   std::string file;
   auto table = options_of(options);
@@ -51,17 +49,17 @@ Result<Warnings> run_fit(const Work& work) {
   if (!bytes) return bytes.error();
   const auto fits = fit(*bytes, file, options, work.watch);
   if (!fits) return work.error(fits.error());
-  Warnings warnings;
+  TaskReport report;
   for (std::size_t i = 0; i < fits->size(); ++i) {
     const FittedRecording& fitted = (*fits)[i];
-    if (fitted.fit.status != FitStatus::converged) return work.task.place.error(file + ": " + fitted.fit.message);
+    if (fitted.fit.status != FitStatus::converged) return TaskReport{fitted.warnings, file + ": " + fitted.fit.message};
     collect(fits->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), fitted, work.results);
-    warnings.insert(warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
+    report.warnings.insert(report.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   }
-  return warnings;
+  return report;
 }
 
-Result<Warnings> run_compare(const Work& work) {
+Result<TaskReport> run_compare(const Work& work) {
   CompareOptions options;
   std::string file;
   auto table = options_of(options);
@@ -71,17 +69,17 @@ Result<Warnings> run_compare(const Work& work) {
   if (!bytes) return bytes.error();
   const auto compared = compare(*bytes, file, options, work.watch);
   if (!compared) return work.error(compared.error());
-  Warnings warnings;
+  TaskReport report;
   for (std::size_t i = 0; i < compared->size(); ++i) {
     const CompareResult& each = (*compared)[i];
-    if (each.recording.fit.status != FitStatus::converged) return work.task.place.error(file + ": " + each.recording.fit.message);
+    if (each.recording.fit.status != FitStatus::converged) return TaskReport{each.warnings, file + ": " + each.recording.fit.message};
     collect(compared->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each, work.results);
-    warnings.insert(warnings.end(), each.warnings.begin(), each.warnings.end());
+    report.warnings.insert(report.warnings.end(), each.warnings.begin(), each.warnings.end());
   }
-  return warnings;
+  return report;
 }
 
-Result<Warnings> run_resonance(const Work& work) {
+Result<TaskReport> run_resonance(const Work& work) {
   ResonanceOptions options;
   auto table = options_of(options.simulate);
   const std::vector<Option> own = {
@@ -93,20 +91,20 @@ Result<Warnings> run_resonance(const Work& work) {
   const auto result = resonance(options, work.watch);
   if (!result) return work.error(result.error());
   collect(work.task.id, *result, work.results);
-  return result->warnings;
+  return TaskReport{result->warnings, ""};
 }
 
-Result<Warnings> run_local_error(const Work& work) {
+Result<TaskReport> run_local_error(const Work& work) {
   LocalErrorOptions options;
   if (const auto done = assign_settings(work.task, options_of(options.simulate), work.results); !done) return done.error();
   const auto result = local_errors(options);
   if (!result) return work.error(result.error());
   collect(work.task.id, *result, work.results);
-  return Warnings{};
+  return TaskReport{};
 }
 
 /// The largest distance between the positions of two results, row by row.
-Result<Warnings> run_difference(const Work& work) {
+Result<TaskReport> run_difference(const Work& work) {
   std::string of, minus;
   if (const auto done = assign_settings(work.task, {text_option("of", of), text_option("minus", minus)}, work.results); !done)
     return done.error();
@@ -119,12 +117,12 @@ Result<Warnings> run_difference(const Work& work) {
   double peak = 0;
   for (std::size_t i = 0; i < x.size(); ++i) peak = std::max(peak, std::abs(x[i] - y[i]));
   work.results.set(work.task.id + ".peak", peak, (*a)->unit);
-  return Warnings{};
+  return TaskReport{};
 }
 
 struct Command {
   std::string_view name;
-  Result<Warnings> (*run)(const Work&);
+  Result<TaskReport> (*run)(const Work&);
 };
 
 constexpr Command commands[] = {{"simulate", run_simulate},   {"fit", run_fit},
@@ -133,7 +131,7 @@ constexpr Command commands[] = {{"simulate", run_simulate},   {"fit", run_fit},
 
 }  // namespace
 
-Result<std::vector<std::string>> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch) {
+Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch) {
   for (const Command& command : commands)
     if (command.name == task.command) return command.run(Work{task, study, results, watch});
   return task.place.error("\"" + task.command + "\" is no command of a study");

@@ -62,6 +62,8 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
 
   auto run = run_study(*study, watch, progress);
   if (!run) return run.error();
+  WrittenReport written{"", {}, run->warnings, run->failure};
+  if (!run->failure.empty()) return written;
   if (progress) progress("figures", 1);
   const auto figures = draw_figures(*study, run->results, watch);
   if (!figures) return figures.error();
@@ -69,12 +71,14 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   const auto page = make_page(*study, run->results, *figures, versions);
   if (!page) return page.error();
 
-  for (const auto& [id, figure] : *figures)
-    if (const auto written = write_file(folder + "/" + id + ".svg", figure.svg); !written) return written.error();
-  if (const auto written = write_file(folder + "/results.json", results_json(run->results)); !written) return written.error();
-  const std::string index = folder + "/index.html";
-  if (const auto written = write_file(index, to_html(*page)); !written) return written.error();
-  return WrittenReport{index, run->warnings};
+  for (const auto& [id, figure] : *figures) {
+    written.figures.push_back(folder + "/" + id + ".svg");
+    if (const auto done = write_file(written.figures.back(), figure.svg); !done) return done.error();
+  }
+  if (const auto done = write_file(folder + "/results.json", results_json(run->results)); !done) return done.error();
+  written.index = folder + "/index.html";
+  if (const auto done = write_file(written.index, to_html(*page)); !done) return done.error();
+  return written;
 }
 
 }  // namespace cromer
