@@ -5,7 +5,7 @@
 #include <ctime>
 
 #include "commands.h"
-#include "cromer/report/json.h"
+#include "cromer/study/json/study.h"
 #include "cromer/study/write_report.h"
 #include "cromer/version.h"
 #include "exit_status.h"
@@ -33,14 +33,6 @@ StudyProgress progress_line(bool quiet) {
   return [](const std::string& what, double fraction) { std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str()); };
 }
 
-std::string document(const WrittenReport& report) {
-  Json json = {{"index", report.index.empty() ? Json(nullptr) : Json(report.index)},
-               {"figures", report.figures},
-               {"warnings", report.warnings}};
-  if (!report.failure.empty()) json["message"] = report.failure;
-  return to_text(json);
-}
-
 }  // namespace
 
 int run_report(const Arguments& arguments) {
@@ -66,7 +58,7 @@ int run_report(const Arguments& arguments) {
   if (!report) return refuse(report.error().message);
   warn(report->warnings, output.quiet);
   if (!report->failure.empty()) complain(report->failure);
-  if (output.json && !print(document(*report))) return refuse("standard output cannot be written");
+  if (output.json && !print(to_json(*report))) return refuse("standard output cannot be written");
   if (!report->failure.empty()) return no_success;
   if (!output.json) print(report->index + "\n");
   return done;

@@ -5,30 +5,13 @@
 #include <system_error>
 
 #include "cromer/report/file.h"
-#include "cromer/report/json.h"
 #include "cromer/report/read_file.h"
+#include "cromer/study/json/study.h"
 #include "cromer/study/make_figure.h"
 #include "cromer/study/make_page.h"
 
 namespace cromer {
 namespace {
-
-/// Every number found, SI, by name: what scripts read.
-std::string results_json(const Results& results) {
-  Json document = Json::object();
-  for (const auto& [name, fact] : results.facts()) {
-    if (const auto* text = std::get_if<std::string>(&fact)) {
-      document[name] = *text;
-      continue;
-    }
-    const Number& number = std::get<Number>(fact);
-    Json& entry = document[name];
-    entry["value"] = number.quantity.value;
-    if (number.quantity.uncertainty > 0) entry["standard_error"] = number.quantity.uncertainty;
-    entry["unit"] = number.unit;
-  }
-  return to_text(document);
-}
 
 Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, const Results& results, const Watch& watch) {
   std::map<std::string, DrawnFigure> drawn;
@@ -75,7 +58,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
     written.figures.push_back(folder + "/" + id + ".svg");
     if (const auto done = write_file(written.figures.back(), figure.svg); !done) return done.error();
   }
-  if (const auto done = write_file(folder + "/results.json", results_json(run->results)); !done) return done.error();
+  if (const auto done = write_file(folder + "/results.json", to_json(run->results)); !done) return done.error();
   written.index = folder + "/index.html";
   if (const auto done = write_file(written.index, to_html(*page)); !done) return done.error();
   return written;
