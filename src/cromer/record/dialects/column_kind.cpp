@@ -50,6 +50,7 @@ constexpr std::array words{
     Word{"aceleración", "acceleration"},
     Word{"beschleunigung", "acceleration"},
     Word{"accel", "acceleration"},
+    Word{"acc", "acceleration"},
     Word{"velocity", "velocity"},
     Word{"speed", "velocity"},
     Word{"velocità", "velocity"},
@@ -84,11 +85,13 @@ constexpr std::array words{
     Word{"tiempo", "time"},
 };
 
-/// Symbols that are the whole name, subscripts aside.
+/// Symbols that are the whole name, subscripts aside; capitals mean other things (V may be a voltage, T a
+/// temperature).
 constexpr std::array symbols{
-    Word{"t", "time"},          Word{"x", "position"},      Word{"y", "position"},  Word{"z", "position"},
-    Word{"v", "velocity"},      Word{"vx", "velocity"},     Word{"vy", "velocity"}, Word{"a", "acceleration"},
-    Word{"ax", "acceleration"}, Word{"ay", "acceleration"}, Word{"f", "force"},     Word{"θx", "angle"},
+    Word{"t", "time"},          Word{"x", "position"},  Word{"y", "position"},     Word{"z", "position"},
+    Word{"X", "position"},      Word{"Y", "position"},  Word{"Z", "position"},     Word{"v", "velocity"},
+    Word{"vx", "velocity"},     Word{"vy", "velocity"}, Word{"a", "acceleration"}, Word{"ax", "acceleration"},
+    Word{"ay", "acceleration"}, Word{"F", "force"},
 };
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -124,7 +127,9 @@ std::string_view quantity_of_name(std::string_view name) {
     return word.quantity == "angular velocity" || word.quantity == "angle" ? word.quantity
                                                                            : std::string_view{};
   }
-  std::string symbol = plain_name(name);
+  std::string symbol;
+  for (const char c : name)
+    if (std::string_view(" _{}").find(c) == std::string_view::npos) symbol += c;
   while (!symbol.empty() && symbol.back() >= '0' && symbol.back() <= '9') symbol.pop_back();
   for (const Word& word : symbols)
     if (word.word == symbol) return word.quantity;

@@ -35,6 +35,13 @@ bool runs_evenly_upward(const std::vector<double>& values) {
   return static_cast<double>(even) >= 0.9 * static_cast<double>(steps.size());
 }
 
+/// 0, 1, 2, ...: no time where the rate is known.
+bool counts_by_one(const std::vector<double>& values) {
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i] - values[i - 1] != 1) return false;
+  return true;
+}
+
 bool counts_rows(const Column& column) {
   constexpr std::array<std::string_view, 8> names{"sample", "samples", "index", "row",
                                                   "frame",  "n",       "no",    "#"};
@@ -163,9 +170,12 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
   const bool any = std::any_of(columns.begin(), columns.end(),
                                [](const Column& column) { return column.quantity == "time"; });
   Column& first = columns.front();
-  const bool may_be_time =
-      !any && options.rate == 0 && columns.size() > 1 && first.quantity.empty() && !counts_rows(first);
-  if (may_be_time && runs_evenly_upward(first.values)) {
+  for (Column& column : columns)
+    if (column.quantity.empty() && counts_rows(column)) column.quantity = "index";
+  const bool may_be_time = !any && columns.size() > 1 && first.quantity.empty();
+  if (may_be_time && options.rate > 0 && counts_by_one(first.values)) {
+    first.quantity = "index";
+  } else if (may_be_time && runs_evenly_upward(first.values)) {
     first.quantity = "time";
     recording.warnings.push_back(
         has_header ? concat({"\"", first.name, "\" runs evenly upward: it is taken as the time in seconds"})

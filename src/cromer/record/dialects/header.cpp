@@ -166,6 +166,16 @@ Header find_header(const std::vector<std::string_view>& lines, std::size_t data,
         above.clear();
     }
   }
+  // A line of numbers names nothing: it is one more title (a count of rows, a date).
+  std::vector<std::string_view> words;
+  while (!above.empty()) {
+    split_cells(above.back(), Layout{layout.columns == 1 ? ' ' : layout.separator, '.', 1}, words);
+    if (std::any_of(words.begin(), words.end(),
+                    [](auto cell) { return read_cell(cell, '.').kind == CellKind::word; }))
+      break;
+    header.titles.emplace_back(trimmed(above.back()));
+    above.pop_back();
+  }
   if (above.empty()) return header;
 
   Cells names = split_names(above.back(), layout, header.separator);

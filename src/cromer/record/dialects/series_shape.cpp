@@ -7,15 +7,17 @@
 namespace cromer::dialects {
 namespace {
 
-/// Units in the last decimal place, if six decimals write all values; else 0.
+/// Units in the last decimal place, if six decimals write nearly all values (a logger may print 0.00 as
+/// -3.75e-5 now and then); else 0.
 double decimal_step(std::span<const double> values) {
+  constexpr double nearly_all = 0.9;
   double scale = 1;
   for (int decimals = 0; decimals <= 6; ++decimals, scale *= 10) {
-    const bool exact = std::all_of(values.begin(), values.end(), [&](double value) {
+    const auto exact = std::count_if(values.begin(), values.end(), [&](double value) {
       const double scaled = value * scale;
       return std::fabs(scaled - std::nearbyint(scaled)) <= 1e-9 * std::max(1.0, std::fabs(scaled));
     });
-    if (exact) return 1 / scale;
+    if (static_cast<double>(exact) >= nearly_all * static_cast<double>(values.size())) return 1 / scale;
   }
   return 0;
 }

@@ -37,7 +37,7 @@ Result<std::size_t> main_column(const Table& table, int run, std::vector<std::st
                 columns[alike.front()].name, "\""})};
   }
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    if (columns[j].run != run || columns[j].quantity == "time") continue;
+    if (columns[j].run != run || columns[j].quantity == "time" || columns[j].quantity == "index") continue;
     warnings.push_back(concat({"no column is known to be a position, angle or velocity: \"",
                                column_title(columns[j]), "\" is taken"}));
     return j;
@@ -79,8 +79,8 @@ void describe_steps(Series& series) {
   }
 }
 
-void describe_values(Series& series) {
-  series.resolution = dialects::rounding_step(series.y);
+void describe_values(Series& series, const std::vector<double>& as_written) {
+  series.resolution = dialects::rounding_step(as_written) * series.to_si;
   if (series.rate > 0)
     for (const std::size_t i : dialects::spikes(series.t, series.y, 1 / series.rate, series.resolution))
       series.outliers.push_back({series.t[i], series.y[i], series.lines[i]});
@@ -142,7 +142,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
           concat({"--rate is not used: the times stand in \"", series.time_column, "\""}));
   }
 
-  std::vector<double> t, y;
+  std::vector<double> t, y, as_written;
   std::vector<long> lines;
   for (std::size_t i = 0; i < value.values.size(); ++i) {
     const double at = time ? columns[*time].values[i] * seconds : static_cast<double>(i) / options.rate;
@@ -150,6 +150,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     if (!std::isfinite(at) || !std::isfinite(y_si)) continue;
     t.push_back(at);
     y.push_back(y_si);
+    as_written.push_back(value.values[i]);
     lines.push_back(recording.lines[i]);
   }
   if (t.empty())
@@ -163,7 +164,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     series.lines.push_back(lines[i]);
   }
   describe_steps(series);
-  describe_values(series);
+  describe_values(series, as_written);
   return series;
 }
 
