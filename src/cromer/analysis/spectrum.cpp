@@ -37,8 +37,8 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
   spectrum.amplitude.resize(transform.size());
   const double scale = 4 / static_cast<double>(n);  // two sides, and the window's mean of one half
   for (std::size_t k = 0; k < transform.size(); ++k)
-    spectrum.amplitude[k] =
-        scale * std::sqrt(transform[k].real() * transform[k].real() + transform[k].imag() * transform[k].imag());
+    spectrum.amplitude[k] = scale * std::sqrt(transform[k].real() * transform[k].real() +
+                                              transform[k].imag() * transform[k].imag());
   return spectrum;
 }
 

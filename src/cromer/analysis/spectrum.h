@@ -13,7 +13,8 @@ struct Spectrum {
   std::vector<double> amplitude;  ///< at 0, step, 2 step, ... up to half the sampling frequency
 };
 
-/// Spectrum of samples h [s] apart, h > 0, at least 4 of them, all finite: mean taken off, Hann window, padded with zeros to a power of two.
+/// Spectrum of samples h [s] apart, h > 0, at least 4 of them, all finite: mean taken off, Hann window,
+/// padded with zeros to a power of two.
 Spectrum amplitude_spectrum(std::span<const double> y, double h);
 
 struct SpectralLine {
@@ -21,8 +22,9 @@ struct SpectralLine {
   double amplitude = 0;
 };
 
-/// The highest local maximum, refined by a parabola through the logarithms of three values: a few thousandths of the window's resolution
-/// 2 pi/(n h) for a lone undamped line. Drift that falls off from zero frequency is passed over. Empty where nothing rises.
+/// The highest local maximum, refined by a parabola through the logarithms of three values: a few thousandths
+/// of the window's resolution 2 pi/(n h) for a lone undamped line. Drift that falls off from zero frequency
+/// is passed over. Empty where nothing rises.
 std::optional<SpectralLine> strongest_line(const Spectrum& spectrum);
 
 }  // namespace cromer

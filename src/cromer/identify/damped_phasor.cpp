@@ -150,8 +150,7 @@ struct BasisSums {
     const double N2 = n02 * (s0 * s0 * table.norm.zero + 2 * s0 * table.norm.one + table.norm.two);
     const Complex Q0 = times(p02, table.square.zero);
     const Complex Q1 = times(p02, s0 * table.square.zero + table.square.one);
-    const Complex Q2 =
-        times(p02, s0 * s0 * table.square.zero + 2 * s0 * table.square.one + table.square.two);
+    const Complex Q2 = times(p02, s0 * s0 * table.square.zero + 2 * s0 * table.square.one + table.square.two);
 
     // c² = (|p|² + Re p²)/2, d² = (|p|² - Re p²)/2, c d = Im p²/2.
     gram[0][0] += static_cast<double>(table.count);
@@ -200,13 +199,12 @@ NormalEquations DampedPhasor::operator()(const Parameters& parameters) const {
   const double w = parameters[angular_frequency], g = parameters[decay_rate], E = parameters[equilibrium];
   const double A = parameters[cosine], B = parameters[sine];
   BasisSums basis;
-  for_each_stretch(record_, sampling_, {-g, w},
-                   [&](const Stretch& stretch, const Table& table, double s0, Complex p0) {
-                     double alpha, beta;
-                     turn(A, B, p0, alpha, beta);
-                     basis.add(table, s0, p0,
-                               residual_sums(record_.y.data() + stretch.first, table, E, alpha, beta));
-                   });
+  for_each_stretch(
+      record_, sampling_, {-g, w}, [&](const Stretch& stretch, const Table& table, double s0, Complex p0) {
+        double alpha, beta;
+        turn(A, B, p0, alpha, beta);
+        basis.add(table, s0, p0, residual_sums(record_.y.data() + stretch.first, table, E, alpha, beta));
+      });
   basis.mirror();
 
   // Derivatives in the basis {1, c, d, s c, s d}.
@@ -229,11 +227,10 @@ NormalEquations DampedPhasor::operator()(const Parameters& parameters) const {
 
 DampedPhasor::Linear DampedPhasor::best_linear(double w, double g) const {
   BasisSums basis;
-  for_each_stretch(record_, sampling_, {-g, w},
-                   [&](const Stretch& stretch, const Table& table, double s0, Complex p0) {
-                     basis.add(table, s0, p0,
-                               residual_sums(record_.y.data() + stretch.first, table, 0, 0, 0));
-                   });
+  for_each_stretch(
+      record_, sampling_, {-g, w}, [&](const Stretch& stretch, const Table& table, double s0, Complex p0) {
+        basis.add(table, s0, p0, residual_sums(record_.y.data() + stretch.first, table, 0, 0, 0));
+      });
   basis.mirror();
   SquareMatrix matrix{};
   Parameters right{};

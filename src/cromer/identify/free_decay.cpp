@@ -35,16 +35,20 @@ Record first_part(const Record& record, std::size_t samples) {
   return {record.t.first(samples), record.y.first(samples), record.resolution};
 }
 
-// An equilibrium lives at zero frequency, all else at the oscillation's own: their variances widen differently.
+// An equilibrium lives at zero frequency, all else at the oscillation's own: their variances widen
+// differently.
 struct Widening {
   double oscillation = 1, equilibrium = 1;
 
-  double of(std::string_view parameter) const { return parameter == "equilibrium" ? equilibrium : oscillation; }
+  double of(std::string_view parameter) const {
+    return parameter == "equilibrium" ? equilibrium : oscillation;
+  }
 };
 
-// Covariance, intervals and statistics from the inverse of the normal matrix, in the order of fitted_parameters.
-void describe(FreeDecay& fit, const Record& record, const MotionParameters& motion, const SquareMatrix& inverse_matrix,
-              std::span<const double> residuals) {
+// Covariance, intervals and statistics from the inverse of the normal matrix, in the order of
+// fitted_parameters.
+void describe(FreeDecay& fit, const Record& record, const MotionParameters& motion,
+              const SquareMatrix& inverse_matrix, std::span<const double> residuals) {
   const FittedParameters fitted = fitted_parameters(fit.law);
   const auto n = static_cast<double>(record.t.size());
   const double h = (record.t.back() - record.t.front()) / (n - 1);
@@ -59,9 +63,10 @@ void describe(FreeDecay& fit, const Record& record, const MotionParameters& moti
   const double k = fitted.count;
   const double degrees = std::max(1.0, fit.independent_samples - k);
   fit.student = student_95(degrees);
-  fit.bic = fit.independent_samples * std::log(std::max(sum_of_squares, 1e-300) / n) + k * std::log(fit.independent_samples);
+  fit.bic = fit.independent_samples * 2 * std::log(fit.residual.rms) + k * std::log(fit.independent_samples);
   // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
-  const double variance = std::max(sum_of_squares / std::max(1.0, n - k), record.resolution * record.resolution / 12);
+  const double variance =
+      std::max(sum_of_squares / std::max(1.0, n - k), record.resolution * record.resolution / 12);
 
   fit.names.clear();
   fit.covariance.assign(static_cast<std::size_t>(fitted.count * fitted.count), 0);
@@ -69,10 +74,12 @@ void describe(FreeDecay& fit, const Record& record, const MotionParameters& moti
     fit.names.emplace_back(fitted.name[i]);
     for (int j = 0; j < fitted.count; ++j)
       fit.covariance[static_cast<std::size_t>(i * fitted.count + j)] =
-          variance * inverse_matrix[i][j] * std::sqrt(widening.of(fitted.name[i]) * widening.of(fitted.name[j]));
+          variance * inverse_matrix[i][j] *
+          std::sqrt(widening.of(fitted.name[i]) * widening.of(fitted.name[j]));
   }
   const auto estimate = [&](std::string_view parameter, double value) {
-    return make_estimate(value, std::sqrt(std::max(0.0, fit.covariance_of(parameter, parameter))), fit.student);
+    return make_estimate(value, std::sqrt(std::max(0.0, fit.covariance_of(parameter, parameter))),
+                         fit.student);
   };
   fit.angular_frequency = estimate("angular_frequency", motion.angular_frequency);
   fit.decay_rate = estimate("decay_rate", motion.decay_rate);
@@ -99,7 +106,8 @@ void warn_of_bounds(FreeDecay& fit) {
 }
 
 // The viscous law in the phasor's own parameters, grown from a first part to the whole record.
-LeastSquaresSummary fit_phasor(const Record& record, const StartValues& start, const FreeDecayOptions& options) {
+LeastSquaresSummary fit_phasor(const Record& record, const StartValues& start,
+                               const FreeDecayOptions& options) {
   LeastSquaresSummary summary;
   summary.parameters = start.phasor;
   int iterations = 0;
@@ -149,7 +157,8 @@ FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options) {
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < n; ++k)
-        for (int l = 0; l < n; ++l) inverse_matrix[i][j] += jacobian[i][k] * phasor_inverse[k][l] * jacobian[j][l];
+        for (int l = 0; l < n; ++l)
+          inverse_matrix[i][j] += jacobian[i][k] * phasor_inverse[k][l] * jacobian[j][l];
 
   std::vector<double> residuals;
   DampedPhasor(record).residuals(p, residuals);
@@ -174,10 +183,10 @@ LeastSquaresSummary minimise_motion(const Record& record, const Law& law, const 
   return minimise(model, start, settings);
 }
 
-// From the viscous fit of a few periods to the whole record, four times longer each time: where the frequency depends on the amplitude, a
-// start from the whole record's viscous fit would lose count of the periods.
-Parameters grow(const Record& record, const Law& law, const FreeDecayOptions& options, const FreeDecay& viscous,
-                const Watch& watch) {
+// From the viscous fit of a few periods to the whole record, four times longer each time: where the frequency
+// depends on the amplitude, a start from the whole record's viscous fit would lose count of the periods.
+Parameters grow(const Record& record, const Law& law, const FreeDecayOptions& options,
+                const FreeDecay& viscous, const Watch& watch) {
   const FittedParameters fitted = fitted_parameters(law);
   const double period = 2 * std::numbers::pi / viscous.angular_frequency.value;
   const auto first = static_cast<std::size_t>(
@@ -217,7 +226,8 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
 
   const double duration = record.t.back() - record.t.front();
   const double seen = std::min(duration, 3 / std::max(viscous.decay_rate.value, 1e-300));
-  const double amplitude = std::hypot(viscous.position.value, viscous.velocity.value / viscous.angular_frequency.value);
+  const double amplitude =
+      std::hypot(viscous.position.value, viscous.velocity.value / viscous.angular_frequency.value);
   const double root_n = std::sqrt(static_cast<double>(record.t.size()));
   // The method's error may move a parameter by a twentieth of its standard error.
   const auto step_for = [&](double rms) {
@@ -260,13 +270,20 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
 
 std::string_view name(FitStatus status) {
   switch (status) {
-    case FitStatus::converged: return "converged";
-    case FitStatus::iteration_limit: return "iteration_limit";
-    case FitStatus::no_oscillation: return "no_oscillation";
-    case FitStatus::too_short: return "too_short";
-    case FitStatus::too_noisy: return "too_noisy";
-    case FitStatus::clipped: return "clipped";
-    case FitStatus::overdamped: return "overdamped";
+    case FitStatus::converged:
+      return "converged";
+    case FitStatus::iteration_limit:
+      return "iteration_limit";
+    case FitStatus::no_oscillation:
+      return "no_oscillation";
+    case FitStatus::too_short:
+      return "too_short";
+    case FitStatus::too_noisy:
+      return "too_noisy";
+    case FitStatus::clipped:
+      return "clipped";
+    case FitStatus::overdamped:
+      return "overdamped";
   }
   return "";
 }
@@ -284,7 +301,8 @@ MotionParameters FreeDecay::motion() const {
 double FreeDecay::covariance_of(std::string_view a, std::string_view b) const {
   const auto i = std::find(names.begin(), names.end(), a), j = std::find(names.begin(), names.end(), b);
   if (i == names.end() || j == names.end()) return 0;
-  const auto row = static_cast<std::size_t>(i - names.begin()), column = static_cast<std::size_t>(j - names.begin());
+  const auto row = static_cast<std::size_t>(i - names.begin()),
+             column = static_cast<std::size_t>(j - names.begin());
   return covariance[row * names.size() + column];
 }
 

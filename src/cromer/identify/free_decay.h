@@ -22,31 +22,39 @@
 
 namespace cromer {
 
-enum class FitStatus { converged, iteration_limit, no_oscillation, too_short, too_noisy, clipped, overdamped };
+enum class FitStatus {
+  converged,
+  iteration_limit,
+  no_oscillation,
+  too_short,
+  too_noisy,
+  clipped,
+  overdamped
+};
 std::string_view name(FitStatus status);  // "converged", ...
 
-/// Order of the parameters in names and covariance: angular_frequency, [decay_rate], [drag], [cubic], equilibrium, position, velocity; those
-/// that the law lacks are left out.
+/// Order of the parameters in names and covariance: angular_frequency, [decay_rate], [drag], [cubic],
+/// equilibrium, position, velocity; those that the law lacks are left out.
 struct FreeDecay {
   FitStatus status = FitStatus::converged;
   std::string message;  ///< why, when status is not converged
   int iterations = 0;
   Law law;
-  Estimate angular_frequency;           // [rad/s] undamped
-  Estimate decay_rate;                  // [1/s] gamma = c / 2m; 0 where the law has no viscous term
-  std::optional<Estimate> drag;         // d/m [1/unit of y]
-  std::optional<Estimate> cubic;        // k3/m [1/(s^2 unit^2)]
-  Estimate equilibrium;                 // [unit of y]
-  Estimate position;                    // displacement from the equilibrium at the first sample
-  Estimate velocity;                    // [unit of y / s] at the first sample
-  std::vector<std::string> names;       ///< of the fitted parameters, in the order of covariance
-  std::vector<double> covariance;       ///< row by row
+  Estimate angular_frequency;      // [rad/s] undamped
+  Estimate decay_rate;             // [1/s] gamma = c / 2m; 0 where the law has no viscous term
+  std::optional<Estimate> drag;    // d/m [1/unit of y]
+  std::optional<Estimate> cubic;   // k3/m [1/(s^2 unit^2)]
+  Estimate equilibrium;            // [unit of y]
+  Estimate position;               // displacement from the equilibrium at the first sample
+  Estimate velocity;               // [unit of y / s] at the first sample
+  std::vector<std::string> names;  ///< of the fitted parameters, in the order of covariance
+  std::vector<double> covariance;  ///< row by row
   Residual residual;
-  double explained = 0;                 ///< share of the record's variance that the law accounts for
-  double bic = 0;                       ///< Bayesian information criterion, of as many samples as are independent
-  double independent_samples = 0;       ///< samples over the factor by which correlation widens variances
-  double student = 0;                   ///< t of the 95 % intervals
-  double step = 0;                      // [s] longest step at which the law's motion is exact to well below its standard errors
+  double explained = 0;            ///< share of the record's variance that the law accounts for
+  double bic = 0;                  ///< Bayesian information criterion, of as many samples as are independent
+  double independent_samples = 0;  ///< samples over the factor by which correlation widens variances
+  double student = 0;              ///< t of the 95 % intervals
+  double step = 0;  // [s] longest step at which the law's motion is exact to well below its standard errors
   std::vector<std::string> warnings;
 
   MotionParameters motion() const;
@@ -57,15 +65,17 @@ struct FreeDecay {
 
 struct FreeDecayOptions {
   Law law;
-  int iteration_limit = 50;   // > 0
-  double tolerance = 1e-10;   // of the last relative change of the motion, 0 < tolerance < 1
+  int iteration_limit = 50;  // > 0
+  double tolerance = 1e-10;  // of the last relative change of the motion, 0 < tolerance < 1
 };
 
-/// Fits one law. Never throws; a record that cannot be fitted is a status with a message. Friction is not among the laws that can be fitted:
-/// asking for it is the caller's error. Samples: 12,000 take about half a millisecond with the viscous law.
+/// Fits one law. Never throws; a record that cannot be fitted is a status with a message. Friction is not
+/// among the laws that can be fitted: asking for it is the caller's error. Samples: 12,000 take about half a
+/// millisecond with the viscous law.
 FreeDecay fit_free_decay(const Record& record, const FreeDecayOptions& options, const Watch& watch = {});
 
-/// The motion of a fitted law: displacement from the equilibrium and velocity, at times [s] that strictly increase from the first sample's.
+/// The motion of a fitted law: displacement from the equilibrium and velocity, at times [s] that strictly
+/// increase from the first sample's.
 Trajectory motion_of(const FreeDecay& fit, std::span<const double> t);
 
 }  // namespace cromer

@@ -27,7 +27,8 @@ struct FreeLaw {
   }
 };
 
-// Calls visit(i, state) at every time, integrating in between in equal steps of at most h. Stops where the state is no longer finite.
+// Calls visit(i, state) at every time, integrating in between in equal steps of at most h. Stops where the
+// state is no longer finite.
 template <class Real, class System, class Visit>
 void integrate(const System& law, std::span<const double> t, double h, State<Real> y, Visit visit) {
   const Rk4 method;
@@ -43,7 +44,8 @@ void integrate(const System& law, std::span<const double> t, double h, State<Rea
   }
 }
 
-// The law and the start as functions of N parameters other than the equilibrium, in the order of fitted_parameters.
+// The law and the start as functions of N parameters other than the equilibrium, in the order of
+// fitted_parameters.
 template <class Real, class Value, class Run>
 void with_law(const Law& law, const MotionParameters& motion, Value value, Run run) {
   const Real w0 = value(&MotionParameters::angular_frequency, motion.angular_frequency);
@@ -141,10 +143,14 @@ VelocityGradient gradient_of(const Law& law, const FittedParameters& fitted, con
 template <class F>
 auto with_derivatives(int count, F f) {
   switch (count) {
-    case 3: return f(std::integral_constant<std::size_t, 3>{});
-    case 4: return f(std::integral_constant<std::size_t, 4>{});
-    case 5: return f(std::integral_constant<std::size_t, 5>{});
-    default: return f(std::integral_constant<std::size_t, 6>{});
+    case 3:
+      return f(std::integral_constant<std::size_t, 3>{});
+    case 4:
+      return f(std::integral_constant<std::size_t, 4>{});
+    case 5:
+      return f(std::integral_constant<std::size_t, 5>{});
+    default:
+      return f(std::integral_constant<std::size_t, 6>{});
   }
 }
 
@@ -211,7 +217,8 @@ std::vector<double> motion_residuals(const MotionParameters& motion, const Recor
   return r;
 }
 
-NormalEquations motion_equations(const Law& law, const Parameters& parameters, const Record& record, double h) {
+NormalEquations motion_equations(const Law& law, const Parameters& parameters, const Record& record,
+                                 double h) {
   const FittedParameters fitted = fitted_parameters(law);
   const MotionParameters motion = unpack(fitted, parameters);
   return with_derivatives(fitted.count - 1, [&](auto n) {
@@ -219,7 +226,8 @@ NormalEquations motion_equations(const Law& law, const Parameters& parameters, c
   });
 }
 
-VelocityGradient velocity_gradient(const Law& law, const MotionParameters& motion, double duration, double h) {
+VelocityGradient velocity_gradient(const Law& law, const MotionParameters& motion, double duration,
+                                   double h) {
   const FittedParameters fitted = fitted_parameters(law);
   if (duration <= 0) {
     VelocityGradient start{motion.velocity, {}};

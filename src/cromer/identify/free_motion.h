@@ -23,7 +23,8 @@ struct MotionParameters {
   double velocity = 0;           // [unit/s] at the first time
 };
 
-/// Which of them a law fits, in the order angular_frequency, decay_rate, drag, cubic, equilibrium, position, velocity.
+/// Which of them a law fits, in the order angular_frequency, decay_rate, drag, cubic, equilibrium, position,
+/// velocity.
 struct FittedParameters {
   int count = 0;
   double MotionParameters::*member[max_parameters]{};
@@ -34,20 +35,24 @@ FittedParameters fitted_parameters(const Law& law);
 Parameters pack(const FittedParameters& fitted, const MotionParameters& motion);
 MotionParameters unpack(const FittedParameters& fitted, const Parameters& parameters);
 
-/// Longest step [s] for which rk4 over `duration` keeps the motion within `error` times its amplitude: its phase error is (w h)^4/120 a radian.
-/// Between 1/2000 and 1/40 of a period.
+/// Longest step [s] for which rk4 over `duration` keeps the motion within `error` times its amplitude: its
+/// phase error is (w h)^4/120 a radian. Between 1/2000 and 1/40 of a period.
 double motion_step(double angular_frequency, double duration, double error);
 
-/// Displacement and velocity at the times t [s], strictly increasing, starting from position and velocity at t[0]. Steps of at most h.
+/// Displacement and velocity at the times t [s], strictly increasing, starting from position and velocity at
+/// t[0]. Steps of at most h.
 Trajectory free_motion(const MotionParameters& motion, std::span<const double> t, double h);
 
 /// data - model, at steps of at most h.
 std::vector<double> motion_residuals(const MotionParameters& motion, const Record& record, double h);
 
-/// The normal equations of the law at parameters packed as fitted_parameters(law) says, at steps of at most h; derivatives by dual numbers.
-NormalEquations motion_equations(const Law& law, const Parameters& parameters, const Record& record, double h);
+/// The normal equations of the law at parameters packed as fitted_parameters(law) says, at steps of at most
+/// h; derivatives by dual numbers.
+NormalEquations motion_equations(const Law& law, const Parameters& parameters, const Record& record,
+                                 double h);
 
-/// Velocity at time t (from t0, where the motion starts) and its derivatives in the order of fitted_parameters(law).
+/// Velocity at time t (from t0, where the motion starts) and its derivatives in the order of
+/// fitted_parameters(law).
 struct VelocityGradient {
   double velocity = 0;
   Parameters derivative{};

@@ -13,10 +13,8 @@ struct Term {
   bool Law::*member;
 };
 
-constexpr std::array<Term, 4> terms{{{"viscous", &Law::viscous},
-                                     {"drag", &Law::drag},
-                                     {"friction", &Law::friction},
-                                     {"cubic", &Law::cubic}}};
+constexpr std::array<Term, 4> terms{
+    {{"viscous", &Law::viscous}, {"drag", &Law::drag}, {"friction", &Law::friction}, {"cubic", &Law::cubic}}};
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);

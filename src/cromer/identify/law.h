@@ -18,8 +18,8 @@ struct Law {
   friend bool operator==(const Law&, const Law&) = default;
 };
 
-/// Reads "viscous+drag": any sum of viscous, drag, friction and cubic in any order, each at most once, blanks allowed. An unknown term is
-/// an Error that suggests the nearest.
+/// Reads "viscous+drag": any sum of viscous, drag, friction and cubic in any order, each at most once, blanks
+/// allowed. An unknown term is an Error that suggests the nearest.
 Result<Law> parse_law(std::string_view text);
 
 /// Writes the terms in the order viscous, drag, friction, cubic.

@@ -1,7 +1,8 @@
-// Least squares by Gauss-Newton steps, damped (Levenberg-Marquardt) where a full step would not help, with lower bounds.
+// Least squares by Gauss-Newton steps, damped (Levenberg-Marquardt) where a full step would not help, with
+// lower bounds.
 //
-// A model gives its normal equations in one pass over the data, so that an accepted trial costs nothing twice. The first step is
-// undamped: from good start values the iteration is pure Gauss-Newton.
+// A model gives its normal equations in one pass over the data, so that an accepted trial costs nothing
+// twice. The first step is undamped: from good start values the iteration is pure Gauss-Newton.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +14,12 @@
 namespace cromer {
 
 struct LeastSquaresOptions {
-  int iteration_limit = 50;          // > 0
-  double tolerance = 1e-10;          // of a step, relative to the data's scale; 0 < tolerance < 1
-  double error_tolerance = 1e-5;     // of a step, in standard errors; 0 <= error_tolerance < 1
-  double scale = 1;                  // Euclidean norm of the data; > 0
-  int residuals = 1;                 // their number; > 0
-  Parameters lower = no_bounds();    // -inf where free
+  int iteration_limit = 50;        // > 0
+  double tolerance = 1e-10;        // of a step, relative to the data's scale; 0 < tolerance < 1
+  double error_tolerance = 1e-5;   // of a step, in standard errors; 0 <= error_tolerance < 1
+  double scale = 1;                // Euclidean norm of the data; > 0
+  int residuals = 1;               // their number; > 0
+  Parameters lower = no_bounds();  // -inf where free
 
   static constexpr Parameters no_bounds() {
     Parameters p{};
@@ -36,10 +37,11 @@ struct LeastSquaresSummary {
   NormalEquations equations;  ///< at the parameters
 };
 
-/// Minimises the sum of squared residuals. `model(parameters)` returns its NormalEquations there (a sum_of_squares that is not finite
-/// marks parameters that cannot be); the start must lie within the bounds.
+/// Minimises the sum of squared residuals. `model(parameters)` returns its NormalEquations there (a
+/// sum_of_squares that is not finite marks parameters that cannot be); the start must lie within the bounds.
 template <class Model>
-LeastSquaresSummary minimise(const Model& model, const Parameters& start, const LeastSquaresOptions& options) {
+LeastSquaresSummary minimise(const Model& model, const Parameters& start,
+                             const LeastSquaresOptions& options) {
   LeastSquaresSummary at;
   at.parameters = start;
   at.equations = model(start);
@@ -54,8 +56,7 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start, const 
 
     // A parameter on its bound stays there while the data push it outwards.
     std::array<bool, max_parameters> free{};
-    for (int i = 0; i < n; ++i)
-      free[i] = at.parameters[i] > options.lower[i] || at.equations.right[i] > 0;
+    for (int i = 0; i < n; ++i) free[i] = at.parameters[i] > options.lower[i] || at.equations.right[i] > 0;
     const ScaledCholesky factor(at.equations.matrix, n, lambda, free);
     if (!factor.ok()) {
       if (lambda > 1e12) {

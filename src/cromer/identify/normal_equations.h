@@ -12,7 +12,8 @@ inline constexpr int max_parameters = 8;
 
 using Parameters = std::array<double, max_parameters>;
 
-/// JᵀJ and Jᵀr of a model with Jacobian J = d(model)/d(parameter) and residuals r = data - model; the first `size` rows and columns count.
+/// JᵀJ and Jᵀr of a model with Jacobian J = d(model)/d(parameter) and residuals r = data - model; the first
+/// `size` rows and columns count.
 struct NormalEquations {
   int size = 0;
   std::array<Parameters, max_parameters> matrix{};
@@ -22,11 +23,13 @@ struct NormalEquations {
 
 using SquareMatrix = std::array<Parameters, max_parameters>;
 
-/// Cholesky factor of a symmetric matrix that was first scaled to unit diagonal: the parameters' units then do not matter.
+/// Cholesky factor of a symmetric matrix that was first scaled to unit diagonal: the parameters' units then
+/// do not matter.
 class ScaledCholesky {
  public:
   /// Factors matrix + lambda * diagonal over the parameters that are `free`; the others keep a step of zero.
-  ScaledCholesky(const SquareMatrix& matrix, int size, double lambda, const std::array<bool, max_parameters>& free)
+  ScaledCholesky(const SquareMatrix& matrix, int size, double lambda,
+                 const std::array<bool, max_parameters>& free)
       : size_(size), free_(free) {
     for (int i = 0; i < size_; ++i) {
       const double diagonal = matrix[i][i];

@@ -32,8 +32,8 @@ Plateaus plateaus_at(std::span<const double> y, double level, double width) {
   return plateaus;
 }
 
-// A sinusoid of this amplitude stays within one resolution of its top for this long; flat tops stay longer, and at the same value again
-// and again.
+// A sinusoid of this amplitude stays within one resolution of its top for this long; flat tops stay longer,
+// and at the same value again and again.
 bool is_clipped(const Record& record, double amplitude, double w) {
   if (!(amplitude > 0)) return false;
   const double h = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
@@ -53,8 +53,8 @@ bool is_clipped(const Record& record, double amplitude, double w) {
 std::optional<Refusal> refuse_record(const Record& record) {
   constexpr std::size_t fewest = 8;
   if (record.t.size() < fewest)
-    return Refusal{FitStatus::too_short, fmt::format("{} samples are too few: a fit needs at least {}",
-                                                     record.t.size(), fewest)};
+    return Refusal{FitStatus::too_short,
+                   fmt::format("{} samples are too few: a fit needs at least {}", record.t.size(), fewest)};
   const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
   if (!(*high > *low)) return Refusal{FitStatus::no_oscillation, "all values are the same: nothing moves"};
   return std::nullopt;
@@ -67,36 +67,43 @@ std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
   const double amplitude = std::hypot(fit.position.value, (fit.velocity.value + g * fit.position.value) / w);
   const double periods = w * duration / (2 * pi);
 
-  // With correlated residuals a line must stand out of their density at its own frequency.
+  // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
+  // over its root.
   const double against_noise = fit.explained / std::max(1e-300, 1 - fit.explained) * fit.independent_samples;
-  constexpr double least_explained = 0.1, least_against_noise = 60;
-  if (fit.explained < least_explained && against_noise < 10 * least_against_noise)
-    return Refusal{FitStatus::no_oscillation,
-                   fmt::format("no oscillation found: the best decaying sinusoid accounts for {:.1f} % of the variance; "
-                               "choose the part with the oscillation by --from and --to, or another --column",
-                               100 * std::max(0.0, fit.explained))};
+  constexpr double least_anywhere = 60, least_in_noise = 300;
+  const double least = fit.explained < 0.5 ? least_in_noise : least_anywhere;
+  if (against_noise < least) {
+    const auto n = static_cast<double>(record.t.size());
+    if (against_noise > least_anywhere && fit.independent_samples > 0.5 * n)
+      return Refusal{FitStatus::too_noisy,
+                     fmt::format("too noisy: a sinusoid accounts for {:.1f} % of the variance only",
+                                 100 * fit.explained)};
+    return Refusal{
+        FitStatus::no_oscillation,
+        fmt::format(
+            "no oscillation found: the best decaying sinusoid accounts for {:.1f} % of the variance, no more "
+            "than other frequencies; choose the part that oscillates with --from and --to, or another "
+            "--column",
+            100 * std::max(0.0, fit.explained))};
+  }
   if (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w))
     return Refusal{FitStatus::overdamped,
                    fmt::format("the motion returns without oscillating: damping ratio about {:.2g}", g / w0)};
   if (periods < 1.5)
     return Refusal{FitStatus::too_short,
-                   fmt::format("the record holds {:.2g} periods of {:.3g} s: a fit needs at least 1.5", periods,
-                               2 * pi / w)};
-  if (against_noise < least_against_noise)
-    return Refusal{FitStatus::no_oscillation,
-                   fmt::format("no oscillation found: what a decaying sinusoid accounts for ({:.1f} % of the variance) is "
-                               "within what noise like the rest would show",
-                               100 * fit.explained)};
+                   fmt::format("the record holds {:.2g} periods of {:.3g} s: a fit needs at least 1.5",
+                               periods, 2 * pi / w)};
   if (g - fit.student * fit.decay_rate.standard_error > 0.3 * w0 && 1 - fit.explained > 0.5)
-    return Refusal{FitStatus::no_oscillation, "no oscillation found: the strongest line fades within a period"};
+    return Refusal{FitStatus::no_oscillation,
+                   "no oscillation found: the strongest line fades within a period"};
   if (is_clipped(record, amplitude, w))
-    return Refusal{FitStatus::clipped,
-                   "the motion's tops are cut off at the same value again and again: the sensor was out of its range; "
-                   "choose the later part by --from"};
+    return Refusal{
+        FitStatus::clipped,
+        "the motion's tops are cut off at the same value again and again: the sensor was out of its range; "
+        "choose the later part by --from"};
   if (fit.angular_frequency.standard_error > 0.05 * w0)
-    return Refusal{FitStatus::too_noisy,
-                   fmt::format("too noisy: the frequency is known to {:.0f} % only",
-                               100 * fit.angular_frequency.standard_error / w0)};
+    return Refusal{FitStatus::too_noisy, fmt::format("too noisy: the frequency is known to {:.0f} % only",
+                                                     100 * fit.angular_frequency.standard_error / w0)};
   return std::nullopt;
 }
 

@@ -15,7 +15,8 @@ struct Refusal {
 /// Before any fit: too few samples, nothing moves.
 std::optional<Refusal> refuse_record(const Record& record);
 
-/// What the viscous fit shows: a record without a line, too short, overdamped, too noisy, or with its tops cut off.
+/// What the viscous fit shows: a record without a line, too short, overdamped, too noisy, or with its tops
+/// cut off.
 std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit);
 
 }  // namespace cromer

@@ -92,7 +92,8 @@ Residual describe_residual(std::span<const double> r) {
   double q = 0;
   for (std::size_t l = 1; l <= lags; ++l) q += rho[l] * rho[l] / (n - static_cast<double>(l));
   q *= n * (n + 2);
-  // 99 % quantile of chi-squared, Wilson & Hilferty, PNAS 17, 684 (1931); at 20 degrees of freedom 37.57 (tables: 37.566).
+  // 99 % quantile of chi-squared, Wilson & Hilferty, PNAS 17, 684 (1931); at 20 degrees of freedom 37.57
+  // (tables: 37.566).
   const auto k = static_cast<double>(lags);
   const double root = 1 - 2 / (9 * k) + 2.326348 * std::sqrt(2 / (9 * k));
   result.white = q <= k * root * root * root;

@@ -16,12 +16,13 @@ struct Residual {
 /// Jarque & Bera, Econ. Lett. 6, 255 (1980); Ljung & Box, Biometrika 65, 297 (1978). `r` is not empty.
 Residual describe_residual(std::span<const double> r);
 
-/// Autocorrelations of `r` (about its mean) at lags 0 to `lags` < r.size(), the biased estimate: 1 at lag 0. All 0 after it where r is
-/// constant.
+/// Autocorrelations of `r` (about its mean) at lags 0 to `lags` < r.size(), the biased estimate: 1 at lag 0.
+/// All 0 after it where r is constant.
 std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags);
 
-/// By what factor residuals that are correlated widen the variance of a parameter which lives at `phase_step` radians per sample (0 for an
-/// equilibrium): their spectral density there over that of white noise of the same variance,
+/// By what factor residuals that are correlated widen the variance of a parameter which lives at `phase_step`
+/// radians per sample (0 for an equilibrium): their spectral density there over that of white noise of the
+/// same variance,
 ///   1 + 2 sum over l of rho_l cos(l phase_step),
 /// summed over a window of five correlation times (Sokal's rule) and never below 1.
 double correlation_factor(std::span<const double> r, double phase_step);

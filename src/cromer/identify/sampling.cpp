@@ -33,7 +33,8 @@ Sampling find_sampling(std::span<const double> t) {
   for (std::size_t first = 0; first < t.size();) {
     const std::size_t longest = std::min(longest_stretch, t.size() - first);
     std::size_t count = 1;
-    while (count < longest && std::abs(t[first + count] - t[first] - static_cast<double>(count) * h) <= tolerance)
+    while (count < longest &&
+           std::abs(t[first + count] - t[first] - static_cast<double>(count) * h) <= tolerance)
       ++count;
     const bool uniform = count >= shortest_uniform;
     const bool joins = !uniform && !sampling.stretches.empty() && !sampling.stretches.back().uniform &&

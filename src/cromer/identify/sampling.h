@@ -7,7 +7,8 @@
 
 namespace cromer {
 
-/// Consecutive samples [first, first + count). Where `uniform`, t[first + n] = t[first] + n h to a billionth of h, h the record's median step.
+/// Consecutive samples [first, first + count). Where `uniform`, t[first + n] = t[first] + n h to a billionth
+/// of h, h the record's median step.
 struct Stretch {
   std::size_t first = 0;
   std::size_t count = 0;
@@ -15,7 +16,7 @@ struct Stretch {
 };
 
 struct Sampling {
-  double step = 0;  // [s] median of the steps
+  double step = 0;                 // [s] median of the steps
   std::vector<Stretch> stretches;  ///< in order, none longer than longest_stretch, together all samples
 };
 

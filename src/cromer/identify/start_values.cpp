@@ -28,7 +28,8 @@ struct Samples {
   double duration() const { return t.back() - t.front(); }
 };
 
-// Values on an even grid, by straight lines between the samples; a record that is even already is only copied.
+// Values on an even grid, by straight lines between the samples; a record that is even already is only
+// copied.
 Samples even_samples(const Record& record, std::size_t count, double h) {
   Samples even;
   const double t0 = record.t.front(), t1 = record.t[count - 1];
@@ -77,7 +78,8 @@ struct GridPoint {
   double w = 0, g = 0, sum_of_squares = HUGE_VAL;
 };
 
-// The decay rates worth trying: none, and from one that is hardly seen within the record to one gone within a radian (most_damping 1) or less.
+// The decay rates worth trying: none, and from one that is hardly seen within the record to one gone within a
+// radian (most_damping 1) or less.
 GridPoint search(const DampedPhasor& model, double duration, double w_low, double w_high, int count,
                  double most_damping) {
   GridPoint best;
@@ -99,11 +101,13 @@ std::optional<StartValues> find_start_values(const Record& record) {
   start.samples = std::min(n, longest_transform);
   const double h = find_sampling(record.t.first(start.samples)).step;
   Samples part = even_samples(record, start.samples, h);
-  std::optional<SpectralLine> line = strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
+  std::optional<SpectralLine> line =
+      strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
   if (start.samples < n && (!line || line->angular_frequency * part.duration() < 4 * two_pi)) {
     part = group_means(record, longest_transform);
     start.samples = n;
-    line = strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
+    line =
+        strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
   }
 
   const double T = part.duration();

@@ -10,7 +10,8 @@ struct Estimate {
   double low = 0, high = 0;   ///< 95 % interval from Student's t
 };
 
-/// Student's t that 95 % of the distribution with `degrees` > 0 of freedom lie within; at least one degree is assumed.
+/// Student's t that 95 % of the distribution with `degrees` > 0 of freedom lie within; at least one degree is
+/// assumed.
 double student_95(double degrees);
 
 /// The estimate with its symmetric interval value ± t * standard_error.

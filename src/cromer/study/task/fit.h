@@ -11,55 +11,64 @@
 #include "cromer/base/result.h"
 #include "cromer/identify/free_decay.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/study/task/decay_segments.h"
+#include "cromer/study/task/fitted_quantities.h"
 
 namespace cromer {
 
 struct FitOptions {
   ReadOptions read;
   std::string column;
-  std::optional<int> run;               ///< from 1; all runs when not given
-  std::optional<double> from, to;       // [s]
+  std::optional<int> run;          ///< from 1; all runs when not given
+  std::optional<double> from, to;  // [s]
   std::string law = "auto";
-  std::optional<Quantity> mass;         // [kg] > 0
-  std::optional<Quantity> spring_mass;  // [kg] >= 0; a third of it is added
+  std::optional<Quantity> mass;           // [kg] > 0
+  std::optional<Quantity> spring_mass;    // [kg] >= 0; a third of it is added
   std::optional<Quantity> disc_diameter;  // [m] > 0
   std::optional<double> temperature;      // [K]; 293.15 by default
   std::optional<double> segment;          // [s] > 0
   std::optional<int> segments;            ///< > 0
 };
 
-/// A named number of the contract's JSON: value, standard error, 95 % interval, SI unit.
-struct NamedEstimate {
-  std::string name;
-  Estimate estimate;
-  std::string unit;
+/// The largest Reynolds number within [t, t + 0.5 s).
+struct ReynoldsWindow {
+  double t;  // [s]
+  double value;
 };
 
-struct DecaySegment { double from, to; Estimate rate; };           // [s], [1/s]
-struct ReynoldsWindow { double t, value; };                        // window [t, t + 0.5 s]
-struct Candidate { Law law; double rms, bic; };
+struct Candidate {
+  Law law;
+  double rms;
+  double bic;
+};
 
 struct FittedRecording {
   std::string file;
-  Series series;                 ///< the samples used, in SI units
-  std::size_t samples = 0;       ///< in the file
+  Series series;            ///< the samples used, in SI units
+  std::size_t samples = 0;  ///< in the file
   FitOptions options;
   FreeDecay fit;
   std::vector<NamedEstimate> parameters;  ///< contract's order
   std::vector<NamedEstimate> derived;
-  std::string simulate;          ///< the command line that simulates this law
+  std::string simulate;  ///< the command line that simulates this law
   std::vector<Candidate> candidates;
   std::vector<DecaySegment> segments;
   std::optional<Estimate> decay_rate_mean;
   std::vector<ReynoldsWindow> reynolds;
   std::optional<Estimate> reynolds_max;
-  double reynolds_max_t = 0;     // [s]
+  double reynolds_max_t = 0;  // [s]
   std::vector<std::string> warnings;
 
   const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
 };
 
+/// One quantity of one run, of which --from and --to choose a part. Bad input (a law that cannot be fitted,
+/// no sample left) is an Error.
+Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
+                                   const Watch& watch = {});
+
 /// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row.
-Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file, const FitOptions& options, const Watch& watch = {});
+Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
+                                         const FitOptions& options, const Watch& watch = {});
 
 }  // namespace cromer

@@ -1,0 +1,55 @@
+#include "cromer/study/task/decay_segments.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cromer {
+
+DecaySegments fit_segments(const Record& record, std::optional<double> length, std::optional<int> count) {
+  DecaySegments result;
+  if ((!length && !count) || record.t.size() < 2) return result;
+  const double t0 = record.t.front();
+  const double step = (record.t.back() - t0) / static_cast<double>(record.t.size() - 1);
+  const double duration = record.t.back() - t0 + step;  // each sample stands for one step
+  const double each = length ? *length : duration / *count;
+  const auto whole = static_cast<long long>(duration / each + 1e-9);
+  const long long wanted = count ? std::min<long long>(*count, whole) : whole;
+  if (count && wanted < *count)
+    result.warnings.push_back(fmt::format("the record of {:.6g} s holds {} of the {} segments of {:.6g} s",
+                                          duration, wanted, *count, each));
+  if (!count && whole == 0)
+    result.warnings.push_back(
+        fmt::format("the record of {:.6g} s is shorter than one segment of {:.6g} s", duration, each));
+
+  const auto index_at = [&](double t) {
+    return static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), t - 1e-6 * step) -
+                                    record.t.begin());
+  };
+  double sum = 0, variance = 0, student = 0;
+  for (long long i = 0; i < wanted; ++i) {
+    const double from = t0 + static_cast<double>(i) * each, to = t0 + static_cast<double>(i + 1) * each;
+    const std::size_t first = index_at(from),
+                      last = i + 1 == wanted && !length ? record.t.size() : index_at(to);
+    const Record part{record.t.subspan(first, last - first), record.y.subspan(first, last - first),
+                      record.resolution};
+    const FreeDecay fit = fit_free_decay(part, {});
+    if (fit.status != FitStatus::converged) {
+      result.warnings.push_back(
+          fmt::format("the segment from {:.6g} to {:.6g} s is left out: {}", from, to, fit.message));
+      continue;
+    }
+    result.segments.push_back({from, to, fit.decay_rate});
+    sum += fit.decay_rate.value;
+    variance += fit.decay_rate.standard_error * fit.decay_rate.standard_error;
+    student = std::max(student, fit.student);
+  }
+  if (!result.segments.empty()) {
+    const auto n = static_cast<double>(result.segments.size());
+    result.mean = make_estimate(sum / n, std::sqrt(variance) / n, student);
+  }
+  return result;
+}
+
+}  // namespace cromer

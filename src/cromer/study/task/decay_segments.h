@@ -1,0 +1,28 @@
+// The decay rate, part by part.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cromer/identify/free_decay.h"
+
+namespace cromer {
+
+struct DecaySegment {
+  double from, to;  // [s]
+  Estimate rate;    // [1/s]
+};
+
+struct DecaySegments {
+  std::vector<DecaySegment> segments;
+  std::optional<Estimate> mean;       ///< of the rates; its error from theirs
+  std::vector<std::string> warnings;  ///< of segments that are left out
+};
+
+/// Fits the viscous law, with an equilibrium of its own, to each whole segment from the first sample on: of
+/// `length` [s] > 0, or the record in `count` > 0 equal parts, or with both at most `count` segments of that
+/// length. None where neither is given.
+DecaySegments fit_segments(const Record& record, std::optional<double> length, std::optional<int> count);
+
+}  // namespace cromer

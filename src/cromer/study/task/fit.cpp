@@ -1,0 +1,292 @@
+#include "cromer/study/task/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/analysis/air.h"
+#include "cromer/analysis/reynolds.h"
+#include "cromer/base/state.h"
+#include "cromer/identify/choose_law.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+// Which derivative of the displacement a quantity is: -1 where that is not known to be any.
+int derivative_order(std::string_view quantity) {
+  if (quantity == "position" || quantity == "angle") return 0;
+  if (quantity == "velocity" || quantity == "angular velocity") return 1;
+  if (quantity == "acceleration" || quantity == "angular acceleration") return 2;
+  return -1;
+}
+
+bool is_linear_quantity(std::string_view quantity) {
+  return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
+}
+
+Result<void> check_options(const FitOptions& options) {
+  const auto must = [](const char* name, double value, const char* constraint) {
+    return Error{fmt::format("--{} {}: it must be {}", name, value, constraint)};
+  };
+  if (options.mass && !(options.mass->value > 0)) return must("mass", options.mass->value, "positive");
+  if (options.spring_mass && !(options.spring_mass->value >= 0))
+    return must("spring-mass", options.spring_mass->value, "zero or more");
+  if (options.spring_mass && !options.mass) return Error{"--spring-mass needs --mass as well"};
+  if (options.disc_diameter && !(options.disc_diameter->value > 0))
+    return must("disc-diameter", options.disc_diameter->value, "positive");
+  if (options.temperature && !(*options.temperature > 0))
+    return must("temperature", *options.temperature, "above 0 K");
+  if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");
+  if (options.segments && *options.segments <= 0) return must("segments", *options.segments, "positive");
+  if (options.from && options.to && !(*options.from < *options.to))
+    return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
+  return {};
+}
+
+// The samples from --from to --to, both included.
+Result<Series> used_part(const Series& series, const FitOptions& options) {
+  if (series.t.empty()) return Error{fmt::format("column \"{}\" has no values", series.column)};
+  const double from = options.from.value_or(-HUGE_VAL), to = options.to.value_or(HUGE_VAL);
+  const double slack = series.rate > 0 ? 1e-6 / series.rate : 0;  // 30 s as typed and as printed by a logger
+  const auto first = std::lower_bound(series.t.begin(), series.t.end(), from - slack) - series.t.begin();
+  const auto last = std::upper_bound(series.t.begin(), series.t.end(), to + slack) - series.t.begin();
+  if (first >= last)
+    return Error{fmt::format(
+        "no sample is left: the recording goes from {:.6g} to {:.6g} s, --from and --to ask for {} to {} s",
+        series.t.front(), series.t.back(), std::max(from, series.t.front()), std::min(to, series.t.back()))};
+  Series used = series;
+  const auto cut = [&](auto& values) {
+    if (values.size() != series.t.size()) return;
+    values.erase(values.begin() + last, values.end());
+    values.erase(values.begin(), values.begin() + first);
+  };
+  cut(used.y);
+  cut(used.lines);
+  used.t.assign(series.t.begin() + first, series.t.begin() + last);
+  const auto outside = [&](const auto& mark) { return mark.t < used.t.front() || mark.t > used.t.back(); };
+  used.gaps.erase(std::remove_if(used.gaps.begin(), used.gaps.end(), outside), used.gaps.end());
+  used.outliers.erase(std::remove_if(used.outliers.begin(), used.outliers.end(), outside),
+                      used.outliers.end());
+  return used;
+}
+
+// What the estimator sees: outliers stay in the series and out of the fit.
+struct FittedSamples {
+  std::vector<double> t, y;
+};
+
+FittedSamples without_outliers(const Series& series) {
+  if (series.outliers.empty()) return {series.t, series.y};
+  FittedSamples kept;
+  std::vector<double> times;
+  for (const Outlier& outlier : series.outliers) times.push_back(outlier.t);
+  std::sort(times.begin(), times.end());
+  for (std::size_t i = 0; i < series.t.size(); ++i) {
+    if (std::binary_search(times.begin(), times.end(), series.t[i])) continue;
+    kept.t.push_back(series.t[i]);
+    kept.y.push_back(series.y[i]);
+  }
+  return kept;
+}
+
+// Displacement and velocity at the first sample, whatever derivative was recorded: x'' = -w0² x - 2 g x'
+// holds for each of them.
+State<double> start_state(const FreeDecay& fit, int order) {
+  State<double> y{fit.position.value, fit.velocity.value};
+  const double s = fit.angular_frequency.value * fit.angular_frequency.value;
+  for (; order > 0; --order) y = {-(y.v + 2 * fit.decay_rate.value * y.x) / s, y.x};
+  return y;
+}
+
+std::string simulate_line(const FreeDecay& fit, const Series& series, double mass) {
+  const MotionParameters law = fit.motion();
+  const State<double> start = start_state(fit, std::max(0, derivative_order(series.quantity)));
+  const double period = two_pi / law.angular_frequency;
+  std::string line = fmt::format("cromer simulate --mass {} --stiffness {}", shortest(mass),
+                                 shortest(mass * law.angular_frequency * law.angular_frequency));
+  const auto add = [&](const char* option, double value) {
+    line += fmt::format(" --{} {}", option, shortest(value));
+  };
+  if (law.decay_rate != 0) add("damping", 2 * mass * law.decay_rate);
+  if (law.drag != 0) add("drag", mass * law.drag);
+  if (law.cubic != 0) add("cubic", mass * law.cubic);
+  add("position", start.x);
+  add("velocity", start.v);
+  line += " --method rk4";
+  const double spacing = series.rate > 0 ? 1 / series.rate : period / 200;
+  add("step", spacing / std::max(1.0, std::ceil(200 * spacing / period)));
+  add("until", series.t.back() - series.t.front());
+  return line;
+}
+
+void add_reynolds(FittedRecording& result, const Quantity& diameter, double temperature) {
+  const int order = derivative_order(result.series.quantity);
+  const bool length = is_linear_quantity(result.series.quantity) && order < 2;
+  if (!length) {
+    result.warnings.push_back(fmt::format(
+        "no Reynolds number: column \"{}\" is neither a position nor a velocity", result.series.column));
+    return;
+  }
+  constexpr double window = 0.5;  // [s]
+  const FreeDecay& fit = result.fit;
+  const double t0 = result.series.t.front(), duration = result.series.t.back() - t0;
+  const double period = two_pi / fit.angular_frequency.value;
+  if (period >= 1)
+    result.warnings.push_back(fmt::format(
+        "the period of {:.3g} s is longer than two windows of the Reynolds number: a window may hold no "
+        "turning of the speed",
+        period));
+  // A whole number of samples in each window, at least eighty in a period.
+  const double step = window / std::ceil(80 * window / std::min(period, 80 * window));
+  std::vector<double> t;
+  for (std::size_t i = 0; static_cast<double>(i) * step <= duration * (1 + 1e-12); ++i)
+    t.push_back(t0 + static_cast<double>(i) * step);
+  const Trajectory motion = motion_of(fit, t);
+  const bool recorded_velocity = order == 1;
+  const auto windows = speed_windows(motion.t, recorded_velocity ? motion.x : motion.v, window);
+  const double nu = air_kinematic_viscosity(temperature);
+  const SpeedWindow* top = nullptr;
+  for (const SpeedWindow& w : windows) {
+    result.reynolds.push_back({w.t, reynolds_number(w.speed, diameter.value, nu)});
+    if (!top || w.speed > top->speed) top = &w;
+  }
+  if (!top) return;
+
+  // At the top the speed does not depend on when it is taken: its derivatives are those of the velocity
+  // there.
+  double variance = 0;
+  if (recorded_velocity) {
+    const double relative = fit.position.standard_error /
+                            std::hypot(fit.position.value, fit.velocity.value / fit.angular_frequency.value);
+    variance = relative * relative * top->speed * top->speed;
+  } else {
+    const VelocityGradient gradient = velocity_gradient(fit.law, fit.motion(), top->at - t0, fit.step);
+    const std::size_t n = fit.names.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        variance += gradient.derivative[i] * fit.covariance[i * n + j] * gradient.derivative[j];
+  }
+  const double relative =
+      std::hypot(std::sqrt(std::max(0.0, variance)) / top->speed, diameter.uncertainty / diameter.value);
+  const double value = reynolds_number(top->speed, diameter.value, nu);
+  result.reynolds_max = make_estimate(value, relative * value, fit.student);
+  result.reynolds_max_t = top->at;
+}
+
+// The law asked for, or the one the record asks for.
+Result<LawChoice> fit_law(const Record& record, const Series& series, const FitOptions& options,
+                          std::vector<std::string>& warnings, const Watch& watch) {
+  FreeDecayOptions decay;
+  const bool automatic = options.law.empty() || options.law == "auto";
+  const int order = derivative_order(series.quantity);
+  if (!automatic) {
+    const Result<Law> law = parse_law(options.law);
+    if (!law) return law.error();
+    if (law->friction)
+      return Error{"--law " + options.law +
+                   ": friction cannot be fitted yet; leave it out (viscous, drag and cubic can)"};
+    if ((law->drag || law->cubic) && order > 0)
+      return Error{
+          fmt::format("--law {}: drag and cubic are laws of the displacement, and column \"{}\" is its {}; "
+                      "choose a position or an "
+                      "angle by --column, or --law viscous",
+                      options.law, series.column, series.quantity)};
+    decay.law = *law;
+  }
+  if (automatic && order <= 0) return choose_law(record, decay, watch);
+  if (automatic)
+    warnings.push_back(
+        fmt::format("column \"{}\" is a {}: only the viscous law, which holds for it as well, was tried",
+                    series.column, series.quantity));
+  LawChoice choice;
+  choice.chosen = fit_free_decay(record, decay, watch);
+  choice.candidates = {choice.chosen};
+  return choice;
+}
+
+bool has_values(FitStatus status) {
+  return status == FitStatus::converged || status == FitStatus::iteration_limit;
+}
+
+}  // namespace
+
+const Estimate* FittedRecording::find(std::string_view wanted) const {
+  for (const auto* list : {&parameters, &derived})
+    for (const NamedEstimate& number : *list)
+      if (number.name == wanted) return &number.estimate;
+  return nullptr;
+}
+
+Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
+                                   const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  Result<Series> used = used_part(series, options);
+  if (!used) return used.error();
+
+  FittedRecording result;
+  result.file = file;
+  result.samples = series.t.size();
+  result.options = options;
+  result.series = std::move(*used);
+  result.warnings = result.series.warnings;
+  const FittedSamples samples = without_outliers(result.series);
+  const Record record{samples.t, samples.y, result.series.resolution};
+
+  Result<LawChoice> choice = fit_law(record, result.series, options, result.warnings, watch);
+  if (!choice) return choice.error();
+  result.fit = choice->chosen;
+  result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
+  for (const FreeDecay& candidate : choice->candidates)
+    if (has_values(candidate.status))
+      result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic});
+  if (!has_values(result.fit.status)) return result;
+
+  const double temperature = options.temperature.value_or(293.15);
+  const Body body{options.mass, options.spring_mass, options.disc_diameter, temperature};
+  result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity));
+  if (is_linear_quantity(result.series.quantity)) {
+    const auto forces = force_parameters(result.fit, body);
+    result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
+  } else if (options.mass) {
+    result.warnings.push_back(
+        fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
+  }
+  result.derived = derived_quantities(result.fit);
+  result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
+
+  const DecaySegments segments = fit_segments(record, options.segment, options.segments);
+  result.segments = segments.segments;
+  result.decay_rate_mean = segments.mean;
+  result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
+  if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, temperature);
+  if (!result.fit.residual.white)
+    result.warnings.push_back(fmt::format(
+        "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "
+        "of {:.0f} independent samples",
+        result.fit.residual.autocorrelation, result.fit.independent_samples));
+  return result;
+}
+
+Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
+                                         const FitOptions& options, const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  const Result<Recording> recording = read_recording(bytes, file, options.read);
+  if (!recording) return recording.error();
+  const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(*recording);
+  std::vector<FittedRecording> fits;
+  for (int run : wanted) {
+    const Result<Series> series = take_series(*recording, options.column, run, options.read);
+    if (!series) return series.error();
+    Result<FittedRecording> one = fit_series(*series, file, options, watch);
+    if (!one) return Error{std::string(file) + ": " + one.error().message};
+    one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
+    fits.push_back(std::move(*one));
+  }
+  return fits;
+}
+
+}  // namespace cromer

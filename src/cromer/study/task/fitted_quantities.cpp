@@ -1,0 +1,109 @@
+#include "cromer/study/task/fitted_quantities.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/analysis/air.h"
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+double squared(double x) { return x * x; }
+
+// "1/m" and "1/(m² s²)" from "m".
+std::string reciprocal(std::string_view unit) { return unit.empty() ? "" : "1/" + std::string(unit); }
+std::string cubic_unit(std::string_view unit) {
+  return unit.empty() ? "1/s²" : "1/(" + std::string(unit) + "² s²)";
+}
+std::string rate_unit(std::string_view unit) {
+  if (unit.empty()) return "1/s";
+  if (unit.size() > 2 && unit.substr(unit.size() - 2) == "/s") return std::string(unit) + "²";
+  if (unit == "m/s²") return "m/s³";
+  return std::string(unit) + "/s";
+}
+
+// c times an estimate, where c has a relative uncertainty of its own that is independent of the estimate.
+Estimate scaled(const Estimate& estimate, double c, double relative_uncertainty, double t) {
+  const double value = c * estimate.value;
+  return make_estimate(value, std::hypot(c * estimate.standard_error, value * relative_uncertainty), t);
+}
+
+// A function of w0 and g with its derivatives there.
+Estimate of_rates(const FreeDecay& fit, double value, double by_w0, double by_g) {
+  const double variance = squared(by_w0) * fit.covariance_of("angular_frequency", "angular_frequency") +
+                          squared(by_g) * fit.covariance_of("decay_rate", "decay_rate") +
+                          2 * by_w0 * by_g * fit.covariance_of("angular_frequency", "decay_rate");
+  return make_estimate(value, std::sqrt(std::max(0.0, variance)), fit.student);
+}
+
+}  // namespace
+
+std::string_view si_unit_of(std::string_view quantity) {
+  if (quantity == "position") return "m";
+  if (quantity == "velocity") return "m/s";
+  if (quantity == "acceleration") return "m/s²";
+  if (quantity == "angle") return "rad";
+  if (quantity == "angular velocity") return "rad/s";
+  if (quantity == "force") return "N";
+  if (quantity == "voltage") return "V";
+  if (quantity == "time") return "s";
+  return "";
+}
+
+Quantity Body::effective_mass() const {
+  const Quantity spring = spring_mass.value_or(Quantity{});
+  return {mass->value + spring.value / 3, std::hypot(mass->uncertainty, spring.uncertainty / 3)};
+}
+
+std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view unit) {
+  std::vector<NamedEstimate> result;
+  result.push_back({"angular_frequency", fit.angular_frequency, "rad/s"});
+  if (fit.law.viscous) result.push_back({"decay_rate", fit.decay_rate, "1/s"});
+  if (fit.drag) result.push_back({"drag", *fit.drag, reciprocal(unit)});
+  if (fit.cubic) result.push_back({"cubic", *fit.cubic, cubic_unit(unit)});
+  result.push_back({"equilibrium", fit.equilibrium, std::string(unit)});
+  result.push_back({"position", fit.position, std::string(unit)});
+  result.push_back({"velocity", fit.velocity, rate_unit(unit)});
+  return result;
+}
+
+std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& body) {
+  std::vector<NamedEstimate> result;
+  if (!body.mass) return result;
+  const Quantity m = body.effective_mass();
+  const double u_m = m.uncertainty / m.value;
+  const double w0 = fit.angular_frequency.value;
+  const Estimate stiffness_per_mass = of_rates(fit, w0 * w0, 2 * w0, 0);
+  result.push_back({"stiffness", scaled(stiffness_per_mass, m.value, u_m, fit.student), "N/m"});
+  if (fit.law.viscous)
+    result.push_back({"damping", scaled(fit.decay_rate, 2 * m.value, u_m, fit.student), "kg/s"});
+  if (fit.drag) result.push_back({"drag_constant", scaled(*fit.drag, m.value, u_m, fit.student), "kg/m"});
+  if (fit.cubic) result.push_back({"cubic_stiffness", scaled(*fit.cubic, m.value, u_m, fit.student), "N/m³"});
+  if (fit.drag && body.disc_diameter) {
+    // d = rho S C_d / 2 with S = pi D²/4.
+    const Quantity D = *body.disc_diameter;
+    const double area = pi / 4 * D.value * D.value;
+    const double factor = 2 * m.value / (air_density(body.temperature) * area);
+    const double relative = std::hypot(u_m, 2 * D.uncertainty / D.value);
+    result.push_back({"drag_coefficient", scaled(*fit.drag, factor, relative, fit.student), "1"});
+  }
+  return result;
+}
+
+std::vector<NamedEstimate> derived_quantities(const FreeDecay& fit) {
+  const double w0 = fit.angular_frequency.value, g = fit.decay_rate.value;
+  const double w = std::sqrt(w0 * w0 - g * g);
+  const double T = 2 * pi / w;
+  std::vector<NamedEstimate> result;
+  result.push_back({"frequency", of_rates(fit, 1 / T, w0 / w / (2 * pi), -g / w / (2 * pi)), "Hz"});
+  result.push_back({"period", of_rates(fit, T, -T * w0 / (w * w), T * g / (w * w)), "s"});
+  result.push_back({"damping_ratio", of_rates(fit, g / w0, -g / (w0 * w0), 1 / w0), "1"});
+  result.push_back({"quality_factor", of_rates(fit, w0 / (2 * g), 1 / (2 * g), -w0 / (2 * g * g)), "1"});
+  const double by_g = 2 * pi * w0 * w0 / (w * w * w), by_w0 = -2 * pi * g * w0 / (w * w * w);
+  result.push_back({"logarithmic_decrement", of_rates(fit, g * T, by_w0, by_g), "1"});
+  return result;
+}
+
+}  // namespace cromer

@@ -1,0 +1,48 @@
+// From a fitted law to the numbers people ask for, each with its uncertainty by the law of propagation (JCGM
+// 100:2008, 5.1 and 5.2).
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/quantity.h"
+#include "cromer/identify/free_decay.h"
+
+namespace cromer {
+
+/// A named number of the contract's JSON: value, standard error, 95 % interval, SI unit.
+struct NamedEstimate {
+  std::string name;
+  Estimate estimate;
+  std::string unit;
+};
+
+/// The SI unit of a quantity as readers name it: "m" of a position, "rad" of an angle, ...; "" of an unknown
+/// one.
+std::string_view si_unit_of(std::string_view quantity);
+
+/// What oscillates, and what it moves through.
+struct Body {
+  std::optional<Quantity> mass;           // [kg] > 0
+  std::optional<Quantity> spring_mass;    // [kg] >= 0
+  std::optional<Quantity> disc_diameter;  // [m] > 0
+  double temperature = 293.15;            // [K] > 0, of the air
+
+  /// mass + spring_mass/3, [kg]; only with a mass.
+  Quantity effective_mass() const;
+};
+
+/// Per unit mass, in the contract's order; `unit` is that of the record.
+std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view unit);
+
+/// With a mass and a record of lengths or its derivatives: stiffness, damping, drag_constant,
+/// cubic_stiffness, and with a disc drag_coefficient.
+std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& body);
+
+/// frequency (damped), period, damping_ratio, quality_factor, logarithmic_decrement. Infinite where there is
+/// no viscous damping to divide by.
+std::vector<NamedEstimate> derived_quantities(const FreeDecay& fit);
+
+}  // namespace cromer
