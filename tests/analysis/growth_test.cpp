@@ -1,0 +1,83 @@
+#include "cromer/analysis/growth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/analysis/local_error.h"
+#include "cromer/methods/all.h"
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/run/solve.h"
+
+namespace cromer {
+namespace {
+
+const Oscillator<double> spring{.mass = 0.2, .stiffness = 16.6};
+const double w = std::sqrt(16.6 / 0.2);
+
+template <class M>
+Trajectory free_motion(const M& method, const Oscillator<double>& o, double h) {
+  KeepEvery keep(1, count_steps({0, 20}, h));
+  with_terms(o, HarmonicDrive<double>{}, [&](const auto& system) {
+    return solve(system, method, {0, 20}, State<double>{0.05, 0}, h, keep);
+  });
+  return keep.take();
+}
+
+TEST(Energy, ByHand) {
+  EXPECT_DOUBLE_EQ(energy(Oscillator<double>{.mass = 2, .stiffness = 3, .cubic = 4}, State<double>{-1, 3}),
+                   9 + 1.5 + 1);
+}
+
+TEST(EnergyGrowth, OfForwardEulerIsKnown) {
+  // Each step multiplies the energy by exactly 1 + (w h)^2.
+  const double h = 0.002;
+  const auto growth = energy_growth(spring, free_motion(ForwardEuler{}, spring, h));
+  const double rate = std::log1p(w * w * h * h) / h, period = 2 * std::numbers::pi / w;
+  EXPECT_NEAR(growth.rate, rate, 1e-9 * rate);
+  EXPECT_NEAR(growth.factor_per_cycle(period), std::exp(rate * period), 1e-9);
+  EXPECT_NEAR(growth.doubling_time(), std::numbers::ln2 / rate, 1e-8);
+}
+
+TEST(EnergyGrowth, OfTheExactMotion) {
+  EXPECT_NEAR(energy_growth(spring, free_motion(Exact{}, spring, 0.01)).rate, 0, 1e-15);
+  // Decays with c/m; the swing within a cycle leaves a trace of its size over the number of cycles.
+  const Oscillator<double> damped{.mass = 0.2, .stiffness = 16.6, .damping = 0.02};
+  EXPECT_NEAR(energy_growth(damped, free_motion(Exact{}, damped, 0.01)).rate, -0.1, 1e-4);
+}
+
+TEST(LocalError, OfForwardEulerIsTheMissingTaylorTerm) {
+  const DrivenOscillator<double, Terms{}> system({1, 9, 0, 0, 0, 0}, {});
+  const State<double> y{0.4, 1.1};
+  const std::vector<double> steps{1e-3, 5e-4, 2.5e-4, 1.25e-4};
+  const LocalError error = local_error(system, ForwardEuler{}, 0, y, steps);
+  EXPECT_NEAR(error.position_slope, 2, 0.01);
+  EXPECT_NEAR(error.velocity_slope, 2, 0.01);
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const double half = steps[i] * steps[i] / 2;
+    EXPECT_NEAR(error.position[i] / half, 9 * 0.4, 20 * steps[i]) << "h^2/2 a is missing in x";
+    EXPECT_NEAR(error.velocity[i] / half, 9 * 1.1, 20 * steps[i]) << "h^2/2 da/dt is missing in v";
+  }
+}
+
+TEST(LocalError, HasTheOrderOfEveryMethod) {
+  const DrivenOscillator<double, Terms{.drive = true, .damping = true}> system({1, 9, 0.4, 0, 0, 0},
+                                                                               {1, 2, 0.3});
+  for_each_method({.newton = {.tolerance = 1e-15}}, [&](const auto& method) {
+    if (method.info.order == 0) return;
+    const double h = method.info.order >= 4 ? 0.02 : 1e-3;
+    const LocalError error =
+        local_error(system, method, 0.3, {0.4, 1.1}, std::vector<double>{h, h / 2, h / 4});
+    EXPECT_NEAR(std::min(error.position_slope, error.velocity_slope), method.info.order + 1, 0.1)
+        << method.info.name;
+  });
+}
+
+TEST(FitLine, ThroughPointsOnALine) {
+  const std::vector<double> x{1e9, 1e9 + 1, 1e9 + 3}, y{2, 2.5, 3.5};
+  EXPECT_NEAR(fit_line(x, y).slope, 0.5, 1e-14);
+}
+
+}  // namespace
+}  // namespace cromer

@@ -1,0 +1,217 @@
+// One body, every method of the registry.
+#include "cromer/methods/all.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/run/solve.h"
+#include "tests/support/problems.h"
+
+namespace cromer {
+namespace {
+
+using Oscillating = DrivenOscillator<double, Terms{.drive = true, .damping = true}>;
+using Free = DrivenOscillator<double, Terms{}>;
+
+const Oscillating damped_and_driven({1, 9, 0.4, 0, 0, 0}, {1.0, 2.0, 0.3});
+const Free undamped({1, 9, 0, 0, 0, 0}, {});
+
+class EveryMethod : public testing::TestWithParam<std::string_view> {
+ protected:
+  const MethodInfo& info() const { return *find_method(GetParam()); }
+
+  template <class F>
+  auto with_method(F&& f) const {
+    return visit_method(GetParam(), MethodSettings{.newton = {.tolerance = 1e-14}}, f);
+  }
+
+  /// The end of a run.
+  template <class S>
+  State<double> end(const S& system, State<double> start, double until, double step) const {
+    return with_method([&](const auto& method) {
+      const Outcome outcome = solve(system, method, {0, until}, start, step, KeepNone{});
+      EXPECT_EQ(outcome.status, Status::reached_end);
+      return outcome.y;
+    });
+  }
+
+  /// The linear map of one step without drive, column by column.
+  std::array<State<double>, 2> step_map(double h) const {
+    return {end(undamped, {1, 0}, h, h), end(undamped, {0, 1}, h, h)};
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryMethod, testing::ValuesIn(method_names), [](const auto& test) {
+  std::string name(test.param);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+});
+
+TEST_P(EveryMethod, MeetsThePublishedStates) {
+  const auto truth_file = problems::read("discrete.json");
+  int compared = 0;
+  for (const auto& [name, problem] : truth_file.items()) {
+    const auto& methods = problem.at("methods");
+    if (!methods.contains(std::string(GetParam()))) continue;
+    const problems::Problem p(problem.at("parameters"));
+    const double h = problems::number(problem, "step");
+    for (const auto& entry : methods.at(std::string(GetParam()))) {
+      const double until = entry.at("steps").get<double>() * h;
+      const State<double> y = with_terms(p.oscillator, p.drive,
+                                         [&](const auto& system) { return end(system, p.start, until, h); });
+      const double x = problems::number(entry, "x"), v = problems::number(entry, "v");
+      EXPECT_NEAR(y.x, x, 1e-11 * std::max(1.0, std::abs(x))) << name << " after " << entry.at("steps");
+      EXPECT_NEAR(y.v, v, 1e-11 * std::max(1.0, std::abs(v))) << name << " after " << entry.at("steps");
+      ++compared;
+    }
+  }
+  if (info().order == 0) GTEST_SKIP() << "not a discrete motion";
+  EXPECT_EQ(compared, 20);
+}
+
+TEST_P(EveryMethod, HasTheDeclaredOrder) {
+  const State<double> start{0.5, -0.3};
+  const double until = 2;
+  const State<double> exact = damped_and_driven.propagate(0, until, start);
+  const auto error = [&](int steps) {
+    const State<double> y = end(damped_and_driven, start, until, until / steps);
+    return std::hypot(y.x - exact.x, (y.v - exact.v) / 3);
+  };
+  if (info().order == 0) {
+    EXPECT_LT(error(7), 1e-15);
+    return;
+  }
+  // The slope over a factor of four, with step sizes at which neither higher orders nor rounding show.
+  const int steps = info().order >= 4 ? 400 : 4000;
+  const double order = std::log2(error(steps) / error(4 * steps)) / 2;
+  EXPECT_NEAR(order, info().order, 0.1);
+}
+
+TEST_P(EveryMethod, KeepsAreaIfSymplectic) {
+  for (const double h : {0.01, 0.1, 0.3}) {
+    const auto [x, v] = step_map(h);
+    const double off = std::abs(x.x * v.v - x.v * v.x - 1);
+    EXPECT_EQ(off < 1e-14, info().symplectic) << h << ": " << off;
+  }
+}
+
+TEST_P(EveryMethod, BoundsTheEnergyIfSymplectic) {
+  const double h = 0.02;
+  double most = 0;
+  with_method([&](const auto& method) {
+    const auto watch_energy = [&](double, const State<double>& y) {
+      most = std::max(most, std::abs((y.v * y.v + 9 * y.x * y.x) / 9 - 1));
+    };
+    solve(undamped, method, {0, 2000}, State<double>{1, 0}, h, watch_energy);
+    return 0;
+  });
+  const bool bounded = most < 3 * h;
+  EXPECT_TRUE(bounded || !info().symplectic) << most;
+  // The test can tell: the first-order methods that are not symplectic gain or lose everything.
+  if (!info().symplectic && info().order == 1) {
+    EXPECT_GT(most, 0.9);
+  }
+}
+
+TEST_P(EveryMethod, CountsNewtonIterationsIfImplicit) {
+  with_method([&](const auto& method) {
+    const auto counts =
+        solve(damped_and_driven, method, {0, 1}, State<double>{1, 0}, 0.01, KeepNone{}).counts;
+    EXPECT_EQ(counts.accepted, 100);
+    if (info().implicit) {
+      EXPECT_GE(counts.newton_iterations, 100);
+      EXPECT_LE(counts.newton_iterations, 300) << "a linear equation takes two, seldom three";
+    }
+    EXPECT_EQ(counts.evaluations, 100 * info().evaluations + counts.newton_iterations);
+    return 0;
+  });
+}
+
+TEST_P(EveryMethod, RestStaysAtRest) {
+  const State<double> y = end(undamped, {0, 0}, 1, 0.01);
+  EXPECT_EQ(y, (State<double>{0, 0}));
+}
+
+TEST_P(EveryMethod, RestsInAnEquilibriumUnderConstantForce) {
+  // Rounding is all that moves it; implicit methods must not take that for no convergence.
+  const DrivenOscillator<double, Terms{.drive = true, .damping = true}> pushed({1, 7, 0.1, 0, 0, 0},
+                                                                               {0.3, 0, 0});
+  for (const double h : {1e-5, 0.01, 0.2}) {
+    const State<double> y = end(pushed, {0.3 / 7, 0}, 100 * h, h);
+    EXPECT_NEAR(y.x, 0.3 / 7, 1e-15) << h;
+  }
+}
+
+TEST_P(EveryMethod, CarriesDerivatives) {
+  // d x(1) / d (stiffness, x0) by duals, against differences.
+  using D = Dual<double, 2>;
+  const auto run = [&](double k, double x0) {
+    const Oscillating system({1, k, 0.4, 0, 0, 0}, {1.0, 2.0, 0.3});
+    return end(system, {x0, -0.3}, 1, 0.01).x;
+  };
+  with_method([&](const auto& method) {
+    const DrivenOscillator<D, Terms{.drive = true, .damping = true}> system(
+        {1.0, D::variable(9, 0), 0.4, 0.0, 0.0, 0.0}, {1.0, 2.0, 0.3});
+    State<D> y{D::variable(0.5, 1), -0.3};
+    solve(system, method, {0, 1}, y, 0.01, [&](double, const State<D>& kept) { y = kept; });
+    EXPECT_DOUBLE_EQ(y.x.value, run(9, 0.5));
+    EXPECT_NEAR(y.x.derivative[0], (run(9.001, 0.5) - run(8.999, 0.5)) / 0.002, 1e-8);
+    EXPECT_NEAR(y.x.derivative[1], (run(9, 0.501) - run(9, 0.499)) / 0.002, 1e-9);
+    return 0;
+  });
+}
+
+TEST_P(EveryMethod, TabulatedDriveIsTheDrive) {
+  // The same system without its table: what solve does by itself must not be seen.
+  struct Untabulated {
+    double acceleration(double t, double x, double v) const {
+      return damped_and_driven.acceleration(t, x, v);
+    }
+    auto acceleration(double t, Dual<double, 1> x, Dual<double, 1> v) const {
+      return damped_and_driven.acceleration(t, x, v);
+    }
+    State<double> propagate(double t0, double t, State<double> y) const {
+      return damped_and_driven.propagate(t0, t, y);
+    }
+  };
+  // 1000 s are 100000 steps; not a whole number of blocks, and a shorter last step.
+  const State<double> with_table = end(damped_and_driven, {1, 0}, 1000.0337, 0.01);
+  const State<double> without = end(Untabulated{}, {1, 0}, 1000.0337, 0.01);
+  EXPECT_NEAR(with_table.x, without.x, 1e-13);
+  EXPECT_NEAR(with_table.v, without.v, 1e-13);
+}
+
+TEST(Registry, NamesAreUniqueAndFound) {
+  for (const auto name : method_names) {
+    EXPECT_EQ(std::count(method_names.begin(), method_names.end(), name), 1);
+    ASSERT_NE(find_method(name), nullptr);
+    EXPECT_EQ(find_method(name)->name, name);
+    EXPECT_EQ(visit_method(name, {}, [](const auto& method) { return method.info.name; }), name);
+    EXPECT_FALSE(find_method(name)->source.empty());
+  }
+  EXPECT_EQ(find_method("leapfrog"), nullptr);
+}
+
+TEST(Registry, SuggestsTheNearestName) {
+  EXPECT_TRUE(check_method_name("verlet").ok());
+  const auto wrong = check_method_name("euler-kromer");
+  ASSERT_FALSE(wrong.ok());
+  EXPECT_NE(wrong.error().message.find("did you mean euler-cromer"), std::string::npos)
+      << wrong.error().message;
+}
+
+TEST(Registry, SettingsReachTheMethod) {
+  const MethodSettings settings{.newton = {.tolerance = 1e-5, .iteration_limit = 3}};
+  EXPECT_EQ(make_method<ImplicitEuler>(settings).newton, settings.newton);
+  int methods = 0;
+  for_each_method(settings, [&](const auto&) { ++methods; });
+  EXPECT_EQ(methods, static_cast<int>(method_names.size()));
+}
+
+}  // namespace
+}  // namespace cromer
