@@ -9,10 +9,11 @@ namespace {
 
 /// A simulation with one constant rate keeps its method's colour, dashed.
 Curve simulated(const ComparedCurve& compared, const MeasuredAxis& axis) {
-  Curve curve{.x = compared.trajectory.t,
-              .y = axis.scaled(compared.trajectory.x),
-              .role = compared.method,
-              .name = compared.method};
+  Curve curve;
+  curve.x = compared.trajectory.t;
+  curve.y = axis.scaled(compared.trajectory.x);
+  curve.role = compared.method;
+  curve.name = compared.method;
   curve.remark = fmt::format("{:.3g} of the measured\namplitude at the end", compared.amplitude_ratio_end);
   curve.dashed = compared.label.find("constant") != std::string::npos;
   return curve;
@@ -35,11 +36,7 @@ Figure compare_figure(const std::vector<CompareResult>& comparisons) {
           comparisons.size() > 1 ? fmt::format("Run {}: {}", series.run, compared.label) : compared.label;
       panel.x.name = "time {/:Italic t} (s)";
       panel.y.name = axis.name;
-      panel.curves.push_back({.x = series.t,
-                              .y = axis.displacements(series.y),
-                              .role = "measured",
-                              .name = "measured",
-                              .mark = Mark::dots});
+      panel.curves.push_back(measured_curve(comparison.recording, axis));
       panel.curves.push_back(simulated(compared, axis));
       figure.panels.push_back(std::move(panel));
     }

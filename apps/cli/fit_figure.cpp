@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/quantity.h"
 #include "cromer/identify/free_motion.h"
 #include "measured_axis.h"
 
@@ -29,12 +30,21 @@ Panel measured_panel(const FittedRecording& fitted, const MeasuredAxis& axis) {
   Panel panel;
   panel.x.name = "time {/:Italic t} (s)";
   panel.y.name = axis.name;
-  panel.curves.push_back({.x = fitted.series.t,
-                          .y = axis.displacements(fitted.series.y),
-                          .role = "measured",
-                          .name = "measured",
-                          .remark = fmt::format("{} samples", fitted.series.t.size()),
-                          .mark = Mark::dots});
+  panel.curves.push_back(measured_curve(fitted, axis));
+  return panel;
+}
+
+Panel residual_panel(const FittedRecording& fitted, const MeasuredAxis& axis,
+                     const std::vector<double>& model) {
+  Panel panel;
+  panel.title = "What the law leaves";
+  panel.x.name = "time {/:Italic t} (s)";
+  panel.y.name = fmt::format("residual ({})", axis.unit);
+  Curve rest = measured_curve(fitted, axis);
+  for (std::size_t i = 0; i < rest.y.size(); ++i) rest.y[i] -= model[i];
+  rest.name = "residual";
+  rest.remark = fmt::format("rms {} {}", rounded(fitted.fit.residual.rms / axis.unit_size, 3), axis.unit);
+  panel.curves.push_back(std::move(rest));
   return panel;
 }
 
@@ -46,22 +56,14 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
     figure.panels.push_back(std::move(motion));
     return;
   }
-  const std::vector<double> model = fitted_motion(fitted);
-  Curve fit_curve{.x = fitted.series.t, .y = axis.scaled(model), .role = "fitted", .name = "fitted"};
-  fit_curve.remark = to_text(fitted.fit.law);
-  Panel residual;
-  residual.title = "What the law leaves";
-  residual.x.name = motion.x.name;
-  residual.y.name = fmt::format("residual ({})", axis.unit);
-  Curve rest{.x = fitted.series.t,
-             .y = motion.curves.front().y,
-             .role = "measured",
-             .name = "residual",
-             .mark = Mark::dots};
-  for (std::size_t i = 0; i < rest.y.size(); ++i) rest.y[i] -= fit_curve.y[i];
-  rest.remark = fmt::format("rms {:.3g} {}", fitted.fit.residual.rms / axis.unit_size, axis.unit);
-  residual.curves.push_back(std::move(rest));
-  motion.curves.push_back(std::move(fit_curve));
+  Curve model;
+  model.x = fitted.series.t;
+  model.y = axis.scaled(fitted_motion(fitted));
+  model.role = "fitted";
+  model.name = "fitted";
+  model.remark = to_text(fitted.fit.law);
+  Panel residual = residual_panel(fitted, axis, model.y);
+  motion.curves.push_back(std::move(model));
   figure.panels.push_back(std::move(motion));
   figure.panels.push_back(std::move(residual));
 }

@@ -10,9 +10,10 @@
 namespace cromer::cli {
 namespace {
 
+/// "  decay rate" for decay_rate.
 std::string in_words(std::string name) {
   std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
+  return fmt::format("  {}", name);
 }
 
 std::string quantity(const Estimate& estimate, std::string_view unit) {
@@ -39,7 +40,7 @@ std::string one_fit(const FittedRecording& fitted) {
   std::vector<std::vector<std::string>> rows;
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& entry : *list)
-      rows.push_back({"  " + in_words(entry.name), quantity(entry.estimate, entry.unit)});
+      rows.push_back({in_words(entry.name), quantity(entry.estimate, entry.unit)});
   for (const auto& segment : fitted.segments)
     rows.push_back({fmt::format("  decay rate {:.6g} to {:.6g} s", segment.from, segment.to),
                     quantity(segment.rate, "1/s")});
@@ -63,7 +64,10 @@ std::string one_fit(const FittedRecording& fitted) {
 
 std::string fit_text(const std::vector<FittedRecording>& fits) {
   std::string out;
-  for (const auto& fitted : fits) out += (out.empty() ? "" : "\n") + one_fit(fitted);
+  for (const auto& fitted : fits) {
+    if (!out.empty()) out += '\n';
+    out += one_fit(fitted);
+  }
   return out;
 }
 

@@ -41,8 +41,8 @@ int unknown_command(std::string_view typed) {
   for (const auto& command : commands) names.push_back(command.name);
   const std::string near = nearest(typed, names);
   const std::string_view kind = typed.substr(0, 1) == "-" ? "option" : "command";
-  return refuse(fmt::format("unknown {} \"{}\"{}; see cromer --help", kind, typed,
-                            near.empty() ? "" : fmt::format(", did you mean {}?", near)));
+  return refuse(fmt::format("unknown {} \"{}\"{} See cromer --help", kind, typed,
+                            near.empty() ? "." : fmt::format("; did you mean {}?", near)));
 }
 
 int run(const Arguments& arguments) {

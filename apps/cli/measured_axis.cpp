@@ -1,5 +1,7 @@
 #include "measured_axis.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -42,6 +44,17 @@ MeasuredAxis measured_axis(const FittedRecording& fitted) {
   axis.name = (quantity == "position" && centred ? "displacement {/:Italic x}" : quantity) +
               (axis.unit.empty() ? "" : " (" + axis.unit + ")");
   return axis;
+}
+
+Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
+  Curve curve;
+  curve.x = fitted.series.t;
+  curve.y = axis.displacements(fitted.series.y);
+  curve.role = "measured";
+  curve.name = "measured";
+  curve.remark = fmt::format("{} samples", fitted.series.t.size());
+  curve.mark = Mark::dots;
+  return curve;
 }
 
 }  // namespace cromer::cli

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cromer/report/figure.h"
 #include "cromer/study/task/fit.h"
 
 namespace cromer::cli {
@@ -21,5 +22,8 @@ struct MeasuredAxis {
 };
 
 MeasuredAxis measured_axis(const FittedRecording& fitted);
+
+/// The samples used, as dots on that axis.
+Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis);
 
 }  // namespace cromer::cli

@@ -26,8 +26,8 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
   for (const auto& option : syntax.options) names.push_back(option.name);
   const std::string_view bare = std::string_view(typed).substr(typed.find_first_not_of('-'));
   const std::string near = nearest(bare.substr(0, bare.find('=')), names);
-  return refuse(fmt::format("unknown option {}{}; see cromer {} --help", typed,
-                            near.empty() ? "" : fmt::format(", did you mean --{}?", near), syntax.command));
+  return refuse(fmt::format("unknown option {}{} See cromer {} --help", typed,
+                            near.empty() ? "." : fmt::format("; did you mean --{}?", near), syntax.command));
 }
 
 Result<void> assign_all(const std::vector<Typed>& typed) {
@@ -81,12 +81,11 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
     files.push_back(left);
   }
   if (syntax.files.empty() && !files.empty())
-    return refuse(fmt::format("cromer {} takes no file, but \"{}\" is given", syntax.command, files.front()));
+    return refuse(fmt::format("{} takes no file, but \"{}\" is given", syntax.command, files.front()));
   if (!syntax.files.empty() && files.empty())
-    return refuse(
-        fmt::format("cromer {} needs a file; see cromer {} --help", syntax.command, syntax.command));
+    return refuse(fmt::format("{} needs a file; see cromer {} --help", syntax.command, syntax.command));
   if (syntax.files == "FILE" && files.size() > 1)
-    return refuse(fmt::format("cromer {} takes one file, but {} are given", syntax.command, files.size()));
+    return refuse(fmt::format("{} takes one file, but {} are given", syntax.command, files.size()));
   if (auto good = assign_all(typed); !good) return refuse(good.error().message);
   return std::nullopt;
 }

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "cromer/analysis/energy.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/sensor.h"
@@ -32,6 +35,24 @@ std::string message_of(const Outcome& outcome) {
   return "";
 }
 
+/// States whose energy overflows have left the numbers too: the run then ends at the last kept state before
+/// them.
+void end_before_overflow(SimulatedRun& run, long long every) {
+  Trajectory& kept = run.trajectory;
+  const auto overflows = [&](const State<double>& y) { return !std::isfinite(energy(run.oscillator, y)); };
+  std::size_t size = 0;
+  while (size < kept.size() && !overflows({kept.x[size], kept.v[size]})) ++size;
+  if (size == kept.size() && !overflows(run.outcome.y)) return;
+  kept.t.resize(size);
+  kept.x.resize(size);
+  kept.v.resize(size);
+  run.outcome.status = Status::not_finite;
+  run.outcome.t = kept.t.back();
+  run.outcome.y = {kept.x.back(), kept.v.back()};
+  run.outcome.step = static_cast<long long>(size - 1) * every;
+  run.outcome.last_step = 0;
+}
+
 void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const Interval interval{0, run.until};
   const MethodSettings settings{.newton = {.tolerance = run.tolerance}};
@@ -42,6 +63,7 @@ void integrate(SimulatedRun& run, long long every, const Watch& watch) {
     });
   });
   run.trajectory = keep.take();
+  end_before_overflow(run, every);
   run.message = message_of(run.outcome);
 }
 

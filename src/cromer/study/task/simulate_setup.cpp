@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/analysis/energy.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
 #include "cromer/run/steps.h"
@@ -57,6 +58,14 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
 State<double> start_of(const SimulateOptions& o) {
   const bool moves = o.position || o.velocity || o.drive_amplitude > 0;
   return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
+}
+
+/// Energies are part of the answer, so they must be numbers too.
+Result<void> check_start(const SimulatedRun& run) {
+  if (std::isfinite(energy(run.oscillator, run.start))) return {};
+  return Error{
+      fmt::format("--position: the energy at the start (x = {} m, v = {} m/s) is beyond the largest number",
+                  shortest(run.start.x), shortest(run.start.v))};
 }
 
 /// Fills step and until of one run.
@@ -157,6 +166,7 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       run.start = start_of(options);
       run.tolerance = options.tolerance.value_or(NewtonOptions{}.tolerance);
       run.label = label_of(options, run);
+      if (auto good = check_start(run); !good) return good.error();
       if (auto good = set_times(options, run); !good) return good.error();
       if (auto good = check_exact(run); !good) return good.error();
       runs.push_back(std::move(run));
@@ -184,8 +194,8 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
       add_once(fmt::format("--tolerance has no effect on {}", run.method));
     const Steps steps = count_steps({0, run.until}, run.step);
     if (steps.last > 0)
-      add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {} s",
-                           shortest(run.until), shortest(run.step), rounded(steps.last, 6)));
+      add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {:.6g} s",
+                           shortest(run.until), shortest(run.step), steps.last));
   }
   return warnings;
 }
