@@ -1,0 +1,30 @@
+// Medians of repeated runs.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <vector>
+
+namespace cromer::bench {
+
+/// Times several pieces of work in turn, so that a machine that drifts drifts for all of them, and gives the
+/// median of each [s].
+template <class Work>
+std::vector<double> medians(const std::vector<Work>& works, int rounds) {
+  std::vector<std::vector<double>> times(works.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t i = 0; i < works.size(); ++i) {
+      const auto start = std::chrono::steady_clock::now();
+      works[i]();
+      times[i].push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+  std::vector<double> result;
+  for (auto& t : times) {
+    std::nth_element(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(t.size() / 2), t.end());
+    result.push_back(t[t.size() / 2]);
+  }
+  return result;
+}
+
+}  // namespace cromer::bench

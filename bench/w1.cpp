@@ -1,0 +1,159 @@
+// W1: one forced run, all states kept; ours beside Boost odeint with the cosine in every evaluation. Then the
+// writing of its rows. Prints lines of tab-separated "row, who, seconds"; bench/run adds the peers and makes
+// the table.
+#include <array>
+#include <boost/numeric/odeint/integrate/integrate_n_steps.hpp>
+#include <boost/numeric/odeint/stepper/euler.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bench/cases.h"
+#include "bench/stopwatch.h"
+#include "cromer/methods/all.h"
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/report/csv.h"
+#include "cromer/run/solve.h"
+
+namespace {
+
+namespace odeint = boost::numeric::odeint;
+using namespace cromer;
+using bench::ForcedRun;
+
+struct Timed {
+  std::string row, who;
+  std::function<void()> work;
+};
+
+/// What a run leaves behind, so that rows can be compared and no work is optimised away.
+struct Kept {
+  std::vector<double> t, x, v;
+};
+
+void ours(const ForcedRun& run, std::string_view method, KeepEvery& keep) {
+  keep.clear();
+  with_terms(run.oscillator, run.drive, [&](const auto& system) {
+    return visit_method(
+        method, {}, [&](const auto& m) { return solve(system, m, run.interval, run.start, run.step, keep); });
+  });
+}
+
+using OdeintState = std::array<double, 2>;
+
+/// The law as odeint wants it, with the terms the run has.
+template <bool cubic_and_drag>
+struct OdeintLaw {
+  Oscillator<double> o;
+  HarmonicDrive<double> d;
+
+  void operator()(const OdeintState& y, OdeintState& dydt, double t) const {
+    dydt[0] = y[1];
+    double force = d.amplitude * std::cos(d.frequency * t + d.phase) - o.stiffness * y[0] - o.damping * y[1];
+    if constexpr (cubic_and_drag) force -= o.cubic * y[0] * y[0] * y[0] + o.drag * y[1] * std::abs(y[1]);
+    dydt[1] = force / o.mass;
+  }
+};
+
+/// Euler-Cromer as a stepper of odeint: its own symplectic_euler knows neither time nor velocity in the
+/// force.
+struct OdeintEulerCromer {
+  using state_type = OdeintState;
+  using deriv_type = OdeintState;
+  using value_type = double;
+  using time_type = double;
+  using order_type = unsigned short;
+  using stepper_category = odeint::stepper_tag;
+
+  static order_type order() { return 1; }
+
+  template <class Law>
+  void do_step(const Law& law, OdeintState& y, double t, double h) const {
+    OdeintState dydt;
+    law(y, dydt, t);
+    y[1] += h * dydt[1];
+    y[0] += h * y[1];
+  }
+};
+
+template <bool cubic_and_drag, class Stepper>
+void odeints(const ForcedRun& run, Stepper stepper, Kept& kept) {
+  kept.t.clear();
+  kept.x.clear();
+  kept.v.clear();
+  OdeintState y{run.start.x, run.start.v};
+  odeint::integrate_n_steps(stepper, OdeintLaw<cubic_and_drag>{run.oscillator, run.drive}, y,
+                            run.interval.from, run.step,
+                            static_cast<std::size_t>(count_steps(run.interval, run.step).whole),
+                            [&](const OdeintState& u, double t) {
+                              kept.t.push_back(t);
+                              kept.x.push_back(u[0]);
+                              kept.v.push_back(u[1]);
+                            });
+}
+
+template <bool cubic_and_drag>
+void add_odeint(std::vector<Timed>& works, const ForcedRun& run, Kept& kept) {
+  const std::string row = run.name;
+  works.push_back({row + ", forward-euler", "odeint",
+                   [&] { odeints<cubic_and_drag>(run, odeint::euler<OdeintState>(), kept); }});
+  works.push_back(
+      {row + ", euler-cromer", "odeint", [&] { odeints<cubic_and_drag>(run, OdeintEulerCromer(), kept); }});
+  works.push_back({row + ", rk4", "odeint",
+                   [&] { odeints<cubic_and_drag>(run, odeint::runge_kutta4<OdeintState>(), kept); }});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int rounds = argc > 1 ? std::atoi(argv[1]) : 201;
+  const Steps steps = count_steps(bench::forced_runs[0].interval, bench::forced_runs[0].step);
+  // Memory for the states is taken once for both sides: fresh pages cost as much as the run.
+  KeepEvery keep(1, steps);
+  Kept kept;
+  for (auto* column : {&kept.t, &kept.x, &kept.v})
+    column->reserve(static_cast<std::size_t>(number_of_kept_states(steps, 1)));
+
+  std::vector<Timed> works;
+  for (const ForcedRun& run : bench::forced_runs) {
+    for (const std::string_view method : method_names) {
+      if (method == "exact" && *why_not_exact(run.oscillator)) continue;
+      works.push_back({std::string(run.name) + ", " + std::string(method), "cromer",
+                       [&, method] { ours(run, method, keep); }});
+    }
+    if (*why_not_exact(run.oscillator))
+      add_odeint<true>(works, run, kept);
+    else
+      add_odeint<false>(works, run, kept);
+  }
+
+  ours(bench::forced_runs[0], "euler-cromer", keep);
+  const Trajectory rows = KeepEvery(keep).take();
+  std::string text;
+  const std::vector<CsvColumn> columns{{"t (s)", std::span<const double>(rows.t)},
+                                       {"x (m)", std::span<const double>(rows.x)},
+                                       {"v (m/s)", std::span<const double>(rows.v)}};
+  works.push_back({"writing 8000 rows x 3", "cromer", [&] {
+                     text.clear();
+                     append_csv(text, columns, {}, true);
+                   }});
+  std::vector<char> buffer(100);
+  std::string printed;
+  works.push_back({"writing 8000 rows x 3", "printf", [&] {
+                     printed.clear();
+                     for (std::size_t i = 0; i < rows.size(); ++i)
+                       printed.append(buffer.data(), static_cast<std::size_t>(std::snprintf(
+                                                         buffer.data(), buffer.size(), "%.17g,%.17g,%.17g\n",
+                                                         rows.t[i], rows.x[i], rows.v[i])));
+                   }});
+
+  std::vector<std::function<void()>> bare;
+  for (const Timed& timed : works) bare.push_back(timed.work);
+  const std::vector<double> seconds = bench::medians(bare, rounds);
+  for (std::size_t i = 0; i < works.size(); ++i)
+    std::printf("%s\t%s\t%.9g\n", works[i].row.c_str(), works[i].who.c_str(), seconds[i]);
+}
