@@ -40,18 +40,6 @@ Estimate of_rates(const FreeDecay& fit, double value, double by_w0, double by_g)
 
 }  // namespace
 
-std::string_view si_unit_of(std::string_view quantity) {
-  if (quantity == "position") return "m";
-  if (quantity == "velocity") return "m/s";
-  if (quantity == "acceleration") return "m/s²";
-  if (quantity == "angle") return "rad";
-  if (quantity == "angular velocity") return "rad/s";
-  if (quantity == "force") return "N";
-  if (quantity == "voltage") return "V";
-  if (quantity == "time") return "s";
-  return "";
-}
-
 Quantity Body::effective_mass() const {
   const Quantity spring = spring_mass.value_or(Quantity{});
   return {mass->value + spring.value / 3, std::hypot(mass->uncertainty, spring.uncertainty / 3)};

@@ -19,10 +19,6 @@ struct NamedEstimate {
   std::string unit;
 };
 
-/// The SI unit of a quantity as readers name it: "m" of a position, "rad" of an angle, ...; "" of an unknown
-/// one.
-std::string_view si_unit_of(std::string_view quantity);
-
 /// What oscillates, and what it moves through.
 struct Body {
   std::optional<Quantity> mass;           // [kg] > 0
