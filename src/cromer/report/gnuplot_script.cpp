@@ -18,16 +18,18 @@ struct Terminal {
 
 Terminal terminal_of(FigureFormat format) { return {format == FigureFormat::svg ? 0.5 : 0.25}; }
 
-// A single-quoted gnuplot string: nothing in it is expanded or run.
+// A single-quoted gnuplot string. Apostrophe and backquote become their typographic forms: neither can end
+// the string or hand a command to the shell (gnuplot 5.4 reads a doubled apostrophe at a string's start as
+// its end).
 std::string quoted(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'')
-      out += "''";
-    else if (static_cast<unsigned char>(c) < ' ')
-      out += ' ';
+      out += "’";
+    else if (c == '`')
+      out += "‘";
     else
-      out += c;
+      out += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
   return out += '\'';
 }
@@ -166,12 +168,16 @@ class Script {
     for (const PlacedLine& zero : panel.zero_lines) add_line(zero, "back");
     for (const PlacedLine& leader : panel.leaders) add_line(leader, "front");
     for (const Spot& p : panel.rings) {
-      line("set object circle at first {:.2f},{:.2f} size first 4.5 front fc rgb '{}' fs empty border lw 1.3",
-           p.x, up(p.y), light_surface.ink);
+      line(
+          "set object circle at first {:.2f},{:.2f} size first 4.5 front noclip fc rgb '{}' fs empty border "
+          "lw 1.3",
+          p.x, up(p.y), light_surface.ink);
     }
     for (const Spot& p : panel.dots) {
-      line("set object circle at first {:.2f},{:.2f} size first 2.6 front fc rgb '{}' fs solid noborder", p.x,
-           up(p.y), light_surface.ink);
+      line(
+          "set object circle at first {:.2f},{:.2f} size first 2.6 front noclip fc rgb '{}' fs solid "
+          "noborder",
+          p.x, up(p.y), light_surface.ink);
     }
     for (const PlacedText& text : panel.texts) add_text(text);
     std::string plots;

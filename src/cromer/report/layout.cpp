@@ -85,10 +85,19 @@ double widest_label(const std::vector<Tick>& ticks, const Fonts& fonts) {
 
 bool titled(const Cell& cell) { return !cell.panel->title.empty() || !cell.letter.empty(); }
 
+// Beside others a phase portrait is wider than high: its orbit stays round, its names get the corners.
+void free_the_corners(AxisRange& x, const Axis& axis) {
+  if (x.logarithmic || !std::isnan(axis.low) || !std::isnan(axis.high)) return;
+  const double extra = (beside_others - 1) / 2 * (x.high - x.low);
+  x.low -= extra;
+  x.high += extra;
+}
+
 void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
   const Panel& panel = *cell.panel;
   const TextSizes& s = fonts.sizes;
   cell.x = x_range(panel);
+  if (panel.phase_portrait && cell.mixed) free_the_corners(cell.x, panel.x);
   cell.y = y_range(panel, cell.x);
   const bool named = !panel.y.name.empty();
   cell.top = titled(cell) ? s.title + 17 : named ? s.axis + 16 : 12;
@@ -233,14 +242,13 @@ PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
 
 // The widths of a row's panels: equal shares, but phase portraits take no more than their square needs when
 // others stand beside them.
-std::vector<double> row_widths(std::vector<Cell>& row, double width, double height, int columns) {
+std::vector<double> row_widths(const std::vector<Cell>& row, double width, double height, int columns) {
   std::vector<double> widths;
   double left_over = width, shares = 0;
   int used = 0;
   for (const Cell& cell : row) used += std::clamp(cell.panel->span, 1, columns);
   std::any_of(row.begin(), row.end(), [](const Cell& c) { return !c.panel->phase_portrait; });
-  for (Cell& cell : row) {
-    cell.mixed = std::any_of(row.begin(), row.end(), [](const Cell& c) { return !c.panel->phase_portrait; });
+  for (const Cell& cell : row) {
     const double share = std::clamp(cell.panel->span, 1, columns);
     const double wanted = beside_others * (height - cell.top - cell.bottom) + cell.left + cell.right;
     const bool fixed = cell.mixed && cell.panel->phase_portrait && wanted < width * share / columns;
@@ -282,11 +290,13 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
     const bool lowest = !figure.shared_x || r + 1 == rows.size();
     const double height = canvas.row_height - (lowest ? 0 : hidden);
     auto& row = cells.emplace_back();
+    const bool mixed = std::any_of(rows[r].begin(), rows[r].end(),
+                                   [&](std::size_t i) { return !figure.panels[i].phase_portrait; });
     for (const std::size_t i : rows[r]) {
       const std::string letter =
           figure.panels.size() > 1 ? std::string(1, static_cast<char>('a' + i % 26)) : "";
       Cell cell{
-          &figure.panels[i], {0, y, canvas.width / columns, height}, lowest, letter, false, {}, {}, {}, {}};
+          &figure.panels[i], {0, y, canvas.width / columns, height}, lowest, letter, mixed, {}, {}, {}, {}};
       cell.box.width *= std::clamp(cell.panel->span, 1, columns);
       measure(cell, figure, fonts);
       row.push_back(std::move(cell));

@@ -27,13 +27,12 @@ code{font-family:ui-monospace,Menlo,Consolas,"DejaVu Sans Mono",monospace;font-s
 sub,sup{font-size:.72em;line-height:0}
 .both{display:inline-block;vertical-align:-.36em;line-height:1}
 .both sup,.both sub{display:block;font-size:.66em;line-height:1.06;vertical-align:baseline}
-.key{display:grid;grid-template-columns:repeat(auto-fit,minmax(176px,1fr));border-top:1px solid var(--ink);border-bottom:1px solid var(--line);
-margin:20px 0 28px;overflow:hidden}
-.key>div{padding:12px 16px 14px 18px;margin-left:-1px;border-left:1px solid var(--line)}
+.key{display:flex;flex-wrap:wrap;border-top:1px solid var(--ink);border-bottom:1px solid var(--line);margin:20px 0 28px;overflow:hidden}
+.key>div{flex:1 1 176px;padding:12px 16px 14px 18px;margin-left:-1px;border-left:1px solid var(--line)}
 .key>div:first-child{padding-left:0}
 .key dt,.key .remark{font-size:13px;line-height:19px;color:var(--text-2)}
 .key dd{margin:0}
-.key .value{font-size:21px;line-height:28px;font-weight:700}
+.key .value{font-size:21px;line-height:28px;font-weight:700;white-space:nowrap}
 .table{margin:28px 0}
 .table .scroll{overflow-x:auto}
 .caption,figcaption{font-size:14px;line-height:21px;color:var(--ink);margin:0 0 8px}
@@ -65,8 +64,8 @@ main,header,footer{padding-left:16px;padding-right:16px}
 header{padding-top:28px}
 h1{font-size:27px;line-height:33px}
 .summary p{font-size:16.5px;line-height:26px}
-.key{grid-template-columns:1fr 1fr}
-.key>div,.key>div:first-child{padding:10px 8px 10px 12px}
+.key>div,.key>div:first-child{flex-basis:150px;padding:10px 8px 10px 12px}
+.key .value{font-size:19px}
 .pair{grid-template-columns:1fr;gap:24px}
 figure.wide{overflow-x:auto}
 figure.wide svg{min-width:560px}

@@ -1,0 +1,125 @@
+#include "cromer/report/file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace cromer {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WriteFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "cromer-file-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override {
+    fs::permissions(folder_, fs::perms::owner_all);
+    fs::remove_all(folder_);
+  }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  static std::string content(const std::string& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  }
+  std::size_t entries() const {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_)) ++count;
+    return count;
+  }
+  fs::path folder_;
+};
+
+TEST_F(WriteFile, WritesTheBytesAndNothingElse) {
+  const std::string bytes("a\0b\n", 4);
+  ASSERT_TRUE(check_writable(path("new.csv")).ok());
+  EXPECT_EQ(entries(), 0u);
+  ASSERT_TRUE(write_file(path("new.csv"), bytes).ok());
+  EXPECT_EQ(content(path("new.csv")), bytes);
+  ASSERT_TRUE(write_file(path("new.csv"), "shorter").ok());
+  EXPECT_EQ(content(path("new.csv")), "shorter");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, KeepsPermissionsAndHonoursTheMask) {
+  ASSERT_TRUE(write_file(path("a"), "1").ok());
+  struct stat found {};
+  ASSERT_EQ(::stat(path("a").c_str(), &found), 0);
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  EXPECT_EQ(found.st_mode & 0777, 0666 & ~mask);
+  ASSERT_EQ(::chmod(path("a").c_str(), 0640), 0);
+  ASSERT_TRUE(write_file(path("a"), "2").ok());
+  ASSERT_EQ(::stat(path("a").c_str(), &found), 0);
+  EXPECT_EQ(found.st_mode & 0777, 0640u);
+}
+
+TEST_F(WriteFile, AFolderAndAMissingFolderAreNamed) {
+  for (const auto& write : {+[](const std::string& p) { return write_file(p, "x"); },
+                            +[](const std::string& p) { return check_writable(p); }}) {
+    const auto folder = write(folder_.string());
+    ASSERT_FALSE(folder.ok());
+    EXPECT_NE(folder.error().message.find(folder_.string()), std::string::npos);
+    EXPECT_NE(folder.error().message.find("folder"), std::string::npos);
+    const auto missing = write(path("no/such/file.csv"));
+    ASSERT_FALSE(missing.ok());
+    EXPECT_NE(missing.error().message.find("no/such/file.csv"), std::string::npos);
+    EXPECT_FALSE(write("").ok());
+  }
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(WriteFile, AnUnwritableFolderIsNamedAndLeftAlone) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_FALSE(check_writable(path("a.csv")).ok());
+  EXPECT_FALSE(write_file(path("a.csv"), "x").ok());
+}
+
+TEST_F(WriteFile, AFullDiskLeavesTheOldFileAndNothingElse) {
+  ASSERT_TRUE(write_file(path("old.csv"), "old").ok());
+  struct rlimit limit {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{4096, limit.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  const auto written = write_file(path("old.csv"), std::string(100000, 'x'));
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, handler);
+  ASSERT_FALSE(written.ok());
+  EXPECT_NE(written.error().message.find("old.csv"), std::string::npos);
+  EXPECT_EQ(content(path("old.csv")), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, ADeviceIsWrittenToDirectly) {
+  EXPECT_TRUE(write_file("/dev/null", "x").ok());
+  EXPECT_TRUE(check_writable("/dev/null").ok());
+  struct stat found {};
+  ASSERT_EQ(::stat("/dev/null", &found), 0);
+  EXPECT_TRUE(S_ISCHR(found.st_mode));
+  if (fs::exists("/dev/full")) {
+    EXPECT_FALSE(write_file("/dev/full", "x").ok());
+  }
+}
+
+TEST_F(WriteFile, ALinkStaysALink) {
+  ASSERT_TRUE(write_file(path("target"), "1").ok());
+  fs::create_symlink(path("target"), path("link"));
+  ASSERT_TRUE(write_file(path("link"), "2").ok());
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(content(path("target")), "2");
+}
+
+}  // namespace
+}  // namespace cromer
