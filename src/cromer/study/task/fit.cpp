@@ -10,6 +10,7 @@
 #include "cromer/analysis/reynolds.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/choose_law.h"
+#include "cromer/record/dialects/column_kind.h"
 
 namespace cromer {
 namespace {
