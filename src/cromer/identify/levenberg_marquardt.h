@@ -90,7 +90,7 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
     } else {
       lambda = lambda > 0 ? 10 * lambda : 1e-4;
     }
-    if ((motion <= enough && lambda <= 1) || (!better && motion <= 1e-13 * before)) {
+    if ((motion <= enough && lambda <= 1e-3) || (!better && motion <= 1e-13 * before)) {
       at.reason = LeastSquaresReason::converged;
       return at;
     }

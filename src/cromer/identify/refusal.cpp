@@ -68,34 +68,33 @@ std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
   const double periods = w * duration / (2 * pi);
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
-  // over its root.
+  // over its root. What a wrong law leaves lies at that frequency too, and must not count against a long
+  // oscillation; wandering noise, in turn, looks like a period or three.
   const double against_noise = fit.explained / std::max(1e-300, 1 - fit.explained) * fit.independent_samples;
-  constexpr double least_anywhere = 60, least_in_noise = 300;
-  const double least = fit.explained < 0.5 ? least_in_noise : least_anywhere;
-  if (against_noise < least) {
-    const auto n = static_cast<double>(record.t.size());
-    if (against_noise > least_anywhere && fit.independent_samples > 0.5 * n)
-      return Refusal{FitStatus::too_noisy,
-                     fmt::format("too noisy: a sinusoid accounts for {:.1f} % of the variance only",
-                                 100 * fit.explained)};
-    return Refusal{
-        FitStatus::no_oscillation,
-        fmt::format(
-            "no oscillation found: the best decaying sinusoid accounts for {:.1f} % of the variance, no more "
-            "than other frequencies; choose the part that oscillates with --from and --to, or another "
-            "--column",
-            100 * std::max(0.0, fit.explained))};
-  }
-  if (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w))
+  const double visible_periods = w * std::min(duration, 2 / std::max(g, 1e-300)) / (2 * pi);
+  const bool stands_out = visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
+                                               : against_noise > (fit.explained > 0.9 ? 60 : 500);
+  const bool smooth = fit.explained > 0.9;
+  if (smooth && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w)))
     return Refusal{FitStatus::overdamped,
                    fmt::format("the motion returns without oscillating: damping ratio about {:.2g}", g / w0)};
-  if (periods < 1.5)
+  if (smooth && periods < 1.5)
     return Refusal{FitStatus::too_short,
                    fmt::format("the record holds {:.2g} periods of {:.3g} s: a fit needs at least 1.5",
                                periods, 2 * pi / w)};
-  if (g - fit.student * fit.decay_rate.standard_error > 0.3 * w0 && 1 - fit.explained > 0.5)
+  if (!stands_out) {
+    const auto n = static_cast<double>(record.t.size());
+    if (against_noise > 60 && fit.independent_samples > 0.5 * n)
+      return Refusal{FitStatus::too_noisy,
+                     fmt::format("too noisy: a sinusoid accounts for {:.1f} % of the variance only",
+                                 100 * fit.explained)};
     return Refusal{FitStatus::no_oscillation,
-                   "no oscillation found: the strongest line fades within a period"};
+                   fmt::format("no oscillation found: the best decaying sinusoid accounts for {:.1f} % of "
+                               "the variance, and noise like the "
+                               "rest could do as much; choose the part that oscillates with --from and --to, "
+                               "or another --column",
+                               100 * std::max(0.0, fit.explained))};
+  }
   if (is_clipped(record, amplitude, w))
     return Refusal{
         FitStatus::clipped,

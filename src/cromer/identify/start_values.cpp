@@ -95,38 +95,62 @@ GridPoint search(const DampedPhasor& model, double duration, double w_low, doubl
 
 }  // namespace
 
+namespace {
+
+double step_of(const Samples& samples) {
+  return samples.duration() / static_cast<double>(samples.t.size() - 1);
+}
+
+double variation(const Samples& samples) {
+  double mean = 0, sum = 0;
+  for (double y : samples.y) mean += y;
+  mean /= static_cast<double>(samples.y.size());
+  for (double y : samples.y) sum += (y - mean) * (y - mean);
+  return sum / static_cast<double>(samples.y.size());
+}
+
+// The best point of a few frequencies, for records of a few periods: a window over them would blur every
+// line.
+GridPoint search_few_periods(const Samples& samples) {
+  const double T = samples.duration();
+  const Samples thin = thinned(samples, 7 * two_pi / T);
+  return search(DampedPhasor(thin.record()), T, 0.6 * two_pi / T, 7 * two_pi / T, 60, 10);
+}
+
+// The best point at the spectrum's line, if that is one: more than six periods, and a fiftieth of the
+// variance at least. Above a drift without an oscillation stands nothing but rounding.
+std::optional<GridPoint> search_line(const Samples& samples) {
+  const std::optional<SpectralLine> line = strongest_line(amplitude_spectrum(samples.y, step_of(samples)));
+  const double T = samples.duration();
+  if (!line || line->angular_frequency * T < 6 * two_pi) return std::nullopt;
+  const Samples thin = thinned(samples, line->angular_frequency);
+  const GridPoint best =
+      search(DampedPhasor(thin.record()), T, line->angular_frequency, line->angular_frequency, 1, 1);
+  if (best.sum_of_squares > 0.98 * variation(thin) * static_cast<double>(thin.y.size())) return std::nullopt;
+  return best;
+}
+
+}  // namespace
+
 std::optional<StartValues> find_start_values(const Record& record) {
   const std::size_t n = record.t.size();
   StartValues start;
   start.samples = std::min(n, longest_transform);
-  const double h = find_sampling(record.t.first(start.samples)).step;
-  Samples part = even_samples(record, start.samples, h);
-  std::optional<SpectralLine> line =
-      strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
-  if (start.samples < n && (!line || line->angular_frequency * part.duration() < 4 * two_pi)) {
+  Samples part = even_samples(record, start.samples, find_sampling(record.t.first(start.samples)).step);
+  std::optional<GridPoint> best = search_line(part);
+  if (!best && start.samples < n) {
     part = group_means(record, longest_transform);
     start.samples = n;
-    line =
-        strongest_line(amplitude_spectrum(part.y, part.duration() / static_cast<double>(part.y.size() - 1)));
+    best = search_line(part);
   }
-
-  const double T = part.duration();
-  GridPoint best;
-  if (line && line->angular_frequency * T > 6 * two_pi) {
-    const Samples thin = thinned(part, line->angular_frequency);
-    best = search(DampedPhasor(thin.record()), T, line->angular_frequency, line->angular_frequency, 1, 1);
-  } else {
-    // Few periods: a window over them blurs every line, so frequencies are searched as well.
-    const Samples thin = thinned(part, 7 * two_pi / T);
-    best = search(DampedPhasor(thin.record()), T, 0.6 * two_pi / T, 7 * two_pi / T, 60, 10);
-    if (!std::isfinite(best.sum_of_squares)) return std::nullopt;
-  }
+  if (!best) best = search_few_periods(part);
+  if (!std::isfinite(best->sum_of_squares)) return std::nullopt;
 
   // Amplitudes from the part itself, now at the record's own times.
   const Record own{record.t.first(start.samples), record.y.first(start.samples), record.resolution};
-  const DampedPhasor::Linear linear = DampedPhasor(own).best_linear(best.w, best.g);
-  start.phasor[DampedPhasor::angular_frequency] = best.w;
-  start.phasor[DampedPhasor::decay_rate] = best.g;
+  const DampedPhasor::Linear linear = DampedPhasor(own).best_linear(best->w, best->g);
+  start.phasor[DampedPhasor::angular_frequency] = best->w;
+  start.phasor[DampedPhasor::decay_rate] = best->g;
   start.phasor[DampedPhasor::equilibrium] = linear.equilibrium;
   start.phasor[DampedPhasor::cosine] = linear.cosine;
   start.phasor[DampedPhasor::sine] = linear.sine;

@@ -1,0 +1,169 @@
+#include "cromer/identify/free_decay.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+FreeDecay fit_viscous(const SyntheticRecord& record) { return fit_free_decay(record.record(), {}); }
+
+void expect_truth(const FreeDecay& fit, const Truth& truth, double tolerance) {
+  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  const double A = std::hypot(truth.position, truth.velocity / truth.w0);
+  EXPECT_NEAR(fit.angular_frequency.value, truth.w0, tolerance * truth.w0);
+  EXPECT_NEAR(fit.decay_rate.value, truth.g, tolerance * truth.w0);
+  EXPECT_NEAR(fit.equilibrium.value, truth.equilibrium, tolerance * A);
+  EXPECT_NEAR(fit.position.value, truth.position, tolerance * A);
+  EXPECT_NEAR(fit.velocity.value, truth.velocity, tolerance * A * truth.w0);
+}
+
+TEST(FreeDecay, RecoversTheLawWithoutNoise) {
+  const Truth truths[] = {{},
+                          {.w0 = 3, .g = 0},
+                          {.w0 = 3, .g = 0.9},      // fades within a period or two
+                          {.w0 = 250, .g = 0.1},    // two and a half samples a period
+                          {.w0 = 0.6, .g = 0.002},  // two periods in all
+                          {.w0 = 8, .g = 0.02, .equilibrium = 1e3},
+                          {.w0 = 8, .g = 0.02, .position = 1e-6, .velocity = -3e-5}};
+  for (const Truth& truth : truths) {
+    SCOPED_TRACE(truth.w0);
+    expect_truth(fit_viscous(viscous_record(truth, even_times(2000, 0.01))), truth, 1e-9);
+  }
+}
+
+TEST(FreeDecay, RecoversTheLawFromAnyPhase) {
+  for (int i = 0; i < 24; ++i) {
+    const double phase = i * std::numbers::pi / 12;
+    const Truth truth{.position = 0.05 * std::cos(phase), .velocity = 0.05 * 8.849 * std::sin(phase)};
+    expect_truth(fit_viscous(viscous_record(truth, even_times(1500, 0.01))), truth, 1e-9);
+  }
+}
+
+TEST(FreeDecay, RecoversTheLawFromUnevenTimesAndGaps) {
+  std::mt19937_64 engine(3);
+  std::uniform_real_distribution<double> jitter(-0.004, 0.004);
+  std::vector<double> uneven = even_times(2000, 0.01), gaps;
+  for (double& t : uneven) t += 17 + jitter(engine);
+  for (int i = 0; i < 2000; ++i)
+    if (i % 50 != 7 && (i < 600 || i > 800)) gaps.push_back(0.01 * i);
+  for (const auto& t : {uneven, gaps}) expect_truth(fit_viscous(viscous_record({}, t)), {}, 1e-9);
+}
+
+TEST(FreeDecay, RecoversTheLawOfShortAndLongRecords) {
+  const Truth truth{.w0 = 2 * std::numbers::pi, .g = 0.05};
+  expect_truth(fit_viscous(viscous_record(truth, even_times(160, 0.01))), truth, 1e-8);  // 1.6 periods
+  expect_truth(fit_viscous(viscous_record(truth, even_times(24, 0.1))), truth, 1e-8);    // 24 samples
+  expect_truth(fit_viscous(viscous_record({.w0 = 7, .g = 1e-4}, even_times(300000, 0.01))),
+               {.w0 = 7, .g = 1e-4}, 1e-9);
+  // Hundreds of thousands of samples and a few periods only.
+  expect_truth(fit_viscous(viscous_record({.w0 = 0.01, .g = 1e-4}, even_times(300000, 0.01))),
+               {.w0 = 0.01, .g = 1e-4}, 1e-7);
+}
+
+// var(g) = var(w) >= (2 sigma² h/A²)/(M2 - M1²/M0), M_k the moments of exp(-2 g t).
+double least_standard_error(double sigma, double h, double A, double g, double T) {
+  double m[3]{};
+  const int n = 20000;
+  for (int i = 0; i < n; ++i) {
+    const double t = (i + 0.5) * T / n, e = std::exp(-2 * g * t) * T / n;
+    m[0] += e;
+    m[1] += t * e;
+    m[2] += t * t * e;
+  }
+  return std::sqrt(2 * sigma * sigma * h / (A * A) / (m[2] - m[1] * m[1] / m[0]));
+}
+
+TEST(FreeDecay, ScattersAsLittleAsCanBeAndSaysSo) {
+  const Truth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = -0.0025};
+  const double noise = 1e-3, h = 0.01, T = 20;
+  const double bound = least_standard_error(noise, h, 0.05, truth.g, T);
+  constexpr int trials = 400;
+  double scatter_g = 0, scatter_w = 0, stated = 0;
+  int covered_g = 0, covered_w = 0, covered_x = 0, covered_E = 0;
+  const auto covers = [](const Estimate& e, double value) { return e.low <= value && value <= e.high; };
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const FreeDecay fit = fit_viscous(viscous_record(truth, even_times(2000, h), noise, 0, seed));
+    ASSERT_EQ(fit.status, FitStatus::converged);
+    scatter_g += std::pow(fit.decay_rate.value - truth.g, 2) / trials;
+    scatter_w += std::pow(fit.angular_frequency.value - truth.w0, 2) / trials;
+    stated += fit.decay_rate.standard_error / trials;
+    covered_g += covers(fit.decay_rate, truth.g);
+    covered_w += covers(fit.angular_frequency, truth.w0);
+    covered_x += covers(fit.position, truth.position);
+    covered_E += covers(fit.equilibrium, truth.equilibrium);
+  }
+  EXPECT_NEAR(bound / truth.g, 0.0037, 0.0001);            // theory.md: 0.37 % after 20 s
+  EXPECT_NEAR(std::sqrt(scatter_g), bound, 0.12 * bound);  // sampling error of 400 fits: 3.5 %
+  EXPECT_NEAR(std::sqrt(scatter_w), bound, 0.12 * bound);
+  EXPECT_NEAR(stated, bound, 0.05 * bound);
+  for (int covered : {covered_g, covered_w, covered_x, covered_E})
+    EXPECT_NEAR(covered, 0.955 * trials, 13);  // sd 4
+}
+
+TEST(FreeDecay, IntervalsHoldForCorrelatedNoise) {
+  // Noise of a sensor that smooths: correlated over many samples. Intervals that assume white noise would
+  // hold in half of the cases.
+  const Truth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = 0};
+  int covered = 0, covered_equilibrium = 0;
+  constexpr int trials = 300;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    SyntheticRecord record = viscous_record(truth, even_times(3000, 0.01));
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, 3e-4);
+    double noise = 0;
+    for (double& y : record.y) y += noise = 0.95 * noise + normal(engine);
+    const FreeDecay fit = fit_viscous(record);
+    covered += fit.decay_rate.low <= truth.g && truth.g <= fit.decay_rate.high;
+    covered_equilibrium +=
+        fit.equilibrium.low <= truth.equilibrium && truth.equilibrium <= fit.equilibrium.high;
+    EXPECT_FALSE(fit.residual.white);
+  }
+  EXPECT_GE(covered, 0.91 * trials);
+  EXPECT_GE(covered_equilibrium, 0.88 * trials);
+}
+
+TEST(FreeDecay, IntervalsHoldForQuantisedValues) {
+  int covered = 0;
+  constexpr int trials = 100;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const Truth truth{.g = 0.03 + 1e-4 * seed, .position = 0.05 + 1e-5 * seed};
+    const FreeDecay fit = fit_viscous(viscous_record(truth, even_times(1500, 0.01), 3e-3, 0.01,
+                                                     seed));  // steps of a fifth of the amplitude
+    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    covered += fit.decay_rate.low <= truth.g && truth.g <= fit.decay_rate.high;
+  }
+  EXPECT_GE(covered, 90);
+}
+
+TEST(FreeDecay, UndampedMotionIsFittedUnderTheBound) {
+  int on_bound = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const FreeDecay fit =
+        fit_viscous(viscous_record({.g = 0, .velocity = 0}, even_times(1000, 0.01), 1e-3, 0, seed));
+    ASSERT_EQ(fit.status, FitStatus::converged);
+    EXPECT_GE(fit.decay_rate.value, 0);
+    on_bound += fit.decay_rate.value == 0 && !fit.warnings.empty();
+  }
+  EXPECT_GT(on_bound, 3);
+  EXPECT_LT(on_bound, 17);
+}
+
+TEST(FreeDecay, ShiftScaleAndTimeUnitChangeNothingElse) {
+  const SyntheticRecord one = viscous_record({}, even_times(1200, 0.01), 3e-4);
+  SyntheticRecord other = one;
+  for (double& y : other.y) y = -1000 * y + 7;
+  for (double& t : other.t) t = 50 + 2 * t;
+  const FreeDecay a = fit_viscous(one), b = fit_viscous(other);
+  EXPECT_NEAR(b.angular_frequency.value, a.angular_frequency.value / 2, 1e-9);
+  EXPECT_NEAR(b.decay_rate.value, a.decay_rate.value / 2, 1e-9);
+  EXPECT_NEAR(b.decay_rate.standard_error, a.decay_rate.standard_error / 2,
+              1e-6 * a.decay_rate.standard_error);
+  EXPECT_NEAR(b.equilibrium.value, -1000 * a.equilibrium.value + 7, 1e-6);
+}
+
+}  // namespace
+}  // namespace cromer

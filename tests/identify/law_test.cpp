@@ -1,0 +1,39 @@
+#include "cromer/identify/law.h"
+
+#include <gtest/gtest.h>
+
+namespace cromer {
+namespace {
+
+TEST(Law, ReadsAnySumInAnyOrder) {
+  for (const char* text : {"viscous+drag+cubic", "cubic+viscous+drag", " drag + cubic + viscous "}) {
+    const Result<Law> law = parse_law(text);
+    ASSERT_TRUE(law.ok()) << text;
+    EXPECT_EQ(to_text(*law), "viscous+drag+cubic");
+  }
+  EXPECT_EQ(to_text(*parse_law("drag")), "drag");
+  EXPECT_FALSE(parse_law("drag")->viscous);
+}
+
+TEST(Law, WritesWhatItReads) {
+  for (int bits = 1; bits < 16; ++bits) {
+    const Law law{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
+    ASSERT_TRUE(parse_law(to_text(law)).ok());
+    EXPECT_EQ(*parse_law(to_text(law)), law);
+  }
+}
+
+TEST(Law, SuggestsTheNearestTerm) {
+  const Result<Law> law = parse_law("viscous+darg");
+  ASSERT_FALSE(law.ok());
+  EXPECT_NE(law.error().message.find("\"darg\""), std::string::npos);
+  EXPECT_NE(law.error().message.find("did you mean drag"), std::string::npos);
+}
+
+TEST(Law, RefusesEmptyAndRepeatedTerms) {
+  for (const char* text : {"", "+", "viscous+", "viscous+viscous", "viscous drag"})
+    EXPECT_FALSE(parse_law(text).ok()) << text;
+}
+
+}  // namespace
+}  // namespace cromer

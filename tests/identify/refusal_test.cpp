@@ -1,0 +1,96 @@
+// Records that must be refused, each with its reason.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cromer/identify/choose_law.h"
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+FitStatus status_of(const SyntheticRecord& record) {
+  const FreeDecay fit = fit_free_decay(record.record(), {});
+  EXPECT_EQ(fit.message.empty(), fit.status == FitStatus::converged);
+  return fit.status;
+}
+
+SyntheticRecord noise_record(std::size_t n, double correlation, unsigned seed) {
+  SyntheticRecord record = viscous_record({.position = 0, .velocity = 0}, even_times(n, 0.01));
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  double noise = 0;
+  for (double& y : record.y) y += noise = correlation * noise + normal(engine);
+  return record;
+}
+
+TEST(Refusal, NoiseIsNoOscillation) {
+  for (double correlation : {0.0, 0.9, 0.99, 1.0})
+    for (std::size_t n : {200u, 3000u})
+      for (unsigned seed = 1; seed <= 10; ++seed)
+        EXPECT_NE(status_of(noise_record(n, correlation, seed)), FitStatus::converged)
+            << correlation << ' ' << n << ' ' << seed;
+}
+
+TEST(Refusal, DriftAndStepsAreNoOscillation) {
+  SyntheticRecord ramp{even_times(500, 0.01), {}, 0}, step = ramp, spike = ramp;
+  for (double t : ramp.t) {
+    ramp.y.push_back(3 * t);
+    step.y.push_back(t > 2.2);
+    spike.y.push_back(t == ramp.t[100]);
+  }
+  for (const auto& record : {ramp, step, spike}) EXPECT_NE(status_of(record), FitStatus::converged);
+}
+
+TEST(Refusal, FewSamplesAndConstants) {
+  EXPECT_EQ(status_of(viscous_record({}, even_times(7, 0.01))), FitStatus::too_short);
+  EXPECT_EQ(status_of({{}, {}, 0}), FitStatus::too_short);
+  EXPECT_EQ(status_of(viscous_record({.position = 0, .velocity = 0}, even_times(100, 0.01))),
+            FitStatus::no_oscillation);
+}
+
+TEST(Refusal, LessThanOneAndAHalfPeriods) {
+  EXPECT_EQ(status_of(viscous_record({.w0 = 6.28, .g = 0.05}, even_times(110, 0.01))), FitStatus::too_short);
+}
+
+TEST(Refusal, MotionWithoutReturn) {
+  SyntheticRecord record{even_times(1000, 0.01), {}, 0};
+  for (double t : record.t)
+    record.y.push_back(0.1 + 0.05 * (1.2 * std::exp(-1.0 * t) - 0.2 * std::exp(-6.0 * t)));
+  EXPECT_EQ(status_of(record), FitStatus::overdamped);
+}
+
+TEST(Refusal, TopsCutOff) {
+  SyntheticRecord record =
+      viscous_record({.equilibrium = 0, .position = 0.05}, even_times(2000, 0.01), 1e-4, 1e-4);
+  EXPECT_EQ(status_of(record), FitStatus::converged);
+  for (double& y : record.y) y = std::min(y, 0.03);
+  EXPECT_EQ(status_of(record), FitStatus::clipped);
+}
+
+TEST(Refusal, CoarseRoundingIsNotClipping) {
+  for (double resolution : {0.002, 0.005, 0.01, 0.02})
+    EXPECT_EQ(
+        status_of(viscous_record({.g = 0.001, .position = 0.05}, even_times(3000, 0.01), 0, resolution)),
+        FitStatus::converged)
+        << resolution;
+}
+
+TEST(Refusal, ALineFarBelowTheNoise) {
+  const FitStatus status =
+      status_of(viscous_record({.g = 0, .position = 0.0125, .velocity = 0}, even_times(10000, 0.01), 0.1));
+  EXPECT_TRUE(status == FitStatus::too_noisy || status == FitStatus::no_oscillation);
+  EXPECT_EQ(
+      status_of(viscous_record({.g = 0, .position = 0.05, .velocity = 0}, even_times(10000, 0.01), 0.1)),
+      FitStatus::converged);
+}
+
+TEST(Refusal, HoldsForEveryLaw) {
+  const SyntheticRecord noise = noise_record(2000, 0.5, 3);
+  EXPECT_EQ(fit_free_decay(noise.record(), {.law = {.viscous = true, .drag = true}}).status,
+            FitStatus::no_oscillation);
+  EXPECT_EQ(choose_law(noise.record(), {}).chosen.status, FitStatus::no_oscillation);
+}
+
+}  // namespace
+}  // namespace cromer

@@ -1,0 +1,71 @@
+#include "cromer/identify/residual.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace cromer {
+namespace {
+
+std::vector<double> white(std::size_t n, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  std::vector<double> r(n);
+  for (double& value : r) value = normal(engine);
+  return r;
+}
+
+// First-order autoregression: rho_l = a^l.
+std::vector<double> autoregressive(std::size_t n, double a, unsigned seed) {
+  std::vector<double> r = white(n, seed);
+  for (std::size_t i = 1; i < n; ++i) r[i] += a * r[i - 1];
+  return r;
+}
+
+TEST(Residual, WhiteNoiseIsCalledWhiteNinetyNineTimesInAHundred) {
+  int called_white = 0, called_normal = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    const Residual residual = describe_residual(white(2000, seed));
+    called_white += residual.white;
+    called_normal += residual.normality > 0.05;
+    EXPECT_NEAR(residual.rms, 1, 0.08);
+  }
+  EXPECT_NEAR(called_white, 396, 7);    // binomial: sd 2
+  EXPECT_NEAR(called_normal, 380, 18);  // sd 4.4, and the test is only asymptotically exact
+}
+
+TEST(Residual, CorrelationAndSkewnessAreSeen) {
+  EXPECT_FALSE(describe_residual(autoregressive(2000, 0.2, 1)).white);
+  EXPECT_NEAR(describe_residual(autoregressive(20000, 0.6, 1)).autocorrelation, 0.6, 0.02);
+  std::vector<double> skewed = white(2000, 3);
+  for (double& value : skewed) value = std::exp(0.5 * value);
+  EXPECT_LT(describe_residual(skewed).normality, 1e-6);
+}
+
+TEST(Residual, AutocorrelationsByTransformAreTheDirectOnes) {
+  const std::vector<double> r = autoregressive(5000, 0.8, 2);
+  const auto few = autocorrelations(r, 60), many = autocorrelations(r, 500);
+  for (std::size_t l = 0; l <= 60; ++l) EXPECT_NEAR(few[l], many[l], 1e-12);
+}
+
+TEST(Residual, FactorIsTheSpectralDensityOfTheNoise) {
+  // Of an autoregression with a: (1 - a²)/(1 - 2 a cos w + a²).
+  for (double a : {0.0, 0.5, 0.9})
+    for (double w : {0.0, 0.1, 0.5}) {
+      double mean = 0;
+      for (unsigned seed = 0; seed < 20; ++seed)
+        mean += correlation_factor(autoregressive(20000, a, seed), w) / 20;
+      const double density = (1 - a * a) / (1 - 2 * a * std::cos(w) + a * a);
+      EXPECT_NEAR(mean, std::max(1.0, density), 0.12 * std::max(1.0, density)) << a << ' ' << w;
+    }
+}
+
+TEST(Residual, NothingLeftIsNoCorrelation) {
+  const std::vector<double> zeros(100, 0.0);
+  EXPECT_EQ(correlation_factor(zeros, 0.1), 1);
+  EXPECT_EQ(describe_residual(zeros).rms, 0);
+}
+
+}  // namespace
+}  // namespace cromer
