@@ -20,7 +20,7 @@
 
 namespace cromer {
 
-/// The law per unit mass: x'' = f(t) - (s + k3 x^2) x - (c + d |x'|) x' - f0 sgn(x'), each coefficient
+/// The law per unit mass: x'' = f(t) - s x - k3 x^3 - (c + d |x'|) x' - f0 sgn(x'), each coefficient
 /// divided by m. Friction is the plain sign function, 0 at rest. Force gives f(t) [m/s^2]: HarmonicForce, or
 /// TabulatedForce after on_grid.
 template <class Real, Terms terms, class Force = HarmonicForce<Real>>
@@ -65,7 +65,7 @@ class DrivenOscillator {
   template <class T>
   T restoring(const T& x) const {
     if constexpr (terms.cubic)
-      return (law_.stiffness + law_.cubic * (x * x)) * x;
+      return law_.stiffness * x + (law_.cubic * x) * (x * x);  // two products deep, not three
     else
       return law_.stiffness * x;
   }
