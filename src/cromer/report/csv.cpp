@@ -36,11 +36,14 @@ void append_csv(std::string& out, std::span<const CsvColumn> columns, std::span<
                 bool with_header) {
   for (std::string comment : comments) {
     for (std::size_t i = 0; (i = comment.find('\n', i)) != std::string::npos; i += 3)
-      comment.replace(i, 1, "\n# ");
-    out += "# " + comment + "\n";
+      comment.insert(i + 1, "# ");
+    out.append("# ").append(comment).append("\n");
   }
   if (with_header) {
-    for (std::size_t c = 0; c < columns.size(); ++c) out += (c > 0 ? "," : "") + cell_text(columns[c].header);
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      if (c > 0) out += ',';
+      out += cell_text(columns[c].header);
+    }
     out += '\n';
   }
 

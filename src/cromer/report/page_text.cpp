@@ -64,7 +64,9 @@ bool keeps_together(std::string_view text, std::size_t blank) {
 }
 
 std::string element(std::string_view name, const std::string& content) {
-  return "<" + std::string(name) + ">" + content + "</" + std::string(name) + ">";
+  std::string out;
+  out.append("<").append(name).append(">").append(content).append("</").append(name).append(">");
+  return out;
 }
 
 }  // namespace
@@ -106,7 +108,10 @@ std::string inline_html(std::string_view text) {
         } else {
           const std::string above =
               element(c == '_' ? "sup" : "sub", inline_html(text.substr(i + 2, second - i - 2)));
-          out += "<span class=\"both\">" + (c == '_' ? above + first : first + above) + "</span>";
+          out.append("<span class=\"both\">")
+              .append(c == '_' ? above : first)
+              .append(c == '_' ? first : above)
+              .append("</span>");
           i = second + 1;
         }
         continue;
@@ -124,7 +129,7 @@ std::string inline_html(std::string_view text) {
 std::string paragraphs_html(std::string_view text) {
   std::string out, paragraph;
   const auto end_paragraph = [&] {
-    if (!paragraph.empty()) out += "<p>" + inline_html(paragraph) + "</p>\n";
+    if (!paragraph.empty()) out.append("<p>").append(inline_html(paragraph)).append("</p>\n");
     paragraph.clear();
   };
   for (std::size_t i = 0; i <= text.size();) {

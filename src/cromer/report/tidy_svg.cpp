@@ -211,7 +211,10 @@ class Tidy {
   void points(std::string_view value) {
     out_ += " points=\"";
     const auto numbers = numbers_in(value);
-    for (std::size_t i = 0; i < numbers.size(); ++i) out_ += (i > 0 ? " " : "") + shorter(numbers[i]);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (i > 0) out_ += ' ';
+      out_ += shorter(numbers[i]);
+    }
     out_ += '"';
   }
 
