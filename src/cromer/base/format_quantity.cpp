@@ -43,7 +43,7 @@ Decimal rounded_to(double value, int place) {
   const int count = significant(value, 17).exponent() - place + 1;
   if (value == 0 || count < 0) return {"0", place};
   if (count == 0) {
-    const bool up = significant(value, 1).digits[0] >= '5';
+    const bool up = significant(value, 17).digits[0] >= '5';
     return {up ? "1" : "0", place};
   }
   Decimal decimal = significant(value, count);

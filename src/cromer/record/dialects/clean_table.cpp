@@ -45,7 +45,7 @@ Result<Table> clean_table(const Recording& recording, const ReadOptions& options
                  : (options.rate > 0 ? static_cast<double>(i) / options.rate : static_cast<double>(i));
         if (!std::isfinite(t)) continue;
         rows.push_back(i);
-        lines.push_back(recording.lines[i]);
+        lines.push_back(line_of(recording, run, i));
         seconds.values.push_back(t);
       }
       const auto rising = dialects::keep_rising(seconds.values, lines);

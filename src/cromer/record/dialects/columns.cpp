@@ -203,7 +203,7 @@ void count_missing(Recording& recording) {
     std::size_t missing = 0;
     long first = 0;
     for (std::size_t i = 0; i < length_of_run[static_cast<std::size_t>(column.run)]; ++i)
-      if (std::isnan(column.values[i]) && missing++ == 0) first = recording.lines[i];
+      if (std::isnan(column.values[i]) && missing++ == 0) first = line_of(recording, column.run, i);
     if (missing == 0) continue;
     const std::string run = several ? concat({" of run ", std::to_string(column.run)}) : "";
     recording.warnings.push_back(

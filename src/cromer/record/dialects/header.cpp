@@ -106,14 +106,13 @@ Cells split_names(std::string_view line, const Layout& layout, char& separator) 
     const std::size_t written = cells.size();
     drop_trailing_empty(cells);
     separator = candidate;
-    // A delimiter that ends each row makes one column that has no name.
-    if (cells.size() == layout.columns || written == layout.columns || cells.size() + 1 == layout.columns)
-      return cells;
+    if (cells.size() == layout.columns || (written == layout.columns && !cells.empty())) return cells;
   }
+  // Fewer names than columns: a delimiter that ends each row makes one column without a name.
   split_cells(line, Layout{layout.separator, '.', 1}, cells);
   drop_trailing_empty(cells);
   separator = layout.separator;
-  return cells.size() > 1 ? cells : Cells{};
+  return cells.size() > 1 || layout.columns == 2 ? cells : Cells{};
 }
 
 std::string unquoted(std::string_view text) {

@@ -12,6 +12,7 @@
 #include "cromer/record/dialects/lines.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/record/dialects/rows.h"
+#include "cromer/record/dialects/stacked_runs.h"
 
 namespace cromer {
 
@@ -51,7 +52,10 @@ Result<Recording> read_recording(std::string_view bytes, std::string_view file, 
     recording.warnings.push_back(concat({counted(rows->bad_rows, "bad row"), " left out, the first in line ",
                                          std::to_string(rows->first_bad_line)}));
   drop_unnamed_empty(recording);
-  number_runs(recording, header);
+  if (split_stacked_runs(recording))
+    recording.dialect.name = "Cromer";
+  else
+    number_runs(recording, header);
   if (const auto time = mark_time(recording, options, !header.headings.empty()); !time)
     return refuse(time.error().message);
   count_missing(recording);

@@ -45,13 +45,21 @@ struct Recording {
   std::string file;
   Dialect dialect;
   Table table;              ///< without bad rows; ragged runs padded with NaN
-  std::vector<long> lines;  ///< line number of each row
+  std::vector<long> lines;  ///< line number of each row of the file
+  std::vector<std::vector<long>>
+      lines_of_run;  ///< the same for each run, where runs stand below each other in the file; else empty
   std::vector<std::string> warnings;
 };
 
 /// Reads a whole file. An Error names file, line, column and cure: `lab.csv:17: column "Position (m)": "abc"
 /// is not a number; ...`.
 Result<Recording> read_recording(std::string_view bytes, std::string_view file, const ReadOptions& options);
+
+/// The line of the file that holds a row of the table.
+inline long line_of(const Recording& recording, int run, std::size_t row) {
+  if (recording.lines_of_run.empty()) return recording.lines[row];
+  return recording.lines_of_run[static_cast<std::size_t>(run) - 1][row];
+}
 
 /// One quantity of one run with its times, missing values left out, times made strictly increasing;
 /// everything repaired is said in warnings.

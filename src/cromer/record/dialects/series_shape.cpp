@@ -22,6 +22,18 @@ double decimal_step(std::span<const double> values) {
   return 0;
 }
 
+/// The lower quartile of the changes from sample to sample, those that are none left out: the flicker of a
+/// signal at rest.
+double usual_small_change(std::span<const double> y) {
+  std::vector<double> changes;
+  for (std::size_t i = 1; i < y.size(); ++i)
+    if (y[i] != y[i - 1]) changes.push_back(std::fabs(y[i] - y[i - 1]));
+  if (changes.empty()) return 0;
+  const auto quarter = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 4);
+  std::nth_element(changes.begin(), quarter, changes.end());
+  return *quarter;
+}
+
 /// Distance of y[i] from the cubic through its four neighbours, evenly spaced.
 double distance_from_cubic(std::span<const double> y, std::size_t i) {
   return y[i] - (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
@@ -54,8 +66,9 @@ double rounding_step(std::span<const double> values) {
   double smallest = range;
   for (std::size_t i = 1; i < distinct.size(); ++i)
     smallest = std::min(smallest, distinct[i] - distinct[i - 1]);
+  if (decimal > 0 && smallest < 0.75 * decimal) return decimal;  // only the rare exceptions are closer
   // A quantum may be printed rounded: 0.0429 and 0.0430 are the same step.
-  const double tolerance = std::max(0.05 * smallest, 1.01 * decimal);
+  const double tolerance = std::max(0.05 * smallest, std::min(1.01 * decimal, 0.25 * smallest));
   std::size_t multiples = 0;
   double sum = 0, counts = 0;
   for (std::size_t i = 1; i < distinct.size(); ++i) {
@@ -89,7 +102,8 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   }
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   const double everywhere = robust * median(size);
-  const double floor = std::max({limit * everywhere, 6 * resolution, 1e-6 * (*high - *low)});
+  const double floor =
+      std::max({limit * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
   for (std::size_t i = 2; i + 2 < n; ++i) {
     if (size[i] <= floor) continue;
     const bool alone = (y[i] - y[i - 1]) * (y[i + 1] - y[i]) < 0 &&

@@ -151,7 +151,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     t.push_back(at);
     y.push_back(y_si);
     as_written.push_back(value.values[i]);
-    lines.push_back(recording.lines[i]);
+    lines.push_back(line_of(recording, run, i));
   }
   if (t.empty())
     return refuse(concat({"column \"", series.column, "\" of run ", std::to_string(run), " has no values"}));
