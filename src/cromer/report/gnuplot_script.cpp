@@ -13,10 +13,21 @@ namespace {
 
 // How a terminal's units relate to the px of the layout (measured with gnuplot 5.4).
 struct Terminal {
-  double dash_unit;  // px per unit of `dt` and per unit of line width
+  double dash_unit;   // px per unit of `dt` and per unit of line width
+  double point_size;  // of `pt 7` for a dot of radius 1.3 px; in SVG tidy_svg gives it its size
 };
 
-Terminal terminal_of(FigureFormat format) { return {format == FigureFormat::svg ? 0.5 : 0.25}; }
+Terminal terminal_of(FigureFormat format) {
+  switch (format) {
+    case FigureFormat::svg:
+      return {0.5, 0.25};
+    case FigureFormat::png:
+      return {0.25, 0.64};
+    case FigureFormat::pdf:
+      return {0.283, 0.2};
+  }
+  return {0.5, 0.25};
+}
 
 // A single-quoted gnuplot string. Apostrophe and backquote become their typographic forms: neither can end
 // the string or hand a command to the shell (gnuplot 5.4 reads a doubled apostrophe at a string's start as
@@ -142,8 +153,9 @@ class Script {
       case Mark::band:
         return fmt::format("{} using 1:2:3 with filledcurves fc rgb '{}' fs transparent solid 0.2 noborder",
                            name, curve.colour);
-      case Mark::dots:  // `ps` 1 is about 5 px from the middle to the rim
-        return fmt::format("{} using 1:2 with points pt 7 ps 0.25 lc rgb '{}'", name, curve.colour);
+      case Mark::dots:
+        return fmt::format("{} using 1:2 with points pt 7 ps {} lw 1 lc rgb '{}'", name,
+                           terminal_of(format_).point_size, curve.colour);
       case Mark::line:
         break;
     }
