@@ -53,11 +53,14 @@ Decimal rounded_to(double value, int place) {
 }
 
 /// digits × 10^shift with a point, no exponent.
-std::string fixed(std::string digits, int shift) {
+std::string fixed(const std::string& digits, int shift) {
   if (shift >= 0) return digits == "0" ? digits : digits + std::string(static_cast<std::size_t>(shift), '0');
   const std::size_t decimals = static_cast<std::size_t>(-shift);
-  if (digits.size() <= decimals) digits.insert(0, decimals + 1 - digits.size(), '0');
-  return digits.insert(digits.size() - decimals, ".");
+  const std::size_t zeros = digits.size() <= decimals ? decimals + 1 - digits.size() : 0;
+  const std::string padded = std::string(zeros, '0') + digits;
+  const std::size_t point = padded.size() - decimals;
+  return fmt::format("{}.{}", std::string_view(padded).substr(0, point),
+                     std::string_view(padded).substr(point));
 }
 
 /// With the sign of the value, unless nothing but zeros is left of it.
