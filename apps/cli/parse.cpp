@@ -14,6 +14,9 @@
 namespace cromer::cli {
 namespace {
 
+/// Looks like an option, not like a value: a negative number has one dash and no letter after it.
+bool is_option(std::string_view word) { return word == "-o" || word.substr(0, 2) == "--"; }
+
 /// What was typed for one option of the table.
 struct Typed {
   const Option* option;
@@ -76,6 +79,10 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
     return refuse(problem.what());
   }
 
+  for (const auto& [option, texts, flag] : typed)
+    for (const auto& text : texts)
+      if (is_option(text))
+        return refuse(fmt::format("--{} needs a value, and {} is an option", option->name, text));
   for (const auto& left : app.remaining()) {
     if (left.size() > 1 && left.front() == '-') return unknown_option(syntax, left);
     files.push_back(left);

@@ -26,26 +26,26 @@ struct SensorOptions {
 
 /// What `cromer simulate` takes; empty optionals are the documented defaults.
 struct SimulateOptions {
-  double mass = 1;                          // [kg] > 0
-  std::optional<double> stiffness;          // [N/m] any sign; 1 by default
-  std::optional<double> damping;            // [kg/s] >= 0; 0 by default
-  double drag = 0;                          // [kg/m] >= 0
-  double friction = 0;                      // [N] >= 0
-  double cubic = 0;                         // [N/m^3] any sign
-  std::optional<double> natural_frequency;  // [rad/s] > 0, in place of stiffness
-  std::optional<double> damping_ratio;      // >= 0, in place of damping
-  std::optional<double> quality_factor;     // > 0, in place of damping
-  double drive_amplitude = 0;               // [N] >= 0
-  std::vector<double> drive_frequency;      // [rad/s] >= 0; one run each
-  double drive_phase = 0;                   // [rad]
-  std::optional<double> position;           // [m]; 1 when nothing else sets the motion going
-  std::optional<double> velocity;           // [m/s]; 0
-  std::vector<std::string> method;          ///< names; euler-cromer by default
-  std::optional<double> step;               // [s] > 0; 1/200 of the shorter of natural and drive period
-  std::optional<double> until;              // [s] > 0; 20 natural periods
-  std::optional<double> tolerance;  // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
-  long long every = 1;              ///< keep every Nth state, > 0
-  SensorOptions sensor;
+  double mass = 1;                            // [kg] > 0
+  std::optional<double> stiffness{};          // [N/m] any sign; 1 by default
+  std::optional<double> damping{};            // [kg/s] >= 0; 0 by default
+  double drag = 0;                            // [kg/m] >= 0
+  double friction = 0;                        // [N] >= 0
+  double cubic = 0;                           // [N/m^3] any sign
+  std::optional<double> natural_frequency{};  // [rad/s] > 0, in place of stiffness
+  std::optional<double> damping_ratio{};      // >= 0, in place of damping
+  std::optional<double> quality_factor{};     // > 0, in place of damping
+  double drive_amplitude = 0;                 // [N] >= 0
+  std::vector<double> drive_frequency{};      // [rad/s] >= 0; one run each
+  double drive_phase = 0;                     // [rad]
+  std::optional<double> position{};           // [m]; 1 when nothing else sets the motion going
+  std::optional<double> velocity{};           // [m/s]; 0
+  std::vector<std::string> method{};          ///< names; euler-cromer by default
+  std::optional<double> step{};               // [s] > 0; 1/200 of the shorter of natural and drive period
+  std::optional<double> until{};              // [s] > 0; 20 natural periods
+  std::optional<double> tolerance{};  // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
+  long long every = 1;                ///< keep every Nth state, > 0
+  SensorOptions sensor{};
   double memory =
       0;  // [bytes] most that the kept states may take; 0: no limit. Set by the caller, not an option
 };
@@ -62,14 +62,14 @@ struct SimulatedRun {
   double tolerance = 0;
   Outcome outcome;
   Trajectory trajectory;
-  std::vector<double> sensor;  ///< one sample per kept state; empty without a sensor
-  std::string message;         ///< why it ended early, with time and step
+  std::vector<double> sensor{};  ///< one sample per kept state; empty without a sensor
+  std::string message;           ///< why it ended early, with time and step
 };
 
 struct SimulateResult {
   SimulateOptions options;  ///< as used, defaults filled in
-  std::vector<SimulatedRun> runs;
-  std::vector<std::string> warnings;
+  std::vector<SimulatedRun> runs{};
+  std::vector<std::string> warnings{};
   bool ok() const {
     for (const auto& run : runs)
       if (run.outcome.status != Status::reached_end) return false;

@@ -1,0 +1,104 @@
+// Wrong options: exit status 2, nothing on standard output, a message that names the option and the cure, no
+// file left.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+struct BadOption {
+  const char* name;
+  std::vector<std::string> arguments;
+  std::vector<std::string> said;
+};
+
+class BadOptions : public ::testing::TestWithParam<BadOption> {};
+
+TEST_P(BadOptions, AreRefusedWithTheCure) {
+  const Folder folder;
+  auto arguments = GetParam().arguments;
+  const bool writes = !arguments.empty() && arguments.front() == "simulate" &&
+                      std::find(arguments.begin(), arguments.end(), "-o") == arguments.end();
+  if (writes) arguments.insert(arguments.end(), {"-o", "run.csv", "--json"});
+  const Finished end = folder.run(arguments);
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.out, IsEmpty());
+  EXPECT_THAT(end.err, StartsWith("cromer: "));
+  for (const auto& text : GetParam().said) EXPECT_THAT(end.err, HasSubstr(text));
+  EXPECT_THAT(folder.names(), IsEmpty());
+}
+
+const BadOption bad_options[] = {
+    {"no_command", {}, {"a command is needed", "simulate"}},
+    {"unknown_command", {"simulat"}, {"\"simulat\"", "did you mean simulate?"}},
+    {"unknown_option", {"simulate", "--mas", "1"}, {"--mas", "did you mean --mass?"}},
+    {"unknown_option_with_value", {"simulate", "--stifness=9"}, {"did you mean --stiffness?"}},
+    {"no_value", {"simulate", "--mass"}, {"--mass needs a value"}},
+    {"twice", {"simulate", "--mass", "1", "--mass", "2"}, {"--mass is given 2 times"}},
+    {"stray_file", {"simulate", "lab.csv"}, {"takes no file", "lab.csv"}},
+    {"no_file", {"fit"}, {"needs a file"}},
+    {"wrong_unit", {"simulate", "--mass", "217.6 N"}, {"--mass", "217.6 N", "force", "mass"}},
+    {"unknown_unit", {"simulate", "--mass", "3 stone"}, {"--mass", "stone"}},
+    {"word", {"simulate", "--step", "small"}, {"--step", "small"}},
+    {"not_a_number", {"simulate", "--step", "nan"}, {"--step"}},
+    {"infinite", {"simulate", "--until", "1e999"}, {"--until"}},
+    {"mass_zero", {"simulate", "--mass", "0"}, {"--mass", "must be positive"}},
+    {"mass_negative", {"simulate", "--mass", "-1"}, {"--mass", "must be positive", "-1"}},
+    {"damping_negative", {"simulate", "--damping", "-0.1"}, {"--damping", "must not be negative"}},
+    {"step_negative", {"simulate", "--step", "-0.01"}, {"--step", "must be positive", "-0.01"}},
+    {"tolerance", {"simulate", "--tolerance", "1e-16"}, {"--tolerance", "1e-15 and 1e-2"}},
+    {"every_zero", {"simulate", "--every", "0"}, {"--every", "must be positive"}},
+    {"every_part", {"simulate", "--every", "2.5"}, {"--every", "whole number"}},
+    {"memory", {"simulate", "--step", "1e-9", "--until", "1e6"}, {"1e+15 states", "24 PB", "--every"}},
+    {"endless", {"simulate", "--step", "1e-300", "--until", "1e6"}, {"--step", "too many"}},
+    {"unknown_method", {"simulate", "--method", "rk5"}, {"--method", "\"rk5\"", "did you mean rk4?"}},
+    {"exact_drag", {"simulate", "--method", "exact", "--drag", "1"}, {"exact", "drag"}},
+    {"exact_cubic", {"simulate", "--method", "exact", "--cubic", "1"}, {"exact", "cubic"}},
+    {"exact_friction", {"simulate", "--method", "exact", "--friction", "1"}, {"exact", "friction"}},
+    {"two_springs",
+     {"simulate", "--stiffness", "1", "--natural-frequency", "1"},
+     {"--stiffness", "--natural-frequency"}},
+    {"two_dampings",
+     {"simulate", "--damping", "1", "--quality-factor", "1"},
+     {"--damping", "--quality-factor"}},
+    {"ratio_of_nothing",
+     {"simulate", "--stiffness", "0", "--damping-ratio", "0.1"},
+     {"--damping-ratio", "positive stiffness"}},
+    {"no_period", {"simulate", "--stiffness", "0"}, {"--step", "--until"}},
+    {"drive_without_frequency", {"simulate", "--drive-amplitude", "1"}, {"--drive-frequency"}},
+    {"hdf5", {"simulate", "-o", "run.h5"}, {"run.h5", "HDF5"}},
+    {"ending", {"simulate", "-o", "run.dat"}, {"run.dat", ".csv"}},
+    {"no_folder", {"simulate", "-o", "missing/run.csv"}, {"missing"}},
+    {"plot_ending", {"simulate", "--plot", "run.gif"}, {"--plot", ".svg"}},
+    {"temperature", {"fit", "lab.csv", "--temperature", "20"}, {"--temperature", "20 °C"}},
+    {"uncertain_step", {"simulate", "--step", "0.01 ± 0.001 s"}, {"--step", "uncertainty"}},
+};
+
+INSTANTIATE_TEST_SUITE_P(Options, BadOptions, ::testing::ValuesIn(bad_options),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(BadOptions, AnOutputThatIsAFolderIsRefusedBeforeTheRun) {
+  const Folder folder;
+  const Finished end = folder.run({"simulate", "-o", "/", "--json"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.out, IsEmpty());
+}
+
+TEST(BadOptions, AnUnwritableFolderKeepsItsOldFile) {
+  const Folder folder;
+  folder.write("old.csv", "old\n");
+  const Finished end = folder.run({"simulate", "-o", "old.csv", "--plot", "missing/run.svg"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_EQ(folder.read("old.csv"), "old\n");
+  EXPECT_THAT(folder.names(), ::testing::ElementsAre("old.csv"));
+}
+
+}  // namespace
+}  // namespace cromer::test

@@ -1,0 +1,123 @@
+// Version, help, methods, inspect, fit and compare from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(Program, SaysItsVersion) {
+  const Finished end = Folder().run({"--version"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(end.out, "cromer 0.1.0\n");
+}
+
+TEST(Program, EveryCommandHasHelpWithAnExample) {
+  for (const char* command : {"simulate", "methods", "inspect", "fit", "compare"}) {
+    const Finished end = Folder().run({command, "--help"});
+    EXPECT_EQ(end.status, 0) << command;
+    EXPECT_THAT(end.out, HasSubstr("Example:\n  cromer " + std::string(command)));
+  }
+}
+
+TEST(Program, HelpOfSimulateStatesTheDefaults) {
+  const Finished end = Folder().run({"simulate", "--help"});
+  for (const char* text :
+       {"[1 kg]", "[1 N/m]", "[euler-cromer]", "1/200", "20 natural periods", "1 m when nothing else"})
+    EXPECT_THAT(end.out, HasSubstr(text));
+}
+
+TEST(Methods, AreListedWithTheirOrders) {
+  const Finished end = Folder().run({"methods", "--json"});
+  ASSERT_EQ(end.status, 0);
+  std::vector<std::string> names;
+  const auto document = end.json();
+  for (const auto& method : document["methods"]) {
+    names.push_back(method["name"]);
+    EXPECT_TRUE(method["implicit"].is_boolean() && method["symplectic"].is_boolean() &&
+                method["adaptive"].is_boolean());
+    EXPECT_FALSE(method["source"].get<std::string>().empty());
+    EXPECT_EQ(method["order"].is_null(), method["name"] == "exact");
+  }
+  EXPECT_THAT(names, ::testing::IsSupersetOf(
+                         {"forward-euler", "euler-cromer", "implicit-euler", "verlet", "rk4", "exact"}));
+}
+
+TEST(Inspect, SaysWhatIsInAFileAndConvertsIt) {
+  const Folder folder;
+  folder.write("lab.csv", "Time (s);Position (mm)\n0,00;1,5\n0,01;1,75\n0,02;2,0\n0,03;2,5\n");
+  const Finished end = folder.run({"inspect", "lab.csv", "--json", "-o", "clean.csv"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto document = end.json();
+  EXPECT_EQ(document["separator"], "semicolon");
+  EXPECT_EQ(document["samples"], 4);
+  EXPECT_NEAR(document["rate"].get<double>(), 100, 1e-9);
+  EXPECT_EQ(document["columns"][1]["unit"], "mm");
+  EXPECT_EQ(document["columns"][1]["quantity"], "position");
+  EXPECT_EQ(folder.read("clean.csv"), "Time (s),Position (mm)\n0,1.5\n0.01,1.75\n0.02,2\n0.03,2.5\n");
+  const Finished again = folder.run({"inspect", "clean.csv", "--json"});
+  EXPECT_EQ(again.json()["columns"], document["columns"]);
+}
+
+TEST(Fit, FindsTheLawThatMadeTheRecording) {
+  const Folder folder;
+  folder.write("lab.csv", recording(3000));
+  const Finished end = folder.run(
+      {"fit", "lab.csv", "--law", "viscous", "--mass", "217.6 ± 0.3 g", "--json", "-o", "fit.csv"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto document = end.json();
+  EXPECT_EQ(document["status"], "converged");
+  EXPECT_EQ(document["law"], "viscous");
+  // The motion is exp(-0.05 t) cos(6 t): w0^2 = 36 + 0.05^2.
+  EXPECT_NEAR(document["parameters"]["decay_rate"]["value"].get<double>(), 0.05, 1e-5);
+  EXPECT_NEAR(document["parameters"]["stiffness"]["value"].get<double>(), 0.2176 * 36.0025, 1e-4);
+  EXPECT_NEAR(document["parameters"]["stiffness"]["standard_error"].get<double>(), 0.0003 * 36.0025, 1e-4);
+  EXPECT_THAT(folder.read("fit.csv"), HasSubstr("decay_rate"));
+}
+
+TEST(Fit, SeveralFilesMakeAList) {
+  const Folder folder;
+  folder.write("a.csv", recording(3000));
+  folder.write("b.csv", recording(3000, 0.1));
+  const Finished end = folder.run({"fit", "a.csv", "b.csv", "--law", "viscous", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto fits = end.json()["fits"];
+  ASSERT_EQ(fits.size(), 2u);
+  EXPECT_NEAR(fits[1]["parameters"]["decay_rate"]["value"].get<double>(), 0.1, 1e-4);
+}
+
+TEST(Fit, OneOfSeveralThatFailsExitsOne) {
+  const Folder folder;
+  folder.write("a.csv", recording(3000));
+  std::string rest = "Time (s),Position (m)\n";
+  for (int i = 0; i < 2000; ++i) rest += std::to_string(i / 100.0) + ",0.2\n";
+  folder.write("rest.csv", rest);
+  const Finished end = folder.run({"fit", "a.csv", "rest.csv", "--law", "viscous", "--json"});
+  EXPECT_EQ(end.status, 1);
+  const auto document = end.json();
+  EXPECT_EQ(document["fits"][0]["status"], "converged");
+  EXPECT_NE(document["fits"][1]["status"], "converged");
+  EXPECT_FALSE(document["fits"][1]["message"].get<std::string>().empty());
+  EXPECT_FALSE(document["message"].get<std::string>().empty());
+}
+
+TEST(Compare, LaysSimulationsBesideTheRecording) {
+  const Folder folder;
+  folder.write("lab.csv", recording(3000));
+  const Finished end = folder.run({"compare", "lab.csv", "--law", "viscous", "--method", "rk4", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto document = end.json();
+  ASSERT_FALSE(document["curves"].empty());
+  for (const auto& curve : document["curves"]) {
+    EXPECT_EQ(curve["method"], "rk4");
+    EXPECT_GT(curve["r_squared"].get<double>(), 0.9999);
+    EXPECT_NEAR(curve["amplitude_ratio_end"].get<double>(), 1, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace cromer::test

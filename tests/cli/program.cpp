@@ -1,0 +1,119 @@
+#include "program.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace cromer::test {
+namespace {
+
+constexpr const char* out_name = ".standard-output";
+constexpr const char* err_name = ".standard-error";
+
+std::string slurp(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void redirect(int descriptor, const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  dup2(file, descriptor);
+  close(file);
+}
+
+}  // namespace
+
+Folder::Folder() {
+  std::string pattern = std::filesystem::temp_directory_path().string() + "/cromer-cli-XXXXXX";
+  path_ = mkdtemp(pattern.data());
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+void Folder::write(const std::string& name, const std::string& bytes) const {
+  std::ofstream(path(name), std::ios::binary) << bytes;
+}
+
+std::string Folder::read(const std::string& name) const { return slurp(path(name)); }
+
+bool Folder::has(const std::string& name) const { return std::filesystem::exists(path(name)); }
+
+std::vector<std::string> Folder::names() const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+    const std::string name = entry.path().filename().string();
+    if (name != out_name && name != err_name) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+pid_t Folder::start(const std::vector<std::string>& arguments) const {
+  std::vector<std::string> words{CROMER_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (auto& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const pid_t process = fork();
+  if (process != 0) return process;
+  if (chdir(path_.c_str()) != 0) _exit(126);
+  redirect(STDOUT_FILENO, path(out_name));
+  redirect(STDERR_FILENO, path(err_name));
+  execv(CROMER_PROGRAM, argv.data());
+  _exit(127);
+}
+
+Finished Folder::wait(pid_t process) const {
+  int status = 0;
+  bool ended = false;
+  for (int i = 0; i < 6000 && !ended; ++i) {
+    ended = waitpid(process, &status, WNOHANG) == process;
+    if (!ended) usleep(i < 100 ? 1000 : 10000);
+  }
+  if (!ended) {
+    kill(process, SIGKILL);
+    waitpid(process, &status, 0);
+  }
+  const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  return {code, slurp(path(out_name)), slurp(path(err_name))};
+}
+
+bool wait_for_handler(pid_t process, int signal) {
+  const std::string file = "/proc/" + std::to_string(process) + "/status";
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = slurp(file);
+    const auto at = text.find("SigCgt:");
+    if (at != std::string::npos) {
+      const unsigned long long caught = std::strtoull(text.c_str() + at + 7, nullptr, 16);
+      if (caught >> (signal - 1) & 1u) return true;
+    }
+    usleep(5000);
+  }
+  return false;
+}
+
+std::string recording(int samples, double decay_rate) {
+  std::string text = "Time (s),Position (m)\n";
+  char row[64];
+  for (int i = 0; i < samples; ++i) {
+    const double t = i / 100.0;
+    std::snprintf(row, sizeof row, "%.2f,%.5f\n", t,
+                  0.2 + 0.05 * std::exp(-decay_rate * t) * std::cos(6 * t));
+    text += row;
+  }
+  return text;
+}
+
+}  // namespace cromer::test

@@ -1,0 +1,197 @@
+// cromer simulate as contract.md says, early ends included.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// The rows of a CSV, comments and header left out.
+std::vector<std::vector<double>> rows(const std::string& csv) {
+  std::vector<std::vector<double>> table;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || (line[0] != '-' && (line[0] < '0' || line[0] > '9'))) continue;
+    auto& row = table.emplace_back();
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) row.push_back(std::strtod(cell.c_str(), nullptr));
+  }
+  return table;
+}
+
+/// The first line that is no comment.
+std::string header(const std::string& csv) {
+  std::istringstream lines(csv);
+  std::string line;
+  while (std::getline(lines, line) && line.rfind("#", 0) == 0) {
+  }
+  return line;
+}
+
+TEST(Simulate, AnswersAsTheContractSays) {
+  const Folder folder;
+  const Finished end = folder.run({"simulate",
+                                   "--mass",
+                                   "1",
+                                   "--stiffness",
+                                   "9",
+                                   "--damping",
+                                   "0.2",
+                                   "--drive-amplitude",
+                                   "1",
+                                   "--drive-frequency",
+                                   "3",
+                                   "--method",
+                                   "euler-cromer",
+                                   "--step",
+                                   "0.01",
+                                   "--until",
+                                   "50",
+                                   "--json",
+                                   "-o",
+                                   "run.csv"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(end.err, "");
+  const auto run = end.json()["runs"].at(0);
+  EXPECT_EQ(run["method"], "euler-cromer");
+  EXPECT_EQ(run["status"], "reached_end");
+  EXPECT_EQ(run["step"], 0.01);
+  EXPECT_EQ(run["counts"]["accepted"], 5000);
+  for (const char* name : {"mass", "stiffness", "damping", "drag", "friction", "cubic", "drive_amplitude",
+                           "drive_frequency", "drive_phase", "position", "velocity"})
+    EXPECT_TRUE(run["parameters"].contains(name)) << name;
+  EXPECT_THAT(folder.names(), ElementsAre("run.csv"));
+  const std::string csv = folder.read("run.csv");
+  EXPECT_EQ(header(csv), "run,t (s),x (m),v (m/s),energy (J)");
+  const auto table = rows(csv);
+  ASSERT_EQ(table.size(), 5001u);
+  // Reading back gives the same double as the document has.
+  EXPECT_EQ(table.back()[1], run["final"]["t"].get<double>());
+  EXPECT_EQ(table.back()[2], run["final"]["x"].get<double>());
+  EXPECT_EQ(table.back()[3], run["final"]["v"].get<double>());
+  EXPECT_EQ(table.back()[4], run["final"]["energy"].get<double>());
+  // Two steps by hand: x = 0, v = 0; a = 1: v = 0.01, x = 1e-4; then a = cos(0.03) - 9e-4 - 2e-3.
+  EXPECT_DOUBLE_EQ(table[1][2], 1e-4);
+  EXPECT_DOUBLE_EQ(table[2][3], 0.01 + 0.01 * (std::cos(0.03) - 9e-4 - 2e-3));
+}
+
+TEST(Simulate, MethodIsOutermostOfSeveralRuns) {
+  const Folder folder;
+  const Finished end =
+      folder.run({"simulate", "--drive-amplitude", "1", "--drive-frequency", "3", "--drive-frequency", "1 Hz",
+                  "--method", "exact", "--method", "rk4", "--until", "1", "--step", "0.01", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto runs = end.json()["runs"];
+  ASSERT_EQ(runs.size(), 4u);
+  EXPECT_EQ(runs[1]["method"], "exact");
+  EXPECT_EQ(runs[2]["method"], "rk4");
+  EXPECT_EQ(runs[2]["parameters"]["drive_frequency"], 3.0);
+  EXPECT_NEAR(runs[3]["parameters"]["drive_frequency"].get<double>(), 6.283185307179586, 1e-15);
+}
+
+TEST(Simulate, ADivergingRunSaysWhenAndKeepsFiniteStates) {
+  const Folder folder;
+  const Finished end = folder.run(
+      {"simulate", "--method", "forward-euler", "--step", "1", "--until", "1e5", "--json", "-o", "run.csv"});
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err, HasSubstr("diverged: not finite after t = "));
+  const auto document = end.json();
+  EXPECT_EQ(document["runs"][0]["status"], "not_finite");
+  EXPECT_THAT(document["message"].get<std::string>(), HasSubstr("diverged"));
+  const auto table = rows(folder.read("run.csv"));
+  ASSERT_GT(table.size(), 100u);
+  for (const auto& row : table)
+    for (const double value : row) ASSERT_TRUE(std::isfinite(value));
+  EXPECT_EQ(table.back()[1], document["runs"][0]["final"]["t"].get<double>());
+}
+
+TEST(Simulate, CtrlCKeepsWhatIsThere) {
+  const Folder folder;
+  const pid_t process = folder.start(
+      {"simulate", "--step", "0.01", "--until", "1e9", "--every", "100000", "--json", "-o", "run.csv"});
+  ASSERT_TRUE(wait_for_handler(process, SIGINT));
+  usleep(100000);
+  kill(process, SIGINT);
+  const Finished end = folder.wait(process);
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err, HasSubstr("interrupted after t = "));
+  const auto run = end.json()["runs"].at(0);
+  EXPECT_EQ(run["status"], "stopped_by_event");
+  EXPECT_EQ(run["interrupted"], true);
+  EXPECT_LT(run["final"]["t"].get<double>(), 1e9);
+  EXPECT_THAT(folder.names(), ElementsAre("run.csv"));
+  const auto table = rows(folder.read("run.csv"));
+  ASSERT_GE(table.size(), 1u);
+  EXPECT_LE(table.back()[1], run["final"]["t"].get<double>());
+}
+
+TEST(Simulate, AShorterLastStepIsSaid) {
+  const Folder folder;
+  const Finished end = folder.run({"simulate", "--step", "0.01", "--until", "0.105", "--json"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_THAT(end.err, HasSubstr("the last step is 0.005 s"));
+  EXPECT_EQ(end.json()["runs"][0]["final"]["t"], 0.105);
+  EXPECT_EQ(folder.run({"simulate", "--step", "0.01", "--until", "0.105", "--quiet"}).err, "");
+}
+
+TEST(Simulate, ASensorWritesWhatALoggerWould) {
+  const Folder folder;
+  const std::vector<std::string> arguments{"simulate", "--step",          "0.01",   "--until",
+                                           "1",        "--sensor-noise",  "0.3 mm", "--sensor-resolution",
+                                           "0.1 mm",   "--sensor-offset", "0.2 m",  "--seed",
+                                           "7"};
+  auto first = arguments, second = arguments;
+  first.insert(first.end(), {"-o", "a.csv"});
+  second.insert(second.end(), {"-o", "b.csv"});
+  ASSERT_EQ(folder.run(first).status, 0);
+  ASSERT_EQ(folder.run(second).status, 0);
+  const std::string csv = folder.read("a.csv");
+  EXPECT_EQ(header(csv), "Time (s),Position (m)");
+  EXPECT_EQ(csv.substr(csv.find("\nTime")), folder.read("b.csv").substr(folder.read("b.csv").find("\nTime")));
+  EXPECT_THAT(csv, HasSubstr("synthetic"));
+  EXPECT_THAT(csv, HasSubstr("\n0.57,"));  // 57 x 0.01 is 0.5700000000000001
+  for (const auto& row : rows(csv)) {
+    EXPECT_NEAR(row[1], 0.2 + std::cos(row[0]), 0.01);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4f", row[1]);
+    EXPECT_EQ(std::strtod(text, nullptr), row[1]);
+  }
+}
+
+TEST(Simulate, StandardOutputTakesCsv) {
+  const Folder folder;
+  const Finished end = folder.run({"simulate", "--step", "0.1", "--until", "1", "-o", "-"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_EQ(rows(end.out).size(), 11u);
+}
+
+TEST(Simulate, JsonFileHasTheStates) {
+  const Folder folder;
+  ASSERT_EQ(folder.run({"simulate", "--step", "0.1", "--until", "1", "-o", "run.json"}).status, 0);
+  const auto document = nlohmann::json::parse(folder.read("run.json"), nullptr, false);
+  EXPECT_EQ(document["runs"][0]["states"]["x"].size(), 11u);
+}
+
+TEST(Simulate, PlotIsDrawn) {
+  const Folder folder;
+  const Finished end =
+      folder.run({"simulate", "--method", "exact", "--method", "forward-euler", "--plot", "run.svg"});
+  if (end.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << end.err;
+  EXPECT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(folder.names(), ElementsAre("run.svg"));
+  EXPECT_THAT(folder.read("run.svg"), HasSubstr("</svg>"));
+}
+
+}  // namespace
+}  // namespace cromer::test
