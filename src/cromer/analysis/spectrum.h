@@ -22,9 +22,9 @@ struct SpectralLine {
   double amplitude = 0;
 };
 
-/// The highest local maximum, refined by a parabola through the logarithms of three values: a few thousandths
-/// of the window's resolution 2 pi/(n h) for a lone undamped line. Drift that falls off from zero frequency
-/// is passed over. Empty where nothing rises.
+/// The highest local maximum, refined by a parabola through the logarithms of three values: a few hundredths
+/// of the window's resolution 2 pi/(n h) for a lone undamped line, the amplitude 5 %. Drift that falls off
+/// from zero frequency is passed over. Empty where nothing rises.
 std::optional<SpectralLine> strongest_line(const Spectrum& spectrum);
 
 }  // namespace cromer

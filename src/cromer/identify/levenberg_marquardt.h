@@ -81,8 +81,12 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
                                    options.error_tolerance * options.error_tolerance * variance);
 
     const NormalEquations equations = model(trial);
+    // Where the step moves the model by less than the sum of squares can resolve, the gradient still can:
+    // such a step is taken on trust.
     const double before = at.equations.sum_of_squares;
-    const bool better = std::isfinite(equations.sum_of_squares) && equations.sum_of_squares <= before;
+    const bool unresolved = motion <= 1e-13 * before;
+    const double limit = unresolved ? before * (1 + 1e-13) : before;
+    const bool better = std::isfinite(equations.sum_of_squares) && equations.sum_of_squares <= limit;
     if (better) {
       at.parameters = trial;
       at.equations = equations;
@@ -90,7 +94,7 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
     } else {
       lambda = lambda > 0 ? 10 * lambda : 1e-4;
     }
-    if ((motion <= enough && lambda <= 1e-3) || (!better && motion <= 1e-13 * before)) {
+    if ((motion <= enough && lambda <= 1e-3) || (unresolved && !better)) {
       at.reason = LeastSquaresReason::converged;
       return at;
     }

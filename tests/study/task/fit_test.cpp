@@ -67,8 +67,9 @@ TEST(FitTask, GivesTheSegmentsRatesAndTheirMean) {
     EXPECT_DOUBLE_EQ(result.segments[i].from, 30.0 * static_cast<double>(i));
   }
   ASSERT_TRUE(result.decay_rate_mean.has_value());
-  EXPECT_NEAR(result.decay_rate_mean->value, 0.00984, 0.0001);
-  EXPECT_NEAR(result.decay_rate_mean->standard_error, 0.00004, 0.00001);
+  EXPECT_NEAR(result.decay_rate_mean->value, 0.00984, 0.00008);  // this recording's own noise
+  EXPECT_GT(result.decay_rate_mean->standard_error, 0.00002);    // no less than the noise allows
+  EXPECT_LT(result.decay_rate_mean->standard_error, 0.00004);
 }
 
 TEST(FitTask, GivesTheLargestReynoldsNumber) {

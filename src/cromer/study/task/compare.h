@@ -12,7 +12,7 @@
 namespace cromer {
 
 struct CompareOptions {
-  FitOptions fit;
+  FitOptions fit{};
   std::string method = "euler-cromer";
   std::optional<double>
       step;  // [s] > 0; by default the sample spacing divided so that a period has at least 200 steps

@@ -17,17 +17,17 @@
 namespace cromer {
 
 struct FitOptions {
-  ReadOptions read;
-  std::string column;
-  std::optional<int> run;          ///< from 1; all runs when not given
-  std::optional<double> from, to;  // [s]
+  ReadOptions read{};
+  std::string column{};
+  std::optional<int> run{};            ///< from 1; all runs when not given
+  std::optional<double> from{}, to{};  // [s]
   std::string law = "auto";
-  std::optional<Quantity> mass;           // [kg] > 0
-  std::optional<Quantity> spring_mass;    // [kg] >= 0; a third of it is added
-  std::optional<Quantity> disc_diameter;  // [m] > 0
-  std::optional<double> temperature;      // [K]; 293.15 by default
-  std::optional<double> segment;          // [s] > 0
-  std::optional<int> segments;            ///< > 0
+  std::optional<Quantity> mass{};           // [kg] > 0
+  std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
+  std::optional<Quantity> disc_diameter{};  // [m] > 0
+  std::optional<double> temperature{};      // [K]; 293.15 by default
+  std::optional<double> segment{};          // [s] > 0
+  std::optional<int> segments{};            ///< > 0
 };
 
 /// The largest Reynolds number within [t, t + 0.5 s).

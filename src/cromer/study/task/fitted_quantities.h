@@ -21,10 +21,10 @@ struct NamedEstimate {
 
 /// What oscillates, and what it moves through.
 struct Body {
-  std::optional<Quantity> mass;           // [kg] > 0
-  std::optional<Quantity> spring_mass;    // [kg] >= 0
-  std::optional<Quantity> disc_diameter;  // [m] > 0
-  double temperature = 293.15;            // [K] > 0, of the air
+  std::optional<Quantity> mass{};           // [kg] > 0
+  std::optional<Quantity> spring_mass{};    // [kg] >= 0
+  std::optional<Quantity> disc_diameter{};  // [m] > 0
+  double temperature = 293.15;              // [K] > 0, of the air
 
   /// mass + spring_mass/3, [kg]; only with a mass.
   Quantity effective_mass() const;
