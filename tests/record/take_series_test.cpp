@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr ReadOptions none{};
+const ReadOptions none;
 
 Result<Series> take(std::string_view text, std::string_view column = "", int run = 1,
                     const ReadOptions& options = {}) {

@@ -28,8 +28,8 @@ bool is_tracker(const Header& header) {
   const auto& columns = header.headings;
   const bool bare =
       std::all_of(columns.begin(), columns.end(), [](const Heading& column) { return column.unit.empty(); });
-  return columns.size() >= 2 && bare && columns[0].name == "t" &&
-         (columns[1].name == "x" || columns[1].name == "y") && header.separator != ' ';
+  if (columns.size() < 2 || !bare || columns[0].name != "t" || columns[1].name != "x") return false;
+  return header.separator == '\t' || (columns.size() > 2 && columns[2].name == "y");
 }
 
 bool is_phyphox(const Header& header) {
