@@ -235,14 +235,18 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
   };
 
   constexpr double certain = 0.95;
-  Parameters start = viscous.explained > certain ? pack(fitted, viscous.motion())
-                                                 : grow(record, options.law, options, viscous, watch);
-  double h = step_for(viscous.residual.rms);
-  LeastSquaresSummary summary;
+  const Parameters start = viscous.explained > certain ? pack(fitted, viscous.motion())
+                                                       : grow(record, options.law, options, viscous, watch);
+  // Most of the way in coarse steps, then as fine as the residuals ask for.
+  LeastSquaresOptions coarse = settings;
+  coarse.error_tolerance = 1e-2;
+  LeastSquaresSummary summary = minimise_motion(
+      record, options.law, start, 2 * std::numbers::pi / viscous.angular_frequency.value / 40, coarse, watch);
+  fit.iterations = summary.iterations;
+  double h = step_for(std::sqrt(summary.equations.sum_of_squares) / root_n);
   for (int round = 0; round < 4; ++round) {
-    summary = minimise_motion(record, options.law, start, h, settings, watch);
+    summary = minimise_motion(record, options.law, summary.parameters, h, settings, watch);
     fit.iterations += summary.iterations;
-    start = summary.parameters;
     const double finer = step_for(std::sqrt(summary.equations.sum_of_squares) / root_n);
     if (finer > 0.8 * h) break;
     h = finer;
