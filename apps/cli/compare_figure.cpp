@@ -33,7 +33,8 @@ Figure compare_figure(const std::vector<CompareResult>& comparisons) {
     for (const auto& compared : comparison.curves) {
       Panel panel;
       panel.title =
-          comparisons.size() > 1 ? fmt::format("Run {}: {}", series.run, compared.label) : compared.label;
+          fmt::format("{}imulated with {}",
+                      comparisons.size() > 1 ? fmt::format("Run {}: s", series.run) : "S", compared.label);
       panel.x.name = "time {/:Italic t} (s)";
       panel.y.name = axis.name;
       panel.curves.push_back(measured_curve(comparison.recording, axis));

@@ -17,7 +17,7 @@ std::string in_words(std::string name) {
 }
 
 std::string quantity(const Estimate& estimate, std::string_view unit) {
-  return format_quantity({estimate.value, estimate.standard_error}, unit);
+  return format_quantity({estimate.value, estimate.standard_error}, unit == "1" ? "" : unit);
 }
 
 std::string heading(const FittedRecording& fitted) {
@@ -45,7 +45,7 @@ std::string one_fit(const FittedRecording& fitted) {
     rows.push_back({fmt::format("  decay rate {:.6g} to {:.6g} s", segment.from, segment.to),
                     quantity(segment.rate, "1/s")});
   if (fitted.decay_rate_mean)
-    rows.push_back({"  mean of the segments", quantity(*fitted.decay_rate_mean, "1/s")});
+    rows.push_back({"  decay rate, mean", quantity(*fitted.decay_rate_mean, "1/s")});
   if (fitted.reynolds_max)
     rows.push_back({fmt::format("  largest Reynolds number, at {:.6g} s", fitted.reynolds_max_t),
                     quantity(*fitted.reynolds_max, "")});

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "cromer/base/quantity.h"
 #include "cromer/study/task/simulate_setup.h"
@@ -43,12 +45,17 @@ std::string remark(const SimulatedRun& run, double height, const LengthUnit& uni
   if (run.outcome.status == Status::not_finite || largest(run.trajectory, 0, run.until) > height)
     return "grows without end";
   if (run.outcome.status != Status::reached_end) return fmt::format("ends at {:.4g} s", run.outcome.t);
-  const double last = largest(run.trajectory, 0.9 * run.until, run.until);
+  // The largest excursion says something only where at least a period of the drive is looked at.
+  const double drive_period =
+      run.drive.amplitude > 0 && run.drive.frequency > 0 ? 2 * std::numbers::pi / run.drive.frequency : 0;
+  const double window = std::max(0.1 * run.until, drive_period);
+  if (window > 0.5 * run.until) return "";
+  const double last = largest(run.trajectory, run.until - window, run.until);
   return fmt::format("±{} {} at the end", rounded(last / unit.metres, 3), unit.symbol);
 }
 
 std::string name_of(const SimulatedRun& run, bool one_method, bool several_frequencies) {
-  const std::string frequency = rounded(run.drive.frequency, 6) + " rad/s";
+  const std::string frequency = fmt::format("{:.6g} rad/s", run.drive.frequency);
   if (!several_frequencies) return run.method;
   return one_method ? frequency : run.method + ", " + frequency;
 }

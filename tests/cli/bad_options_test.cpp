@@ -82,7 +82,7 @@ const BadOption bad_options[] = {
 };
 
 INSTANTIATE_TEST_SUITE_P(Options, BadOptions, ::testing::ValuesIn(bad_options),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& test) { return std::string(test.param.name); });
 
 TEST(BadOptions, AnOutputThatIsAFolderIsRefusedBeforeTheRun) {
   const Folder folder;

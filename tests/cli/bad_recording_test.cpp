@@ -63,7 +63,7 @@ TEST_P(Commands, NameFileLineAndColumnOfAWord) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Commands, ::testing::Values("inspect", "fit", "compare"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST(BadRecording, SkipBadRowsReadsTheRest) {
   const Folder folder;
@@ -120,7 +120,8 @@ TEST(BadRecording, WithoutOscillationExitsOneAndSaysWhy) {
   std::string text = "Time (s),Position (m)\n";
   std::mt19937 noise(1);
   for (int i = 0; i < 2000; ++i)
-    text += std::to_string(i / 100.0) + "," + std::to_string(0.2 + 1e-4 * (noise() % 13)) + "\n";
+    text += std::to_string(i / 100.0) + "," + std::to_string(0.2 + 1e-4 * static_cast<double>(noise() % 13)) +
+            "\n";
   folder.write("rest.csv", text);
   const Finished end = folder.run({"fit", "rest.csv", "--json"});
   EXPECT_EQ(end.status, 1) << end.err;

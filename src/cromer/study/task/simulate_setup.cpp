@@ -131,7 +131,7 @@ bool uses_tolerance(std::string_view name) {
 
 std::string label_of(const SimulateOptions& o, const SimulatedRun& run) {
   if (o.drive_frequency.size() < 2) return run.method;
-  return fmt::format("{}, {} rad/s", run.method, rounded(run.drive.frequency, 6));
+  return fmt::format("{}, {:.6g} rad/s", run.method, run.drive.frequency);
 }
 
 }  // namespace
