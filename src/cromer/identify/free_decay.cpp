@@ -52,13 +52,14 @@ void describe(FreeDecay& fit, const Record& record, const MotionParameters& moti
   const FittedParameters fitted = fitted_parameters(fit.law);
   const auto n = static_cast<double>(record.t.size());
   const double h = (record.t.back() - record.t.front()) / (n - 1);
-  fit.residual = describe_residual(residuals);
+  const std::vector<double> rho = autocorrelations(residuals, first_lags(residuals.size()));
+  fit.residual = describe_residual(residuals, rho);
   const double norm = centred_norm(record.y);
   const double sum_of_squares = fit.residual.rms * fit.residual.rms * n;
   fit.explained = 1 - sum_of_squares / (norm * norm);
 
-  const Widening widening{correlation_factor(residuals, motion.angular_frequency * h),
-                          correlation_factor(residuals, 0)};
+  const Widening widening{correlation_factor(residuals, rho, motion.angular_frequency * h),
+                          correlation_factor(residuals, rho, 0)};
   fit.independent_samples = n / widening.oscillation;
   const double k = fitted.count;
   const double degrees = std::max(1.0, fit.independent_samples - k);

@@ -63,7 +63,13 @@ std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags
   return rho;
 }
 
+std::size_t first_lags(std::size_t samples) { return std::min<std::size_t>(32, samples / 2); }
+
 Residual describe_residual(std::span<const double> r) {
+  return describe_residual(r, autocorrelations(r, first_lags(r.size())));
+}
+
+Residual describe_residual(std::span<const double> r, const std::vector<double>& rho) {
   Residual result;
   const auto n = static_cast<double>(r.size());
   result.rms = std::sqrt(dot(r.data(), r.data(), r.size()) / n);
@@ -85,9 +91,8 @@ Residual describe_residual(std::span<const double> r) {
     result.normality = std::exp(-0.5 * n / 6 * (skewness * skewness + 0.25 * excess * excess));
   }
 
-  const std::size_t lags = std::min<std::size_t>(20, r.size() > 2 ? r.size() / 2 : 0);
+  const std::size_t lags = std::min<std::size_t>(20, rho.size() - 1);
   if (lags == 0) return result;
-  const std::vector<double> rho = autocorrelations(r, lags);
   result.autocorrelation = rho[1];
   double q = 0;
   for (std::size_t l = 1; l <= lags; ++l) q += rho[l] * rho[l] / (n - static_cast<double>(l));
@@ -101,17 +106,23 @@ Residual describe_residual(std::span<const double> r) {
 }
 
 double correlation_factor(std::span<const double> r, double phase_step) {
+  return correlation_factor(r, autocorrelations(r, first_lags(r.size())), phase_step);
+}
+
+double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
   const std::size_t most = r.size() / 2;
-  std::size_t lags = std::min<std::size_t>(32, most);
+  std::vector<double> longer;
+  const std::vector<double>* lagged = &rho;
   for (;;) {
-    const std::vector<double> rho = autocorrelations(r, lags);
+    const std::size_t lags = lagged->size() - 1;
     double sum = 1;
     for (std::size_t l = 1; l <= lags; ++l) {
-      sum += 2 * rho[l] * std::cos(static_cast<double>(l) * phase_step);
+      sum += 2 * (*lagged)[l] * std::cos(static_cast<double>(l) * phase_step);
       if (static_cast<double>(l) >= 5 * std::max(1.0, sum)) return std::max(1.0, sum);
     }
-    if (lags == most) return std::max(1.0, sum);
-    lags = lags < 64 ? std::min<std::size_t>(2048, most) : most;
+    if (lags >= most) return std::max(1.0, sum);
+    longer = autocorrelations(r, lags < 64 ? std::min<std::size_t>(2048, most) : most);
+    lagged = &longer;
   }
 }
 

@@ -16,6 +16,9 @@ struct Residual {
 /// Jarque & Bera, Econ. Lett. 6, 255 (1980); Ljung & Box, Biometrika 65, 297 (1978). `r` is not empty.
 Residual describe_residual(std::span<const double> r);
 
+/// The same, given autocorrelations(r, first_lags(r.size())).
+Residual describe_residual(std::span<const double> r, const std::vector<double>& rho);
+
 /// Autocorrelations of `r` (about its mean) at lags 0 to `lags` < r.size(), the biased estimate: 1 at lag 0.
 /// All 0 after it where r is constant.
 std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags);
@@ -26,5 +29,11 @@ std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags
 ///   1 + 2 sum over l of rho_l cos(l phase_step),
 /// summed over a window of five correlation times (Sokal's rule) and never below 1.
 double correlation_factor(std::span<const double> r, double phase_step);
+
+/// The same, given autocorrelations(r, first_lags(r.size())).
+double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step);
+
+/// As many lags as white residuals need.
+std::size_t first_lags(std::size_t samples);
 
 }  // namespace cromer

@@ -13,7 +13,7 @@ namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr std::size_t longest_transform = 16384;
+constexpr std::size_t longest_transform = 8192;
 constexpr std::size_t grid_samples = 1024;
 
 // A copy of some of a record's samples.
