@@ -117,6 +117,18 @@ TEST(FreeMotion, RecoversAPendulumsLargeSwings) {
   EXPECT_NEAR(fit.cubic->value, motion.cubic, 5 * fit.cubic->standard_error);
 }
 
+TEST(FreeMotion, ASwingOutOfStepWithEverySinusoidIsStillAnOscillation) {
+  const MotionParameters motion{
+      .angular_frequency = 4, .decay_rate = 0.01, .cubic = -16.0 / 6, .position = 1.4};
+  const SyntheticRecord record = motion_record(motion, even_times(8000, 0.02), 1e-3);
+  const LawChoice choice = choose_law(record.record(), {});
+  ASSERT_EQ(choice.chosen.status, FitStatus::converged) << choice.chosen.message;
+  EXPECT_LT(choice.candidates[0].explained, 0.6);
+  EXPECT_FALSE(choice.candidates[0].warnings.empty());
+  EXPECT_EQ(to_text(choice.chosen.law), "viscous+cubic");
+  EXPECT_NEAR(choice.chosen.residual.rms, 1e-3, 1e-4);
+}
+
 TEST(ChooseLaw, TakesTheTermsThatAreThere) {
   MotionParameters cubic = disc, both = disc, viscous = disc;
   cubic.drag = 0;

@@ -128,7 +128,7 @@ LeastSquaresSummary fit_phasor(const Record& record, const StartValues& start,
   return summary;
 }
 
-FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options) {
+FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options) {
   FreeDecay fit;
   fit.law = Law{};
   const std::optional<StartValues> start = find_start_values(record);
@@ -170,6 +170,37 @@ FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options) {
     fit.status = refusal->status;
     fit.message = refusal->message;
   }
+  return fit;
+}
+
+// The first periods of a record, as many as the frequency of a large swing stays put for.
+Record first_periods(const Record& record, double angular_frequency) {
+  const double end = record.t.front() + 8 * 2 * std::numbers::pi / angular_frequency;
+  const auto samples =
+      static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), end) - record.t.begin());
+  return first_part(
+      record, std::clamp<std::size_t>(samples, std::min<std::size_t>(32, record.t.size()), record.t.size()));
+}
+
+// A swing whose frequency changes as it decays leaves a sinusoid out of step, and is an oscillation all the
+// same: its first periods show it.
+FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options) {
+  FreeDecay fit = fit_sinusoid(record, options);
+  if (fit.status == FitStatus::no_oscillation && fit.angular_frequency.value > 0) {
+    const Record beginning = first_periods(record, fit.angular_frequency.value);
+    constexpr double clear = 0.95;
+    if (3 * beginning.t.size() < record.t.size()) {
+      const FreeDecay first = fit_sinusoid(beginning, options);
+      if (first.status == FitStatus::converged && first.explained > clear) {
+        fit.status = FitStatus::converged;
+        fit.message.clear();
+        fit.warnings.push_back(
+            fmt::format("the frequency changes along the record: one decaying sinusoid accounts for {:.0f} % "
+                        "of the variance only",
+                        100 * std::max(0.0, fit.explained)));
+      }
+    }
+  }
   warn_of_bounds(fit);
   return fit;
 }
@@ -184,20 +215,19 @@ LeastSquaresSummary minimise_motion(const Record& record, const Law& law, const 
   return minimise(model, start, settings);
 }
 
-// From the viscous fit of a few periods to the whole record, four times longer each time: where the frequency
+// From the viscous fit of a few periods to the whole record, twice as long each time: where the frequency
 // depends on the amplitude, a start from the whole record's viscous fit would lose count of the periods.
 Parameters grow(const Record& record, const Law& law, const FreeDecayOptions& options,
                 const FreeDecay& viscous, const Watch& watch) {
   const FittedParameters fitted = fitted_parameters(law);
   const double period = 2 * std::numbers::pi / viscous.angular_frequency.value;
-  const auto first = static_cast<std::size_t>(
-      std::lower_bound(record.t.begin(), record.t.end(), record.t.front() + 8 * period) - record.t.begin());
-  std::size_t samples = std::max<std::size_t>(first, 32);
+  const Record beginning = first_periods(record, viscous.angular_frequency.value);
+  std::size_t samples = beginning.t.size();
   Parameters parameters = pack(fitted, viscous.motion());
   if (samples >= record.t.size()) return parameters;
-  const FreeDecay start = fit_viscous(first_part(record, samples), options);
+  const FreeDecay start = fit_sinusoid(beginning, options);
   if (start.status == FitStatus::converged) parameters = pack(fitted, start.motion());
-  for (; samples < record.t.size(); samples *= 4) {
+  for (; samples < record.t.size(); samples *= 2) {
     const Record part = first_part(record, samples);
     LeastSquaresOptions settings = least_squares_options(part, options);
     settings.error_tolerance = 0.1;
