@@ -15,8 +15,10 @@ int main() {
 
   with_terms(oscillator, HarmonicDrive<double>{}, [&](const auto& system) {
     const auto run = [&](const auto& method) {
-      const Outcome outcome = solve(system, method, {.from = 0, .until = 5}, start, 0.01, [](double, const State<double>&) {});
-      std::printf("%-14s energy after 5 s: %.3g times the first\n", method.info.name.data(), energy(oscillator, outcome.y) / before);
+      const Outcome outcome =
+          solve(system, method, {.from = 0, .until = 5}, start, 0.01, [](double, const State<double>&) {});
+      std::printf("%-14s energy after 5 s: %.3g times the first\n", method.info.name.data(),
+                  energy(oscillator, outcome.y) / before);
     };
     run(ForwardEuler{});
     run(EulerCromer{});

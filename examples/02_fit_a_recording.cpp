@@ -20,6 +20,7 @@ int main(int count, char** words) {
   const FittedRecording& found = fits->front();
   std::printf("law: %s\n", to_text(found.fit.law).c_str());
   for (const NamedEstimate& each : found.parameters)
-    std::printf("%-20s %s\n", each.name.c_str(), format_quantity({each.estimate.value, each.estimate.standard_error}, each.unit).c_str());
+    std::printf("%-20s %s\n", each.name.c_str(),
+                format_quantity({each.estimate.value, each.estimate.standard_error}, each.unit).c_str());
   return found.find("stiffness") ? 0 : 1;
 }

@@ -30,7 +30,9 @@ std::string today() {
 /// One line that is written over, on a terminal only.
 StudyProgress progress_line(bool quiet) {
   if (quiet || !isatty(STDERR_FILENO)) return {};
-  return [](const std::string& what, double fraction) { std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str()); };
+  return [](const std::string& what, double fraction) {
+    std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str());
+  };
 }
 
 }  // namespace
@@ -39,15 +41,19 @@ int run_report(const Arguments& arguments) {
   OutputOptions output;
   std::string folder;
   Syntax syntax{.command = "report",
-                .description = "Runs a study (a TOML file of tasks, figures and text) and writes its figures and one page that opens offline.",
+                .description =
+                    "Runs a study (a TOML file of tasks, figures and text) and writes its figures and one "
+                    "page that opens offline.",
                 .files = "STUDY.toml",
                 .options = {},
                 .example = "  cromer report studies/spring_lab.toml -o out/spring_lab"};
-  syntax.options.push_back({"output", &folder, "", Range::any, "the folder to write to; made where it is missing", "", "Output"});
+  syntax.options.push_back(
+      {"output", &folder, "", Range::any, "the folder to write to; made where it is missing", "", "Output"});
   add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (files.size() > 1) return refuse(fmt::format("cromer report takes one study, but {} are given", files.size()));
+  if (files.size() > 1)
+    return refuse(fmt::format("cromer report takes one study, but {} are given", files.size()));
   if (folder.empty()) return refuse("cromer report needs -o FOLDER, where the report is to go");
 
   Watch watch = watching(output.quiet);

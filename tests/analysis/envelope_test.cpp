@@ -20,9 +20,11 @@ TEST(Envelope, follows_the_amplitude_of_a_decaying_swing) {
   ASSERT_EQ(found.bottom.size(), 38u);
   EXPECT_EQ(found.top_t.front(), 0);
   for (std::size_t i = 0; i < found.top.size(); ++i) {
-    // A turning point lies atan(0.05/6) of phase before the touching point; its height is exact to cos of that.
+    // A turning point lies atan(0.05/6) of phase before the touching point; its height is exact to cos of
+    // that.
     EXPECT_NEAR(found.top[i], 2 * std::exp(-0.05 * found.top_t[i]), 1e-4) << found.top_t[i];
-    EXPECT_NEAR(found.top_t[i], (2 * M_PI * static_cast<double>(i) - (i > 0 ? std::atan(0.05 / 6) : 0)) / 6, 1e-5);
+    EXPECT_NEAR(found.top_t[i], (2 * M_PI * static_cast<double>(i) - (i > 0 ? std::atan(0.05 / 6) : 0)) / 6,
+                1e-5);
   }
   for (std::size_t i = 0; i < found.bottom.size(); ++i)
     EXPECT_NEAR(found.bottom[i], -2 * std::exp(-0.05 * found.bottom_t[i]), 1e-4);

@@ -26,15 +26,17 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"analysis", {"base", "model", "methods", "run"}},
       {"ensemble", {"base", "model", "methods", "run", "analysis"}},
       {"identify", {"base", "model", "methods", "run", "analysis"}},
-      {"study/task", {"base", "model", "methods", "run", "analysis", "identify", "ensemble", "record/dialects"}},
+      {"study/task",
+       {"base", "model", "methods", "run", "analysis", "identify", "ensemble", "record/dialects"}},
       {"study",
-       {"base", "model", "methods", "run", "analysis", "identify", "ensemble", "record/dialects", "record/live", "report",
-        "study/task"}},
+       {"base", "model", "methods", "run", "analysis", "identify", "ensemble", "record/dialects",
+        "record/live", "report", "study/task"}},
   };
   return list;
 }
 
-/// The layer a path below src/cromer belongs to: the longest name of the list that begins it; "" if none does.
+/// The layer a path below src/cromer belongs to: the longest name of the list that begins it; "" if none
+/// does.
 std::string layer_of(const std::string& path) {
   std::string best;
   for (const auto& [layer, seen] : allowed())
@@ -46,7 +48,8 @@ std::string layer_of(const std::string& path) {
 std::string complaint(const std::string& file, const std::string& included) {
   const std::string from = layer_of(file), to = layer_of(included);
   if (from.empty()) return file + " lies in no folder of the architecture";
-  if (included == "version.h") return from == "study" ? "" : file + " includes version.h, which only study and apps may";
+  if (included == "version.h")
+    return from == "study" ? "" : file + " includes version.h, which only study and apps may";
   if (to.empty()) return file + " includes " + included + ", which lies in no folder of the architecture";
   if (from == to || allowed().at(from).count(to)) return "";
   return file + " (" + from + ") may not include " + included + " (" + to + ")";
@@ -67,7 +70,8 @@ TEST(Layers, includes_keep_to_the_architecture) {
       if (!std::regex_search(line, match, include)) continue;
       ++includes;
       const std::string name = match[1];
-      ASSERT_EQ(name.rfind("cromer/", 0), 0u) << file << " includes \"" << name << "\": write it from the root, \"cromer/...\"";
+      ASSERT_EQ(name.rfind("cromer/", 0), 0u)
+          << file << " includes \"" << name << "\": write it from the root, \"cromer/...\"";
       EXPECT_EQ(complaint(file, name.substr(7)), "");
     }
   }

@@ -60,7 +60,8 @@ TEST_F(MakeFigure, names_the_place_of_what_is_missing) {
   EXPECT_EQ(make_figure(spec_, results_).error().message.rfind("lab.toml:7:1: \"c.t\" is no column", 0), 0u);
   spec_.panels[0].curves[0].of = "a";
   spec_.panels[0].y_unit = "kg";
-  EXPECT_NE(make_figure(spec_, results_).error().message.find("cannot be drawn in \"kg\""), std::string::npos);
+  EXPECT_NE(make_figure(spec_, results_).error().message.find("cannot be drawn in \"kg\""),
+            std::string::npos);
 }
 
 TEST(Enhanced, italics_become_gnuplots) {

@@ -59,10 +59,16 @@ TEST(StudyFile, names_the_place_of_what_is_wrong) {
   EXPECT_EQ(message("\ntitle = 3\n").rfind("lab.toml:2:9: ", 0), 0u);
   EXPECT_EQ(message("title = \"x\n").rfind("lab.toml:1:", 0), 0u);
   EXPECT_NE(message("[[task]]\nmass = 1\n").find("needs its command"), std::string::npos);
-  EXPECT_NE(message("[[task]]\nfit = \"a\"\n[[task]]\nfit = \"a\"\n").find("lab.toml:3:1: each task needs a name of its own"),
+  EXPECT_NE(message("[[task]]\nfit = \"a\"\n[[task]]\nfit = \"a\"\n")
+                .find("lab.toml:3:1: each task needs a name of its own"),
             std::string::npos);
-  EXPECT_NE(message("[[block]]\nfigure = \"figure-9\"\n").find("is no figure of this study"), std::string::npos);
-  EXPECT_NE(message("[[figure]]\nid = \"f\"\n[[figure.curve]]\nrole = \"exact\"\ncolour = \"red\"\n").find("lab.toml:5:"),
+  EXPECT_NE(message("[[block]]\nfigure = \"figure-9\"\n").find("is no figure of this study"),
+            std::string::npos);
+  EXPECT_NE(message("[[figure]]\nid = \"f\"\n[[figure.curve]]\nrole = \"exact\"\ncolour = \"red\"\n")
+                .find("lab.toml:5:"),
+            std::string::npos);
+  EXPECT_NE(message("[[figure]]\nid = \"f\"\nsize = \"huge\"\n")
+                .find("\"size\" is one of single, wide, phase, half, tall"),
             std::string::npos);
   EXPECT_NE(message("task = 3\n").find("[[task]]"), std::string::npos);
 }

@@ -41,12 +41,15 @@ TEST_F(Text, converts_and_rounds) {
 
 TEST_F(Text, gives_options_every_digit) { EXPECT_EQ(filled("{two.position, si}"), "0.036012"); }
 
-TEST_F(Text, takes_names_relative_to_a_run) { EXPECT_EQ(filled("{.label}: {.peak, cm}", "runs.1"), "rk4: 25\u00a0cm"); }
+TEST_F(Text, takes_names_relative_to_a_run) {
+  EXPECT_EQ(filled("{.label}: {.peak, cm}", "runs.1"), "rk4: 25\u00a0cm");
+}
 
 TEST_F(Text, leaves_markup_alone) { EXPECT_EQ(filled("*ω*_{d}^{2} {{x}"), "*ω*_{d}^{2} {x}"); }
 
 TEST_F(Text, says_what_is_wrong) {
-  EXPECT_EQ(filled("{two.stifness}"), "error: \"two.stifness\" is no result of this study; did you mean \"two.stiffness\"?");
+  EXPECT_EQ(filled("{two.stifness}"),
+            "error: \"two.stifness\" is no result of this study; did you mean \"two.stiffness\"?");
   EXPECT_NE(filled("{two.position, kg}").find("cannot be written in \"kg\""), std::string::npos);
   EXPECT_NE(filled("{two.position, sideways}").find("neither a unit nor"), std::string::npos);
   EXPECT_NE(filled("k = {two.position").find("not closed"), std::string::npos);

@@ -6,8 +6,8 @@
 
 namespace cromer {
 
-/// Turning points, each the vertex of the parabola through the largest (smallest) sample and its neighbours. With a period of n samples the vertex is
-/// low by about (pi/n)^4/6 of the amplitude at most.
+/// Turning points, each the vertex of the parabola through the largest (smallest) sample and its neighbours.
+/// With a period of n samples the vertex is low by about (pi/n)^4/6 of the amplitude at most.
 struct Envelope {
   std::vector<double> top_t;     // [s]
   std::vector<double> top;       ///< in the unit of x
@@ -15,10 +15,12 @@ struct Envelope {
   std::vector<double> bottom;    ///< in the unit of x
 };
 
-/// `t` and `x` of the same length, `t` increasing. A first sample off zero from which the motion falls back counts: it was released there.
+/// `t` and `x` of the same length, `t` increasing. A first sample off zero from which the motion falls back
+/// counts: it was released there.
 Envelope envelope(std::span<const double> t, std::span<const double> x);
 
-/// The value of an envelope at time `t` by linear interpolation; held beyond its ends. `at` and `values` of the same length, not empty.
+/// The value of an envelope at time `t` by linear interpolation; held beyond its ends. `at` and `values` of
+/// the same length, not empty.
 double interpolate(std::span<const double> at, std::span<const double> values, double t);
 
 }  // namespace cromer

@@ -71,9 +71,10 @@ struct Panel {
   bool names_inside = false;  ///< names in free places of the plot instead of the right margin
 };
 
-/// 760 x 440, 1100 x 440, 480 x 440 px, and for half the report's column 420 x 300 px, names inside. With
+/// 760 x 440, 1100 x 440, 480 x 440 px, and for half the report's column 420 x 300 px (tall: 420 x
+/// 385, as high as a phase portrait there), names inside. With
 /// several rows a row is 300 px high (phase: 440). A figure of phase portraits is 480 px wide per column.
-enum class FigureSize { single, wide, phase, half };
+enum class FigureSize { single, wide, phase, half, tall };
 
 struct Figure {
   std::string id;       ///< file name without ending: "figure-01"

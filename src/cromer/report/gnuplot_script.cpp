@@ -123,9 +123,12 @@ class Script {
           "solid noborder",
           text.box.x - 2, up(text.box.bottom()), text.box.right() + 2, up(text.box.y));
     }
-    const char* align = text.align == Align::left ? "left" : text.align == Align::right ? "right" : "center";
+    // On a ground of its own a text stands in the middle: fonts differ in width, the ground is made for the widest.
+    const Align side = text.ground ? Align::centre : text.align;
+    const double x = text.ground ? (text.box.x + text.box.right()) / 2 : text.at.x;
+    const char* align = side == Align::left ? "left" : side == Align::right ? "right" : "center";
     line("set label {} at first {:.2f},{:.2f} {}{} font ',{:.4g}' tc rgb '{}' front",
-         quoted(text.bold ? "{/:Bold " + text.text + "}" : text.text), text.at.x, up(text.at.y), align,
+         quoted(text.bold ? "{/:Bold " + text.text + "}" : text.text), x, up(text.at.y), align,
          text.rotated ? " rotate by 90" : "", text.size, text.colour);
   }
 

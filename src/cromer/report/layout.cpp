@@ -36,6 +36,8 @@ Canvas canvas_of(const Figure& figure, int rows) {
       return {480.0 * columns, 440, 1};
     case FigureSize::half:
       return {420, rows > 1 ? 230.0 : 300.0, 1};
+    case FigureSize::tall:
+      return {420, rows > 1 ? 230.0 : 385.0, 1};
   }
   return {760, 440, 1};
 }
@@ -268,7 +270,7 @@ std::vector<double> row_widths(const std::vector<Cell>& row, double width, doubl
 Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
   Figure figure = source;
   if (figure.panels.empty()) figure.panels.emplace_back();
-  if (figure.size == FigureSize::half) {
+  if (figure.size == FigureSize::half || figure.size == FigureSize::tall) {
     for (Panel& panel : figure.panels) panel.names_inside = true;
   }
   const auto rows = rows_of(figure);

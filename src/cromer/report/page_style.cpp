@@ -49,7 +49,7 @@ td.words:first-child,th.words:first-child{white-space:normal;min-width:150px}
 figure{margin:28px 0;break-inside:avoid}
 figure svg{display:block;width:100%;height:auto;font-family:inherit}
 figcaption{margin:4px 0 0}
-.pair{display:grid;grid-template-columns:1fr 1fr;gap:0 20px;margin:28px 0}
+.pair{display:grid;grid-template-columns:1fr 1fr;gap:24px 20px;margin:28px 0}
 .pair figure{margin:0}
 .pair figure.sole{grid-column:1/-1;max-width:420px}
 pre{background:var(--sunk);border:1px solid var(--line);border-radius:6px;padding:12px 16px;margin:0 0 16px;overflow-x:auto;font-size:13.5px;line-height:20px}

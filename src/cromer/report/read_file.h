@@ -7,7 +7,8 @@
 
 namespace cromer {
 
-/// The bytes of a file, or of standard input for "-". Missing, unreadable, or a folder is an Error that names the path and the reason.
+/// The bytes of a file, or of standard input for "-". Missing, unreadable, or a folder is an Error that names
+/// the path and the reason.
 Result<std::string> read_file(const std::string& path);
 
 }  // namespace cromer

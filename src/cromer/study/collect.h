@@ -12,19 +12,23 @@
 
 namespace cromer {
 
-/// "id.N" for run N: label, steps, newton_per_step, peak, final.*, energy_*; steady.* and exact.* where it is driven. Columns t, x, v, energy.
+/// "id.N" for run N: label, steps, newton_per_step, peak, final.*, energy_*; steady.* and exact.* where it is
+/// driven. Columns t, x, v, energy.
 void collect(const std::string& id, const SimulateResult& result, Results& results);
 
-/// "id": every parameter and derived quantity (with .low and .high), mass, samples, rms, segment.N.rate, decay_rate_mean, reynolds_*. Columns t, measured, displacement, mean, window_t, reynolds.
+/// "id": every parameter and derived quantity (with .low and .high), mass, samples, rms, segment.N.rate,
+/// decay_rate_mean, reynolds_*. Columns t, measured, displacement, mean, window_t, reynolds.
 void collect(const std::string& id, const FittedRecording& fitted, Results& results);
 
-/// "id" as for its fit, with column displacement; "id.N" for curve N: label, rms, amplitude_error_end, phase_drift, excess_max. Columns t, x, top_t, top, bottom_t, bottom.
+/// "id" as for its fit, with column displacement; "id.N" for curve N: label, rms, amplitude_error_end,
+/// phase_drift, excess_max. Columns t, x, top_t, top, bottom_t, bottom.
 void collect(const std::string& id, const CompareResult& compared, Results& results);
 
 /// "id.N" for method N: label, peak, peak_frequency. Columns frequency, amplitude, phase.
 void collect(const std::string& id, const ResonanceResult& resonance, Results& results);
 
-/// "id.N" for method N: label, x_slope, v_slope, x_over_predicted, v_over_predicted. Columns h, x_error, v_error.
+/// "id.N" for method N: label, x_slope, v_slope, x_over_predicted, v_over_predicted. Columns h, x_error,
+/// v_error.
 void collect(const std::string& id, const LocalErrorResult& errors, Results& results);
 
 }  // namespace cromer

@@ -4,13 +4,15 @@
 namespace cromer {
 namespace {
 
-void set_estimate(Results& results, const std::string& name, const Estimate& estimate, std::string_view unit) {
+void set_estimate(Results& results, const std::string& name, const Estimate& estimate,
+                  std::string_view unit) {
   results.set(name, Quantity{estimate.value, estimate.standard_error}, unit);
   results.set(name + ".low", estimate.low, unit);
   results.set(name + ".high", estimate.high, unit);
 }
 
-void set_optional(Results& results, const std::string& name, const std::optional<Quantity>& quantity, std::string_view unit) {
+void set_optional(Results& results, const std::string& name, const std::optional<Quantity>& quantity,
+                  std::string_view unit) {
   if (quantity) results.set(name, *quantity, unit);
 }
 
@@ -56,7 +58,8 @@ void collect_columns(const std::string& id, const FittedRecording& fitted, Resul
 }
 
 /// Where in the motion the simulation's amplitude exceeds the law's most, and by how much.
-void collect_excess(const std::string& name, const Envelope& simulated, const Envelope& law, Results& results) {
+void collect_excess(const std::string& name, const Envelope& simulated, const Envelope& law,
+                    Results& results) {
   double most = 0, when = 0;
   for (std::size_t i = 0; i < simulated.top.size() && !law.top.empty(); ++i) {
     const double excess = simulated.top[i] / interpolate(law.top_t, law.top, simulated.top_t[i]) - 1;
@@ -77,7 +80,8 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
   results.set(id + ".samples", static_cast<double>(fitted.series.t.size()));
   results.set(id + ".rms", fitted.fit.residual.rms, fitted.series.quantity == "angle" ? "rad" : "m");
   for (const auto* group : {&fitted.parameters, &fitted.derived})
-    for (const NamedEstimate& each : *group) set_estimate(results, id + "." + each.name, each.estimate, each.unit);
+    for (const NamedEstimate& each : *group)
+      set_estimate(results, id + "." + each.name, each.estimate, each.unit);
   set_optional(results, id + ".mass", fitted.options.mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
   collect_segments(id, fitted, results);
@@ -88,7 +92,8 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
 void collect(const std::string& id, const CompareResult& compared, Results& results) {
   collect(id, compared.recording, results);
   std::vector<Envelope> envelopes;
-  for (const ComparedCurve& curve : compared.curves) envelopes.push_back(envelope(curve.trajectory.t, curve.trajectory.x));
+  for (const ComparedCurve& curve : compared.curves)
+    envelopes.push_back(envelope(curve.trajectory.t, curve.trajectory.x));
   for (std::size_t i = 0; i < compared.curves.size(); ++i) {
     const ComparedCurve& curve = compared.curves[i];
     const std::string name = id + "." + std::to_string(i + 1);

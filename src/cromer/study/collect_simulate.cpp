@@ -26,7 +26,8 @@ std::vector<double> energies(const SimulatedRun& run) {
 }
 
 /// What the energy of a free motion does.
-void collect_energy(const std::string& name, const SimulatedRun& run, const std::vector<double>& energy, Results& results) {
+void collect_energy(const std::string& name, const SimulatedRun& run, const std::vector<double>& energy,
+                    Results& results) {
   const double period = natural_period(run.oscillator);
   if (run.drive.amplitude > 0 || !(period > 0) || !(energy.front() > 0)) return;
   const EnergyGrowth growth = energy_growth(run.oscillator, run.trajectory);
@@ -68,7 +69,8 @@ void collect_run(const std::string& name, const SimulatedRun& run, Results& resu
   results.set(name + ".steps", static_cast<double>(counts.accepted));
   results.set(name + ".newton_iterations", static_cast<double>(counts.newton_iterations));
   if (counts.newton_iterations > 0)
-    results.set(name + ".newton_per_step", static_cast<double>(counts.newton_iterations) / static_cast<double>(counts.accepted));
+    results.set(name + ".newton_per_step",
+                static_cast<double>(counts.newton_iterations) / static_cast<double>(counts.accepted));
   else
     results.set(name + ".newton_per_step", std::string("–"));
   results.set(name + ".peak", largest_magnitude(run.trajectory.x), "m");
@@ -89,7 +91,8 @@ void collect_run(const std::string& name, const SimulatedRun& run, Results& resu
 }  // namespace
 
 void collect(const std::string& id, const SimulateResult& result, Results& results) {
-  for (std::size_t i = 0; i < result.runs.size(); ++i) collect_run(id + "." + std::to_string(i + 1), result.runs[i], results);
+  for (std::size_t i = 0; i < result.runs.size(); ++i)
+    collect_run(id + "." + std::to_string(i + 1), result.runs[i], results);
 }
 
 void collect(const std::string& id, const ResonanceResult& resonance, Results& results) {

@@ -17,7 +17,8 @@ Result<double> conversion(const std::string& from, const std::string& to) {
   const auto target = parse_unit(to);
   if (!source) return source.error();
   if (!target) return target.error();
-  if (!(source->dimension == target->dimension)) return Error{"a column in \"" + from + "\" cannot be drawn in \"" + to + "\""};
+  if (!(source->dimension == target->dimension))
+    return Error{"a column in \"" + from + "\" cannot be drawn in \"" + to + "\""};
   return source->factor / target->factor;
 }
 
@@ -33,7 +34,9 @@ Result<DrawnColumn> drawn(const Results& results, const std::string& name, const
   return out;
 }
 
-std::string column_name(const std::string& of, const std::string& column) { return of.empty() ? column : of + "." + column; }
+std::string column_name(const std::string& of, const std::string& column) {
+  return of.empty() ? column : of + "." + column;
+}
 
 Result<void> fill_in(std::string& text, const Results& results, bool enhanced) {
   auto filled = fill(text, results);
@@ -50,7 +53,8 @@ Result<void> keep_range(Curve& curve, const CurveSpec& spec, const PanelSpec& pa
   const auto time = results.column(column_name(spec.of, "t"));
   if (!time) return time.error();
   const std::vector<double>& t = (*time)->values;
-  if (t.size() != curve.x.size()) return Error{"\"" + spec.of + "\": from and to need a column t as long as the ones drawn"};
+  if (t.size() != curve.x.size())
+    return Error{"\"" + spec.of + "\": from and to need a column t as long as the ones drawn"};
   std::vector<double> x, y;
   for (std::size_t i = 0; i < t.size(); ++i) {
     if ((from && t[i] < *from) || (to && t[i] > *to)) continue;
@@ -62,12 +66,13 @@ Result<void> keep_range(Curve& curve, const CurveSpec& spec, const PanelSpec& pa
   return {};
 }
 
-Result<void> subtract(DrawnColumn& y, const Results& results, const CurveSpec& spec, const std::string& column, const std::string& unit) {
+Result<void> subtract(DrawnColumn& y, const Results& results, const CurveSpec& spec,
+                      const std::string& column, const std::string& unit) {
   const auto other = drawn(results, column_name(spec.minus, column), unit);
   if (!other) return other.error();
   if (other->values.size() != y.values.size())
-    return Error{"\"" + spec.minus + "\" has " + std::to_string(other->values.size()) + " rows, \"" + spec.of + "\" has " +
-                 std::to_string(y.values.size()) + ": they cannot be subtracted"};
+    return Error{"\"" + spec.minus + "\" has " + std::to_string(other->values.size()) + " rows, \"" +
+                 spec.of + "\" has " + std::to_string(y.values.size()) + ": they cannot be subtracted"};
   for (std::size_t i = 0; i < y.values.size(); ++i) y.values[i] -= other->values[i];
   return {};
 }
@@ -112,18 +117,21 @@ std::string to_enhanced(const std::string& markup) {
 Result<Figure> make_figure(const FigureSpec& spec, const Results& results) {
   Figure figure = spec.look;
   for (std::string* text : {&figure.title, &figure.caption})
-    if (const auto done = fill_in(*text, results, false); !done) return spec.place.error(done.error().message);
+    if (const auto done = fill_in(*text, results, false); !done)
+      return spec.place.error(done.error().message);
   for (const PanelSpec& panel_spec : spec.panels) {
     Panel panel = panel_spec.look;
     for (std::string* text : {&panel.title, &panel.x.name, &panel.y.name})
-      if (const auto done = fill_in(*text, results, true); !done) return panel_spec.place.error(done.error().message);
+      if (const auto done = fill_in(*text, results, true); !done)
+        return panel_spec.place.error(done.error().message);
     for (const CurveSpec& curve_spec : panel_spec.curves) {
       auto curve = make_curve(curve_spec, panel_spec, panel, results);
       if (!curve) return curve_spec.place.error(curve.error().message);
       panel.curves.push_back(std::move(*curve));
     }
     for (Note& note : panel.notes)
-      if (const auto done = fill_in(note.text, results, true); !done) return panel_spec.place.error(done.error().message);
+      if (const auto done = fill_in(note.text, results, true); !done)
+        return panel_spec.place.error(done.error().message);
     figure.panels.push_back(std::move(panel));
   }
   return figure;

@@ -21,7 +21,8 @@ struct Filler {
 /// The runs of a task are "id.1", "id.2", ...; each has a label.
 std::vector<std::string> runs_of(const Results& results, const std::string& id) {
   std::vector<std::string> names;
-  for (int i = 1; results.fact(id + "." + std::to_string(i) + ".label"); ++i) names.push_back(id + "." + std::to_string(i));
+  for (int i = 1; results.fact(id + "." + std::to_string(i) + ".label"); ++i)
+    names.push_back(id + "." + std::to_string(i));
   return names;
 }
 
@@ -48,20 +49,22 @@ TableBlock make_table(const TableSpec& spec, Filler& text) {
 
 }  // namespace
 
-Result<Page> make_page(const Study& study, const Results& results, const std::map<std::string, DrawnFigure>& figures,
-                       const std::string& footer) {
+Result<Page> make_page(const Study& study, const Results& results,
+                       const std::map<std::string, DrawnFigure>& figures, const std::string& footer) {
   Filler text{results};
   Page page;
   page.title = text(study.title);
   page.byline = text(study.byline);
   page.summary = text(study.summary);
   page.footer = footer;
-  for (const auto& key : study.key_figures) page.key_figures.push_back({text(key.name), text(key.value), text(key.remark)});
+  for (const auto& key : study.key_figures)
+    page.key_figures.push_back({text(key.name), text(key.value), text(key.remark)});
   const Place top{study.file, 1, 1};
   if (text.error) return top.error(text.error->message);
 
   std::map<std::string, int> numbers;
-  for (std::size_t i = 0; i < study.figures.size(); ++i) numbers[study.figures[i].look.id] = static_cast<int>(i) + 1;
+  for (std::size_t i = 0; i < study.figures.size(); ++i)
+    numbers[study.figures[i].look.id] = static_cast<int>(i) + 1;
   for (const BlockSpec& block : study.blocks) {
     if (const auto* heading = std::get_if<BlockSpec::Heading>(&block.content)) {
       page.blocks.push_back(Heading{text(heading->text)});
@@ -74,7 +77,9 @@ Result<Page> make_page(const Study& study, const Results& results, const std::ma
     } else {
       const std::string& id = std::get<BlockSpec::FigureName>(block.content).id;
       const DrawnFigure& figure = figures.at(id);
-      page.blocks.push_back(FigureBlock{id, figure.svg, figure.title, "Figure " + std::to_string(numbers.at(id)), figure.caption, figure.width});
+      page.blocks.push_back(FigureBlock{id, figure.svg, figure.title,
+                                        "Figure " + std::to_string(numbers.at(id)), figure.caption,
+                                        figure.width});
     }
     if (text.error) return block.place.error(text.error->message);
   }

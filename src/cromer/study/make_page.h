@@ -17,8 +17,9 @@ struct DrawnFigure {
   double width = 1;
 };
 
-/// The page: texts filled, tables made, figures numbered in the order of the file. `footer` says which versions made it.
-Result<Page> make_page(const Study& study, const Results& results, const std::map<std::string, DrawnFigure>& figures,
-                       const std::string& footer);
+/// The page: texts filled, tables made, figures numbered in the order of the file. `footer` says which
+/// versions made it.
+Result<Page> make_page(const Study& study, const Results& results,
+                       const std::map<std::string, DrawnFigure>& figures, const std::string& footer);
 
 }  // namespace cromer

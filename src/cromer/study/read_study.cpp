@@ -7,11 +7,13 @@
 namespace cromer {
 namespace {
 
-constexpr std::string_view commands[] = {"simulate", "fit", "compare", "resonance", "local_error", "difference"};
+constexpr std::string_view commands[] = {"simulate",  "fit",         "compare",
+                                         "resonance", "local_error", "difference"};
 
 /// Reads one table with a function that asks a TomlReader for its keys.
 template <class Read>
-auto read_table(const toml::table& table, const std::string& file, Read read) -> Result<decltype(read(std::declval<TomlReader&>()))> {
+auto read_table(const toml::table& table, const std::string& file, Read read)
+    -> Result<decltype(read(std::declval<TomlReader&>()))> {
   TomlReader reader(table, file);
   auto value = read(reader);
   if (const auto finished = reader.finish(); !finished) return finished.error();
@@ -20,7 +22,8 @@ auto read_table(const toml::table& table, const std::string& file, Read read) ->
 
 /// Reads every table of a list; the first Error ends it.
 template <class Spec, class Read>
-Result<std::vector<Spec>> read_tables(const std::vector<const toml::table*>& tables, const std::string& file, Read read) {
+Result<std::vector<Spec>> read_tables(const std::vector<const toml::table*>& tables, const std::string& file,
+                                      Read read) {
   std::vector<Spec> specs;
   for (const toml::table* table : tables) {
     auto spec = read_table(*table, file, read);
@@ -64,7 +67,7 @@ CurveSpec read_curve(TomlReader& toml) {
   curve.look.name = toml.text("name");
   curve.look.remark = toml.text("remark");
   curve.look.dashed = toml.yes("dashed");
-  const std::string mark = toml.text("mark", "line");
+  const std::string mark = toml.choice("mark", {"line", "dots", "band"});
   curve.look.mark = mark == "dots" ? Mark::dots : mark == "band" ? Mark::band : Mark::line;
   curve.look.label_x = toml.maybe_number("label_x");
   curve.look.label_y = toml.maybe_number("label_y");
@@ -97,7 +100,8 @@ Note read_note(TomlReader& toml) {
 
 /// Errors of inner tables are kept by the outer reader.
 template <class Spec, class Read>
-std::vector<Spec> inner_tables(TomlReader& toml, const std::string& file, std::string_view key, Read read, std::optional<Error>& error) {
+std::vector<Spec> inner_tables(TomlReader& toml, const std::string& file, std::string_view key, Read read,
+                               std::optional<Error>& error) {
   auto specs = read_tables<Spec>(toml.tables(key), file, read);
   if (specs) return std::move(*specs);
   if (!error) error = specs.error();
@@ -134,10 +138,15 @@ struct StudyReader {
     figure.look.caption = toml.text("caption");
     figure.look.columns = toml.whole("columns", 1);
     figure.width = toml.number("width", 1);
-    const std::string size = toml.text("size", "single");
-    figure.look.size = size == "wide" ? FigureSize::wide : size == "phase" ? FigureSize::phase : FigureSize::single;
+    const std::string size = toml.choice("size", {"single", "wide", "phase", "half", "tall"});
+    figure.look.size = size == "wide"    ? FigureSize::wide
+                       : size == "phase" ? FigureSize::phase
+                       : size == "half"  ? FigureSize::half
+                       : size == "tall"  ? FigureSize::tall
+                                         : FigureSize::single;
     if (toml.has("panel"))
-      figure.panels = inner_tables<PanelSpec>(toml, file, "panel", [this](TomlReader& inner) { return panel(inner); }, error);
+      figure.panels = inner_tables<PanelSpec>(
+          toml, file, "panel", [this](TomlReader& inner) { return panel(inner); }, error);
     else
       figure.panels.push_back(panel(toml));
     if (size == "phase")
@@ -148,9 +157,12 @@ struct StudyReader {
   BlockSpec block(TomlReader& toml) {
     BlockSpec block;
     block.place = toml.place();
-    if (toml.has("heading")) block.content = BlockSpec::Heading{toml.text("heading")};
-    else if (toml.has("figure")) block.content = BlockSpec::FigureName{toml.text("figure")};
-    else if (toml.has("code")) block.content = BlockSpec::Code{toml.text("code"), toml.text("caption")};
+    if (toml.has("heading"))
+      block.content = BlockSpec::Heading{toml.text("heading")};
+    else if (toml.has("figure"))
+      block.content = BlockSpec::FigureName{toml.text("figure")};
+    else if (toml.has("code"))
+      block.content = BlockSpec::Code{toml.text("code"), toml.text("caption")};
     else if (toml.has("table")) {
       TableSpec table;
       table.caption = toml.text("table");
@@ -168,20 +180,27 @@ struct StudyReader {
   }
 };
 
-KeyFigureSpec read_key_figure(TomlReader& toml) { return {toml.text("name"), toml.text("value"), toml.text("remark")}; }
+KeyFigureSpec read_key_figure(TomlReader& toml) {
+  return {toml.text("name"), toml.text("value"), toml.text("remark")};
+}
 
 Result<void> check(const Study& study) {
   std::set<std::string> ids;
   for (const TaskSpec& task : study.tasks) {
     if (task.command.empty())
-      return task.place.error("a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, resonance, local_error, difference)");
-    if (task.id.empty() || !ids.insert(task.id).second) return task.place.error("each task needs a name of its own");
+      return task.place.error(
+          "a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, "
+          "resonance, local_error, difference)");
+    if (task.id.empty() || !ids.insert(task.id).second)
+      return task.place.error("each task needs a name of its own");
   }
   ids.clear();
   for (const FigureSpec& figure : study.figures)
-    if (figure.look.id.empty() || !ids.insert(figure.look.id).second) return figure.place.error("each figure needs an id of its own");
+    if (figure.look.id.empty() || !ids.insert(figure.look.id).second)
+      return figure.place.error("each figure needs an id of its own");
   for (const BlockSpec& block : study.blocks)
-    if (const auto* named = std::get_if<BlockSpec::FigureName>(&block.content); named && !ids.count(named->id))
+    if (const auto* named = std::get_if<BlockSpec::FigureName>(&block.content);
+        named && !ids.count(named->id))
       return block.place.error("\"" + named->id + "\" is no figure of this study");
   return {};
 }
@@ -204,8 +223,10 @@ Result<Study> read_study(std::string_view bytes, const std::string& file) {
     read.summary = toml.text("summary");
     read.key_figures = inner_tables<KeyFigureSpec>(toml, file, "key_figure", read_key_figure, reader.error);
     read.tasks = inner_tables<TaskSpec>(toml, file, "task", read_task, reader.error);
-    read.figures = inner_tables<FigureSpec>(toml, file, "figure", [&](TomlReader& inner) { return reader.figure(inner); }, reader.error);
-    read.blocks = inner_tables<BlockSpec>(toml, file, "block", [&](TomlReader& inner) { return reader.block(inner); }, reader.error);
+    read.figures = inner_tables<FigureSpec>(
+        toml, file, "figure", [&](TomlReader& inner) { return reader.figure(inner); }, reader.error);
+    read.blocks = inner_tables<BlockSpec>(
+        toml, file, "block", [&](TomlReader& inner) { return reader.block(inner); }, reader.error);
     return read;
   });
   if (reader.error) return *reader.error;

@@ -25,13 +25,19 @@ struct ResultColumn {
   std::string name;  ///< for an axis: "position {/:Italic x}"
 };
 
-/// Names are paths: "two.stiffness", "damped.3.steady.amplitude". A name that is missing is an Error that suggests the nearest.
+/// Names are paths: "two.stiffness", "damped.3.steady.amplitude". A name that is missing is an Error that
+/// suggests the nearest.
 class Results {
  public:
-  void set(const std::string& name, Quantity quantity, std::string_view unit) { facts_[name] = Number{quantity, std::string(unit)}; }
-  void set(const std::string& name, double value, std::string_view unit = "") { set(name, Quantity{value, 0}, unit); }
+  void set(const std::string& name, Quantity quantity, std::string_view unit) {
+    facts_[name] = Number{quantity, std::string(unit)};
+  }
+  void set(const std::string& name, double value, std::string_view unit = "") {
+    set(name, Quantity{value, 0}, unit);
+  }
   void set(const std::string& name, std::string text) { facts_[name] = std::move(text); }
-  void set_column(const std::string& name, std::vector<double> values, std::string_view unit, std::string_view axis) {
+  void set_column(const std::string& name, std::vector<double> values, std::string_view unit,
+                  std::string_view axis) {
     columns_[name] = ResultColumn{std::move(values), std::string(unit), std::string(axis)};
   }
 

@@ -16,7 +16,8 @@ namespace cromer {
 struct StudyRun {
   Results results;
   std::vector<std::string> warnings;
-  std::string failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why; the study ended there
+  std::string failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why;
+                        ///< the study ended there
 };
 
 /// What one task said besides its results.

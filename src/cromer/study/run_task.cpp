@@ -26,15 +26,19 @@ struct Work {
   Error error(const Error& inner) const { return task.place.error(inner.message); }
 };
 
-Option text_option(std::string_view name, std::string& target) { return {.name = name, .target = &target, .unit = "", .help = "", .default_text = "", .group = ""}; }
+Option text_option(std::string_view name, std::string& target) {
+  return {.name = name, .target = &target, .unit = "", .help = "", .default_text = "", .group = ""};
+}
 
 Result<TaskReport> run_simulate(const Work& work) {
   SimulateOptions options;
-  if (const auto done = assign_settings(work.task, options_of(options), work.results); !done) return done.error();
+  if (const auto done = assign_settings(work.task, options_of(options), work.results); !done)
+    return done.error();
   const auto result = simulate(options, work.watch);
   if (!result) return work.error(result.error());
   for (const SimulatedRun& run : result->runs)
-    if (run.outcome.status != Status::reached_end) return TaskReport{result->warnings, run.label + ": " + run.message};
+    if (run.outcome.status != Status::reached_end)
+      return TaskReport{result->warnings, run.label + ": " + run.message};
   collect(work.task.id, *result, work.results);
   return TaskReport{result->warnings, ""};
 }
@@ -52,8 +56,10 @@ Result<TaskReport> run_fit(const Work& work) {
   TaskReport report;
   for (std::size_t i = 0; i < fits->size(); ++i) {
     const FittedRecording& fitted = (*fits)[i];
-    if (fitted.fit.status != FitStatus::converged) return TaskReport{fitted.warnings, file + ": " + fitted.fit.message};
-    collect(fits->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), fitted, work.results);
+    if (fitted.fit.status != FitStatus::converged)
+      return TaskReport{fitted.warnings, file + ": " + fitted.fit.message};
+    collect(fits->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), fitted,
+            work.results);
     report.warnings.insert(report.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
   }
   return report;
@@ -72,8 +78,10 @@ Result<TaskReport> run_compare(const Work& work) {
   TaskReport report;
   for (std::size_t i = 0; i < compared->size(); ++i) {
     const CompareResult& each = (*compared)[i];
-    if (each.recording.fit.status != FitStatus::converged) return TaskReport{each.warnings, file + ": " + each.recording.fit.message};
-    collect(compared->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each, work.results);
+    if (each.recording.fit.status != FitStatus::converged)
+      return TaskReport{each.warnings, file + ": " + each.recording.fit.message};
+    collect(compared->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each,
+            work.results);
     report.warnings.insert(report.warnings.end(), each.warnings.begin(), each.warnings.end());
   }
   return report;
@@ -82,10 +90,27 @@ Result<TaskReport> run_compare(const Work& work) {
 Result<TaskReport> run_resonance(const Work& work) {
   ResonanceOptions options;
   auto table = options_of(options.simulate);
-  const std::vector<Option> own = {
-      {.name = "frequency-from", .target = &options.frequency_from, .unit = "rad/s", .range = Range::positive, .help = "", .default_text = "", .group = ""},
-      {.name = "frequency-to", .target = &options.frequency_to, .unit = "rad/s", .range = Range::positive, .help = "", .default_text = "", .group = ""},
-      {.name = "points", .target = &options.points, .unit = "", .range = Range::positive, .help = "", .default_text = "", .group = ""}};
+  const std::vector<Option> own = {{.name = "frequency-from",
+                                    .target = &options.frequency_from,
+                                    .unit = "rad/s",
+                                    .range = Range::positive,
+                                    .help = "",
+                                    .default_text = "",
+                                    .group = ""},
+                                   {.name = "frequency-to",
+                                    .target = &options.frequency_to,
+                                    .unit = "rad/s",
+                                    .range = Range::positive,
+                                    .help = "",
+                                    .default_text = "",
+                                    .group = ""},
+                                   {.name = "points",
+                                    .target = &options.points,
+                                    .unit = "",
+                                    .range = Range::positive,
+                                    .help = "",
+                                    .default_text = "",
+                                    .group = ""}};
   table.insert(table.end(), own.begin(), own.end());
   if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
   const auto result = resonance(options, work.watch);
@@ -96,7 +121,8 @@ Result<TaskReport> run_resonance(const Work& work) {
 
 Result<TaskReport> run_local_error(const Work& work) {
   LocalErrorOptions options;
-  if (const auto done = assign_settings(work.task, options_of(options.simulate), work.results); !done) return done.error();
+  if (const auto done = assign_settings(work.task, options_of(options.simulate), work.results); !done)
+    return done.error();
   const auto result = local_errors(options);
   if (!result) return work.error(result.error());
   collect(work.task.id, *result, work.results);
@@ -106,14 +132,17 @@ Result<TaskReport> run_local_error(const Work& work) {
 /// The largest distance between the positions of two results, row by row.
 Result<TaskReport> run_difference(const Work& work) {
   std::string of, minus;
-  if (const auto done = assign_settings(work.task, {text_option("of", of), text_option("minus", minus)}, work.results); !done)
+  if (const auto done =
+          assign_settings(work.task, {text_option("of", of), text_option("minus", minus)}, work.results);
+      !done)
     return done.error();
   const auto a = work.results.column(of + ".x"), b = work.results.column(minus + ".x");
   if (!a) return work.error(a.error());
   if (!b) return work.error(b.error());
   const auto& x = (*a)->values;
   const auto& y = (*b)->values;
-  if (x.size() != y.size()) return work.task.place.error("\"" + of + "\" and \"" + minus + "\" have not the same number of rows");
+  if (x.size() != y.size())
+    return work.task.place.error("\"" + of + "\" and \"" + minus + "\" have not the same number of rows");
   double peak = 0;
   for (std::size_t i = 0; i < x.size(); ++i) peak = std::max(peak, std::abs(x[i] - y[i]));
   work.results.set(work.task.id + ".peak", peak, (*a)->unit);
@@ -125,8 +154,8 @@ struct Command {
   Result<TaskReport> (*run)(const Work&);
 };
 
-constexpr Command commands[] = {{"simulate", run_simulate},   {"fit", run_fit},
-                                {"compare", run_compare},     {"resonance", run_resonance},
+constexpr Command commands[] = {{"simulate", run_simulate},       {"fit", run_fit},
+                                {"compare", run_compare},         {"resonance", run_resonance},
                                 {"local-error", run_local_error}, {"difference", run_difference}};
 
 }  // namespace

@@ -40,19 +40,20 @@ struct TaskSpec {
 
 /// [[figure.panel.curve]] or [[figure.curve]]: columns x and y of a result.
 struct CurveSpec {
-  std::string of;      ///< "undamped.1"; x and y are its columns
-  std::string minus;   ///< another result whose y is taken off, row by row
-  std::string x, y;    ///< columns; the panel's by default
-  std::optional<double> from, to;  ///< [s] rows whose time (the result's column t) lies outside are left out; the panel's by default
-  Curve look;          ///< role, name, remark, mark, dashed, label places; no numbers yet
+  std::string of;     ///< "undamped.1"; x and y are its columns
+  std::string minus;  ///< another result whose y is taken off, row by row
+  std::string x, y;   ///< columns; the panel's by default
+  std::optional<double> from,
+      to;  ///< [s] rows whose time (the result's column t) lies outside are left out; the panel's by default
+  Curve look;  ///< role, name, remark, mark, dashed, label places; no numbers yet
   Place place;
 };
 
 struct PanelSpec {
-  std::string x, y;                 ///< columns of the curves
-  std::string x_unit, y_unit;       ///< what to draw them in; SI by default
-  std::optional<double> from, to;   // [s]
-  Panel look;                       ///< title, axes, notes, phase_portrait; names of axes made from column and unit where empty
+  std::string x, y;                ///< columns of the curves
+  std::string x_unit, y_unit;      ///< what to draw them in; SI by default
+  std::optional<double> from, to;  // [s]
+  Panel look;  ///< title, axes, notes, phase_portrait; names of axes made from column and unit where empty
   std::vector<CurveSpec> curves;
   Place place;
 };
@@ -64,7 +65,8 @@ struct FigureSpec {
   Place place;
 };
 
-/// A table whose cells are texts with results in them. `each` repeats `row` for every run of the tasks named, with {.name} relative to the run.
+/// A table whose cells are texts with results in them. `each` repeats `row` for every run of the tasks named,
+/// with {.name} relative to the run.
 struct TableSpec {
   std::string caption;
   std::vector<std::string> header;
@@ -76,15 +78,25 @@ struct TableSpec {
 
 /// [[block]]: what the page shows, in order.
 struct BlockSpec {
-  struct Heading { std::string text; };
-  struct Text { std::string text; };
-  struct Code { std::string text, caption; };
-  struct FigureName { std::string id; };
+  struct Heading {
+    std::string text;
+  };
+  struct Text {
+    std::string text;
+  };
+  struct Code {
+    std::string text, caption;
+  };
+  struct FigureName {
+    std::string id;
+  };
   std::variant<Heading, Text, Code, FigureName, TableSpec> content;
   Place place;
 };
 
-struct KeyFigureSpec { std::string name, value, remark; };
+struct KeyFigureSpec {
+  std::string name, value, remark;
+};
 
 struct Study {
   std::string file;

@@ -25,17 +25,19 @@ Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Op
 
 }  // namespace
 
-Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options, const Results& results) {
+Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options,
+                             const Results& results) {
   for (const Setting& setting : task.settings) {
-    const auto option =
-        std::find_if(options.begin(), options.end(), [&](const Option& each) { return each.name == setting.option; });
+    const auto option = std::find_if(options.begin(), options.end(),
+                                     [&](const Option& each) { return each.name == setting.option; });
     if (option == options.end()) return unknown(setting, task, options);
     if (setting.values.size() != 1 && !option->is_list())
       return setting.place.error("\"" + as_key(setting.option) + "\" takes one value, not a list");
     for (const std::string& value : setting.values) {
       const auto text = fill(value, results);
       if (!text) return setting.place.error(text.error().message);
-      if (const auto assigned = assign(*option, *text); !assigned) return setting.place.error(assigned.error().message);
+      if (const auto assigned = assign(*option, *text); !assigned)
+        return setting.place.error(assigned.error().message);
     }
   }
   return {};

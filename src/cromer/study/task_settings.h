@@ -12,7 +12,9 @@
 
 namespace cromer {
 
-/// Assigns every setting to its option, results filled into the texts. An unknown key gets the nearest right one suggested; errors name the place.
-Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options, const Results& results);
+/// Assigns every setting to its option, results filled into the texts. An unknown key gets the nearest right
+/// one suggested; errors name the place.
+Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options,
+                             const Results& results);
 
 }  // namespace cromer

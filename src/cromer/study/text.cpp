@@ -71,7 +71,8 @@ std::string write(const Number& number, const Format& format) {
   if (!std::isfinite(quantity.value)) return "–";
   const std::string unit = format.bare ? "" : format.unit;
   const std::string sign = format.sign && quantity.value > 0 ? "+" : "";
-  if (format.digits) return sign + rounded(quantity.value, *format.digits) + (unit.empty() ? "" : "\u00a0" + unit);
+  if (format.digits)
+    return sign + rounded(quantity.value, *format.digits) + (unit.empty() ? "" : "\u00a0" + unit);
   if (!format.with_uncertainty) quantity.uncertainty = 0;
   return sign + format_quantity(quantity, unit);
 }
@@ -106,7 +107,8 @@ Result<std::string> fill(std::string_view text, const Results& results, std::str
       continue;
     }
     const auto end = text.find('}', at);
-    if (end == std::string_view::npos) return Error{"\"" + std::string(text.substr(at, 30)) + "\": the brace is not closed"};
+    if (end == std::string_view::npos)
+      return Error{"\"" + std::string(text.substr(at, 30)) + "\": the brace is not closed"};
     const auto value = look_up(text.substr(at + 1, end - at - 1), results, scope);
     if (!value) return value.error();
     out += *value;

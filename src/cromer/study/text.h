@@ -9,9 +9,11 @@
 
 namespace cromer {
 
-/// Replaces each {name, modifier, ...} by its result. Modifiers: a whole number (significant digits), a unit ("cm", "%", "mJ": converted to), "bare" (without unit), "no ±" (without uncertainty),
-/// "signed" (a leading + or minus), "si" (the value alone, exact, for options), "abs". A name that begins with a point is taken relative to `scope`: {.label}.
-/// A brace is written {{; one behind _ or ^ is markup and stays. An unknown name or modifier is an Error.
+/// Replaces each {name, modifier, ...} by its result. Modifiers: a whole number (significant digits), a unit
+/// ("cm", "%", "mJ": converted to), "bare" (without unit), "no ±" (without uncertainty), "signed" (a leading
+/// + or minus), "si" (the value alone, exact, for options), "abs". A name that begins with a point is taken
+/// relative to `scope`: {.label}. A brace is written {{; one behind _ or ^ is markup and stays. An unknown
+/// name or modifier is an Error.
 Result<std::string> fill(std::string_view text, const Results& results, std::string_view scope = "");
 
 }  // namespace cromer

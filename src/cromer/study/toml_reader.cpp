@@ -49,7 +49,18 @@ std::string TomlReader::text(std::string_view key, std::string otherwise) {
   return otherwise;
 }
 
-double TomlReader::number(std::string_view key, double otherwise) { return maybe_number(key).value_or(otherwise); }
+std::string TomlReader::choice(std::string_view key, std::initializer_list<std::string_view> names) {
+  const std::string value = text(key, std::string(*names.begin()));
+  if (std::find(names.begin(), names.end(), value) != names.end()) return value;
+  std::string message = "\"" + std::string(key) + "\" is one of";
+  for (const auto name : names) message += (name == *names.begin() ? " " : ", ") + std::string(name);
+  fail(*table_.get(key), message);
+  return std::string(*names.begin());
+}
+
+double TomlReader::number(std::string_view key, double otherwise) {
+  return maybe_number(key).value_or(otherwise);
+}
 
 std::optional<double> TomlReader::maybe_number(std::string_view key) {
   const toml::node* node = find(key);
@@ -62,7 +73,8 @@ std::optional<double> TomlReader::maybe_number(std::string_view key) {
 int TomlReader::whole(std::string_view key, int otherwise) {
   const toml::node* node = find(key);
   if (!node) return otherwise;
-  if (const auto value = node->value_exact<std::int64_t>(); value && *value >= -1'000'000 && *value <= 1'000'000)
+  if (const auto value = node->value_exact<std::int64_t>();
+      value && *value >= -1'000'000 && *value <= 1'000'000)
     return static_cast<int>(*value);
   fail(*node, "\"" + std::string(key) + "\" takes a whole number");
   return otherwise;
@@ -84,8 +96,10 @@ std::vector<std::string> TomlReader::values(std::string_view key) {
   if (const auto* array = node->as_array()) {
     for (const toml::node& element : *array) {
       const auto text = as_option_text(element);
-      if (!text) fail(element, "\"" + std::string(key) + "\" takes numbers or texts");
-      else texts.push_back(*text);
+      if (!text)
+        fail(element, "\"" + std::string(key) + "\" takes numbers or texts");
+      else
+        texts.push_back(*text);
     }
   } else {
     fail(*node, "\"" + std::string(key) + "\" takes a number, a text or a list of them");
@@ -102,8 +116,10 @@ std::vector<int> TomlReader::wholes(std::string_view key) {
   if (const auto* array = node->as_array()) {
     for (const toml::node& element : *array) {
       const auto value = element.value_exact<std::int64_t>();
-      if (!value || *value < 0 || *value > 1000) fail(element, "\"" + std::string(key) + "\" takes a list of whole numbers from 0");
-      else numbers.push_back(static_cast<int>(*value));
+      if (!value || *value < 0 || *value > 1000)
+        fail(element, "\"" + std::string(key) + "\" takes a list of whole numbers from 0");
+      else
+        numbers.push_back(static_cast<int>(*value));
     }
   } else {
     fail(*node, "\"" + std::string(key) + "\" takes a list of whole numbers");
@@ -121,8 +137,10 @@ std::vector<const toml::table*> TomlReader::tables(std::string_view key) {
     return found;
   }
   for (const toml::node& element : *array) {
-    if (const auto* table = element.as_table()) found.push_back(table);
-    else fail(element, "\"" + std::string(key) + "\" is a list of tables");
+    if (const auto* table = element.as_table())
+      found.push_back(table);
+    else
+      fail(element, "\"" + std::string(key) + "\" is a list of tables");
   }
   return found;
 }
@@ -145,8 +163,10 @@ std::vector<std::vector<std::string>> TomlReader::rows(std::string_view key) {
     auto& cells = all.emplace_back();
     for (const toml::node& cell : *row) {
       const auto text = as_option_text(cell);
-      if (!text) fail(cell, "a cell is a text or a number");
-      else cells.push_back(*text);
+      if (!text)
+        fail(cell, "a cell is a text or a number");
+      else
+        cells.push_back(*text);
     }
   }
   return all;

@@ -1,10 +1,12 @@
-// Typed look at a TOML table that remembers which keys were asked for, so that the others can be called wrong.
+// Typed look at a TOML table that remembers which keys were asked for, so that the others can be called
+// wrong.
 #pragma once
 
 #define TOML_EXCEPTIONS 0
 #define TOML_HEADER_ONLY 1
 #include <toml++/toml.h>
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +22,8 @@ class TomlReader {
   TomlReader(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
 
   std::string text(std::string_view key, std::string otherwise = "");
+  /// One of the names; the first where the key is not there.
+  std::string choice(std::string_view key, std::initializer_list<std::string_view> names);
   double number(std::string_view key, double otherwise);
   int whole(std::string_view key, int otherwise);
   bool yes(std::string_view key);

@@ -13,7 +13,8 @@
 namespace cromer {
 namespace {
 
-Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, const Results& results, const Watch& watch) {
+Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, const Results& results,
+                                                        const Watch& watch) {
   std::map<std::string, DrawnFigure> drawn;
   for (const FigureSpec& spec : study.figures) {
     if (watch.interrupted()) return spec.place.error("interrupted before " + spec.look.id);
@@ -35,8 +36,9 @@ Result<void> make_folder(const std::string& folder) {
 
 }  // namespace
 
-Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder, const std::string& date,
-                                   const std::string& versions, const Watch& watch, const StudyProgress& progress) {
+Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
+                                   const std::string& date, const std::string& versions, const Watch& watch,
+                                   const StudyProgress& progress) {
   const auto bytes = read_file(study_path);
   if (!bytes) return bytes.error();
   auto study = read_study(*bytes, study_path);
@@ -58,7 +60,8 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
     written.figures.push_back(folder + "/" + id + ".svg");
     if (const auto done = write_file(written.figures.back(), figure.svg); !done) return done.error();
   }
-  if (const auto done = write_file(folder + "/results.json", to_json(run->results)); !done) return done.error();
+  if (const auto done = write_file(folder + "/results.json", to_json(run->results)); !done)
+    return done.error();
   written.index = folder + "/index.html";
   if (const auto done = write_file(written.index, to_html(*page)); !done) return done.error();
   return written;

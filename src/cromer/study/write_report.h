@@ -11,14 +11,16 @@
 namespace cromer {
 
 struct WrittenReport {
-  std::string index;  ///< path of index.html; empty if a task failed
+  std::string index;                 ///< path of index.html; empty if a task failed
   std::vector<std::string> figures;  ///< paths
   std::vector<std::string> warnings;
   std::string failure;  ///< which task did not succeed, where in the study, and why; then nothing was written
 };
 
-/// Reads the study, runs it, draws its figures and only then writes; each file whole or not at all. `date` is shown under the title ("21 November 2026").
-Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder, const std::string& date,
-                                   const std::string& versions, const Watch& watch = {}, const StudyProgress& progress = {});
+/// Reads the study, runs it, draws its figures and only then writes; each file whole or not at all. `date` is
+/// shown under the title ("21 November 2026").
+Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
+                                   const std::string& date, const std::string& versions,
+                                   const Watch& watch = {}, const StudyProgress& progress = {});
 
 }  // namespace cromer

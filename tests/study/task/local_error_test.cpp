@@ -20,7 +20,8 @@ TEST(LocalErrors, of_first_order_methods_have_slope_two_and_the_missing_taylor_t
   for (const LocalErrorCurve& curve : result->curves) {
     EXPECT_NEAR(curve.x_slope, 2, 0.1) << curve.method;
     EXPECT_NEAR(curve.v_slope, 2, 0.1) << curve.method;
-    // h^2/2 F/m missed (forward Euler) or taken twice (Euler-Cromer); of the velocity both miss h^2/2 d(F/m)/dt.
+    // h^2/2 F/m missed (forward Euler) or taken twice (Euler-Cromer); of the velocity both miss h^2/2
+    // d(F/m)/dt.
     EXPECT_NEAR(curve.x_over_predicted, 1, 0.01) << curve.method;
     EXPECT_NEAR(curve.v_over_predicted, 1, 0.01) << curve.method;
   }

@@ -25,7 +25,8 @@ ResonanceOptions options(std::vector<std::string> methods) {
   return options;
 }
 
-/// Steady response of x'' + 2 b x' + w0^2 x = e^{iWt} as Euler-Cromer steps it (a second difference, damping one step back).
+/// Steady response of x'' + 2 b x' + w0^2 x = e^{iWt} as Euler-Cromer steps it (a second difference, damping
+/// one step back).
 Complex euler_cromer_response(double w0, double b, double w, double h) {
   const Complex z = std::exp(Complex(0, w * h));
   return 1.0 / (w0 * w0 - 4 / (h * h) * std::pow(std::sin(w * h / 2), 2) + 2 * b / h * (1.0 - 1.0 / z));

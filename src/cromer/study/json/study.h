@@ -8,7 +8,8 @@
 
 namespace cromer {
 
-/// {"two.stiffness": {"value", "standard_error", "unit"}, "two.law": "text", ...}: every fact, in SI units, by name.
+/// {"two.stiffness": {"value", "standard_error", "unit"}, "two.law": "text", ...}: every fact, in SI units,
+/// by name.
 std::string to_json(const Results& results);
 
 /// {"index", "figures": [paths], "warnings"}, with "message" where a task failed.

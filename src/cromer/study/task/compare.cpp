@@ -72,13 +72,23 @@ std::complex<double> local_sinusoid(std::span<const double> t, std::span<const d
   return {fit.cosine, -fit.sine};  // cosine cos(wt) + sine sin(wt) = |z| cos(wt + arg z)
 }
 
+// The complex amplitude at the end of samples [first, last): the rates of change of size and phase from the first half to the
+// second, carried on by the quarter of the window that lies between the second half's middle and the end.
+std::complex<double> at_end(std::span<const double> t, std::span<const double> x, std::size_t first, std::size_t last, double w) {
+  const std::size_t middle = first + (last - first) / 2;
+  const std::complex<double> early = local_sinusoid(t, x, first, middle, w), late = local_sinusoid(t, x, middle, last, w);
+  if (!(std::abs(early) > 0)) return late;
+  const std::complex<double> change = late / early;
+  return late * std::polar(std::sqrt(std::abs(change)), std::arg(change) / 2);
+}
+
 struct EndComparison {
   double amplitude_ratio = 1;
   double phase_drift = 0;  // [rad]
 };
 
 // Windows of ten periods follow the phase through the record, so that a drift beyond half a turn is not
-// folded back; the last gives the result.
+// folded back; the last, carried on to its end, gives the result.
 EndComparison compare_ends(std::span<const double> t, std::span<const double> measured,
                            std::span<const double> simulated, double w) {
   EndComparison end;
@@ -96,7 +106,9 @@ EndComparison compare_ends(std::span<const double> t, std::span<const double> me
     if (!(std::abs(m) > 0)) continue;
     const double now = std::arg(s * std::conj(m));
     drift = now + two_pi * std::round((drift - now) / two_pi);
-    end = {std::abs(s) / std::abs(m), drift};
+    if (i > 1) continue;
+    const std::complex<double> ratio = at_end(t, simulated, first, last, w) / at_end(t, measured, first, last, w);
+    end = {std::abs(ratio), drift + std::arg(ratio * std::polar(1.0, -drift))};
   }
   return end;
 }

@@ -27,7 +27,7 @@ struct ComparedCurve {
   Trajectory trajectory;
   double rms = 0;  // [m] or the column's SI unit
   double r_squared = 0;
-  double amplitude_ratio_end = 0;  ///< simulated over measured, over the last ten periods
+  double amplitude_ratio_end = 0;  ///< simulated over measured, at the end (carried there from the last ten periods)
   double phase_drift = 0;          // [rad] simulated minus measured, at the end
 };
 

@@ -5,8 +5,8 @@
 
 #include "cromer/analysis/local_error.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
 #include "cromer/model/driven_oscillator.h"
+#include "cromer/model/terms.h"
 #include "cromer/study/task/simulate_setup.h"
 
 namespace cromer {
@@ -21,13 +21,15 @@ struct Force {
   double rate;      // [m/s^3]
 };
 
-/// The rate is a difference over a length where neither rounding nor curvature shows: 1e-5 of a period, good to some 1e-9.
+/// The rate is a difference over a length where neither rounding nor curvature shows: 1e-5 of a period, good
+/// to some 1e-9.
 template <class S>
 Force force_at(const S& system, double t, const State<double>& y, double period) {
   const double h = 1e-5 * period;
   const State<double> before = system.propagate(t, t - h, y), after = system.propagate(t, t + h, y);
   return {system.acceleration(t, y.x, y.v),
-          (system.acceleration(t + h, after.x, after.v) - system.acceleration(t - h, before.x, before.v)) / (2 * h)};
+          (system.acceleration(t + h, after.x, after.v) - system.acceleration(t - h, before.x, before.v)) /
+              (2 * h)};
 }
 
 LocalErrorCurve with_predictions(const std::string& method, const LocalError& measured, const Force& force) {
@@ -38,9 +40,9 @@ LocalErrorCurve with_predictions(const std::string& method, const LocalError& me
   for (const double error : measured.velocity) curve.v_error.push_back(std::abs(error));
   curve.x_slope = measured.position_slope;
   curve.v_slope = measured.velocity_slope;
-  const double h = curve.h.back(), half = h * h / 2;
-  curve.x_over_predicted = curve.x_error.back() / (half * std::abs(force.per_mass));
-  curve.v_over_predicted = curve.v_error.back() / (half * std::abs(force.rate));
+  const double h = curve.h.front(), half = h * h / 2;
+  curve.x_over_predicted = curve.x_error.front() / (half * std::abs(force.per_mass));
+  curve.v_over_predicted = curve.v_error.front() / (half * std::abs(force.rate));
   return curve;
 }
 
@@ -52,11 +54,13 @@ Result<LocalErrorResult> local_errors(const LocalErrorOptions& options) {
   LocalErrorResult result;
   for (const SimulatedRun& run : *runs) {
     if (const std::string_view term = why_not_exact(run.oscillator); !term.empty())
-      return Error{"--" + std::string(term) + ": the error of a step is measured against the closed form, which this law has not"};
+      return Error{"--" + std::string(term) +
+                   ": the error of a step is measured against the closed form, which this law has not"};
     const double period = natural_period(run.oscillator);
-    if (!(period > 0)) return Error{"--stiffness: the steps are parts of a natural period, which this law has not"};
+    if (!(period > 0))
+      return Error{"--stiffness: the steps are parts of a natural period, which this law has not"};
     std::vector<double> steps;
-    for (int i = 0; i <= halvings; ++i) steps.push_back(period * longest_in_periods * std::ldexp(1.0, -i));
+    for (int i = halvings; i >= 0; --i) steps.push_back(period * longest_in_periods * std::ldexp(1.0, -i));
     const double t = options.phase * period;
     result.curves.push_back(with_terms(run.oscillator, run.drive, [&](const auto& system) {
       if constexpr (ExactSystem<decltype(system), double>) {

@@ -12,17 +12,19 @@ namespace cromer {
 /// The law and the methods are those of `simulate`; steps are set here.
 struct LocalErrorOptions {
   SimulateOptions simulate;
-  double phase = 0.125;  ///< where in the free motion's period the step starts, 0 to 1: an eighth, where x and v are both far from zero
+  double phase = 0.125;  ///< where in the free motion's period the step starts, 0 to 1: an eighth, where x
+                         ///< and v are both far from zero
 };
 
-/// One method. Steps fall by halves from 1/20 of a period.
+/// One method. Steps double, up to 1/20 of a period.
 struct LocalErrorCurve {
   std::string method;
-  std::vector<double> h;                   // [s]
-  std::vector<double> x_error, v_error;    // [m], [m/s] absolute
-  double x_slope = 0, v_slope = 0;         ///< fitted to log error against log h
-  double x_over_predicted = 0;             ///< x_error over h^2/2 |F/m| at the smallest step: the first term that Taylor's series has and a first-order method has not
-  double v_over_predicted = 0;             ///< v_error over h^2/2 |d(F/m)/dt| at the smallest step
+  std::vector<double> h;                 // [s]
+  std::vector<double> x_error, v_error;  // [m], [m/s] absolute
+  double x_slope = 0, v_slope = 0;       ///< fitted to log error against log h
+  double x_over_predicted = 0;  ///< x_error over h^2/2 |F/m| at the smallest step: the first term that
+                                ///< Taylor's series has and a first-order method has not
+  double v_over_predicted = 0;  ///< v_error over h^2/2 |d(F/m)/dt| at the smallest step
 };
 
 struct LocalErrorResult {

@@ -20,12 +20,15 @@ constexpr int measured_cycles = 4;
 
 Result<void> check(const ResonanceOptions& options, const Oscillator<double>& law) {
   if (!(options.frequency_from > 0)) return Error{"--frequency-from: it must be positive"};
-  if (!(options.frequency_to > options.frequency_from)) return Error{"--frequency-to: it must be above --frequency-from"};
+  if (!(options.frequency_to > options.frequency_from))
+    return Error{"--frequency-to: it must be above --frequency-from"};
   if (options.points < 2) return Error{"--points: at least 2"};
-  if (!(options.simulate.drive_amplitude > 0)) return Error{"--drive-amplitude: a resonance curve needs a force"};
+  if (!(options.simulate.drive_amplitude > 0))
+    return Error{"--drive-amplitude: a resonance curve needs a force"};
   if (const std::string_view term = why_not_exact(law); !term.empty())
     return Error{fmt::format("--{}: this resonance curve is of the linear law", term)};
-  if (!(law.damping > 0)) return Error{"--damping: without damping no transient dies down, and there is no steady amplitude"};
+  if (!(law.damping > 0))
+    return Error{"--damping: without damping no transient dies down, and there is no steady amplitude"};
   if (!(law.stiffness > 0)) return Error{"--stiffness: without a spring there is no resonance"};
   return {};
 }
@@ -36,8 +39,10 @@ double slowest_decay(const Oscillator<double>& law) {
   return b * b <= w2 ? b : w2 / (b + std::sqrt(b * b - w2));
 }
 
-/// Options of the one run at w: from the exact steady motion, so that only the method's own difference has to die down.
-SimulateOptions run_at(const ResonanceOptions& options, const Oscillator<double>& law, const std::string& method, double w) {
+/// Options of the one run at w: from the exact steady motion, so that only the method's own difference has to
+/// die down.
+SimulateOptions run_at(const ResonanceOptions& options, const Oscillator<double>& law,
+                       const std::string& method, double w) {
   SimulateOptions run = options.simulate;
   const SteadyState exact = frequency_response(law, run.drive_amplitude, w);
   const double start = run.drive_phase - exact.phase_lag;
@@ -52,8 +57,8 @@ SimulateOptions run_at(const ResonanceOptions& options, const Oscillator<double>
 /// Phase lags measured from -pi/2 to 3 pi/2 lie from 0 to pi but for the method's own error.
 double between_0_and_pi(double phase) { return std::clamp(phase, 0.0, std::numbers::pi); }
 
-Result<SteadyState> settle(const ResonanceOptions& options, const Oscillator<double>& law, const std::string& method, double w,
-                           const Watch& watch) {
+Result<SteadyState> settle(const ResonanceOptions& options, const Oscillator<double>& law,
+                           const std::string& method, double w, const Watch& watch) {
   if (method == "exact") return frequency_response(law, options.simulate.drive_amplitude, w);
   auto simulated = simulate(run_at(options, law, method, w), Watch{watch.interrupt, {}});
   if (!simulated) return simulated.error();
@@ -91,13 +96,16 @@ Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& 
       curve.frequency.push_back(w);
       curve.amplitude.push_back(steady->amplitude);
       curve.phase.push_back(steady->phase_lag);
-      if (watch.progress) watch.progress((static_cast<double>(m) + share) / static_cast<double>(methods.size()));
+      if (watch.progress)
+        watch.progress((static_cast<double>(m) + share) / static_cast<double>(methods.size()));
     }
-    const auto unsettled = std::count_if(curve.amplitude.begin(), curve.amplitude.end(), [](double a) { return std::isnan(a); });
+    const auto unsettled =
+        std::count_if(curve.amplitude.begin(), curve.amplitude.end(), [](double a) { return std::isnan(a); });
     if (unsettled > 0)
-      result.warnings.push_back(fmt::format("{} did not settle at {} of {} frequencies: its own damping is negative or its steps "
-                                            "are too long there",
-                                            methods[m], unsettled, options.points));
+      result.warnings.push_back(
+          fmt::format("{} did not settle at {} of {} frequencies: its own damping is negative or its steps "
+                      "are too long there",
+                      methods[m], unsettled, options.points));
     result.curves.push_back(std::move(curve));
   }
   return result;

@@ -10,12 +10,13 @@
 
 namespace cromer {
 
-/// The law, its drive's amplitude, the methods and the step are those of `simulate`; its drive frequency and end are set here.
+/// The law, its drive's amplitude, the methods and the step are those of `simulate`; its drive frequency and
+/// end are set here.
 struct ResonanceOptions {
   SimulateOptions simulate;
   double frequency_from = 0.1;  // [rad/s] > 0
   double frequency_to = 10;     // [rad/s] > frequency_from
-  long long points = 200;             ///< >= 2, evenly spaced, both ends included
+  long long points = 200;       ///< >= 2, evenly spaced, both ends included
 };
 
 /// One curve. Where a run did not settle (the method's own damping is negative) amplitude and phase are NaN.
@@ -31,8 +32,9 @@ struct ResonanceResult {
   std::vector<std::string> warnings;
 };
 
-/// Each point is a run from the exact steady motion, long enough for the method's own transient to fall to 1e-6 of the amplitude by the law's damping, measured on its last whole cycles; `exact` is the closed
-/// form. An Error where nothing would settle: no damping, no drive, or a law that is not linear.
+/// Each point is a run from the exact steady motion, long enough for the method's own transient to fall to
+/// 1e-6 of the amplitude by the law's damping, measured on its last whole cycles; `exact` is the closed form.
+/// An Error where nothing would settle: no damping, no drive, or a law that is not linear.
 Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& watch = {});
 
 }  // namespace cromer
