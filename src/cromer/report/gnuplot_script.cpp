@@ -58,6 +58,7 @@ class Script {
     line("set border 3 back lc rgb '{}' lw 0.8", light_surface.axis);
     line("set tics nomirror out scale 0.5,0.25");
     line("set grid xtics ytics nomxtics nomytics back lt 1 lc rgb '{}' lw 0.7 dt solid", light_surface.grid);
+    line("set clip two");  // a segment that crosses the frame is drawn even if both its ends lie outside
     line("set multiplot");
     for (std::size_t i = 0; i < layout_.panels.size(); ++i) panel(layout_.panels[i], i);
     line("unset multiplot");

@@ -29,8 +29,10 @@ TEST(CompareTask, OneConstantRateEndsTenPerCentOff) {
   const ComparedCurve &constant = result.curves[0], &law = result.curves[1];
   EXPECT_EQ(constant.label, "one constant decay rate");
   EXPECT_EQ(law.label, "viscous+drag");
-  EXPECT_NEAR(constant.amplitude_ratio_end, 0.90, 0.03);
-  EXPECT_NEAR(law.amplitude_ratio_end, 1, 0.01);
+  // exp(-0.00984 * 120) of the start over the closed form of the envelope with damping and drag: 0.904.
+  EXPECT_NEAR(constant.amplitude_ratio_end, 0.904, 0.015);
+  // Noise of 0.3 mm leaves 0.4 % in the end's amplitude (seen over many seeds).
+  EXPECT_NEAR(law.amplitude_ratio_end, 1, 0.015);
   EXPECT_NEAR(law.phase_drift, 0, 0.01);
   EXPECT_NEAR(law.rms, 3e-4, 0.1e-4);  // the sensor's noise
   EXPECT_GT(constant.rms, 2 * law.rms);
@@ -50,7 +52,7 @@ TEST(CompareTask, EveryMethodFollowsTheRecording) {
     // First-order methods that gain or lose energy are known to do so by w² h/2.
     const bool keeps_energy = info.order != 1 || info.symplectic;
     const double expected =
-        keeps_energy ? 1 : std::exp((info.implicit ? -1 : 1) * 8.849 * 8.849 * 1e-3 / 2 * 16.5);
+        keeps_energy ? 1 : std::exp((info.implicit ? -1 : 1) * 8.849 * 8.849 * 1e-3 / 2 * 20);
     EXPECT_NEAR(result.curves[1].amplitude_ratio_end, expected, 0.03 * expected) << info.name;
   }
 }
@@ -65,8 +67,7 @@ TEST(CompareTask, PhaseDriftBeyondATurnIsNotFoldedBack) {
   const CompareResult result = compared(series, options);
   const double w = std::sqrt(17.04 / 0.2176), h = 0.05, b = 0.0097;
   const double simulated = std::acos((1 - b * h - w * w * h * h / 2) / std::sqrt(1 - 2 * b * h)) / h;
-  const double middle = 100 - 5 * 2 * 3.14159 / w;
-  const double drift = (simulated - w) * middle + w * h / 2;
+  const double drift = (simulated - w) * 100 + w * h / 2;
   EXPECT_GT(drift, 6.3);
   EXPECT_NEAR(result.curves[1].phase_drift, drift, 0.05);
 }

@@ -15,11 +15,21 @@ TEST(ListMethods, HasTheRegistryInItsOrder) {
 
 TEST(ListMethods, SaysWhatTheTheorySays) {
   for (const auto& row : list_methods()) {
-    if (row.name == "exact") EXPECT_FALSE(row.order);
-    if (row.name == "rk4") EXPECT_EQ(row.order, 4);
-    if (row.name == "verlet") EXPECT_EQ(row.order, 2);
-    if (row.name == "implicit-euler") EXPECT_TRUE(row.implicit && !row.symplectic);
-    if (row.name == "euler-cromer") EXPECT_TRUE(row.symplectic && !row.implicit && row.order == 1);
+    if (row.name == "exact") {
+      EXPECT_FALSE(row.order);
+    }
+    if (row.name == "rk4") {
+      EXPECT_EQ(row.order, 4);
+    }
+    if (row.name == "verlet") {
+      EXPECT_EQ(row.order, 2);
+    }
+    if (row.name == "implicit-euler") {
+      EXPECT_TRUE(row.implicit && !row.symplectic);
+    }
+    if (row.name == "euler-cromer") {
+      EXPECT_TRUE(row.symplectic && !row.implicit && row.order == 1);
+    }
     EXPECT_FALSE(row.source.empty()) << row.name;
   }
 }
