@@ -63,7 +63,7 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
   model.name = "fitted";
   model.remark = to_text(fitted.fit.law);
   Panel residual = residual_panel(fitted, axis, model.y);
-  motion.curves.push_back(std::move(model));
+  add_motion(motion, std::move(model));
   figure.panels.push_back(std::move(motion));
   figure.panels.push_back(std::move(residual));
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "cromer/record/dialects/clean_table.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
 #include "cromer/study/json/documents.h"
@@ -24,14 +25,15 @@ std::string summary(const Inspection& inspection) {
   out += line("dialect", fmt::format("{}, {}, separated by {}, decimal {}", recording.dialect.name,
                                      recording.dialect.encoding, recording.dialect.separator,
                                      recording.dialect.decimal));
-  for (const auto& column : recording.table.columns)
-    out += line("column", fmt::format("{}{}{}", column_header(column, true),
-                                      column.quantity.empty() ? "" : ": ", column.quantity));
+  for (std::size_t i = 0; i < recording.table.columns.size(); ++i) {
+    const std::string& quantity = recording.table.columns[i].quantity;
+    out += line("column", column_heading(recording.table, i) + (quantity.empty() ? "" : ": ") + quantity);
+  }
   out += line("samples", fmt::format("{}", inspection.samples));
   if (inspection.rate > 0) out += line("rate", format_quantity({inspection.rate, 0}, "1/s"));
   if (inspection.duration > 0) out += line("duration", format_quantity({inspection.duration, 0}, "s"));
   out += line("time", inspection.time_column.empty() ? "no time column" : inspection.time_column);
-  if (inspection.jitter > 0)
+  if (inspection.jitter > 1e-6)  // below is the rounding of the times
     out += line("jitter", format_quantity({100 * inspection.jitter, 0}, "% of a step"));
   out += line("gaps", fmt::format("{}", inspection.gaps.size()));
   for (const auto& gap : inspection.gaps)
@@ -65,8 +67,10 @@ int run_inspect(const Arguments& arguments) {
   warn(inspection->warnings, output.quiet);
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
-    const std::string text = csv ? recording_csv(*inspection, options.rate) : to_json(*inspection, true);
-    if (auto good = write_file(output.output, text); !good) return refuse(good.error().message);
+    const Result<std::string> text =
+        csv ? recording_csv(inspection->recording, options) : Result<std::string>(to_json(*inspection, true));
+    if (!text) return refuse(text.error().message);
+    if (auto good = write_file(output.output, *text); !good) return refuse(good.error().message);
   }
   if (output.output == "-") return done;
   return print(output.json ? to_json(*inspection, false) : summary(*inspection))

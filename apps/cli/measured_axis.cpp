@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/analysis/envelope.h"
 #include "length_unit.h"
 
 namespace cromer::cli {
 namespace {
+
+// Six pixels a swing and less: lines run into each other.
+constexpr std::size_t most_swings = 50;
 
 std::string unit_of(const FittedRecording& fitted) {
   for (const auto& parameter : fitted.parameters)
@@ -55,6 +59,22 @@ Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
   curve.remark = fmt::format("{} samples", fitted.series.t.size());
   curve.mark = Mark::dots;
   return curve;
+}
+
+void add_motion(Panel& panel, Curve motion) {
+  Envelope around = envelope(motion.x, motion.y);
+  if (around.top.size() <= most_swings || around.bottom.empty()) {
+    panel.curves.push_back(std::move(motion));
+    return;
+  }
+  Curve below = motion;
+  below.name = below.remark = "";
+  below.x = std::move(around.bottom_t);
+  below.y = std::move(around.bottom);
+  motion.x = std::move(around.top_t);
+  motion.y = std::move(around.top);
+  panel.curves.push_back(std::move(motion));
+  panel.curves.push_back(std::move(below));
 }
 
 }  // namespace cromer::cli

@@ -26,4 +26,8 @@ MeasuredAxis measured_axis(const FittedRecording& fitted);
 /// The samples used, as dots on that axis.
 Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis);
 
+/// Adds a computed motion to a panel of measured samples: as a line, or, where its swings are too many to be
+/// told apart, as its envelope above and below.
+void add_motion(Panel& panel, Curve motion);
+
 }  // namespace cromer::cli

@@ -1,17 +1,14 @@
-// A recording of any dialect as plain CSV.
+// The columns of a recording as CSV: inspect -o.
 #pragma once
 
 #include <string>
 
-#include "cromer/base/table.h"
-#include "cromer/study/task/inspect.h"
+#include "cromer/base/result.h"
+#include "cromer/record/dialects/recording.h"
 
 namespace cromer::cli {
 
-/// "Position (mm)", with " Run #2" where runs stand side by side.
-std::string column_header(const Column& column, bool with_run);
-
-/// All columns, in the file's own units; a time column is added where the times come from `rate` [1/s].
-std::string recording_csv(const Inspection& inspection, double rate);
+/// Time first and strictly increasing, the other columns in the file's own units, whatever the dialect was.
+Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options);
 
 }  // namespace cromer::cli
