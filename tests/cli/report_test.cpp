@@ -1,0 +1,151 @@
+// Both labs and studies of all kinds of badness, from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* source = CROMER_SOURCE_DIR;
+
+bool has_gnuplot() { return std::system("command -v gnuplot > /dev/null") == 0; }
+
+/// One lab's report and its numbers.
+struct Lab {
+  explicit Lab(const std::string& study)
+      : end(folder.run({"report", std::string(source) + "/studies/" + study, "-o", "out"})) {
+    if (folder.has("out/results.json"))
+      results = nlohmann::json::parse(folder.read("out/results.json"), nullptr, false);
+  }
+  double value(const std::string& name) const { return results.at(name).at("value"); }
+
+  Folder folder;
+  Finished end;
+  nlohmann::json results;
+};
+
+/// index.html holds each figure, and each is there as a file.
+void expect_figures(const Lab& lab, int count) {
+  const std::string page = lab.folder.read("out/index.html");
+  for (int i = 1; i <= count; ++i) {
+    const std::string name = "figure-" + std::to_string(i);
+    EXPECT_TRUE(lab.folder.has("out/" + name + ".svg")) << name;
+    EXPECT_THAT(page, HasSubstr("Figure " + std::to_string(i))) << name;
+  }
+  EXPECT_THAT(page, HasSubstr("<svg"));
+  EXPECT_THAT(page, Not(HasSubstr("src=\"http")));
+  EXPECT_THAT(page, Not(HasSubstr("href=\"http")));
+  EXPECT_THAT(page, HasSubstr("cromer 0.1.0"));
+}
+
+TEST(Report, OfTheResonanceLabHasItsFiguresAndTheTheorysNumbers) {
+  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
+  const Lab lab("resonance.toml");
+  ASSERT_EQ(lab.end.status, 0) << lab.end.err;
+  expect_figures(lab, 5);
+  // Undamped at resonance: F t/(2 m w), with its turning points at most a quarter period before 80 s.
+  EXPECT_NEAR(lab.value("undamped.2.peak"), 80.0 / 6, 0.2);
+  // F/(c w) at resonance; implicit Euler by its difference equation: 1/|s^2 + 0.2 s + 9|, s = (1 - e^{-0.03
+  // i})/0.01.
+  EXPECT_NEAR(lab.value("ec_settled.1.steady.amplitude"), 1 / 0.6, 1e-4);
+  const double re = (1 - std::cos(0.03)) / 0.01, im = std::sin(0.03) / 0.01;
+  EXPECT_NEAR(lab.value("ie_settled.1.steady.amplitude"),
+              1 / std::hypot(re * re - im * im + 0.2 * re + 9, 2 * re * im + 0.2 * im), 1e-6);
+  EXPECT_EQ(lab.value("ie.1.newton_iterations"), 2 * lab.value("ie.1.steps"));
+}
+
+TEST(Report, OfTheSpringLabAnswersItsQuestions) {
+  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
+  const Lab lab("spring_lab.toml");
+  ASSERT_EQ(lab.end.status, 0) << lab.end.err;
+  expect_figures(lab, 14);
+  EXPECT_THAT(lab.folder.read("out/index.html"), HasSubstr("synthetic"));
+  EXPECT_NEAR(lab.value("one.stiffness"), 16.6, 0.02);
+  EXPECT_NEAR(lab.value("two.stiffness"), 17.04, 0.02);
+  EXPECT_NEAR(lab.value("two.segment.1.rate"), 0.0124, 0.0001);
+  EXPECT_NEAR(lab.value("two.segment.2.rate"), 0.0094, 0.0001);
+  EXPECT_NEAR(lab.value("two.segment.3.rate"), 0.0077, 0.0001);
+  EXPECT_NEAR(lab.value("two.decay_rate_mean"), 0.00984, 0.00004);
+  EXPECT_NEAR(lab.value("two.reynolds_max"), 2525, 10);
+  EXPECT_NEAR(lab.value("compared.1.amplitude_error_end"), -0.1, 0.015);
+  // (1 + w^2 h^2) to the steps of a cycle; doubling in ln 2/ln(1 + w^2 h^2) steps.
+  const double wh = std::sqrt(16.6 / 0.2008) * 0.01;
+  EXPECT_NEAR(lab.value("perfect.1.energy_factor_per_cycle"), std::pow(1 + wh * wh, 2 * M_PI / wh), 0.01);
+  EXPECT_NEAR(lab.value("perfect.1.energy_doubling_time"), 0.01 * std::log(2) / std::log1p(wh * wh), 0.005);
+  EXPECT_NEAR(lab.value("taylor.1.x_slope"), 2, 0.05);
+  EXPECT_NEAR(lab.value("taylor.1.v_slope"), 2, 0.05);
+}
+
+TEST(Report, PrintsOneJsonDocument) {
+  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
+  Folder folder;
+  folder.write("s.toml", "title = \"S\"\n[[task]]\nsimulate = \"a\"\n");
+  const Finished end = folder.run({"report", "s.toml", "-o", "out", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(end.json().value("index", ""), "out/index.html");
+}
+
+struct BadStudy {
+  const char* name;
+  const char* toml;
+  int status;
+  const char* says;
+};
+
+class BadStudies : public ::testing::TestWithParam<BadStudy> {};
+
+TEST_P(BadStudies, NameTheirPlaceAndLeaveNothing) {
+  Folder folder;
+  folder.write("s.toml", GetParam().toml);
+  const Finished end = folder.run({"report", "s.toml", "-o", "out", "--json"});
+  EXPECT_EQ(end.status, GetParam().status) << end.err;
+  EXPECT_THAT(end.err, HasSubstr(GetParam().says));
+  EXPECT_FALSE(folder.has("out/index.html"));
+  if (GetParam().status == 1) {
+    EXPECT_THAT(end.json().value("message", ""), HasSubstr(GetParam().says));
+  }
+}
+
+constexpr BadStudy bad_studies[] = {
+    {"no_toml", "title = \n", 2, "s.toml:1:"},
+    {"unknown_key", "titel = \"x\"\n", 2, "s.toml:1:9: \"titel\" is not known here; did you mean \"title\"?"},
+    {"unknown_option", "[[task]]\nsimulate = \"a\"\nstifness = 3\n", 2,
+     "s.toml:3:12: \"stifness\" is no option of simulate; did you mean \"stiffness\"?"},
+    {"wrong_unit", "[[task]]\nsimulate = \"a\"\nmass = \"3 N\"\n", 2, "s.toml:3:8: --mass"},
+    {"bad_value", "[[task]]\nsimulate = \"a\"\nmass = -1\n", 2, "mass"},
+    {"missing_recording", "[[task]]\nfit = \"a\"\nfile = \"absent.csv\"\n", 2, "absent.csv"},
+    {"unknown_result", "summary = \"{a.1.pek}\"\n[[task]]\nsimulate = \"a\"\n", 2,
+     "did you mean \"a.1.peak\"?"},
+    {"unknown_column",
+     "[[task]]\nsimulate = \"a\"\n[[figure]]\nid = \"f\"\nx = \"t\"\ny = \"z\"\n[[figure.curve]]\nof = "
+     "\"a.1\"\n",
+     2, "\"a.1.z\" is no column"},
+    {"diverging", "[[task]]\nsimulate = \"a\"\nmethod = \"forward-euler\"\nstep = 5\nuntil = 10000\n", 1,
+     "s.toml:1:1: simulate a: forward-euler: diverged"},
+};
+
+INSTANTIATE_TEST_SUITE_P(Report, BadStudies, ::testing::ValuesIn(bad_studies),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST(Report, NeedsAStudyAndAFolder) {
+  Folder folder;
+  EXPECT_THAT(folder.run({"report", "absent.toml", "-o", "out"}).err, HasSubstr("absent.toml"));
+  folder.write("s.toml", "title = \"S\"\n");
+  const Finished no_folder = folder.run({"report", "s.toml"});
+  EXPECT_EQ(no_folder.status, 2);
+  EXPECT_THAT(no_folder.err, HasSubstr("-o"));
+  folder.write("file", "");
+  const Finished in_the_way = folder.run({"report", "s.toml", "-o", "file"});
+  EXPECT_EQ(in_the_way.status, 2);
+  EXPECT_THAT(in_the_way.err, HasSubstr("file"));
+}
+
+}  // namespace
+}  // namespace cromer::test
