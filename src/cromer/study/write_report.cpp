@@ -52,7 +52,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   if (progress) progress("figures", 1);
   const auto figures = draw_figures(*study, run->results, watch);
   if (!figures) return figures.error();
-  study->byline += (study->byline.empty() ? "" : " · ") + date;
+  study->byline += (study->byline.empty() ? "" : " · ") + date + " · " + versions;
   const auto page = make_page(*study, run->results, *figures, versions);
   if (!page) return page.error();
 
