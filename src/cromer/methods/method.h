@@ -45,6 +45,19 @@ concept Method = requires(const M& method, const S& system, double t, double h, 
   { method.step(system, t, h, y, memory) } -> std::convertible_to<Trial<Real>>;
 };
 
+/// A method whose error estimate can choose the steps. info.error_order > 0: Trial.error is the embedded
+/// estimate, of order h^(error_order + 1). interpolate(memory, theta) is the state at t + theta h of the last
+/// step (dense output), 0 <= theta <= 1, until the next step.
+///
+/// Memory is a value. To try a step, give `step` a copy: the copy of an accepted step is the new memory, that
+/// of a rejected one is thrown away. Once the loop inlines them the copies cost nothing.
+template <class M, class S, class Real>
+concept AdaptiveMethod = Method<M, S, Real> &&(M::info.error_order > 0) &&
+                         requires(const M& method, const typename M::template Memory<Real>& memory,
+                                  double theta) {
+  { method.interpolate(memory, theta) } -> std::convertible_to<State<Real>>;
+};
+
 /// False only where the system says so: then methods spare the equation for v'.
 template <class S>
 constexpr bool depends_on_velocity() {
