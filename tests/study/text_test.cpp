@@ -28,6 +28,7 @@ class Text : public testing::Test {
 TEST_F(Text, writes_quantities_with_their_uncertainty) {
   EXPECT_EQ(filled("k = {two.stiffness}."), "k = 17.042\u00a0±\u00a00.024\u00a0N/m.");
   EXPECT_EQ(filled("{two.stiffness, bare}"), "17.042\u00a0±\u00a00.024");
+  EXPECT_EQ(filled("{two.stiffness, concise}"), "17.042(24)\u00a0N/m");
   EXPECT_EQ(filled("{two.stiffness, no ±}"), "17.0423\u00a0N/m");
 }
 

@@ -113,6 +113,16 @@ std::string rounded(double value, int digits) {
   return write(value, significant(value, std::clamp(digits, 1, 17)));
 }
 
+std::string format_concise(Quantity quantity, std::string_view unit) {
+  const double u = quantity.uncertainty;
+  if (!(u > 0) || !std::isfinite(u) || !std::isfinite(quantity.value)) return format_quantity(quantity, unit);
+  const int place = last_place(u);
+  const Decimal value = rounded_to(quantity.value, place);
+  if (place >= 0 || needs_power(value.exponent())) return format_quantity(quantity, unit);
+  const std::string text = signed_text(quantity.value < 0, fixed(value.digits, place));
+  return with_unit(fmt::format("{}({})", text, rounded_to(u, place).digits), unit);
+}
+
 std::string shortest(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";

@@ -29,7 +29,7 @@ struct Format {
   std::optional<int> digits;
   std::string unit;
   double factor = 1;
-  bool bare = false, with_uncertainty = true, sign = false, si = false, magnitude = false;
+  bool bare = false, with_uncertainty = true, concise = false, sign = false, si = false, magnitude = false;
 };
 
 Result<Format> parse_format(const std::vector<std::string_view>& parts, const Number& number) {
@@ -45,6 +45,8 @@ Result<Format> parse_format(const std::vector<std::string_view>& parts, const Nu
       format.bare = true;
     } else if (part == "no ±") {
       format.with_uncertainty = false;
+    } else if (part == "concise") {
+      format.concise = true;
     } else if (part == "signed") {
       format.sign = true;
     } else if (part == "abs") {
@@ -74,7 +76,7 @@ std::string write(const Number& number, const Format& format) {
   if (format.digits)
     return sign + rounded(quantity.value, *format.digits) + (unit.empty() ? "" : "\u00a0" + unit);
   if (!format.with_uncertainty) quantity.uncertainty = 0;
-  return sign + format_quantity(quantity, unit);
+  return sign + (format.concise ? format_concise(quantity, unit) : format_quantity(quantity, unit));
 }
 
 Result<std::string> look_up(std::string_view inside, const Results& results, std::string_view scope) {

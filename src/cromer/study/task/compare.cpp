@@ -204,7 +204,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   if (recording.series.quantity.find("velocity") != std::string::npos ||
       recording.series.quantity == "acceleration")
     return Error{
-        fmt::format("compare needs a position or an angle, and column \"{}\" is a {}; choose one by --column",
+        fmt::format("compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
                     recording.series.column, recording.series.quantity)};
 
   const Series& series = recording.series;

@@ -12,9 +12,10 @@ DecaySegments fit_segments(const Record& record, std::optional<double> length, s
   if ((!length && !count) || record.t.size() < 2) return result;
   const double t0 = record.t.front();
   const double step = (record.t.back() - t0) / static_cast<double>(record.t.size() - 1);
-  const double duration = record.t.back() - t0 + step;  // each sample stands for one step
+  const double duration = record.t.back() - t0;
   const double each = length ? *length : duration / *count;
-  const auto whole = static_cast<long long>(duration / each + 1e-9);
+  // The last sample stands for one step more: 3000 samples at 100 a second are one segment of 30 s.
+  const auto whole = static_cast<long long>((duration + step) / each + 1e-9);
   const long long wanted = count ? std::min<long long>(*count, whole) : whole;
   if (count && wanted < *count)
     result.warnings.push_back(fmt::format("the record of {:.6g} s holds {} of the {} segments of {:.6g} s",

@@ -201,7 +201,7 @@ Result<LawChoice> fit_law(const Record& record, const Series& series, const FitO
   if (automatic && order <= 0) return choose_law(record, decay, watch);
   if (automatic)
     warnings.push_back(
-        fmt::format("column \"{}\" is a {}: only the viscous law, which holds for it as well, was tried",
+        fmt::format("column \"{}\" holds {}: only the viscous law, which holds for it as well, was tried",
                     series.column, series.quantity));
   LawChoice choice;
   choice.chosen = fit_free_decay(record, decay, watch);
