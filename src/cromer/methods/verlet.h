@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cromer/base/dual.h"
 #include "cromer/methods/method.h"
@@ -49,7 +50,9 @@ struct Verlet {
       const auto residual = [&](const Dual<Real, 1>& v) {
         return v - y.v - h / 2 * (a + system.acceleration(t + h, Dual<Real, 1>(x), v));
       };
-      const auto solved = cromer::newton(residual, y.v + h * a, {memory.scale, 0.0}, newton);
+      // A velocity that moves x by less than its last digit changes nothing.
+      const double rounding = std::numeric_limits<double>::epsilon() * std::abs(value_of(y.x) / value_of(h));
+      const auto solved = cromer::newton(residual, y.v + h * a, {memory.scale, rounding}, newton);
       const Real v = solved.root;
       memory.acceleration = system.acceleration(t + h, x, v);
       memory.scale = std::max(memory.scale, std::abs(value_of(v)));
