@@ -4,7 +4,8 @@
 
 namespace cromer {
 
-/// The closed form, where the system has one; always from the start of the run, so that no error builds up.
+/// The closed form, where the system has one; from the start of the run, so that no error builds up, but for
+/// a sampled drive: that by the map of each interval.
 struct Exact {
   static constexpr MethodInfo info{
       .name = "exact",
@@ -13,6 +14,8 @@ struct Exact {
       .evaluations = 0,
       .implicit = false,
       .symplectic = true,
+      .reversible = true,
+      .a_stable = true,
       .divisions = 0,
       .source = "closed form; cromer/model/propagate.h",
   };
@@ -30,8 +33,21 @@ struct Exact {
 
   template <class S, class Time, class Real>
   requires ExactSystem<S, Real> Trial<Real> step(const S& system, const Time& t, const Time& h,
-                                                 const State<Real>&, Memory<Real>& memory)
-  const { return {.y = system.propagate(memory.t0, Real(t + h), memory.y0)}; }
+                                                 const State<Real>& y, Memory<Real>& memory)
+  const {
+    // Piece by piece a long way from the start would be walked anew each step.
+    if constexpr (has_many_pieces<S>()) memory = {Real(t), y};
+    return {.y = system.propagate(memory.t0, Real(t + h), memory.y0)};
+  }
+
+ private:
+  template <class S>
+  static constexpr bool has_many_pieces() {
+    if constexpr (requires { S::has_many_pieces; })
+      return S::has_many_pieces;
+    else
+      return false;
+  }
 };
 
 }  // namespace cromer

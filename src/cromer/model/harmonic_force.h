@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "cromer/base/dual.h"
+#include "cromer/model/propagate.h"
 
 namespace cromer {
 
@@ -21,6 +22,14 @@ struct HarmonicForce {
   Real operator()(const Time& t) const {
     using std::cos;
     return amplitude * cos(frequency * t + phase);
+  }
+
+  /// The state at t of the motion through y0 at t0.
+  State<Real> propagate(LinearLaw<Real> law, const Real& t0, const Real& t, const State<Real>& y0) const {
+    law.drive_amplitude = amplitude;
+    law.drive_frequency = frequency;
+    law.drive_phase = phase;
+    return cromer::propagate(law, t0, t, y0);
   }
 };
 

@@ -1,0 +1,58 @@
+// A sweep through frequencies, as shakers do it.
+#pragma once
+
+#include <cmath>
+
+#include "cromer/base/dual.h"
+
+namespace cromer {
+
+/// F cos(theta(t)) from start to start + duration, zero outside. The frequency theta' runs from one end to
+/// the other: linear, w = from + (to - from) u/T; logarithmic, w = from (to/from)^(u/T); u = t - start.
+template <class Real>
+struct ChirpDrive {
+  Real amplitude = 0;  // [N]
+  Real from = 0;       // [rad/s] >= 0; logarithmic: > 0
+  Real to = 0;         // [rad/s] >= 0; logarithmic: > 0
+  Real phase = 0;      // [rad] at the start
+  Real start = 0;      // [s] >= 0
+  Real duration = 0;   // [s] > 0
+  bool logarithmic = false;
+
+  friend bool operator==(const ChirpDrive&, const ChirpDrive&) = default;
+};
+
+/// A chirp as a function of time, per unit mass. Error: the rounding of its phase.
+template <class Real>
+class ChirpForce {
+ public:
+  ChirpForce(const ChirpDrive<Real>& drive, const Real& mass)
+      : drive_(drive), amplitude_(drive.amplitude / mass) {
+    using std::log;
+    if (drive.logarithmic) log_ratio_ = log(drive.to / drive.from);
+  }
+
+  template <class Time>
+  Real operator()(const Time& t) const {
+    using std::cos;
+    const Real u = t - drive_.start;
+    if (value_of(u) < 0 || value_of(u) >= value_of(drive_.duration)) return Real(0);
+    return amplitude_ * cos(angle(u));
+  }
+
+ private:
+  Real angle(const Real& u) const {
+    using std::expm1;
+    const Real part = u / drive_.duration;
+    if (!drive_.logarithmic)
+      return drive_.phase + (drive_.from + (drive_.to - drive_.from) * part / Real(2)) * u;
+    // from T (e^{L p} - 1)/L, L = log(to/from)
+    if (value_of(log_ratio_) == 0) return drive_.phase + drive_.from * u;
+    return drive_.phase + drive_.from * drive_.duration * expm1(log_ratio_ * part) / log_ratio_;
+  }
+
+  ChirpDrive<Real> drive_;
+  Real amplitude_, log_ratio_ = Real(0);
+};
+
+}  // namespace cromer

@@ -1,0 +1,95 @@
+// A recorded force: evenly spaced samples, and what it did between them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "cromer/base/dual.h"
+#include "cromer/model/propagate.h"
+#include "cromer/model/ramp_response.h"
+
+namespace cromer {
+
+/// Linear: straight from sample to sample. Hold: each value until the next, as a converter does. A
+/// band-limited recording is refined first (band_limited.h), then linear.
+enum class BetweenSamples { linear, hold };
+
+/// Sample i acts at t = i * spacing, from the start of the run.
+struct SampledDrive {
+  std::shared_ptr<const std::vector<double>> force;  // [N] at least two; runs of one recording share it
+  double spacing = 1;                                // [s] > 0
+  BetweenSamples between = BetweenSamples::linear;
+
+  /// Where it ends [s]: with the last sample; one that is held lasts a spacing more.
+  double duration() const {
+    const std::size_t intervals = force->size() - (between == BetweenSamples::linear ? 1 : 0);
+    return static_cast<double>(intervals) * spacing;
+  }
+};
+
+/// The recording as a function of time, per unit mass; before and after it the first and the last value. The
+/// samples must outlive it. An evaluation looks its interval up directly.
+template <class Real>
+class SampledForce {
+ public:
+  SampledForce(const SampledDrive& drive, const Real& mass)
+      : samples_(drive.force->data()),
+        last_(drive.force->size() - 1),
+        spacing_(drive.spacing),
+        per_spacing_(1 / drive.spacing),
+        per_mass_(Real(1) / mass),
+        hold_(drive.between == BetweenSamples::hold) {}
+
+  template <class Time>
+  Real operator()(const Time& t) const {
+    const double u = value_of(t) * per_spacing_;
+    if (hold_) return per_mass_ * samples_[interval(u)];
+    const std::size_t i = std::min(interval(u), last_ - 1);
+    const double part = std::clamp(u - static_cast<double>(i), 0.0, 1.0);
+    return per_mass_ * (samples_[i] + part * (samples_[i + 1] - samples_[i]));
+  }
+
+  /// Goes from sample to sample: best asked step by step.
+  static constexpr bool has_many_pieces = true;
+
+  /// The state at t >= t0 of the motion through y0 at t0, by the map of each interval.
+  State<Real> propagate(const LinearLaw<Real>& law, const Real& t0, const Real& t,
+                        const State<Real>& y0) const {
+    State<Real> y = y0;
+    Real now = t0;
+    for (std::size_t i = interval(value_of(t0) * per_spacing_); value_of(now) < value_of(t); ++i) {
+      const double boundary = static_cast<double>(i + 1) * spacing_;
+      // A boundary that is the end to rounding is the end.
+      const bool ends = i >= last_ || boundary + rounding * spacing_ >= value_of(t);
+      const Real end = ends ? t : Real(boundary);
+      const Real begin(static_cast<double>(i) * spacing_);
+      const double here = samples_[std::min(i, last_)];
+      const double slope = hold_ || i >= last_ ? 0 : (samples_[i + 1] - here) * per_spacing_;
+      const Real level = per_mass_ * (Real(here) + Real(slope) * (now - begin));
+      y = propagate_ramp(law, level, per_mass_ * Real(slope), end - now, y);
+      now = end;
+    }
+    return y;
+  }
+
+ private:
+  static constexpr double rounding = 1e-6;  ///< of a spacing: times t0 + n h fall on samples only nearly
+
+  /// The interval that u spacings lie in, at most the last sample.
+  std::size_t interval(double u) const {
+    const double shifted = u + rounding;
+    if (!(shifted > 0)) return 0;
+    return shifted >= static_cast<double>(last_) ? last_ : static_cast<std::size_t>(shifted);
+  }
+
+  const double* samples_;
+  std::size_t last_;
+  double spacing_, per_spacing_;
+  Real per_mass_;
+  bool hold_;
+};
+
+}  // namespace cromer
