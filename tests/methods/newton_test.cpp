@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 namespace cromer {
@@ -35,6 +36,21 @@ TEST(Newton, StallingAboveItIsNot) {
   const auto solved = newton(jump, 0.1, {1, 0}, {.tolerance = 1e-12, .iteration_limit = 12});
   EXPECT_FALSE(solved.converged);
   EXPECT_EQ(solved.iterations, 12);
+}
+
+TEST(Newton, FindsTwoUnknowns) {
+  using Two = std::array<Dual<double, 2>, 2>;
+  const auto circle_and_line = [](const Two& u) {
+    return Two{u[0] * u[0] + u[1] * u[1] - 25.0, u[0] - u[1] + 1.0};
+  };
+  const auto solved = newton(circle_and_line, std::array{2.0, 5.0}, {1, 0}, {.tolerance = 1e-14});
+  EXPECT_TRUE(solved.converged);
+  EXPECT_DOUBLE_EQ(solved.root[0], 3);
+  EXPECT_DOUBLE_EQ(solved.root[1], 4);
+  EXPECT_LE(solved.iterations, 7);
+
+  const auto parallel = [](const Two& u) { return Two{u[0] + u[1] - 1.0, u[0] + u[1] - 2.0}; };
+  EXPECT_FALSE(newton(parallel, std::array{0.0, 0.0}, {1, 0}, {}).converged);
 }
 
 TEST(Newton, NotANumberIsNotConvergence) {

@@ -7,7 +7,7 @@
 namespace cromer {
 namespace {
 
-using Pair = std::array<Complex<double>, 2>;
+using Pair = std::array<Complex<Precise>, 2>;
 
 /// The determinant of a matrix given by a function of row and column.
 template <class T, class Entry>
@@ -17,46 +17,46 @@ T determinant(const Entry& m) {
 }
 
 /// Eigenvalues of ((a, b), (c, d)), with the discriminant as a sum: tr^2/4 - det would lose five digits.
-Pair eigenvalues(double a, double b, double c, double d) {
-  const double mean = 0.5 * (a + d), half_difference = 0.5 * (a - d);
-  const double discriminant = half_difference * half_difference + b * c;
+Pair eigenvalues(Precise a, Precise b, Precise c, Precise d) {
+  const Precise mean = 0.5 * (a + d), half_difference = 0.5 * (a - d);
+  const Precise discriminant = half_difference * half_difference + b * c;
   if (discriminant < 0) {
-    const double im = std::sqrt(-discriminant);
-    return {Complex<double>{mean, im}, Complex<double>{mean, -im}};
+    const Precise im = std::sqrt(-discriminant);
+    return {Complex<Precise>{mean, im}, Complex<Precise>{mean, -im}};
   }
-  const double larger = mean + std::copysign(std::sqrt(discriminant), mean);
-  const double smaller = larger == 0 ? 0 : (a * d - b * c) / larger;
-  return {Complex<double>{larger, 0}, Complex<double>{smaller, 0}};
+  const Precise larger = mean + std::copysign(std::sqrt(discriminant), mean);
+  const Precise smaller = larger == 0 ? 0 : (a * d - b * c) / larger;
+  return {Complex<Precise>{larger, 0}, Complex<Precise>{smaller, 0}};
 }
 
 /// z^3 - c2 z^2 + c1 z - c0.
 struct Cubic {
-  double c0, c1, c2;
+  Precise c0, c1, c2;
 
-  double operator()(double z) const { return ((z - c2) * z + c1) * z - c0; }
+  Precise operator()(Precise z) const { return ((z - c2) * z + c1) * z - c0; }
 
-  double any_root() const {
-    const double bound = 1 + std::max({std::abs(c0), std::abs(c1), std::abs(c2)});
-    double low = -bound, high = bound;
+  Precise any_root() const {
+    const Precise bound = 1 + std::max({std::abs(c0), std::abs(c1), std::abs(c2)});
+    Precise low = -bound, high = bound;
     while (true) {
-      const double middle = low + 0.5 * (high - low);
+      const Precise middle = low + 0.5 * (high - low);
       if (!(low < middle && middle < high)) return middle;
       ((*this)(middle) < 0 ? low : high) = middle;
     }
   }
 
   /// The only real root, or of three the one farthest from the others.
-  double isolated_root() const {
-    const double first = any_root();
-    const double mean = 0.5 * (c2 - first), product = c1 - first * (c2 - first);
-    const double discriminant = mean * mean - product;
+  Precise isolated_root() const {
+    const Precise first = any_root();
+    const Precise mean = 0.5 * (c2 - first), product = c1 - first * (c2 - first);
+    const Precise discriminant = mean * mean - product;
     if (discriminant < 0) return first;
-    const double root = std::sqrt(discriminant);
-    std::array<double, 3> roots{first, mean - root, mean + root};
+    const Precise root = std::sqrt(discriminant);
+    std::array<Precise, 3> roots{first, mean - root, mean + root};
     std::sort(roots.begin(), roots.end());
-    double z = roots[2] - roots[1] > roots[1] - roots[0] ? roots[2] : roots[0];
+    Precise z = roots[2] - roots[1] > roots[1] - roots[0] ? roots[2] : roots[0];
     for (int i = 0; i < 3; ++i) {
-      const double slope = (3 * z - 2 * c2) * z + c1;
+      const Precise slope = (3 * z - 2 * c2) * z + c1;
       if (slope != 0) z -= (*this)(z) / slope;
     }
     return z;
@@ -65,29 +65,29 @@ struct Cubic {
 
 /// All three eigenvalues of a map with a carried acceleration. The real root that stands alone is the
 /// method's own; the motion takes place in the plane that its left eigenvector is normal to.
-std::vector<Complex<double>> three_eigenvalues(const StepMap& map) {
+std::vector<Complex<Precise>> three_eigenvalues(const StepMap& map) {
   const auto m = [&](std::size_t i, std::size_t j) { return map.column[j][i]; };
   const auto principal = [&](std::size_t i, std::size_t j) { return m(i, i) * m(j, j) - m(i, j) * m(j, i); };
-  const Cubic cubic{determinant<double>(m), principal(0, 1) + principal(0, 2) + principal(1, 2),
+  const Cubic cubic{determinant<Precise>(m), principal(0, 1) + principal(0, 2) + principal(1, 2),
                     m(0, 0) + m(1, 1) + m(2, 2)};
-  const double own = cubic.isolated_root();
+  const Precise own = cubic.isolated_root();
 
   // Normal to the columns of map - own: the largest of their cross products.
-  std::array<double, 3> normal{};
-  double largest = -1;
+  std::array<Precise, 3> normal{};
+  Precise largest = -1;
   for (std::size_t skipped = 0; skipped < 3; ++skipped) {
     const std::size_t p = (skipped + 1) % 3, q = (skipped + 2) % 3;
     const auto off = [&](std::size_t i, std::size_t j) { return m(i, j) - (i == j ? own : 0); };
-    std::array<double, 3> cross{};
+    std::array<Precise, 3> cross{};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
       cross[i] = off(j, p) * off(k, q) - off(k, p) * off(j, q);
     }
-    const double size = std::hypot(cross[0], cross[1], cross[2]);
+    const Precise size = std::hypot(cross[0], cross[1], cross[2]);
     if (size > largest) largest = size, normal = cross;
   }
   const auto steepest = std::max_element(normal.begin(), normal.end(),
-                                         [](double a, double b) { return std::abs(a) < std::abs(b); });
+                                         [](Precise a, Precise b) { return std::abs(a) < std::abs(b); });
   const auto k = static_cast<std::size_t>(steepest - normal.begin());
   const std::size_t i = k == 0 ? 1 : 0, j = k == 2 ? 1 : 2;
   const auto in_plane = [&](std::size_t row, std::size_t column) {
@@ -97,18 +97,25 @@ std::vector<Complex<double>> three_eigenvalues(const StepMap& map) {
   return {pair[0], pair[1], {own, 0}};
 }
 
-double modulus(const Complex<double>& z) { return std::hypot(z.re, z.im); }
+/// The physical pair first.
+std::vector<Complex<Precise>> eigenvalues(const StepMap& map) {
+  if (map.size == 3) return three_eigenvalues(map);
+  const Pair pair = eigenvalues(map.column[0][0], map.column[1][0], map.column[0][1], map.column[1][1]);
+  return {pair[0], pair[1]};
+}
+
+Precise modulus(const Complex<Precise>& z) { return std::hypot(z.re, z.im); }
 
 /// X of x_n = Re X e^{i W n h}: the first component of (e^{i W h} - map)^-1 drive, by Cramer's rule.
-SteadyState steady_state(const StepMap& map, double phase_per_step) {
-  const Complex<double> z{std::cos(phase_per_step), std::sin(phase_per_step)};
+SteadyState steady_state(const StepMap& map, Precise phase_per_step) {
+  const Complex<Precise> z{std::cos(phase_per_step), std::sin(phase_per_step)};
   const auto left = [&](std::size_t i, std::size_t j) {
-    const Complex<double> diagonal = i == j ? z : Complex<double>{};
-    return diagonal - Complex<double>{map.column[j][i], 0};
+    const Complex<Precise> diagonal = i == j ? z : Complex<Precise>{};
+    return diagonal - Complex<Precise>{map.column[j][i], 0};
   };
   const auto with_drive = [&](std::size_t i, std::size_t j) { return j == 0 ? map.drive[i] : left(i, j); };
-  const auto x = determinant<Complex<double>>(with_drive) / determinant<Complex<double>>(left);
-  return {modulus(x), std::atan2(-x.im, x.re)};
+  const auto x = determinant<Complex<Precise>>(with_drive) / determinant<Complex<Precise>>(left);
+  return {static_cast<double>(modulus(x)), static_cast<double>(std::atan2(-x.im, x.re))};
 }
 
 }  // namespace
@@ -120,23 +127,19 @@ std::optional<double> EffectiveOscillator::energy_factor() const {
 
 EffectiveOscillator analyse(const StepMap& map, double h, double drive_frequency) {
   EffectiveOscillator result;
-  if (map.size == 3) {
-    result.eigenvalues = three_eigenvalues(map);
-  } else {
-    const Pair pair = eigenvalues(map.column[0][0], map.column[1][0], map.column[0][1], map.column[1][1]);
-    result.eigenvalues.assign(pair.begin(), pair.end());
+  const auto values = eigenvalues(map);
+  for (const auto& z : values) {
+    result.eigenvalues.push_back({static_cast<double>(z.re), static_cast<double>(z.im)});
+    result.spectral_radius = std::fmax(result.spectral_radius, static_cast<double>(modulus(z)));
   }
-  for (const auto& z : result.eigenvalues)
-    result.spectral_radius = std::fmax(result.spectral_radius, modulus(z));
   if (!map.converged) result.spectral_radius = std::numeric_limits<double>::quiet_NaN();
 
-  const Complex<double>& z = result.eigenvalues.front();
-  if (z.im > 0) {
-    result.decay_rate = -std::log(modulus(z)) / h;
-    result.angular_frequency = std::atan2(z.im, z.re) / h;
+  if (const auto& z = values.front(); z.im > 0) {
+    result.decay_rate = static_cast<double>(-std::log(modulus(z)) / h);
+    result.angular_frequency = static_cast<double>(std::atan2(z.im, z.re) / h);
   }
   const bool driven = std::any_of(map.drive.begin(), map.drive.end(),
-                                  [](const Complex<double>& f) { return f.re != 0 || f.im != 0; });
+                                  [](const Complex<Precise>& f) { return f.re != 0 || f.im != 0; });
   if (driven && result.spectral_radius < 1 - 1e-14)
     result.steady_state = steady_state(map, drive_frequency * h);
   return result;
@@ -147,7 +150,7 @@ std::optional<double> first_unstable_step(const LinearLaw<double>& law,
   constexpr double rounding = 1e-12, dip = 1e-14, ratio = 1.02;
   const double w = std::sqrt(law.stiffness), unit = 1 / (w + 2 * law.decay_rate);
   double stable = 0, unstable = 0, damped = 0;
-  for (double h = 1e-9 * unit; h < 1e6 * unit; h *= ratio) {
+  for (double h = 1e-9 * unit; h < 1e3 * unit; h *= ratio) {
     const double radius = spectral_radius(h);
     if (!(radius <= 1 + rounding)) {
       unstable = h;

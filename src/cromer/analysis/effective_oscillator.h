@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -21,13 +22,17 @@
 
 namespace cromer {
 
+/// More digits than double where the machine has them: beyond the stability limit the small eigenvalue is a
+/// difference of large numbers.
+using Precise = long double;
+
 /// One step of the linear law: z' = map z + drive Re e^{i W t}, of (x, h v) and, where the method carries an
 /// acceleration of its own, h^2 a. All in metres: entries stay comparable at every step.
 struct StepMap {
-  std::size_t size = 2;                           ///< 2, or 3 with a carried acceleration
-  std::array<std::array<double, 3>, 3> column{};  ///< images of the basis
-  std::array<Complex<double>, 3> drive{};         // [m]
-  bool converged = true;                          ///< false: an implicit step found no solution
+  std::size_t size = 2;                            ///< 2, or 3 with a carried acceleration
+  std::array<std::array<Precise, 3>, 3> column{};  ///< images of the basis
+  std::array<Complex<Precise>, 3> drive{};         // [m]
+  bool converged = true;                           ///< false: an implicit step found no solution
 };
 
 /// The oscillator that the method simulates.
@@ -46,37 +51,39 @@ struct EffectiveOscillator {
 
 /// The map of one step h > 0 of the method on the law.
 template <class M>
-StepMap step_map(const M& method, const LinearLaw<double>& law, double h) {
+StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
+  using Column = std::array<Precise, 3>;
   StepMap map;
-  const Oscillator<double> per_mass{.mass = 1, .stiffness = law.stiffness, .damping = 2 * law.decay_rate};
-  const auto step = [&]<Terms terms>(const std::array<double, 3>& z, double drive, double phase) {
-    const DrivenOscillator<double, terms> system(per_mass, {drive, law.drive_frequency, phase});
-    const State<double> y{z[0], z[1] / h};
-    auto memory = method.start(system, 0.0, y);
-    if constexpr (requires { method.carried(memory); }) {
+  const Precise h = step;
+  const Oscillator<Precise> per_mass{
+      .mass = 1, .stiffness = law.stiffness, .damping = 2 * Precise(law.decay_rate)};
+  const auto image = [&]<Terms terms>(const Column& z, const HarmonicForce<Precise>& force) {
+    const DrivenOscillator<Precise, terms> system(per_mass, force);
+    const State<Precise> y{z[0], z[1] / h};
+    auto memory = method.start(system, Precise(0), y);
+    if constexpr (CarriesAcceleration<M, decltype(memory)>) {
       map.size = 3;
       method.carried(memory) = z[2] / (h * h);
     }
-    const auto trial = method.step(system, 0.0, h, y, memory);
+    const auto trial = method.step(system, Precise(0), h, y, memory);
     map.converged = map.converged && trial.converged;
-    std::array<double, 3> image{trial.y.x, h * trial.y.v, 0};
-    if constexpr (requires { method.carried(memory); }) image[2] = h * h * method.carried(memory);
-    return image;
+    Column result{trial.y.x, h * trial.y.v, 0};
+    if constexpr (CarriesAcceleration<M, decltype(memory)>) result[2] = h * h * method.carried(memory);
+    return result;
   };
   // Undamped, methods may spare an equation: the run would, so the map does.
-  const auto free = [&](const std::array<double, 3>& z) {
-    return law.decay_rate == 0 ? step.template operator()<Terms{}>(z, 0, 0)
-                               : step.template operator()<Terms{.damping = true}>(z, 0, 0);
+  const auto free = [&](const Column& z) {
+    return law.decay_rate == 0 ? image.template operator()<Terms{}>(z, {})
+                               : image.template operator()<Terms{.damping = true}>(z, {});
   };
   map.column = {free({1, 0, 0}), free({0, 1, 0}), free({0, 0, 1})};
   if (law.drive_amplitude != 0) {
     // By cos(W t) and by sin(W t): the real and the imaginary part.
-    const auto driven = [&](double phase) {
-      return step.template operator()<Terms{.drive = true, .damping = true}>({0, 0, 0}, law.drive_amplitude,
-                                                                             phase);
+    const auto driven = [&](Precise phase) {
+      return image.template operator()<Terms{.drive = true, .damping = true}>(
+          {0, 0, 0}, {law.drive_amplitude, law.drive_frequency, phase});
     };
-    constexpr double quarter = 1.57079632679489661923;
-    const auto real = driven(0), imaginary = driven(-quarter);
+    const Column real = driven(0), imaginary = driven(-std::numbers::pi_v<Precise> / 2);
     for (std::size_t i = 0; i < 3; ++i) map.drive[i] = {real[i], imaginary[i]};
   }
   return map;
@@ -97,7 +104,7 @@ std::optional<double> first_unstable_step(const LinearLaw<double>& law,
                                           const std::function<double(double)>& spectral_radius);
 
 /// The largest h [s] such that no shorter step is unstable; 0 where every step is, empty where none is
-/// (looked for up to a million times 1/(w + 2 b)). Damping ratios below 1e-7 count as none. law.stiffness >
+/// (looked for up to a thousand times 1/(w + 2 b)). Damping ratios below 1e-7 count as none. law.stiffness >
 /// 0.
 template <class M>
 std::optional<double> stability_limit(const M& method, const LinearLaw<double>& law) {

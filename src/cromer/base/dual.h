@@ -77,6 +77,7 @@ struct Dual {
 
 /// The number without its derivatives, whatever the scalar.
 constexpr double value_of(double x) { return x; }
+constexpr double value_of(long double x) { return static_cast<double>(x); }
 template <class Real, std::size_t N>
 constexpr double value_of(const Dual<Real, N>& x) {
   return value_of(x.value);

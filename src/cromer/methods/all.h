@@ -10,26 +10,42 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/base/result.h"
+#include "cromer/methods/dormand_prince.h"
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/methods/exact.h"
 #include "cromer/methods/forward_euler.h"
+#include "cromer/methods/gauss_legendre4.h"
+#include "cromer/methods/generalized_alpha.h"
+#include "cromer/methods/heun.h"
 #include "cromer/methods/implicit_euler.h"
+#include "cromer/methods/implicit_midpoint.h"
+#include "cromer/methods/newmark.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/methods/verlet.h"
+#include "cromer/methods/yoshida4.h"
 
 namespace cromer {
 
-using AllMethods = std::tuple<ForwardEuler, EulerCromer, ImplicitEuler, Verlet, Rk4, Exact>;
+using AllMethods = std::tuple<ForwardEuler, EulerCromer, ImplicitEuler, Verlet, Newmark, ImplicitMidpoint,
+                              GeneralizedAlpha, Heun, Rk4, Yoshida4, GaussLegendre4, DormandPrince, Exact>;
 
 /// What a run may set; a method takes what it has a use for.
 struct MethodSettings {
   NewtonOptions newton;
+  double beta = Newmark{}.beta;                 ///< 0 to 1
+  double gamma = Newmark{}.gamma;               ///< 0 to 1
+  double rho_inf = GeneralizedAlpha{}.rho_inf;  ///< 0 to 1
+
+  friend bool operator==(const MethodSettings&, const MethodSettings&) = default;
 };
 
 template <class M>
 constexpr M make_method(const MethodSettings& settings) {
   M method;
   if constexpr (requires { method.newton; }) method.newton = settings.newton;
+  if constexpr (requires { method.beta; }) method.beta = settings.beta;
+  if constexpr (requires { method.gamma; }) method.gamma = settings.gamma;
+  if constexpr (requires { method.rho_inf; }) method.rho_inf = settings.rho_inf;
   return method;
 }
 

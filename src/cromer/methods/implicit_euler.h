@@ -20,6 +20,7 @@ struct ImplicitEuler {
       .evaluations = 0,
       .implicit = true,
       .symplectic = false,
+      .a_stable = true,
       .divisions = 1,
       .source = "C. F. Curtiss & J. O. Hirschfelder, Proc. Natl. Acad. Sci. 38, 235 (1952)",
   };

@@ -14,14 +14,22 @@ namespace cromer {
 
 /// What is known of a method before it runs.
 struct MethodInfo {
-  std::string_view name;    ///< as typed: "euler-cromer"
-  int order;                ///< of the global error; 0 where there is none (exact)
-  int error_order;          ///< of the embedded error estimate; > 0 for adaptive methods
-  int evaluations;          ///< of the acceleration a step, besides one for each Newton iteration
-  bool implicit;            ///< a step solves an equation
-  bool symplectic;          ///< of the undamped law
-  int divisions;            ///< a step asks for accelerations at t + i h/divisions only; 0: at any time
-  std::string_view source;  ///< who published it
+  std::string_view name;          ///< as typed: "euler-cromer"
+  int order;                      ///< of the global error; 0 where there is none (exact)
+  int error_order;                ///< of the embedded error estimate; > 0 for adaptive methods
+  int evaluations;                ///< of the acceleration a step, besides those of Newton's iterations
+  int iteration_evaluations = 1;  ///< of the acceleration a Newton iteration
+  bool implicit;                  ///< a step solves an equation
+  bool symplectic;                ///< of the undamped law
+  bool reversible = false;        ///< a step back undoes a step
+  bool a_stable = false;          ///< stable at any step where the linear law is
+  int divisions;                  ///< a step asks for accelerations at t + i h/divisions only; 0: at any time
+  std::string_view source;        ///< who published it
+
+  /// Of the acceleration, for so many steps with so many Newton iterations in all.
+  constexpr long long evaluations_of(long long steps, long long newton_iterations) const {
+    return steps * evaluations + newton_iterations * iteration_evaluations;
+  }
 };
 
 /// What one step gives.
@@ -56,6 +64,13 @@ concept AdaptiveMethod = Method<M, S, Real> &&(M::info.error_order > 0) &&
                          requires(const M& method, const typename M::template Memory<Real>& memory,
                                   double theta) {
   { method.interpolate(memory, theta) } -> std::convertible_to<State<Real>>;
+};
+
+/// A method that carries an acceleration of its own, which is not that of the state, gives it as
+/// carried(memory), a reference: a step then maps three numbers, not two.
+template <class M, class Memory>
+concept CarriesAcceleration = requires(const M& method, Memory& memory) {
+  method.carried(memory);
 };
 
 /// False only where the system says so: then methods spare the equation for v'.

@@ -20,6 +20,7 @@ struct Verlet {
       .evaluations = 1,
       .implicit = false,
       .symplectic = true,
+      .reversible = true,
       .divisions = 1,
       .source = "W. C. Swope et al., J. Chem. Phys. 76, 637 (1982)",
   };

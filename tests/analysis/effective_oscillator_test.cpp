@@ -1,0 +1,157 @@
+#include "cromer/analysis/effective_oscillator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "cromer/analysis/frequency_response.h"
+#include "cromer/methods/all.h"
+#include "cromer/run/solve.h"
+#include "tests/support/problems.h"
+
+namespace cromer {
+namespace {
+
+LinearLaw<double> law_of(double w0, double zeta) { return {.decay_rate = zeta * w0, .stiffness = w0 * w0}; }
+
+EffectiveOscillator effective(std::string_view name, const LinearLaw<double>& law, double h) {
+  return visit_method(name, {}, [&](const auto& method) { return effective_oscillator(method, law, h); });
+}
+
+std::optional<double> limit(std::string_view name, double w0, double zeta) {
+  return visit_method(name, {},
+                      [&](const auto& method) { return stability_limit(method, law_of(w0, zeta)); });
+}
+
+TEST(EffectiveOscillator, MeetsThePublishedValues) {
+  int oscillating = 0, others = 0;
+  for (const auto& entry : problems::read("effective.json")) {
+    const auto name = entry.at("method").get<std::string>();
+    ASSERT_NE(find_method(name), nullptr) << name;
+    const double w0 = problems::number(entry, "w0"), zeta = problems::number(entry, "zeta");
+    const double h = problems::number(entry, "step");
+    const auto found = effective(name, law_of(w0, zeta), h);
+    const std::string where = entry.dump();
+    const double radius = problems::number(entry, "spectral_radius");
+    EXPECT_NEAR(found.spectral_radius, radius, 1e-12 * radius) << where;
+    if (entry.contains("decay_rate")) {
+      ASSERT_TRUE(found.decay_rate && found.angular_frequency) << where;
+      EXPECT_NEAR(*found.decay_rate, problems::number(entry, "decay_rate"), 1e-10 * w0) << where;
+      EXPECT_NEAR(*found.angular_frequency, problems::number(entry, "angular_frequency"), 1e-10 * w0)
+          << where;
+      ++oscillating;
+    } else {
+      EXPECT_FALSE(found.decay_rate || found.angular_frequency || found.energy_factor()) << where;
+      std::vector<double> values, expected;
+      for (const auto& z : found.eigenvalues) values.push_back(z.re);
+      for (const auto& z : entry.at("eigenvalues")) expected.push_back(problems::number(z));
+      std::sort(values.begin(), values.end());
+      std::sort(expected.begin(), expected.end());
+      ASSERT_EQ(values.size(), expected.size());
+      for (std::size_t i = 0; i < values.size(); ++i)
+        EXPECT_NEAR(values[i], expected[i], 1e-12 * std::abs(expected[i])) << where;
+      ++others;
+    }
+  }
+  EXPECT_EQ(oscillating + others, 224);
+  EXPECT_GT(others, 10);
+}
+
+TEST(EffectiveOscillator, SaysWhatTheTheorySays) {
+  // theory.md: w = 6, b = 0.15, h = 0.01.
+  const LinearLaw<double> law{.decay_rate = 0.15, .stiffness = 36};
+  EXPECT_NEAR(*effective("forward-euler", law, 0.01).decay_rate, -0.030, 5e-4);
+  EXPECT_NEAR(*effective("euler-cromer", law, 0.01).decay_rate, 0.1502, 5e-5);
+  EXPECT_NEAR(*effective("implicit-euler", law, 0.01).decay_rate, 0.329, 5e-4);
+  EXPECT_NEAR(*effective("euler-cromer", law, 0.01).decay_rate, -std::log(1 - 2 * 0.15 * 0.01) / 0.02, 1e-13);
+}
+
+TEST(EffectiveOscillator, ExactIsItsOwn) {
+  const auto found = effective("exact", law_of(6, 0.1), 0.02);
+  EXPECT_NEAR(*found.decay_rate, 0.6, 1e-12);
+  EXPECT_NEAR(*found.angular_frequency, 6 * std::sqrt(0.99), 1e-12);
+  EXPECT_NEAR(*found.energy_factor(), std::exp(-4 * std::numbers::pi * 0.1 / std::sqrt(0.99)), 1e-12);
+}
+
+TEST(EffectiveOscillator, TheMotionIsThatOfTheEffectiveOne) {
+  // Three states of a run of any oscillating map satisfy x2 = 2 rho cos(theta) x1 - rho^2 x0.
+  const double h = 0.05;
+  const LinearLaw<double> law = law_of(9, 0.05);
+  const DrivenOscillator<double, Terms{.damping = true}> system({1, 81, 0.9, 0, 0, 0}, {});
+  for_each_method({}, [&](const auto& method) {
+    if (method.info.error_order > 0) return;
+    const auto found = effective_oscillator(method, law, h);
+    ASSERT_TRUE(found.decay_rate) << method.info.name;
+    // Far enough for roots that are not the motion's to have died.
+    std::vector<double> x;
+    solve(system, method, {0, 42 * h}, State<double>{1, 0}, h,
+          [&](double, const State<double>& y) { x.push_back(y.x); });
+    const double rho = std::exp(-*found.decay_rate * h), theta = *found.angular_frequency * h;
+    const double predicted = 2 * rho * std::cos(theta) * x[41] - rho * rho * x[40];
+    EXPECT_NEAR(x[42], predicted, 1e-12) << method.info.name;
+  });
+}
+
+TEST(EffectiveOscillator, StabilityLimitsAreTheKnownOnes) {
+  EXPECT_EQ(limit("forward-euler", 6, 0), 0.0);
+  EXPECT_NEAR(*limit("forward-euler", 6, 0.05), 2 * 0.05 / 6, 1e-12);  // 2 b/w^2
+  EXPECT_NEAR(*limit("forward-euler", 1, 1e-5), 2e-5, 1e-10);
+  EXPECT_NEAR(*limit("euler-cromer", 6, 0), 2.0 / 6, 1e-12);
+  EXPECT_NEAR(*limit("verlet", 6, 0), 2.0 / 6, 1e-12);
+  EXPECT_NEAR(*limit("rk4", 1, 0), std::sqrt(8.0), 1e-9);
+  EXPECT_NEAR(*limit("rk4", 1, 1e3), 2.785293563405282 / 2e3, 1e-8);  // the limit on the negative axis
+  EXPECT_EQ(limit("implicit-euler", 6, 0), std::nullopt);
+  EXPECT_EQ(limit("implicit-euler", 6, 2), std::nullopt);
+  EXPECT_EQ(limit("exact", 6, 0), std::nullopt);
+}
+
+TEST(EffectiveOscillator, StepsJustBelowTheLimitAreStableAndJustAboveAreNot) {
+  for (const double zeta : {0.0, 0.01, 0.05, 0.7, 1.0, 3.0}) {
+    const LinearLaw<double> law = law_of(6, zeta);
+    for_each_method({}, [&](const auto& method) {
+      if (method.info.error_order > 0) return;
+      const auto most = stability_limit(method, law);
+      if (!most || *most == 0) return;
+      EXPECT_TRUE(effective_oscillator(method, law, *most * (1 - 1e-3)).stable()) << method.info.name << zeta;
+      EXPECT_FALSE(effective_oscillator(method, law, *most * (1 + 1e-3)).stable())
+          << method.info.name << zeta;
+    });
+  }
+}
+
+TEST(EffectiveOscillator, ADrivenRunSettlesWhereItSays) {
+  const double h = 0.05, W = 4;
+  LinearLaw<double> law = law_of(6, 0.1);
+  law.drive_amplitude = 1.5;
+  law.drive_frequency = W;
+  const DrivenOscillator<double, Terms{.drive = true, .damping = true}> system({1, 36, 1.2, 0, 0, 0},
+                                                                               {1.5, W, 0});
+  for_each_method({}, [&](const auto& method) {
+    if (method.info.error_order > 0) return;
+    const auto found = effective_oscillator(method, law, h);
+    if (!found.stable()) return;
+    ASSERT_TRUE(found.steady_state) << method.info.name;
+    const auto [amplitude, lag] = *found.steady_state;
+    const auto outcome = solve(system, method, {0, 4000 * h}, State<double>{1, 0}, h, KeepNone{});
+    EXPECT_NEAR(outcome.y.x, amplitude * std::cos(W * outcome.t - lag), 1e-12) << method.info.name;
+  });
+  const auto exact = effective("exact", law, h).steady_state;
+  const auto known = frequency_response({.mass = 1, .stiffness = 36, .damping = 1.2}, 1.5, W);
+  EXPECT_NEAR(exact->amplitude, known.amplitude, 1e-13);
+  EXPECT_NEAR(exact->phase_lag, known.phase_lag, 1e-13);
+}
+
+TEST(EffectiveOscillator, WhatNeverSettlesHasNoSteadyState) {
+  LinearLaw<double> law = law_of(6, 0);
+  law.drive_amplitude = 1;
+  law.drive_frequency = 4;
+  EXPECT_FALSE(effective("euler-cromer", law, 0.01).steady_state);
+  EXPECT_FALSE(effective("forward-euler", law, 0.01).steady_state);
+  EXPECT_TRUE(effective("implicit-euler", law, 0.01).steady_state);  // its own damping makes it settle
+}
+
+}  // namespace
+}  // namespace cromer
