@@ -172,7 +172,7 @@ requires Method<M, S, Real> Outcome solve(const S& system, const M& method, Inte
   outcome.step = progress.accepted;
   outcome.counts = {.accepted = progress.accepted,
                     .rejected = 0,
-                    .evaluations = progress.accepted * M::info.evaluations + progress.newton_iterations,
+                    .evaluations = M::info.evaluations_of(progress.accepted, progress.newton_iterations),
                     .newton_iterations = progress.newton_iterations};
   return outcome;
 }
