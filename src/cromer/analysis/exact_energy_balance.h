@@ -37,8 +37,7 @@ Power halved(const F& power, double a, double b, const Power& whole, const Power
   const bool agrees = std::abs(off.drive) <= enough.drive && std::abs(off.square) <= enough.square &&
                       std::abs(off.distance) <= enough.distance;
   if (agrees || !(a < middle && middle < b) || --budget < 0) return both;
-  return halved(power, a, middle, left, enough, budget) +
-         halved(power, middle, b, right, enough, budget);
+  return halved(power, a, middle, left, enough, budget) + halved(power, middle, b, right, enough, budget);
 }
 
 /// The balance of an exact motion from 0 to `until` [s]: state(t) gives it at any time, force(t) the

@@ -1,0 +1,46 @@
+// Frequency and decay of a free motion, measured on its states.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cromer/run/trajectory.h"
+
+namespace cromer {
+
+/// A place where the motion turns.
+struct TurningPoint {
+  double t = 0;  // [s]
+  double x = 0;  // [m]
+};
+
+/// Where the velocity changes sign, each on the cubic through position and velocity of the states before and
+/// after. Error: about (w h)^3/100 of t in periods/2 pi, (w h)^4/400 of x in amplitudes. A mass that comes to
+/// rest turns there once.
+std::vector<TurningPoint> turning_points(const Trajectory& trajectory);
+
+/// A free motion's mean frequency and decay, from its turning points. Of any law; where the frequency changes
+/// with the amplitude these are means over the run.
+struct MeasuredOscillator {
+  double angular_frequency = 0;  // [rad/s] half turns over the time they took
+  double decay_rate = 0;         // [1/s] fitted to the logarithm of the amplitudes
+  double first_amplitude = 0;    // [m] half the way from the first turning point to the second
+  double last_amplitude = 0;     // [m] likewise at the end
+  int half_cycles = 0;           ///< turning points less one
+};
+
+/// Empty with fewer than three turning points: no oscillation was seen.
+std::optional<MeasuredOscillator> measure_oscillator(const Trajectory& trajectory);
+
+/// Decay and frequency of the recurrence x[n+1] = p x[n] - q x[n-1] that equally spaced states of the linear
+/// law obey exactly, whatever the method: by least squares over stretches of about a radian. `spacing` [s] of
+/// the states, `angular_frequency` [rad/s] roughly. Error: 1e-14 of the frequency. Empty where the states do
+/// not oscillate, or are fewer than three radians.
+struct Recurrence {
+  double angular_frequency = 0;  // [rad/s]
+  double decay_rate = 0;         // [1/s]
+};
+std::optional<Recurrence> measure_recurrence(const std::vector<double>& x, double spacing,
+                                             double angular_frequency);
+
+}  // namespace cromer
