@@ -7,20 +7,14 @@
 #include <numbers>
 
 #include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/describe_fit.h"
 #include "cromer/identify/levenberg_marquardt.h"
 #include "cromer/identify/refusal.h"
+#include "cromer/identify/rounding_bias.h"
 #include "cromer/identify/start_values.h"
 
 namespace cromer {
 namespace {
-
-double centred_norm(std::span<const double> y) {
-  double mean = 0, sum = 0;
-  for (double value : y) mean += value;
-  mean /= static_cast<double>(y.size());
-  for (double value : y) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum);
-}
 
 LeastSquaresOptions least_squares_options(const Record& record, const FreeDecayOptions& options) {
   LeastSquaresOptions result;
@@ -31,64 +25,28 @@ LeastSquaresOptions least_squares_options(const Record& record, const FreeDecayO
   return result;
 }
 
-Record first_part(const Record& record, std::size_t samples) {
-  return {record.t.first(samples), record.y.first(samples), record.resolution};
+// A model that an interruption makes impossible everywhere, so that no further step is tried for long.
+template <class Model>
+auto interruptible(Model model, const Watch& watch) {
+  return [model = std::move(model), &watch](const Parameters& parameters) {
+    if (!watch.interrupted()) return model(parameters);
+    NormalEquations nowhere;
+    nowhere.sum_of_squares = HUGE_VAL;
+    return nowhere;
+  };
 }
 
-// An equilibrium lives at zero frequency, all else at the oscillation's own: their variances widen
-// differently.
-struct Widening {
-  double oscillation = 1, equilibrium = 1;
+// Nothing of it is known: parameters halfway to the minimum would look like a result.
+FreeDecay interrupted_fit(const Law& law) {
+  FreeDecay fit;
+  fit.law = law;
+  fit.status = FitStatus::iteration_limit;
+  fit.message = "interrupted before the fit was done";
+  return fit;
+}
 
-  double of(std::string_view parameter) const {
-    return parameter == "equilibrium" ? equilibrium : oscillation;
-  }
-};
-
-// Covariance, intervals and statistics from the inverse of the normal matrix, in the order of
-// fitted_parameters.
-void describe(FreeDecay& fit, const Record& record, const MotionParameters& motion,
-              const SquareMatrix& inverse_matrix, std::span<const double> residuals) {
-  const FittedParameters fitted = fitted_parameters(fit.law);
-  const auto n = static_cast<double>(record.t.size());
-  const double h = (record.t.back() - record.t.front()) / (n - 1);
-  const std::vector<double> rho = autocorrelations(residuals, first_lags(residuals.size()));
-  fit.residual = describe_residual(residuals, rho);
-  const double norm = centred_norm(record.y);
-  const double sum_of_squares = fit.residual.rms * fit.residual.rms * n;
-  fit.explained = 1 - sum_of_squares / (norm * norm);
-
-  const Widening widening{correlation_factor(residuals, rho, motion.angular_frequency * h),
-                          correlation_factor(residuals, rho, 0)};
-  fit.independent_samples = n / widening.oscillation;
-  const double k = fitted.count;
-  const double degrees = std::max(1.0, fit.independent_samples - k);
-  fit.student = student_95(degrees);
-  fit.bic = fit.independent_samples * 2 * std::log(fit.residual.rms) + k * std::log(fit.independent_samples);
-  // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
-  const double variance =
-      std::max(sum_of_squares / std::max(1.0, n - k), record.resolution * record.resolution / 12);
-
-  fit.names.clear();
-  fit.covariance.assign(static_cast<std::size_t>(fitted.count * fitted.count), 0);
-  for (int i = 0; i < fitted.count; ++i) {
-    fit.names.emplace_back(fitted.name[i]);
-    for (int j = 0; j < fitted.count; ++j)
-      fit.covariance[static_cast<std::size_t>(i * fitted.count + j)] =
-          variance * inverse_matrix[i][j] *
-          std::sqrt(widening.of(fitted.name[i]) * widening.of(fitted.name[j]));
-  }
-  const auto estimate = [&](std::string_view parameter, double value) {
-    return make_estimate(value, std::sqrt(std::max(0.0, fit.covariance_of(parameter, parameter))),
-                         fit.student);
-  };
-  fit.angular_frequency = estimate("angular_frequency", motion.angular_frequency);
-  fit.decay_rate = estimate("decay_rate", motion.decay_rate);
-  if (fit.law.drag) fit.drag = estimate("drag", motion.drag);
-  if (fit.law.cubic) fit.cubic = estimate("cubic", motion.cubic);
-  fit.equilibrium = estimate("equilibrium", motion.equilibrium);
-  fit.position = estimate("position", motion.position);
-  fit.velocity = estimate("velocity", motion.velocity);
+Record first_part(const Record& record, std::size_t samples) {
+  return {record.t.first(samples), record.y.first(samples), record.resolution};
 }
 
 void set_status(FreeDecay& fit, LeastSquaresReason reason) {
@@ -108,7 +66,7 @@ void warn_of_bounds(FreeDecay& fit) {
 
 // The viscous law in the phasor's own parameters, grown from a first part to the whole record.
 LeastSquaresSummary fit_phasor(const Record& record, const StartValues& start,
-                               const FreeDecayOptions& options) {
+                               const FreeDecayOptions& options, const Watch& watch) {
   LeastSquaresSummary summary;
   summary.parameters = start.phasor;
   int iterations = 0;
@@ -120,15 +78,15 @@ LeastSquaresSummary fit_phasor(const Record& record, const StartValues& start,
     settings.lower[DampedPhasor::decay_rate] = 0;
     const bool whole = samples == record.t.size();
     if (!whole) settings.error_tolerance = 1e-2;
-    summary = minimise(DampedPhasor(part), summary.parameters, settings);
+    summary = minimise(interruptible(DampedPhasor(part), watch), summary.parameters, settings);
     iterations += summary.iterations;
-    if (whole) break;
+    if (whole || watch.interrupted()) break;
   }
   summary.iterations = iterations;
   return summary;
 }
 
-FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options) {
+FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
   FreeDecay fit;
   fit.law = Law{};
   const std::optional<StartValues> start = find_start_values(record);
@@ -137,7 +95,8 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options) {
     fit.message = "no oscillation found: the spectrum has no line";
     return fit;
   }
-  const LeastSquaresSummary summary = fit_phasor(record, *start, options);
+  const LeastSquaresSummary summary = fit_phasor(record, *start, options, watch);
+  if (watch.interrupted()) return interrupted_fit(options.law);
   fit.iterations = summary.iterations;
   const Parameters& p = summary.parameters;
   const double w = p[DampedPhasor::angular_frequency], g = p[DampedPhasor::decay_rate];
@@ -163,7 +122,14 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options) {
 
   std::vector<double> residuals;
   DampedPhasor(record).residuals(p, residuals);
-  describe(fit, record, motion, inverse_matrix, residuals);
+  Parameters bias{};
+  if (const std::vector<double> y = rounded_motion(record, residuals); !y.empty()) {
+    const Parameters right = DampedPhasor({record.t, y, 0})(p).right;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        for (int k = 0; k < n; ++k) bias[i] += jacobian[i][k] * phasor_inverse[k][j] * right[j];
+  }
+  describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
   fit.step = motion_step(w0, record.t.back() - record.t.front(), 1e-9);
   set_status(fit, summary.reason);
   if (const auto refusal = refuse_fit(record, fit)) {
@@ -184,13 +150,13 @@ Record first_periods(const Record& record, double angular_frequency) {
 
 // A swing whose frequency changes as it decays leaves a sinusoid out of step, and is an oscillation all the
 // same: its first periods show it.
-FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options) {
-  FreeDecay fit = fit_sinusoid(record, options);
+FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+  FreeDecay fit = fit_sinusoid(record, options, watch);
   if (fit.status == FitStatus::no_oscillation && fit.angular_frequency.value > 0) {
     const Record beginning = first_periods(record, fit.angular_frequency.value);
     constexpr double clear = 0.95;
     if (3 * beginning.t.size() < record.t.size()) {
-      const FreeDecay first = fit_sinusoid(beginning, options);
+      const FreeDecay first = fit_sinusoid(beginning, options, watch);
       if (first.status == FitStatus::converged && first.explained > clear) {
         fit.status = FitStatus::converged;
         fit.message.clear();
@@ -208,26 +174,31 @@ FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options) {
 LeastSquaresSummary minimise_motion(const Record& record, const Law& law, const Parameters& start, double h,
                                     LeastSquaresOptions settings, const Watch& watch) {
   const auto model = [&](const Parameters& parameters) {
-    NormalEquations equations = motion_equations(law, parameters, record, h);
-    if (watch.interrupted()) equations.sum_of_squares = HUGE_VAL;  // no step is accepted any more
-    return equations;
+    return motion_equations(law, parameters, record, h);
   };
-  return minimise(model, start, settings);
+  return minimise(interruptible(model, watch), start, settings);
 }
 
-// From the viscous fit of a few periods to the whole record, twice as long each time: where the frequency
-// depends on the amplitude, a start from the whole record's viscous fit would lose count of the periods.
-Parameters grow(const Record& record, const Law& law, const FreeDecayOptions& options,
-                const FreeDecay& viscous, const Watch& watch) {
-  const FittedParameters fitted = fitted_parameters(law);
-  const double period = 2 * std::numbers::pi / viscous.angular_frequency.value;
+// Where the iteration of a motion begins. The frequency of a large swing depends on its amplitude: a start
+// from the whole record's viscous fit would then lose count of the periods, and a few periods' does not.
+KnownMotion known_motion(const Record& record, const FreeDecayOptions& options, const FreeDecay& viscous,
+                         const Watch& watch) {
+  constexpr double certain = 0.95;
+  const KnownMotion whole{viscous.motion(), record.t.size()};
+  if (viscous.explained > certain) return whole;
   const Record beginning = first_periods(record, viscous.angular_frequency.value);
-  std::size_t samples = beginning.t.size();
-  Parameters parameters = pack(fitted, viscous.motion());
-  if (samples >= record.t.size()) return parameters;
-  const FreeDecay start = fit_sinusoid(beginning, options);
-  if (start.status == FitStatus::converged) parameters = pack(fitted, start.motion());
-  for (; samples < record.t.size(); samples *= 2) {
+  if (beginning.t.size() >= record.t.size()) return whole;
+  const FreeDecay first = fit_sinusoid(beginning, options, watch);
+  return {first.status == FitStatus::converged ? first.motion() : viscous.motion(), beginning.t.size()};
+}
+
+// From a first part to the whole record, twice as long each time.
+Parameters grow(const Record& record, const Law& law, const FreeDecayOptions& options,
+                const KnownMotion& known, const Watch& watch) {
+  const FittedParameters fitted = fitted_parameters(law);
+  const double period = 2 * std::numbers::pi / known.motion.angular_frequency;
+  Parameters parameters = pack(fitted, known.motion);
+  for (std::size_t samples = known.samples; samples < record.t.size(); samples *= 2) {
     const Record part = first_part(record, samples);
     LeastSquaresOptions settings = least_squares_options(part, options);
     settings.error_tolerance = 0.1;
@@ -241,13 +212,22 @@ Parameters grow(const Record& record, const Law& law, const FreeDecayOptions& op
 }
 
 FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  const FreeDecay viscous = fit_viscous(record, options);
   FreeDecay fit;
   fit.law = options.law;
-  if (viscous.status != FitStatus::converged && viscous.status != FitStatus::iteration_limit) {
-    fit = viscous;
-    fit.law = options.law;
-    return fit;
+  KnownMotion known;
+  if (options.start) {
+    known = *options.start;
+  } else {
+    const FreeDecay viscous = fit_viscous(record, options, watch);
+    const bool usable =
+        viscous.status == FitStatus::converged || viscous.status == FitStatus::iteration_limit;
+    if (!usable || watch.interrupted()) {
+      fit = viscous;
+      fit.law = options.law;
+      return fit;
+    }
+    known = known_motion(record, options, viscous, watch);
+    known.decay_rate = viscous.decay_rate.value;
   }
   const FittedParameters fitted = fitted_parameters(options.law);
   LeastSquaresOptions settings = least_squares_options(record, options);
@@ -255,24 +235,22 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
     if (fitted.member[i] == &MotionParameters::decay_rate || fitted.member[i] == &MotionParameters::drag)
       settings.lower[i] = 0;
 
+  const MotionParameters& first = known.motion;
   const double duration = record.t.back() - record.t.front();
-  const double seen = std::min(duration, 3 / std::max(viscous.decay_rate.value, 1e-300));
-  const double amplitude =
-      std::hypot(viscous.position.value, viscous.velocity.value / viscous.angular_frequency.value);
+  const double seen = std::min(duration, 3 / std::max(known.decay_rate, 1e-300));
+  const double amplitude = std::hypot(first.position, first.velocity / first.angular_frequency);
   const double root_n = std::sqrt(static_cast<double>(record.t.size()));
   // The method's error may move a parameter by a twentieth of its standard error.
   const auto step_for = [&](double rms) {
-    return motion_step(viscous.angular_frequency.value, seen, 0.05 * rms / (root_n * amplitude));
+    return motion_step(first.angular_frequency, seen, 0.05 * rms / (root_n * amplitude));
   };
 
-  constexpr double certain = 0.95;
-  const Parameters start = viscous.explained > certain ? pack(fitted, viscous.motion())
-                                                       : grow(record, options.law, options, viscous, watch);
+  const Parameters start = grow(record, options.law, options, known, watch);
   // Most of the way in coarse steps, then as fine as the residuals ask for.
   LeastSquaresOptions coarse = settings;
   coarse.error_tolerance = 1e-2;
   LeastSquaresSummary summary = minimise_motion(
-      record, options.law, start, 2 * std::numbers::pi / viscous.angular_frequency.value / 40, coarse, watch);
+      record, options.law, start, 2 * std::numbers::pi / first.angular_frequency / 40, coarse, watch);
   fit.iterations = summary.iterations;
   double h = step_for(std::sqrt(summary.equations.sum_of_squares) / root_n);
   for (int round = 0; round < 4; ++round) {
@@ -283,6 +261,7 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
     h = finer;
   }
 
+  if (watch.interrupted()) return interrupted_fit(options.law);
   fit.step = h;
   const MotionParameters motion = unpack(fitted, summary.parameters);
   const std::vector<double> residuals = motion_residuals(motion, record, h);
@@ -291,12 +270,15 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
     fit.message = "this law's motion runs away from the recorded one";
     return fit;
   }
-  describe(fit, record, motion, inverse(summary.equations.matrix, fitted.count), residuals);
-  set_status(fit, summary.reason);
-  if (watch.interrupted()) {
-    fit.status = FitStatus::iteration_limit;
-    fit.message = "interrupted";
+  const SquareMatrix inverse_matrix = inverse(summary.equations.matrix, fitted.count);
+  Parameters bias{};
+  if (const std::vector<double> y = rounded_motion(record, residuals); !y.empty()) {
+    const NormalEquations pull = motion_equations(options.law, summary.parameters, {record.t, y, 0}, h);
+    for (int i = 0; i < fitted.count; ++i)
+      for (int j = 0; j < fitted.count; ++j) bias[i] += inverse_matrix[i][j] * pull.right[j];
   }
+  describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
+  set_status(fit, summary.reason);
   warn_of_bounds(fit);
   return fit;
 }
@@ -349,7 +331,8 @@ FreeDecay fit_free_decay(const Record& record, const FreeDecayOptions& options, 
     fit.message = refusal->message;
     return fit;
   }
-  return options.law == Law{} ? fit_viscous(record, options) : fit_motion(record, options, watch);
+  if (watch.interrupted()) return interrupted_fit(options.law);
+  return options.law == Law{} ? fit_viscous(record, options, watch) : fit_motion(record, options, watch);
 }
 
 Trajectory motion_of(const FreeDecay& fit, std::span<const double> t) {

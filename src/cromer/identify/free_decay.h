@@ -63,10 +63,18 @@ struct FreeDecay {
   double covariance_of(std::string_view a, std::string_view b) const;
 };
 
+/// A motion that is known to follow a record's first samples.
+struct KnownMotion {
+  MotionParameters motion;
+  std::size_t samples = 0;  ///< how many; all of them if the fit need not grow
+  double decay_rate = 0;    // [1/s] of the amplitude, on average; 0 where it is not known
+};
+
 struct FreeDecayOptions {
-  Law law;
-  int iteration_limit = 50;  // > 0
-  double tolerance = 1e-10;  // of the last relative change of the motion, 0 < tolerance < 1
+  Law law{};
+  std::optional<KnownMotion> start{};  ///< found if not given; the viscous law alone needs none
+  int iteration_limit = 50;            // > 0
+  double tolerance = 1e-10;            // of the last relative change of the motion, 0 < tolerance < 1
 };
 
 /// Fits one law. Never throws; a record that cannot be fitted is a status with a message. Friction is not

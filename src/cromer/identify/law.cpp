@@ -26,8 +26,8 @@ Error unknown_term(std::string_view term) {
   constexpr std::array<std::string_view, 5> names{"viscous", "drag", "friction", "cubic", "auto"};
   const std::string suggestion = nearest(term, names);
   std::string message = "--law: \"" + std::string(term) + "\" is not a term";
-  if (!suggestion.empty()) message += "; did you mean " + suggestion + "?";
-  return Error{message + " A law is auto or a sum of viscous, drag, friction and cubic"};
+  message += suggestion.empty() ? "." : "; did you mean " + suggestion + "?";
+  return Error{message + " A law is auto, or a sum of viscous, drag, friction and cubic"};
 }
 
 }  // namespace

@@ -1,0 +1,75 @@
+#include "cromer/identify/describe_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cromer {
+namespace {
+
+// An equilibrium lives at zero frequency, all else at the oscillation's own: their variances widen
+// differently.
+struct Widening {
+  double oscillation = 1, equilibrium = 1;
+
+  double of(std::string_view parameter) const {
+    return parameter == "equilibrium" ? equilibrium : oscillation;
+  }
+};
+
+}  // namespace
+
+double centred_norm(std::span<const double> y) {
+  double mean = 0, sum = 0;
+  for (double value : y) mean += value;
+  mean /= static_cast<double>(y.size());
+  for (double value : y) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum);
+}
+
+void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& motion,
+                  const SquareMatrix& inverse_matrix, const Parameters& rounding_bias,
+                  std::span<const double> residuals) {
+  const FittedParameters fitted = fitted_parameters(fit.law);
+  const auto n = static_cast<double>(record.t.size());
+  const double h = (record.t.back() - record.t.front()) / (n - 1);
+  const std::vector<double> rho = autocorrelations(residuals, first_lags(residuals.size()));
+  fit.residual = describe_residual(residuals, rho);
+  const double norm = centred_norm(record.y);
+  const double sum_of_squares = fit.residual.rms * fit.residual.rms * n;
+  fit.explained = 1 - sum_of_squares / (norm * norm);
+
+  const Widening widening{correlation_factor(residuals, rho, motion.angular_frequency * h),
+                          correlation_factor(residuals, rho, 0)};
+  fit.independent_samples = n / widening.oscillation;
+  const double k = fitted.count;
+  const double degrees = std::max(1.0, fit.independent_samples - k);
+  fit.student = student_95(degrees);
+  fit.bic = fit.independent_samples * 2 * std::log(fit.residual.rms) + k * std::log(fit.independent_samples);
+  // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
+  const double variance =
+      std::max(sum_of_squares / std::max(1.0, n - k), record.resolution * record.resolution / 12);
+
+  fit.names.clear();
+  fit.covariance.assign(static_cast<std::size_t>(fitted.count * fitted.count), 0);
+  for (int i = 0; i < fitted.count; ++i) {
+    fit.names.emplace_back(fitted.name[i]);
+    for (int j = 0; j < fitted.count; ++j)
+      fit.covariance[static_cast<std::size_t>(i * fitted.count + j)] =
+          variance * inverse_matrix[i][j] *
+              std::sqrt(widening.of(fitted.name[i]) * widening.of(fitted.name[j])) +
+          rounding_bias[i] * rounding_bias[j];
+  }
+  const auto estimate = [&](std::string_view parameter, double value) {
+    return make_estimate(value, std::sqrt(std::max(0.0, fit.covariance_of(parameter, parameter))),
+                         fit.student);
+  };
+  fit.angular_frequency = estimate("angular_frequency", motion.angular_frequency);
+  fit.decay_rate = estimate("decay_rate", motion.decay_rate);
+  if (fit.law.drag) fit.drag = estimate("drag", motion.drag);
+  if (fit.law.cubic) fit.cubic = estimate("cubic", motion.cubic);
+  fit.equilibrium = estimate("equilibrium", motion.equilibrium);
+  fit.position = estimate("position", motion.position);
+  fit.velocity = estimate("velocity", motion.velocity);
+}
+
+}  // namespace cromer

@@ -1,0 +1,122 @@
+#include "cromer/identify/doubts.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/identify/damped_phasor.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+std::vector<double> residuals_of(const Record& record, const FreeDecay& fit) {
+  const MotionParameters p = fit.motion();
+  if (!(fit.law == Law{})) return motion_residuals(p, record, fit.step);
+  const double w =
+      std::sqrt(std::max(0.0, p.angular_frequency * p.angular_frequency - p.decay_rate * p.decay_rate));
+  Parameters phasor{};
+  phasor[DampedPhasor::angular_frequency] = w;
+  phasor[DampedPhasor::decay_rate] = p.decay_rate;
+  phasor[DampedPhasor::equilibrium] = p.equilibrium;
+  phasor[DampedPhasor::cosine] = p.position;
+  phasor[DampedPhasor::sine] = (p.velocity + p.decay_rate * p.position) / w;
+  std::vector<double> residuals;
+  DampedPhasor(record).residuals(phasor, residuals);
+  return residuals;
+}
+
+// Standard deviation of what is independent from sample to sample: a second difference sees six times its
+// variance, and little of anything slow.
+double noise_of(std::span<const double> r) {
+  if (r.size() < 3) return 0;
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < r.size(); ++i) {
+    const double d = r[i - 1] - 2 * r[i] + r[i + 1];
+    sum += d * d;
+  }
+  return std::sqrt(sum / (6 * static_cast<double>(r.size() - 2)));
+}
+
+struct Amplitude {
+  double t, value;
+};
+
+// Root two times the standard deviation over windows of four periods each: whatever the frequency does.
+std::vector<Amplitude> amplitudes(const Record& record, double period) {
+  std::vector<Amplitude> result;
+  for (std::size_t first = 0; first < record.t.size();) {
+    const double end = record.t[first] + 4 * period;
+    if (end > record.t.back()) break;
+    double mean = 0, squares = 0;
+    std::size_t last = first;
+    for (; record.t[last] < end; ++last) {
+      const double change = record.y[last] - mean;
+      mean += change / static_cast<double>(last - first + 1);
+      squares += change * (record.y[last] - mean);
+    }
+    const std::size_t count = last - first;
+    if (static_cast<double>(count) >= 16)
+      result.push_back({0.5 * (record.t[first] + end), std::sqrt(2 * squares / static_cast<double>(count))});
+    first = last;
+  }
+  return result;
+}
+
+// The largest rise of the amplitude from an earlier window to a later.
+std::string rise(const Record& record, double period, double noise) {
+  const std::vector<Amplitude> windows = amplitudes(record, period);
+  if (windows.size() < 3) return {};
+  Amplitude lowest = windows.front(), from = lowest, to = lowest;
+  double largest = lowest.value;
+  for (const Amplitude& window : windows) {
+    if (window.value - lowest.value > to.value - from.value) from = lowest, to = window;
+    if (window.value < lowest.value) lowest = window;
+    largest = std::max(largest, window.value);
+  }
+  // An amplitude over a window of 16 samples or more is known to half the noise, and to a rounding step.
+  if (to.value - from.value < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
+  return fmt::format(
+      "the amplitude rises {} between {:.4g} and {:.4g} s, and a free swing's never does: something drives "
+      "it, "
+      "or two motions beat. The frequency may then be the drive's, and the stiffness not the spring's",
+      to.value < 2 * from.value ? fmt::format("by {:.0f} %", 100 * (to.value / from.value - 1))
+                                : fmt::format("{:.2g}-fold", to.value / from.value),
+      from.t, to.t);
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
+  std::vector<std::string> found;
+  const double period = two_pi / fit.angular_frequency.value;
+  const double duration = record.t.back() - record.t.front();
+  const std::vector<double> residuals = residuals_of(record, fit);
+  const double noise = noise_of(residuals);
+  const std::string rises = rise(record, period, noise);
+  if (!rises.empty()) found.push_back(rises);
+
+  const bool drag_falls = fit.drag && fit.drag->low > 0;
+  if (rises.empty() && fit.law.viscous && duration >= 20 * period && fit.decay_rate.low <= 0 && !drag_falls)
+    found.push_back(
+        fmt::format("the swing does not die down over {:.0f} periods. If something drives it, the frequency "
+                    "is the drive's, "
+                    "and the stiffness that follows from it is not the spring's",
+                    duration / period));
+
+  // Where a period has many samples, what a wrong law leaves is smooth.
+  const double samples_per_period = period * static_cast<double>(record.t.size() - 1) / duration;
+  if (samples_per_period >= 12 && fit.residual.autocorrelation > 0.5 &&
+      fit.residual.rms > std::max(2 * noise, record.resolution))
+    found.push_back(
+        fmt::format("no law tried describes this recording: what is left is {:.0f} times the noise from "
+                    "sample to sample, and "
+                    "the uncertainties cannot be trusted. Friction, for one, cannot be fitted yet",
+                    std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))));
+  return found;
+}
+
+}  // namespace cromer

@@ -1,0 +1,36 @@
+#include "cromer/identify/choose_law.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
+  const MotionParameters truth{.angular_frequency = 8.849,
+                               .decay_rate = 0.002,
+                               .drag = 0.1,
+                               .equilibrium = 0.2,
+                               .position = 0.036,
+                               .velocity = 0};
+  SyntheticRecord record{even_times(400'000, 0.001), {}, 0};
+  std::mt19937_64 engine(4);
+  std::normal_distribution<double> normal(0, 3e-4);
+  for (const double x : free_motion(truth, record.t, 0.01).x)
+    record.y.push_back(truth.equilibrium + x + normal(engine));
+  const LawChoice choice = choose_law(record.record(), {});
+  const FreeDecay& fit = choice.chosen;
+  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
+  EXPECT_EQ(to_text(fit.law), "viscous+drag");
+  EXPECT_EQ(choice.candidates.size(), 4u);
+  EXPECT_NEAR(fit.drag->value, 0.1, 4 * fit.drag->standard_error);
+  EXPECT_NEAR(fit.decay_rate.value, 0.002, 4 * fit.decay_rate.standard_error);
+  EXPECT_THAT(fit.warnings, testing::Contains(testing::HasSubstr("one in 4 up to 399.996 s")));
+  // The uncertainties are those of all samples, half of the candidate's.
+  EXPECT_LT(fit.drag->standard_error, 0.6 * choice.candidates[1].drag->standard_error);
+}
+
+}  // namespace
+}  // namespace cromer

@@ -1,0 +1,40 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cromer/identify/choose_law.h"
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+TEST(Interruption, NoLawConvergesWhenItIsInterrupted) {
+  const SyntheticRecord record = viscous_record({}, even_times(3000, 0.01), 1e-4);
+  const std::atomic<bool> stop{true};
+  const Watch watch{&stop, {}};
+  for (const Law& law : {Law{}, Law{.drag = true}, Law{.cubic = true}, Law{.drag = true, .cubic = true}}) {
+    const FreeDecay fit = fit_free_decay(record.record(), {.law = law}, watch);
+    EXPECT_EQ(fit.status, FitStatus::iteration_limit) << to_text(law);
+    EXPECT_THAT(fit.message, testing::StartsWith("interrupted"));
+    EXPECT_EQ(fit.angular_frequency.value, 0);  // nothing that could be taken for a result
+  }
+  const LawChoice choice = choose_law(record.record(), {}, watch);
+  EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit);
+  EXPECT_THAT(choice.chosen.message, testing::StartsWith("interrupted"));
+}
+
+TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
+  const SyntheticRecord record = viscous_record({}, even_times(3000, 0.01), 1e-4);
+  for (int after = 1; after <= 4; ++after) {
+    std::atomic<bool> stop{false};
+    int done = 0;
+    const Watch watch{&stop, [&](double) { stop = ++done == after; }};
+    const LawChoice choice = choose_law(record.record(), {}, watch);
+    EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit) << after;
+    EXPECT_THAT(choice.chosen.message, testing::StartsWith("interrupted"));
+    EXPECT_EQ(choice.candidates.size(), static_cast<std::size_t>(after));
+    EXPECT_NEAR(choice.chosen.angular_frequency.value, 8.849, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace cromer
