@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "commands.h"
 #include "cromer/record/dialects/clean_table.h"
 #include "cromer/report/file.h"
@@ -16,6 +18,18 @@
 namespace cromer::cli {
 namespace {
 
+/// "Pos B (mm): position, 356 samples at Time B (s)"; the time only where there are several.
+std::string described(const Inspection& inspection, std::size_t i, bool several_times) {
+  const Recording& recording = inspection.recording;
+  const std::string& quantity = recording.table.columns[i].quantity;
+  const InspectedColumn& column = inspection.columns[i];
+  std::string text = column_heading(recording.table, i) + ": ";
+  if (!quantity.empty()) text += quantity + ", ";
+  text += fmt::format("{} samples", column.samples);
+  if (several_times && !column.time_column.empty()) text += " at " + column.time_column;
+  return text;
+}
+
 std::string summary(const Inspection& inspection) {
   const Recording& recording = inspection.recording;
   const auto line = [](std::string_view what, const std::string& value) {
@@ -25,12 +39,19 @@ std::string summary(const Inspection& inspection) {
   out += line("dialect", fmt::format("{}, {}, separated by {}, decimal {}", recording.dialect.name,
                                      recording.dialect.encoding, recording.dialect.separator,
                                      recording.dialect.decimal));
-  for (std::size_t i = 0; i < recording.table.columns.size(); ++i) {
-    const std::string& quantity = recording.table.columns[i].quantity;
-    out += line("column", column_heading(recording.table, i) + (quantity.empty() ? "" : ": ") + quantity);
-  }
+  const auto& columns = recording.table.columns;
+  const bool several_times =
+      std::any_of(inspection.columns.begin(), inspection.columns.end(), [&](const auto& column) {
+        return !column.time_column.empty() && column.time_column != inspection.time_column;
+      });
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    out += line("column", described(inspection, i, several_times));
   out += line("samples", fmt::format("{}", inspection.samples));
-  if (inspection.rate > 0) out += line("rate", format_quantity({inspection.rate, 0}, "1/s"));
+  if (inspection.series.size() > 1)
+    for (const Series& series : inspection.series)
+      out += line("", fmt::format("run {}: {} samples, {}", series.run, series.t.size(),
+                                  format_quantity({series.t.back() - series.t.front(), 0}, "s")));
+  if (inspection.rate > 0) out += line("rate", format_quantity({inspection.rate, 0}, "Hz"));
   if (inspection.duration > 0) out += line("duration", format_quantity({inspection.duration, 0}, "s"));
   out += line("time", inspection.time_column.empty() ? "no time column" : inspection.time_column);
   if (inspection.jitter > 1e-6)  // below is the rounding of the times

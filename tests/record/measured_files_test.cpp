@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -35,6 +36,16 @@ struct Known {
   double expected_rate, rate_tolerance;
   double first, last;  ///< values in SI
 };
+
+void PrintTo(const Known& known, std::ostream* out) { *out << known.file; }
+
+/// The file's name in letters and digits.
+std::string test_name(const testing::TestParamInfo<Known>& test) {
+  std::string name;
+  for (const char c : std::filesystem::path(test.param.file).stem().string())
+    name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+}
 
 class MeasuredFile : public testing::TestWithParam<Known> {};
 
@@ -99,7 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
                           "comma", "point", 2, 1001, 1, "", 0, 500, 1e-6, 3.236790061330015,
                           -0.030127249708722107},
                     Known{"silverbox/silverbox_train.csv", "plain", "comma", "point", 2, 65062, 1, "V2",
-                          610.3515625, 610.3515625, 1e-6, 0.036451, -0.0036059}));
+                          610.3515625, 610.3515625, 1e-6, 0.036451, -0.0036059}),
+    test_name);
 
 TEST(MeasuredFiles, TrackerNeedsAChoiceOfColumn) {
   const auto path = folder / "pendulum-tracker" / "8047.txt";

@@ -47,6 +47,8 @@ struct Written {
   const char* decimal;
 };
 
+void PrintTo(const Written& written, std::ostream* out) { *out << written.text; }
+
 class SameTable : public testing::TestWithParam<Written> {};
 
 TEST_P(SameTable, ReadTheSame) {

@@ -97,6 +97,38 @@ TEST(TakeSeries, NamesAreMatchedLoosely) {
   EXPECT_THAT(refusal("t,x_1,x_2\n0,1,2\n1,2,3\n2,3,4\n", "x"), HasSubstr("fits several columns"));
 }
 
+TEST(TakeSeries, NamesAloneAreNoChoice) {
+  const std::string text = "Tempo,Forzante,Pendolo\n0,1.5,5\n1,2,6\n2,1,8\n";
+  EXPECT_EQ(refusal(text),
+            "lab.csv: no column is known to be a position, angle or velocity: \"Forzante\", \"Pendolo\"; say "
+            "which with --column, for instance --column \"Forzante\"");
+  EXPECT_EQ(series(text, "Pendolo").y[0], 5);
+  EXPECT_EQ(series("Tempo,Pendolo\n0,1.5\n1,2\n2,1\n").column, "Pendolo");  // there is but one
+  const Series s = series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n");
+  EXPECT_EQ(s.column, "column 2");
+  EXPECT_THAT(s.warnings, Contains(HasSubstr("\"column 2\" is taken of \"column 2\", \"column 3\"")));
+}
+
+TEST(TakeSeries, EachSensorKeepsTheTimeBeforeIt) {
+  const std::string text =
+      "Time A\tPos A\tTime B\tPos B\n[s]\t[mm]\t[s]\t[mm]\n0\t1\t0.5\t7\n1\t2\t1.5\t8\n2\t4\t2.5\t9\n";
+  EXPECT_EQ(series(text, "Pos A").time_column, "Time A (s)");
+  EXPECT_EQ(series(text, "Pos B").time_column, "Time B (s)");
+  EXPECT_THAT(series(text, "Pos B").t, ElementsAre(0.5, 1.5, 2.5));
+  EXPECT_THAT(refusal(text), HasSubstr("\"Pos A (mm)\", \"Pos B (mm)\""));
+}
+
+TEST(TakeSeries, ARateGivenIsTheRate) {
+  std::string text = "x (m)\n";
+  for (int i = 0; i < 500; ++i) text += concat({std::to_string(i % 7), "\n"});
+  for (const double rate : {100.0, 30.0, 44100.0, 33.333}) {
+    ReadOptions options;
+    options.rate = rate;
+    EXPECT_EQ(series(text, "", 1, options).rate, rate);
+    EXPECT_EQ(series(text, "", 1, options).jitter, 0);
+  }
+}
+
 TEST(TakeSeries, RunsAreCountedFromOne) {
   const std::string text = "x (mm) Run #4;x (mm) Run #7\n1,5;9,5\n2,5;8,5\n3,5;\n";
   const ReadOptions options{.delimiter = {}, .decimal = {}, .time_column = {}, .rate = 100};

@@ -40,6 +40,34 @@ TEST(Inspect, DescribesAllRuns) {
   EXPECT_DOUBLE_EQ(found->duration, 0.02);
 }
 
+TEST(Inspect, CountsTheValuesOfEachColumn) {
+  ReadOptions options;
+  options.rate = 100;
+  const auto found = inspect("x (mm) Run #1;x (mm) Run #2\n1,5;9,5\n2,5;8,5\n3,5;\n", "lab.csv", options);
+  ASSERT_TRUE(found.ok());
+  ASSERT_EQ(found->columns.size(), 2u);
+  EXPECT_EQ(found->columns[0].samples, 3u);
+  EXPECT_EQ(found->columns[1].samples, 2u);
+  EXPECT_EQ(found->rate, 100);
+  EXPECT_EQ(found->jitter, 0);
+}
+
+TEST(Inspect, PairsEachColumnWithItsTime) {
+  const auto found = inspect("Time A,Pos A,Time B,Pos B\n0,1.5,0.5,7\n1,2,1.5,8\n2,4,2.5,9\n", "lab.csv", {});
+  ASSERT_TRUE(found.ok());
+  ASSERT_EQ(found->columns.size(), 4u);
+  EXPECT_EQ(found->columns[0].time_column, "");
+  EXPECT_EQ(found->columns[1].time_column, "Time A");
+  EXPECT_EQ(found->columns[3].time_column, "Time B");
+}
+
+TEST(Inspect, DescribesColumnsOfUnknownKind) {
+  const auto found = inspect("Tempo,Forzante,Pendolo\n0,1.5,5\n1,2,6\n2,1,8\n", "lab.csv", {});
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(found->rate, 1);
+  EXPECT_EQ(found->series.at(0).column, "Forzante");
+}
+
 TEST(Inspect, NeedNotChooseAmongAlike) {
   const auto found = inspect("t\tx\ty\n0\t1\t2\n1\t2\t3\n2\t3\t5\n", "lab.txt", {});
   ASSERT_TRUE(found.ok());

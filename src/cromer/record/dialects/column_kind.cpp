@@ -79,10 +79,24 @@ constexpr std::array words{
     Word{"tensione", "voltage"},
     Word{"spannung", "voltage"},
     Word{"time", "time"},
+    Word{"timestamp", "time"},
     Word{"tempo", "time"},
     Word{"zeit", "time"},
     Word{"temps", "time"},
     Word{"tiempo", "time"},
+};
+
+struct UnitName {
+  std::string_view name, unit;
+};
+
+/// Units of time that may be the whole name, as Arduino's millis(); "min" is a minimum, "s" a path.
+constexpr std::array time_units{
+    UnitName{"millis", "ms"},       UnitName{"ms", "ms"},           UnitName{"msec", "ms"},
+    UnitName{"milliseconds", "ms"}, UnitName{"micros", "us"},       UnitName{"us", "us"},
+    UnitName{"usec", "us"},         UnitName{"microseconds", "us"}, UnitName{"µs", "µs"},
+    UnitName{"μs", "μs"},           UnitName{"sec", "s"},           UnitName{"secs", "s"},
+    UnitName{"seconds", "s"},       UnitName{"minutes", "min"},     UnitName{"hours", "h"},
 };
 
 /// Symbols that are the whole name, subscripts aside; capitals mean other things (V may be a voltage, T a
@@ -133,7 +147,7 @@ std::string_view quantity_of_name(std::string_view name) {
   while (!symbol.empty() && symbol.back() >= '0' && symbol.back() <= '9') symbol.pop_back();
   for (const Word& word : symbols)
     if (word.word == symbol) return word.quantity;
-  return {};
+  return unit_as_name(name).empty() ? std::string_view{} : "time";
 }
 
 const Dimension* dimension_of(std::string_view si_unit) {
@@ -146,6 +160,16 @@ const Dimension* dimension_of(std::string_view si_unit) {
   for (std::size_t i = 0; i < measures.size(); ++i)
     if (measures[i].si_unit == si_unit) return &dimensions[i];
   return nullptr;
+}
+
+/// A unit in the column of a quantity: a g of acceleration is gravity, and capitals do not count in a time's
+/// (MS, Sec).
+Result<Unit> unit_of(std::string_view unit, std::string_view quantity) {
+  const auto known = parse_unit(unit, dimension_of(si_unit_of(quantity)));
+  if (known || quantity != "time") return known;
+  std::string small;
+  for (const char c : unit) small += lower(c);
+  return parse_unit(small);
 }
 
 }  // namespace
@@ -163,10 +187,23 @@ std::string plain_name(std::string_view name) {
   return plain;
 }
 
+std::string_view unit_as_name(std::string_view name) {
+  const std::string plain = plain_name(name);
+  for (const UnitName& known : time_units)
+    if (known.name == plain) return known.unit;
+  return {};
+}
+
+bool is_unit_of(std::string_view unit, std::string_view quantity) {
+  const Dimension* dimension = dimension_of(si_unit_of(quantity));
+  const auto known = unit_of(unit, quantity);
+  return dimension && known && known->dimension == *dimension;
+}
+
 std::string quantity_of(std::string_view name, std::string_view unit) {
   const std::string_view by_name = quantity_of_name(name);
   if (unit.empty()) return std::string(by_name);
-  const auto known = parse_unit(unit, dimension_of(si_unit_of(by_name)));
+  const auto known = unit_of(unit, by_name);
   if (!known) return std::string(by_name);
   if (unit.find("Hz") != std::string_view::npos) return {};  // a frequency, not an angular velocity
   for (const Measure& measure : measures)
@@ -176,7 +213,7 @@ std::string quantity_of(std::string_view name, std::string_view unit) {
 
 ToSi to_si(const Column& column) {
   if (column.unit.empty()) return {1, false};
-  const auto unit = parse_unit(column.unit, dimension_of(si_unit_of(column.quantity)));
+  const auto unit = unit_of(column.unit, column.quantity);
   if (!unit) return {1, false};
   return {unit->factor, true};
 }

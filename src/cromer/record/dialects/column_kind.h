@@ -13,6 +13,12 @@ namespace cromer {
 /// known.
 std::string quantity_of(std::string_view name, std::string_view unit);
 
+/// Whether a unit is known and measures the quantity.
+bool is_unit_of(std::string_view unit, std::string_view quantity);
+
+/// The unit of time that a whole name is: ms of "millis", s of "seconds"; else "".
+std::string_view unit_as_name(std::string_view name);
+
 /// The SI value of 1 in the column's unit; `known` is false where the unit is missing or unknown (then 1 is
 /// returned).
 struct ToSi {

@@ -49,6 +49,33 @@ bool counts_rows(const Column& column) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+/// A time is never scaled by guess: a unit that is unknown or measures something else is an Error, unless
+/// another column is a good time.
+Result<void> check_time_units(std::vector<Column>& columns, bool asked) {
+  const auto good = [](const Column& column) {
+    return column.unit.empty() || is_unit_of(column.unit, "time");
+  };
+  const auto complain = [asked](const Column& column) {
+    const bool unknown = quantity_of("", column.unit).empty();
+    return Error{concat({"column \"", column_title(column), "\": the unit \"", column.unit, "\" ",
+                         unknown ? "is not known" : "is no unit of time",
+                         ": write s, ms, us, min or h behind the time's name (seconds need none)",
+                         asked ? "" : ", or name another column with --time-column"})};
+  };
+  bool any_good = false;
+  const Column* bad = nullptr;
+  for (const Column& column : columns) {
+    const bool named = quantity_of(column.name, "") == "time";
+    if (column.quantity == "time" && good(column)) any_good = true;
+    if ((column.quantity == "time" || (named && !asked)) && !good(column) && !bad) bad = &column;
+  }
+  if (!bad) return {};
+  if (!any_good || asked) return complain(*bad);
+  for (Column& column : columns)
+    if (column.quantity == "time" && !good(column)) column.quantity.clear();
+  return {};
+}
+
 }  // namespace
 
 std::string column_title(const Column& column) {
@@ -158,7 +185,7 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
       else if (column.quantity == "time")
         column.quantity.clear();
     }
-    return {};
+    return check_time_units(columns, true);
   }
   // A period in seconds is no time if another column is so named.
   const auto named = [](const Column& column) { return quantity_of(column.name, "") == "time"; };
@@ -167,6 +194,7 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
   });
   for (Column& column : columns)
     if (any_named && column.quantity == "time" && !named(column)) column.quantity.clear();
+  if (const auto checked = check_time_units(columns, false); !checked) return checked;
   const bool any = std::any_of(columns.begin(), columns.end(),
                                [](const Column& column) { return column.quantity == "time"; });
   Column& first = columns.front();

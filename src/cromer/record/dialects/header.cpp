@@ -60,6 +60,47 @@ std::string take_suffix_unit(std::string_view& text) {
   return std::string(unit);
 }
 
+/// Time/ms, v/(m/s), "t in s": what stands behind is a unit if it fits what the name says; behind a time it
+/// is one in any case.
+std::string take_unit_behind(std::string_view& text, std::string_view mark) {
+  const std::size_t at = text.find(mark);
+  if (at == std::string_view::npos || at == 0) return {};
+  const std::string_view name = trimmed(text.substr(0, at));
+  std::string_view unit = trimmed(text.substr(at + mark.size()));
+  if (unit.size() > 1 && (unit.front() == '(' || unit.front() == '['))
+    unit = trimmed(unit.substr(1, unit.size() - 2));
+  const std::string quantity = quantity_of(name, "");
+  if (unit.empty() || quantity.empty()) return {};
+  const bool of_time = mark == "/" && quantity == "time";
+  const bool unknown = mark == "/" && !parse_unit(unit).ok();
+  if (!is_unit_of(unit, quantity) && !of_time && !unknown) return {};
+  text = name;
+  return std::string(unit);
+}
+
+/// "timestamp ms", "pos cm": a last word that is a unit of what the name says.
+std::string take_last_word_unit(std::string_view& text) {
+  const std::size_t blank = text.find_last_of(" \t");
+  if (blank == std::string_view::npos || blank + 1 == text.size() || is_digit(text[blank + 1])) return {};
+  const std::string_view name = trimmed(text.substr(0, blank)), unit = text.substr(blank + 1);
+  const std::string quantity = quantity_of(name, "");
+  if (quantity.empty() || !is_unit_of(unit, quantity)) return {};
+  text = name;
+  return std::string(unit);
+}
+
+/// "Position (cm) smoothed": a bracket within that holds a unit of what the name says.
+std::string take_unit_within(std::string& text) {
+  const std::size_t open = text.find_first_of("(["), close = text.find_first_of(")]", open);
+  if (open == std::string::npos || open == 0 || close == std::string::npos) return {};
+  const std::string unit(trimmed(std::string_view(text).substr(open + 1, close - open - 1)));
+  std::string name(trimmed(std::string_view(text).substr(0, open)));
+  const std::string_view rest = trimmed(std::string_view(text).substr(close + 1));
+  if (unit.empty() || rest.empty() || !is_unit_of(unit, quantity_of(name, ""))) return {};
+  text = name.append(" ").append(rest);
+  return unit;
+}
+
 void drop_trailing_empty(Cells& cells) {
   while (!cells.empty() && cells.back().empty()) cells.pop_back();
 }
@@ -138,8 +179,14 @@ Heading parse_heading(std::string_view cell) {
   if (heading.run.empty()) heading.run = heading.prefix;
   heading.unit = take_unit(text);
   if (heading.run.empty()) heading.run = take_run(text);
+  if (text.size() > 1 && text.ends_with('/')) text = trimmed(text.substr(0, text.size() - 1));  // of v/(m/s)
+  for (const std::string_view mark : {"/", " in ", ","})
+    if (heading.unit.empty()) heading.unit = take_unit_behind(text, mark);
   if (heading.unit.empty()) heading.unit = take_suffix_unit(text);
+  if (heading.unit.empty()) heading.unit = take_last_word_unit(text);
   heading.name = text;
+  if (heading.unit.empty()) heading.unit = take_unit_within(heading.name);
+  if (heading.unit.empty()) heading.unit = unit_as_name(heading.name);
   return heading;
 }
 

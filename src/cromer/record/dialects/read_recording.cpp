@@ -47,6 +47,7 @@ Result<Recording> read_recording(std::string_view bytes, std::string_view file, 
   recording.table.columns = name_columns(header, layout->columns);
   for (std::size_t j = 0; j < layout->columns; ++j)
     recording.table.columns[j].values = std::move(rows->columns[j]);
+  recording.named = !header.headings.empty();
   recording.lines = std::move(rows->lines);
   if (rows->bad_rows > 0)
     recording.warnings.push_back(concat({counted(rows->bad_rows, "bad row"), " left out, the first in line ",

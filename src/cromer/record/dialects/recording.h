@@ -45,6 +45,7 @@ struct Recording {
   std::string file;
   Dialect dialect;
   Table table;              ///< without bad rows; ragged runs padded with NaN
+  bool named = false;       ///< the file itself names its columns
   std::vector<long> lines;  ///< line number of each row of the file
   std::vector<std::vector<long>>
       lines_of_run;  ///< the same for each run, where runs stand below each other in the file; else empty
@@ -73,10 +74,10 @@ struct Series {
   std::vector<double> t;    // [s]
   std::vector<double> y;    ///< in SI units
   std::vector<long> lines;
-  double rate = 0;        // [1/s] one over the median step
-  double jitter = 0;      ///< standard deviation of the steps over their median
+  double rate = 0;        // [1/s] one over the median step, rounded as far as the times agree; or --rate
+  double jitter = 0;      ///< standard deviation of the steps over their median; 0 with --rate
   double resolution = 0;  ///< rounding step of the values in SI, 0 if none is seen
-  std::vector<Gap> gaps;
+  std::vector<Gap> gaps;  ///< where samples are missing
   std::vector<Outlier> outliers;  ///< listed here, and left in t and y
   std::vector<std::string> warnings;
 };
@@ -85,8 +86,9 @@ struct Series {
 std::vector<int> runs(const Recording& recording);
 
 /// Picks a column: `column` matched exactly, else without case, decoration and unit if unambiguous; empty: a
-/// position is taken (else angle, angular velocity, velocity, acceleration); several alike are an Error that
-/// lists them. `run` from 1.
+/// position is taken (else angle, angular velocity, velocity, acceleration); several alike, or several of
+/// which only the names are known, are an Error that lists them. Its times are those of the time column
+/// before it. `run` from 1.
 Result<Series> take_series(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options);
 

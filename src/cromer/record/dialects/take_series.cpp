@@ -10,39 +10,50 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/record/dialects/series_shape.h"
+#include "cromer/record/dialects/steps.h"
 #include "cromer/record/dialects/time.h"
 
 namespace cromer {
 namespace {
 
-constexpr double gap_of_steps = 1.5;
+/// "x (m)", "y (m)".
+std::string titles(const std::vector<Column>& columns, const std::vector<std::size_t>& chosen) {
+  std::string list;
+  for (const std::size_t j : chosen)
+    list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
+  return list;
+}
 
-/// Without a name: a position, else an angle, ...; several alike are an Error, nothing known is the first
-/// column that is no time.
-Result<std::size_t> main_column(const Table& table, int run, std::vector<std::string>& warnings) {
+/// Without a name: a position, else an angle, ...; several alike are an Error, and so are several of which
+/// nothing is known but their names; without names it is the first that is no time.
+Result<std::size_t> main_column(const Recording& recording, int run, std::vector<std::string>& warnings) {
   constexpr std::array<std::string_view, 5> wanted{"position", "angle", "angular velocity", "velocity",
                                                    "acceleration"};
-  const auto& columns = table.columns;
+  const auto& columns = recording.table.columns;
   for (const std::string_view quantity : wanted) {
     std::vector<std::size_t> alike;
     for (std::size_t j = 0; j < columns.size(); ++j)
       if (columns[j].run == run && columns[j].quantity == quantity) alike.push_back(j);
     if (alike.size() == 1) return alike.front();
     if (alike.empty()) continue;
-    std::string list;
-    for (const std::size_t j : alike)
-      list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
     return Error{
-        concat({"several columns are alike: ", list, "; say which with --column, for instance --column \"",
-                columns[alike.front()].name, "\""})};
+        concat({"several columns are alike: ", titles(columns, alike),
+                "; say which with --column, for instance --column \"", columns[alike.front()].name, "\""})};
   }
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    if (columns[j].run != run || columns[j].quantity == "time" || columns[j].quantity == "index") continue;
-    warnings.push_back(concat({"no column is known to be a position, angle or velocity: \"",
-                               column_title(columns[j]), "\" is taken"}));
-    return j;
-  }
-  return Error{"there is no column beside the time"};
+  std::vector<std::size_t> left;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (columns[j].run == run && columns[j].quantity != "time" && columns[j].quantity != "index")
+      left.push_back(j);
+  if (left.empty()) return Error{"there is no column beside the time"};
+  const std::string list = titles(columns, left);
+  const std::string_view first = columns[left.front()].name;
+  if (left.size() > 1 && recording.named)
+    return Error{concat({"no column is known to be a position, angle or velocity: ", list,
+                         "; say which with --column, for instance --column \"", first, "\""})};
+  warnings.push_back(concat({"no column is known to be a position, angle or velocity: \"",
+                             column_title(columns[left.front()]), "\" is taken"}));
+  if (left.size() > 1) warnings.back() += concat({" of ", list, "; --column says another"});
+  return left.front();
 }
 
 /// What is assumed of a column whose unit is missing or unknown.
@@ -59,24 +70,17 @@ void say_assumed_unit(const Column& column, std::vector<std::string>& warnings) 
         concat({"column \"", column.name, "\" has no unit: its values are taken as they are"}));
 }
 
-void describe_steps(Series& series) {
-  if (series.t.size() < 2) return;
-  std::vector<double> steps(series.t.size() - 1);
-  for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = series.t[i + 1] - series.t[i];
-  const double step = dialects::median(steps);
-  series.rate = 1 / step;
-  double mean = 0, squares = 0;
-  for (const double h : steps) mean += h / static_cast<double>(steps.size());
-  for (const double h : steps) squares += (h - mean) * (h - mean);
-  series.jitter = std::sqrt(squares / static_cast<double>(steps.size())) / step;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (steps[i] > gap_of_steps * step) series.gaps.push_back({series.t[i], steps[i]});
-  if (!series.gaps.empty()) {
-    const auto longest = std::max_element(series.gaps.begin(), series.gaps.end(),
-                                          [](const Gap& a, const Gap& b) { return a.length < b.length; });
-    series.warnings.push_back(concat({counted(series.gaps.size(), "gap"), " in the times, the longest ",
-                                      rounded(longest->length, 3), " s at ", rounded(longest->t, 6), " s"}));
-  }
+/// `rate`: of a series without a time column, else 0.
+void describe_times(Series& series, double rate) {
+  dialects::Steps steps = dialects::describe_steps(series.t);
+  series.rate = rate > 0 && series.t.size() > 1 ? rate : steps.rate;
+  series.jitter = rate > 0 ? 0 : steps.jitter;
+  series.gaps = std::move(steps.gaps);
+  if (series.gaps.empty()) return;
+  const auto longest = std::max_element(series.gaps.begin(), series.gaps.end(),
+                                        [](const Gap& a, const Gap& b) { return a.length < b.length; });
+  series.warnings.push_back(concat({counted(series.gaps.size(), "gap"), " in the times, the longest ",
+                                    rounded(longest->length, 3), " s at ", rounded(longest->t, 6), " s"}));
 }
 
 void describe_values(Series& series, const std::vector<double>& as_written) {
@@ -111,7 +115,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
                       : concat({"there is no run ", std::to_string(run), ": the file has ",
                                 counted(known.size(), "run")}));
   Series series;
-  const auto chosen = column.empty() ? main_column(recording.table, run, series.warnings)
+  const auto chosen = column.empty() ? main_column(recording, run, series.warnings)
                                      : find_column(recording.table, column, run);
   if (!chosen) return refuse(chosen.error().message);
   const Column& value = columns[*chosen];
@@ -132,11 +136,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   if (time) {
     seconds = to_si(columns[*time]).factor;
     series.time_column = column_title(columns[*time]);
-    if (columns[*time].unit.empty())
-      say_assumed_unit(columns[*time], series.warnings);
-    else if (si_unit_of(quantity_of("", columns[*time].unit)) != "s")
-      series.warnings.push_back(
-          concat({"the unit of \"", series.time_column, "\" is no time: its values are taken as seconds"}));
+    if (columns[*time].unit.empty()) say_assumed_unit(columns[*time], series.warnings);
     if (options.rate > 0)
       series.warnings.push_back(
           concat({"--rate is not used: the times stand in \"", series.time_column, "\""}));
@@ -163,7 +163,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     series.y.push_back(y[i]);
     series.lines.push_back(lines[i]);
   }
-  describe_steps(series);
+  describe_times(series, time ? 0 : options.rate);
   describe_values(series, as_written);
   return series;
 }

@@ -1,3 +1,4 @@
+#include "cromer/record/dialects/columns.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/json.h"
 
@@ -12,9 +13,15 @@ std::string to_json(const Inspection& inspection, bool with_values) {
   document["separator"] = recording.dialect.separator;
   document["decimal"] = recording.dialect.decimal;
   Json& columns = document["columns"] = Json::array();
-  for (const auto& column : recording.table.columns) {
-    columns.push_back(
-        {{"name", column.name}, {"quantity", column.quantity}, {"unit", column.unit}, {"run", column.run}});
+  for (std::size_t j = 0; j < recording.table.columns.size(); ++j) {
+    const Column& column = recording.table.columns[j];
+    const InspectedColumn& seen = inspection.columns[j];
+    columns.push_back({{"name", column_title(column)},
+                       {"quantity", column.quantity},
+                       {"unit", column.unit},
+                       {"run", column.run},
+                       {"samples", seen.samples},
+                       {"time_column", seen.time_column.empty() ? Json(nullptr) : Json(seen.time_column)}});
     if (with_values) columns.back()["values"] = column.values;
   }
   document["samples"] = inspection.samples;

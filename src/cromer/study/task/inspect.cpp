@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cromer/record/dialects/columns.h"
+#include "cromer/record/dialects/time.h"
 
 namespace cromer {
 namespace {
@@ -14,11 +15,24 @@ Result<Series> main_series(const Recording& recording, int run, const ReadOption
   auto series = take_series(recording, "", run, options);
   if (series) return series;
   for (const std::string_view quantity :
-       {"position", "angle", "angular velocity", "velocity", "acceleration"})
+       {"position", "angle", "angular velocity", "velocity", "acceleration", "any other"})
     for (const Column& column : recording.table.columns)
-      if (column.run == run && column.quantity == quantity)
+      if (column.run == run &&
+          (column.quantity == quantity ||
+           (quantity == "any other" && column.quantity != "time" && column.quantity != "index")))
         return take_series(recording, column_title(column), run, options);
   return series;
+}
+
+/// Values that are there, and the time column they are taken with.
+InspectedColumn look_at(const Recording& recording, std::size_t j) {
+  const Column& column = recording.table.columns[j];
+  InspectedColumn found;
+  found.samples = static_cast<std::size_t>(std::count_if(column.values.begin(), column.values.end(),
+                                                         [](double value) { return !std::isnan(value); }));
+  if (const auto time = dialects::time_column_of(recording.table, j); time && column.quantity != "time")
+    found.time_column = column_title(recording.table.columns[*time]);
+  return found;
 }
 
 /// Rows up to the last with a value.
@@ -42,6 +56,8 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
     auto& all = inspection.warnings;
     if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
   };
+  for (std::size_t j = 0; j < inspection.recording.table.columns.size(); ++j)
+    inspection.columns.push_back(look_at(inspection.recording, j));
   for (const int run : runs(inspection.recording)) {
     inspection.samples = std::max(inspection.samples, length_of(inspection.recording, run));
     auto series = main_series(inspection.recording, run, options);

@@ -10,13 +10,20 @@
 
 namespace cromer {
 
+/// What is known of one column of the table beside its name and values.
+struct InspectedColumn {
+  std::size_t samples = 0;  ///< values that are not missing
+  std::string time_column;  ///< the one it is taken with, with unit; "" of a time, and where there is none
+};
+
 /// What `cromer inspect` says: of the whole file, and of the column that a fit would take in each run.
 struct Inspection {
   Recording recording;
-  std::vector<Series> series;  ///< one per run, of its main column
-  std::size_t samples = 0;     ///< rows of the longest run
-  double rate = 0;             // [1/s] 0 if unknown
-  double duration = 0;         // [s] 0 if unknown
+  std::vector<InspectedColumn> columns;  ///< as in the table
+  std::vector<Series> series;            ///< one per run, of its main column
+  std::size_t samples = 0;               ///< rows of the longest run
+  double rate = 0;                       // [1/s] 0 if unknown
+  double duration = 0;                   // [s] 0 if unknown
   std::string time_column;
   double jitter = 0;
   std::vector<Gap> gaps;
