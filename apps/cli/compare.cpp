@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "commands.h"
 #include "compare_csv.h"
 #include "compare_figure.h"
+#include "cromer/record/dialects/column_kind.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
 #include "cromer/study/json/documents.h"
@@ -18,18 +21,32 @@
 namespace cromer::cli {
 namespace {
 
+std::string with_unit(std::string name, const CompareResult& comparison) {
+  const std::string_view unit = si_unit_of(comparison.recording.series.quantity);
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+}
+
+/// Nothing of what was not reached; a fixed number of decimals where that is short.
+std::string number(double value, int decimals) {
+  if (!std::isfinite(value)) return "";
+  const double size = std::abs(value);
+  return size < 1e4 && (size >= 0.01 || size == 0) ? fmt::format("{:.{}f}", value, decimals)
+                                                   : fmt::format("{:.{}g}", value, decimals);
+}
+
 std::string table(const std::vector<CompareResult>& comparisons) {
   std::string out;
   for (const auto& comparison : comparisons) {
     const FittedRecording& recording = comparison.recording;
     out += fmt::format("{}, {}, run {}\n", recording.file, recording.series.column, recording.series.run);
-    std::vector<std::vector<std::string>> rows{
-        {"rms", "R squared", "amplitude ratio at the end", "phase drift (rad)", "method", "simulated"}};
+    std::vector<std::vector<std::string>> rows{{with_unit("rms", comparison), "R squared",
+                                                "amplitude ratio at the end", "phase drift (rad)", "method",
+                                                "simulated"}};
     for (const auto& curve : comparison.curves)
-      rows.push_back({fmt::format("{:.4g}", curve.rms), fmt::format("{:.6f}", curve.r_squared),
-                      fmt::format("{:.4f}", curve.amplitude_ratio_end),
-                      fmt::format("{:.4f}", curve.phase_drift), curve.method, curve.label});
-    out += text_table(rows, 0, 4);
+      rows.push_back({std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "",
+                      number(curve.r_squared, 6), number(curve.amplitude_ratio_end, 4),
+                      number(curve.phase_drift, 4), curve.method, curve.label});
+    if (!comparison.curves.empty()) out += text_table(rows, 0, 4);
   }
   return out;
 }
@@ -69,6 +86,7 @@ int run_compare(const Arguments& arguments) {
   bool ok = true;
   for (const auto& comparison : *comparisons) {
     warn(comparison.warnings, output.quiet);
+    ok = ok && comparison.complete;
     const FreeDecay& fit = comparison.recording.fit;
     if (fit.status == FitStatus::converged) continue;
     complain(fmt::format("{}: run {}: {}: {}", files.front(), comparison.recording.series.run,

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cromer/record/dialects/column_kind.h"
 #include "cromer/report/csv.h"
 
 namespace cromer::cli {
@@ -12,12 +13,16 @@ std::string compare_csv(const std::vector<CompareResult>& comparisons) {
     const Series& series = comparison.recording.series;
     std::vector<double> measured = series.y;
     for (double& y : measured) y -= comparison.recording.fit.equilibrium.value;
+    const std::string_view unit = si_unit_of(series.quantity);
+    const std::string in = unit.empty() ? "" : fmt::format(" ({})", unit);
+    const std::string measured_name = "measured displacement" + in,
+                      simulated_name = "simulated displacement" + in;
     for (const auto& curve : comparison.curves) {
       const CsvColumn columns[] = {{"run", fmt::format("{}", series.run)},
                                    {"curve", curve.label},
                                    {"t (s)", std::span<const double>(series.t)},
-                                   {"measured", std::span<const double>(measured)},
-                                   {"simulated", std::span<const double>(curve.trajectory.x)}};
+                                   {measured_name, std::span<const double>(measured)},
+                                   {simulated_name, std::span<const double>(curve.trajectory.x)}};
       append_csv(out, columns, {}, out.empty());
     }
   }

@@ -8,8 +8,8 @@
 
 namespace cromer::cli {
 
-/// "run,curve,t (s),measured,simulated": displacements from the fitted equilibrium, in the SI unit of the
-/// column.
+/// "run,curve,t (s),measured displacement (m),simulated displacement (m)": from the fitted equilibrium, in
+/// the SI unit of the column.
 std::string compare_csv(const std::vector<CompareResult>& comparisons);
 
 }  // namespace cromer::cli

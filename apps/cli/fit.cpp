@@ -24,6 +24,7 @@ Result<std::vector<FittedRecording>> fit_all(const std::vector<std::string>& fil
                                              const Watch& watch) {
   std::vector<FittedRecording> fits;
   for (const auto& file : files) {
+    if (watch.interrupted() && !fits.empty()) break;
     auto bytes = read_file(file);
     if (!bytes) return bytes.error();
     auto of_file = fit(*bytes, file, options, watch);
@@ -31,6 +32,12 @@ Result<std::vector<FittedRecording>> fit_all(const std::vector<std::string>& fil
     std::move(of_file->begin(), of_file->end(), std::back_inserter(fits));
   }
   return fits;
+}
+
+std::size_t files_of(const std::vector<FittedRecording>& fits) {
+  std::size_t files = 0;
+  for (std::size_t i = 0; i < fits.size(); ++i) files += i == 0 || fits[i].file != fits[i - 1].file;
+  return files;
 }
 
 Result<void> write_files(const std::vector<FittedRecording>& fits, const OutputOptions& output) {
@@ -60,10 +67,14 @@ int run_fit(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output); !good) return refuse(good.error().message);
 
-  auto fits = fit_all(files, options, watching(output.quiet));
+  const Watch watch = watching(output.quiet);
+  auto fits = fit_all(files, options, watch);
   clear_progress();
   if (!fits) return refuse(fits.error().message);
-  bool ok = true;
+  bool ok = !watch.interrupted();
+  if (!ok)
+    complain(fmt::format("interrupted; what follows is what {} of {} files have given", files_of(*fits),
+                         files.size()));
   for (const auto& fitted : *fits) {
     warn(fitted.warnings, output.quiet);
     if (fitted.fit.status == FitStatus::converged) continue;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "cromer/report/csv.h"
 
 namespace cromer::cli {
@@ -9,6 +11,7 @@ namespace {
 
 void append_row(std::string& out, const FittedRecording& fitted, const std::string& name,
                 const Estimate& estimate, const std::string& unit) {
+  if (!std::isfinite(estimate.value)) return;  // a quality factor without damping
   const auto cell = [](const double& value) { return std::span<const double>(&value, 1); };
   const CsvColumn columns[] = {{"file", fitted.file},
                                {"column", fitted.series.column},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cromer/base/quantity.h"
 #include "text_table.h"
@@ -35,12 +36,18 @@ std::string si_unit(const FittedRecording& fitted) {
   return "";
 }
 
+std::string with_true_minus(std::string text) {
+  if (text.starts_with('-')) text.replace(0, 1, "\u2212");
+  return text;
+}
+
 std::string one_fit(const FittedRecording& fitted) {
   std::string out = heading(fitted);
   std::vector<std::vector<std::string>> rows;
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& entry : *list)
-      rows.push_back({in_words(entry.name), quantity(entry.estimate, entry.unit)});
+      if (std::isfinite(entry.estimate.value))
+        rows.push_back({in_words(entry.name), quantity(entry.estimate, entry.unit)});
   for (const auto& segment : fitted.segments)
     rows.push_back({fmt::format("  decay rate {:.6g} to {:.6g} s", segment.from, segment.to),
                     quantity(segment.rate, "1/s")});
@@ -52,10 +59,12 @@ std::string one_fit(const FittedRecording& fitted) {
   if (!fitted.parameters.empty())
     rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, si_unit(fitted))});
   out += text_table(rows, 0, 0);
+  const std::string unit = si_unit(fitted);
   if (fitted.candidates.size() > 1)
     for (const auto& candidate : fitted.candidates)
-      out += fmt::format("  candidate {}: residual {:.4g}, BIC {:.6g}\n", to_text(candidate.law),
-                         candidate.rms, candidate.bic);
+      out +=
+          fmt::format("  candidate {}: residual {:.4g}{}, BIC {}\n", to_text(candidate.law), candidate.rms,
+                      unit.empty() ? "" : " " + unit, with_true_minus(fmt::format("{:.6g}", candidate.bic)));
   if (!fitted.simulate.empty()) out += "  simulate it: " + fitted.simulate + "\n";
   return out;
 }

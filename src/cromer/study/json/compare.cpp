@@ -10,7 +10,10 @@ Json document(const CompareResult& comparison) {
   Json object;
   object["recording"] = recording_object(comparison.recording);
   object["status"] = name(fit.status);
-  if (fit.status != FitStatus::converged) object["message"] = fit.message;
+  if (fit.status != FitStatus::converged)
+    object["message"] = fit.message;
+  else if (!comparison.complete)
+    object["message"] = comparison.warnings.back();
   Json& curves = object["curves"] = Json::array();
   for (const auto& curve : comparison.curves)
     curves.push_back({{"label", curve.label},

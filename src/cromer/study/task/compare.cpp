@@ -72,11 +72,14 @@ std::complex<double> local_sinusoid(std::span<const double> t, std::span<const d
   return {fit.cosine, -fit.sine};  // cosine cos(wt) + sine sin(wt) = |z| cos(wt + arg z)
 }
 
-// The complex amplitude at the end of samples [first, last): the rates of change of size and phase from the first half to the
-// second, carried on by the quarter of the window that lies between the second half's middle and the end.
-std::complex<double> at_end(std::span<const double> t, std::span<const double> x, std::size_t first, std::size_t last, double w) {
+// The complex amplitude at the end of samples [first, last): the rates of change of size and phase from the
+// first half to the second, carried on by the quarter of the window that lies between the second half's
+// middle and the end.
+std::complex<double> at_end(std::span<const double> t, std::span<const double> x, std::size_t first,
+                            std::size_t last, double w) {
   const std::size_t middle = first + (last - first) / 2;
-  const std::complex<double> early = local_sinusoid(t, x, first, middle, w), late = local_sinusoid(t, x, middle, last, w);
+  const std::complex<double> early = local_sinusoid(t, x, first, middle, w),
+                             late = local_sinusoid(t, x, middle, last, w);
   if (!(std::abs(early) > 0)) return late;
   const std::complex<double> change = late / early;
   return late * std::polar(std::sqrt(std::abs(change)), std::arg(change) / 2);
@@ -107,7 +110,8 @@ EndComparison compare_ends(std::span<const double> t, std::span<const double> me
     const double now = std::arg(s * std::conj(m));
     drift = now + two_pi * std::round((drift - now) / two_pi);
     if (i > 1) continue;
-    const std::complex<double> ratio = at_end(t, simulated, first, last, w) / at_end(t, measured, first, last, w);
+    const std::complex<double> ratio =
+        at_end(t, simulated, first, last, w) / at_end(t, measured, first, last, w);
     end = {std::abs(ratio), drift + std::arg(ratio * std::polar(1.0, -drift))};
   }
   return end;
@@ -148,8 +152,11 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   if (outcome.status != Status::reached_end || n < series.t.size()) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = unknown;
-    warnings.push_back(fmt::format("{}: {} ended at {:.6g} s with {}; a smaller --step may help", law.label,
-                                   options.method, outcome.t, name(outcome.status)));
+    curve.complete = false;
+    warnings.push_back(outcome.interrupted
+                           ? fmt::format("{}: interrupted at {:.6g} s", law.label, outcome.t)
+                           : fmt::format("{}: {} ended at {:.6g} s with {}; a smaller --step may help",
+                                         law.label, options.method, outcome.t, name(outcome.status)));
     return curve;
   }
 
@@ -168,6 +175,16 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   const EndComparison end = compare_ends(series.t, measured, curve.trajectory.x, fit.angular_frequency.value);
   curve.amplitude_ratio_end = end.amplitude_ratio;
   curve.phase_drift = end.phase_drift;
+  // A free swing never exceeds its start by much: what does has grown from step to step.
+  double largest = 0,
+         start = std::hypot(fit.position.value, fit.velocity.value / fit.angular_frequency.value);
+  for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
+  if (largest > 10 * start)
+    warnings.push_back(fmt::format(
+        "{}: {} with a step of {:.6g} s grows to {:.3g} times the amplitude that it started from: it is "
+        "unstable there, and the figures say nothing of the law; take a smaller --step or another "
+        "--method",
+        law.label, options.method, step, largest / start));
   return curve;
 }
 
@@ -183,6 +200,7 @@ Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& wa
     viscous.disc_diameter = std::nullopt;
     const Result<FittedRecording> fitted = fit_series(recording.series, recording.file, viscous, watch);
     if (!fitted) return fitted.error();
+    if (watch.interrupted()) return NamedLaw{};
     w0 = fitted->fit.angular_frequency.value;
     g = fitted->fit.decay_rate.value;
   }
@@ -200,12 +218,12 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   result.recording = recording;
   const FreeDecay& fit = recording.fit;
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
-  if (!fitted) return result;
+  if (!fitted || !(fit.angular_frequency.value > 0)) return result;
   if (recording.series.quantity.find("velocity") != std::string::npos ||
       recording.series.quantity == "acceleration")
-    return Error{
-        fmt::format("compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
-                    recording.series.column, recording.series.quantity)};
+    return Error{fmt::format(
+        "compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
+        recording.series.column, recording.series.quantity)};
 
   const Series& series = recording.series;
   const double period = two_pi / fit.angular_frequency.value, duration = series.t.back() - series.t.front();
@@ -218,6 +236,11 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const MotionParameters p = fit.motion();
   const Result<NamedLaw> constant = constant_rate(recording, watch);
   if (!constant) return constant.error();
+  if (watch.interrupted()) {
+    result.warnings.emplace_back("interrupted before anything was simulated");
+    result.complete = false;
+    return result;
+  }
   const NamedLaw chosen{to_text(fit.law),
                         fit.law,
                         {.mass = 1,
@@ -228,6 +251,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   for (const NamedLaw& law : {*constant, chosen}) {
     Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.warnings, watch);
     if (!curve) return curve.error();
+    result.complete = result.complete && curve->complete;
     result.curves.push_back(std::move(*curve));
   }
   return result;

@@ -25,21 +25,25 @@ struct ComparedCurve {
   Law law;
   std::string method;
   Trajectory trajectory;
-  double rms = 0;  // [m] or the column's SI unit
+  bool complete = true;  ///< reached the recording's end; the figures are NaN where not
+  double rms = 0;        // [m] or the column's SI unit
   double r_squared = 0;
-  double amplitude_ratio_end = 0;  ///< simulated over measured, at the end (carried there from the last ten periods)
-  double phase_drift = 0;          // [rad] simulated minus measured, at the end
+  double amplitude_ratio_end =
+      0;                   ///< simulated over measured, at the end (carried there from the last ten periods)
+  double phase_drift = 0;  // [rad] simulated minus measured, at the end
 };
 
 struct CompareResult {
   FittedRecording recording;
   std::vector<ComparedCurve> curves;
+  bool complete = true;  ///< all curves are, and none is missing but for the fit's status
   std::vector<std::string> warnings;
 };
 
-/// The simulations beside one fitted recording; of a run that ended early the figures are NaN and a warning
-/// says when. A method that does not exist, or cannot integrate the law, and a step that is not positive or
-/// that no run could be made of, are Errors. No curves where the fit was refused.
+/// The simulations beside one fitted recording; of a run that ended early (diverged, interrupted) the figures
+/// are NaN and a warning says when; one that grows tenfold is said to be unstable. A method that does not
+/// exist, or cannot integrate the law, and a step that is not positive or that no run could be made of, are
+/// Errors. No curves where the fit was refused.
 Result<CompareResult> compare_fitted(const FittedRecording& recording, const CompareOptions& options,
                                      const Watch& watch = {});
 

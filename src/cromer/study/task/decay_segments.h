@@ -22,7 +22,9 @@ struct DecaySegments {
 
 /// Fits the viscous law, with an equilibrium of its own, to each whole segment from the first sample on: of
 /// `length` [s] > 0, or the record in `count` > 0 equal parts, or with both at most `count` segments of that
-/// length. None where neither is given.
-DecaySegments fit_segments(const Record& record, std::optional<double> length, std::optional<int> count);
+/// length. None where neither is given, and a warning where a segment would hold less than 1.5 periods or 8
+/// samples. What fails is left out, and said in one warning.
+DecaySegments fit_segments(const Record& record, double period, std::optional<double> length,
+                           std::optional<int> count, const Watch& watch = {});
 
 }  // namespace cromer

@@ -10,6 +10,8 @@
 #include "cromer/analysis/reynolds.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/choose_law.h"
+#include "cromer/identify/doubts.h"
+#include "cromer/identify/drop_outs.h"
 #include "cromer/record/dialects/column_kind.h"
 
 namespace cromer {
@@ -42,6 +44,8 @@ Result<void> check_options(const FitOptions& options) {
   if (options.temperature && !(*options.temperature > 0))
     return must("temperature", *options.temperature, "above 0 K");
   if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");
+  const double rate = options.read.rate;
+  if (rate != 0 && !(rate >= 1e-6 && rate <= 1e12)) return must("rate", rate, "between 1e-6 and 1e12 Hz");
   if (options.segments && *options.segments <= 0) return must("segments", *options.segments, "positive");
   if (options.from && options.to && !(*options.from < *options.to))
     return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
@@ -56,9 +60,11 @@ Result<Series> used_part(const Series& series, const FitOptions& options) {
   const auto first = std::lower_bound(series.t.begin(), series.t.end(), from - slack) - series.t.begin();
   const auto last = std::upper_bound(series.t.begin(), series.t.end(), to + slack) - series.t.begin();
   if (first >= last)
-    return Error{fmt::format(
-        "no sample is left: the recording goes from {:.6g} to {:.6g} s, --from and --to ask for {} to {} s",
-        series.t.front(), series.t.back(), std::max(from, series.t.front()), std::min(to, series.t.back()))};
+    return Error{fmt::format("{}: no sample is left, the recording goes from {:.6g} to {:.6g} s",
+                             !options.to     ? fmt::format("--from {}", from)
+                             : !options.from ? fmt::format("--to {}", to)
+                                             : fmt::format("--from {} --to {}", from, to),
+                             series.t.front(), series.t.back())};
   Series used = series;
   const auto cut = [&](auto& values) {
     if (values.size() != series.t.size()) return;
@@ -94,6 +100,25 @@ FittedSamples without_outliers(const Series& series) {
   return kept;
 }
 
+// Flat runs far outside the motion are no motion: they join the outliers.
+void set_drop_outs_aside(Series& series) {
+  const FittedSamples kept = without_outliers(series);
+  const std::vector<std::size_t> found = drop_outs({series.t, series.y, series.resolution});
+  std::size_t added = 0;
+  for (std::size_t i : found) {
+    if (!std::binary_search(kept.t.begin(), kept.t.end(), series.t[i])) continue;
+    series.outliers.push_back({series.t[i], series.y[i], i < series.lines.size() ? series.lines[i] : 0});
+    ++added;
+  }
+  if (added == 0) return;
+  std::sort(series.outliers.begin(), series.outliers.end(),
+            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
+  series.warnings.push_back(fmt::format(
+      "{} samples in flat runs far outside the motion, the first at {:.6g} s, are taken for drop-outs "
+      "of the sensor and set aside",
+      added, series.t[found.front()]));
+}
+
 // Displacement and velocity at the first sample, whatever derivative was recorded: x'' = -w0² x - 2 g x'
 // holds for each of them.
 State<double> start_state(const FreeDecay& fit, int order) {
@@ -103,12 +128,18 @@ State<double> start_state(const FreeDecay& fit, int order) {
   return y;
 }
 
+// Twelve significant digits: a logger's times do not carry more.
+double to_twelve_digits(double value) { return std::stod(fmt::format("{:.12g}", value)); }
+
 std::string simulate_line(const FreeDecay& fit, const Series& series, double mass) {
   const MotionParameters law = fit.motion();
   const State<double> start = start_state(fit, std::max(0, derivative_order(series.quantity)));
   const double period = two_pi / law.angular_frequency;
-  std::string line = fmt::format("cromer simulate --mass {} --stiffness {}", shortest(mass),
-                                 shortest(mass * law.angular_frequency * law.angular_frequency));
+  const double stiffness = mass * law.angular_frequency * law.angular_frequency;
+  for (const double value : {mass, stiffness, start.x, start.v, period})
+    if (!std::isfinite(value)) return {};
+  std::string line =
+      fmt::format("cromer simulate --mass {} --stiffness {}", shortest(mass), shortest(stiffness));
   const auto add = [&](const char* option, double value) {
     line += fmt::format(" --{} {}", option, shortest(value));
   };
@@ -118,13 +149,14 @@ std::string simulate_line(const FreeDecay& fit, const Series& series, double mas
   add("position", start.x);
   add("velocity", start.v);
   line += " --method rk4";
-  const double spacing = series.rate > 0 ? 1 / series.rate : period / 200;
-  add("step", spacing / std::max(1.0, std::ceil(200 * spacing / period)));
-  add("until", series.t.back() - series.t.front());
+  // A sample is a whole number of steps, and a period has at least 200.
+  const double rate = to_twelve_digits(series.rate > 0 ? series.rate : 200 / period);
+  add("step", 1 / (rate * std::max(1.0, std::ceil(200 / (rate * period) - 1e-9))));
+  add("until", to_twelve_digits(series.t.back() - series.t.front()));
   return line;
 }
 
-void add_reynolds(FittedRecording& result, const Quantity& diameter, double temperature) {
+void add_reynolds(FittedRecording& result, const Quantity& diameter, double temperature, const Watch& watch) {
   const int order = derivative_order(result.series.quantity);
   const bool length = is_linear_quantity(result.series.quantity) && order < 2;
   if (!length) {
@@ -146,6 +178,7 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, double temp
   std::vector<double> t;
   for (std::size_t i = 0; static_cast<double>(i) * step <= duration * (1 + 1e-12); ++i)
     t.push_back(t0 + static_cast<double>(i) * step);
+  if (watch.interrupted()) return;
   const Trajectory motion = motion_of(fit, t);
   const bool recorded_velocity = order == 1;
   const auto windows = speed_windows(motion.t, recorded_velocity ? motion.x : motion.v, window);
@@ -209,8 +242,10 @@ Result<LawChoice> fit_law(const Record& record, const Series& series, const FitO
   return choice;
 }
 
-bool has_values(FitStatus status) {
-  return status == FitStatus::converged || status == FitStatus::iteration_limit;
+// An interrupted fit may have none.
+bool has_values(const FreeDecay& fit) {
+  const bool may = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
+  return may && fit.angular_frequency.value > 0;
 }
 
 }  // namespace
@@ -233,6 +268,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.samples = series.t.size();
   result.options = options;
   result.series = std::move(*used);
+  set_drop_outs_aside(result.series);
   result.warnings = result.series.warnings;
   const FittedSamples samples = without_outliers(result.series);
   const Record record{samples.t, samples.y, result.series.resolution};
@@ -242,9 +278,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.fit = choice->chosen;
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const FreeDecay& candidate : choice->candidates)
-    if (has_values(candidate.status))
+    if (has_values(candidate))
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic});
-  if (!has_values(result.fit.status)) return result;
+  if (!has_values(result.fit)) return result;
 
   const double temperature = options.temperature.value_or(293.15);
   const Body body{options.mass, options.spring_mass, options.disc_diameter, temperature};
@@ -259,11 +295,19 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.derived = derived_quantities(result.fit);
   result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
-  const DecaySegments segments = fit_segments(record, options.segment, options.segments);
+  const DecaySegments segments = fit_segments(record, two_pi / result.fit.angular_frequency.value,
+                                              options.segment, options.segments, watch);
   result.segments = segments.segments;
   result.decay_rate_mean = segments.mean;
   result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
-  if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, temperature);
+  if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, temperature, watch);
+  if (watch.interrupted() && result.fit.status == FitStatus::converged) {
+    result.fit.status = FitStatus::iteration_limit;
+    result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
+    return result;
+  }
+  const std::vector<std::string> doubtful = doubts(record, result.fit);
+  result.warnings.insert(result.warnings.end(), doubtful.begin(), doubtful.end());
   if (!result.fit.residual.white)
     result.warnings.push_back(fmt::format(
         "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "
@@ -283,7 +327,10 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
     const Result<Series> series = take_series(*recording, options.column, run, options.read);
     if (!series) return series.error();
     Result<FittedRecording> one = fit_series(*series, file, options, watch);
-    if (!one) return Error{std::string(file) + ": " + one.error().message};
+    if (!one) {
+      const bool option = one.error().message.starts_with("--");
+      return option ? one.error() : Error{std::string(file) + ": " + one.error().message};
+    }
     one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
     fits.push_back(std::move(*one));
   }
