@@ -10,7 +10,7 @@ endif()
 
 # What every unit of ours is compiled with: the same result to the last bit wherever it runs.
 add_library(cromer_flags INTERFACE)
-target_compile_options(cromer_flags INTERFACE -ffp-contract=off $<BUILD_INTERFACE:${CROMER_WARNINGS}>)
+target_compile_options(cromer_flags INTERFACE -ffp-contract=off ${CROMER_WARNINGS})
 if(CROMER_SANITIZE)
   target_compile_options(cromer_flags INTERFACE -fsanitize=${CROMER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(cromer_flags INTERFACE -fsanitize=${CROMER_SANITIZE})
@@ -39,6 +39,8 @@ function(cromer_folder folder)
     target_compile_features(cromer_${name} INTERFACE cxx_std_20)
     target_link_libraries(cromer_${name} INTERFACE ${ARG_LIBRARIES})
   endif()
+  # Users instantiate the headers: they round as the library does.
+  target_compile_options(cromer_${name} ${visibility} $<INSTALL_INTERFACE:-ffp-contract=off>)
   target_include_directories(cromer_${name} ${visibility} $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>
                                                           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   foreach(seen IN LISTS ARG_DEPENDS)
@@ -60,7 +62,8 @@ macro(cromer_library)
 
   include(CMakePackageConfigHelpers)
   install(TARGETS cromer_cromer ${folders} EXPORT cromer)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/cromer DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/cromer DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.h"
+          PATTERN "json/json.h" EXCLUDE PATTERN "json/recording.h" EXCLUDE PATTERN "toml_reader.h" EXCLUDE)
   install(FILES ${PROJECT_BINARY_DIR}/generated/cromer/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/cromer)
   install(EXPORT cromer NAMESPACE cromer:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/cromer FILE cromer-targets.cmake)
   configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/cromer-config.cmake.in ${PROJECT_BINARY_DIR}/cromer-config.cmake

@@ -11,8 +11,8 @@
 namespace cromer::cli {
 namespace {
 
-// Six pixels a swing and less: lines run into each other.
-constexpr std::size_t most_swings = 50;
+// With more, the lines of two motions run into each other.
+constexpr std::size_t most_swings = 20;
 
 std::string unit_of(const FittedRecording& fitted) {
   for (const auto& parameter : fitted.parameters)

@@ -27,7 +27,8 @@ struct Typed {
 int unknown_option(const Syntax& syntax, const std::string& typed) {
   std::vector<std::string_view> names{"help"};
   for (const auto& option : syntax.options) names.push_back(option.name);
-  const std::string_view bare = std::string_view(typed).substr(typed.find_first_not_of('-'));
+  const std::string_view bare =
+      std::string_view(typed).substr(std::min(typed.size(), typed.find_first_not_of('-')));
   const std::string near = nearest(bare.substr(0, bare.find('=')), names);
   return refuse(fmt::format("unknown option {}{} See cromer {} --help", typed,
                             near.empty() ? "." : fmt::format("; did you mean --{}?", near), syntax.command));

@@ -47,8 +47,8 @@ int run_report(const Arguments& arguments) {
                 .files = "STUDY.toml",
                 .options = {},
                 .example = "  cromer report studies/spring_lab.toml -o out/spring_lab"};
-  syntax.options.push_back(
-      {"output", &folder, "", Range::any, "the folder to write to; made where it is missing", "", "Output"});
+  syntax.options.push_back({"output", &folder, "", Range::any,
+                            "the folder to write to; made where it is missing", "required", "Output"});
   add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;

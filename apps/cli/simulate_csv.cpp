@@ -12,13 +12,20 @@
 namespace cromer::cli {
 namespace {
 
+/// In single quotes; a quote inside ends them, stands escaped, and opens them again.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
+
 /// The command line, each word quoted where a shell would need it.
 std::string command_line(const Arguments& arguments) {
   std::string line = "cromer simulate";
   for (const auto& word : arguments) {
     const bool plain =
         !word.empty() && word.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == std::string::npos;
-    line += plain ? " " + word : " '" + word + "'";
+    line += plain ? " " + word : " " + quoted(word);
   }
   std::replace(line.begin(), line.end(), '\n', ' ');
   return line;

@@ -41,6 +41,21 @@ double frame(const std::vector<SimulatedRun>& runs) {
   return greatest > 20 * smallest && smallest > 0 ? 4 * smallest : greatest;
 }
 
+/// The swing about its middle from a time on: "±1.2 cm at the end", "100 ± 4 cm at the end".
+std::string swing(const Trajectory& motion, double from, const LengthUnit& unit) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (std::size_t i = 0; i < motion.size(); ++i) {
+    if (motion.t[i] < from) continue;
+    low = std::min(low, motion.x[i]);
+    high = std::max(high, motion.x[i]);
+  }
+  if (!(high >= low)) return "";
+  const double middle = (high + low) / 2 / unit.metres, half = (high - low) / 2 / unit.metres;
+  const std::string about =
+      std::abs(middle) > 0.1 * half ? format_quantity({middle, half}, "") : "±" + rounded(half, 3);
+  return fmt::format("{} {} at the end", about, unit.symbol);
+}
+
 std::string remark(const SimulatedRun& run, double height, const LengthUnit& unit) {
   if (run.outcome.status == Status::not_finite || largest(run.trajectory, 0, run.until) > height)
     return "grows without end";
@@ -50,8 +65,7 @@ std::string remark(const SimulatedRun& run, double height, const LengthUnit& uni
       run.drive.amplitude > 0 && run.drive.frequency > 0 ? 2 * std::numbers::pi / run.drive.frequency : 0;
   const double window = std::max(0.1 * run.until, drive_period);
   if (window > 0.5 * run.until) return "";
-  const double last = largest(run.trajectory, run.until - window, run.until);
-  return fmt::format("±{} {} at the end", rounded(last / unit.metres, 3), unit.symbol);
+  return swing(run.trajectory, run.until - window, unit);
 }
 
 std::string name_of(const SimulatedRun& run, bool one_method, bool several_frequencies) {
@@ -65,6 +79,37 @@ bool all_one_method(const std::vector<SimulatedRun>& runs) {
                      [&](const auto& run) { return run.method == runs.front().method; });
 }
 
+/// One panel of runs that are laid over each other.
+Panel panel_of(const std::vector<const SimulatedRun*>& runs, const SimulateResult& result, double height,
+               const LengthUnit& unit, bool one_method, bool name_frequency) {
+  Panel panel;
+  panel.x.name = "time {/:Italic t} (s)";
+  panel.y.name = fmt::format("position {{/:Italic x}} ({})", unit.symbol);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const SimulatedRun& run = *runs[i];
+    Curve curve;
+    curve.x = run.trajectory.t;
+    for (const double x : run.trajectory.x)
+      curve.y.push_back(std::clamp(x, -3 * height, 3 * height) / unit.metres);
+    curve.role = one_method && result.runs.size() > 1 ? fmt::format("family:{}", std::min<std::size_t>(i, 4))
+                                                      : run.method;
+    curve.name = name_of(run, one_method, name_frequency);
+    curve.remark = remark(run, height, unit);
+    panel.curves.push_back(std::move(curve));
+  }
+  // The exact solution is the road under everything.
+  std::stable_partition(panel.curves.begin(), panel.curves.end(),
+                        [](const Curve& c) { return c.role == "exact"; });
+  const bool cut = std::any_of(runs.begin(), runs.end(), [&](const SimulatedRun* run) {
+    return largest(run->trajectory, 0, run->until) > height;
+  });
+  if (cut) {
+    panel.y.low = -1.1 * height / unit.metres;
+    panel.y.high = 1.1 * height / unit.metres;
+  }
+  return panel;
+}
+
 }  // namespace
 
 Figure simulate_figure(const SimulateResult& result) {
@@ -72,39 +117,28 @@ Figure simulate_figure(const SimulateResult& result) {
   const double height = frame(runs);
   const LengthUnit unit = length_unit(height);
   const bool one_method = all_one_method(runs);
-  const bool family = one_method && runs.size() > 1;
-
-  Panel panel;
-  panel.x.name = "time {/:Italic t} (s)";
-  panel.y.name = fmt::format("position {{/:Italic x}} ({})", unit.symbol);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    const SimulatedRun& run = runs[i];
-    Curve curve;
-    curve.x = run.trajectory.t;
-    for (const double x : run.trajectory.x)
-      curve.y.push_back(std::clamp(x, -3 * height, 3 * height) / unit.metres);
-    curve.role = family ? fmt::format("family:{}", std::min<std::size_t>(i, 4)) : run.method;
-    curve.name = name_of(run, one_method, result.options.drive_frequency.size() > 1);
-    curve.remark = remark(run, height, unit);
-    panel.curves.push_back(std::move(curve));
-  }
-  // The exact solution is the road under everything.
-  std::stable_partition(panel.curves.begin(), panel.curves.end(),
-                        [](const Curve& c) { return c.role == "exact"; });
-  const bool cut = std::any_of(runs.begin(), runs.end(), [&](const auto& run) {
-    return largest(run.trajectory, 0, run.until) > height;
-  });
-  if (cut) {
-    panel.y.low = -1.1 * height / unit.metres;
-    panel.y.high = 1.1 * height / unit.metres;
-  }
+  const std::size_t frequencies = std::max<std::size_t>(1, result.options.drive_frequency.size());
 
   Figure figure;
   figure.id = "simulate";
   figure.title = one_method ? fmt::format("Position against time by {}", runs.front().method)
                             : std::string("Position against time by several methods");
   figure.size = FigureSize::wide;
-  figure.panels.push_back(std::move(panel));
+  if (one_method || frequencies == 1) {
+    std::vector<const SimulatedRun*> all;
+    for (const SimulatedRun& run : runs) all.push_back(&run);
+    figure.panels.push_back(panel_of(all, result, height, unit, one_method, frequencies > 1));
+    return figure;
+  }
+  // Several methods at several frequencies: colour tells the methods apart, a panel each the frequencies.
+  for (std::size_t f = 0; f < frequencies; ++f) {
+    std::vector<const SimulatedRun*> same;
+    for (std::size_t i = f; i < runs.size(); i += frequencies) same.push_back(&runs[i]);
+    Panel panel = panel_of(same, result, height, unit, false, false);
+    panel.title = format_quantity({same.front()->drive.frequency, 0}, "rad/s");
+    figure.panels.push_back(std::move(panel));
+  }
+  figure.shared_x = true;
   return figure;
 }
 

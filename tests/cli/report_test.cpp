@@ -127,6 +127,10 @@ constexpr BadStudy bad_studies[] = {
      "[[task]]\nsimulate = \"a\"\n[[figure]]\nid = \"f\"\nx = \"t\"\ny = \"z\"\n[[figure.curve]]\nof = "
      "\"a.1\"\n",
      2, "\"a.1.z\" is no column"},
+    {"id_out_of_the_folder", "[[task]]\nsimulate = \"a\"\n[[figure]]\nid = \"../../x\"\n", 2,
+     "s.toml:3:1: the id \"../../x\" becomes a file's name"},
+    {"figure_without_curves", "[[task]]\nsimulate = \"a\"\n[[figure]]\nid = \"f\"\n", 2, "needs curves"},
+    {"nothing_to_do", "title = \"S\"\n", 2, "there is nothing to do"},
     {"diverging", "[[task]]\nsimulate = \"a\"\nmethod = \"forward-euler\"\nstep = 5\nuntil = 10000\n", 1,
      "s.toml:1:1: simulate a: forward-euler: diverged"},
 };
@@ -137,7 +141,7 @@ INSTANTIATE_TEST_SUITE_P(Report, BadStudies, ::testing::ValuesIn(bad_studies),
 TEST(Report, NeedsAStudyAndAFolder) {
   Folder folder;
   EXPECT_THAT(folder.run({"report", "absent.toml", "-o", "out"}).err, HasSubstr("absent.toml"));
-  folder.write("s.toml", "title = \"S\"\n");
+  folder.write("s.toml", "[[task]]\nsimulate = \"a\"\n");
   const Finished no_folder = folder.run({"report", "s.toml"});
   EXPECT_EQ(no_folder.status, 2);
   EXPECT_THAT(no_folder.err, HasSubstr("-o"));

@@ -17,7 +17,8 @@ struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 
   void take(double value, bool logarithmic) {
-    if (!std::isfinite(value) || (logarithmic && value <= 0)) return;
+    // Beyond 1e300 neither spans nor ticks are numbers any more.
+    if (!(std::abs(value) < 1e300) || (logarithmic && value <= 0)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }

@@ -53,4 +53,10 @@ Result<std::string> draw(const Figure& figure, FigureFormat format) {
   return tidy_svg(output->out, without_markup(figure.title.empty() ? figure.id : figure.title));
 }
 
+std::string gnuplot_version() {
+  const auto answer = run_process({"gnuplot", "--version"}, "");
+  if (!answer || answer->exit_status != 0) return "";
+  return answer->out.substr(0, answer->out.find('\n'));
+}
+
 }  // namespace cromer

@@ -98,4 +98,7 @@ std::string gnuplot_script(const Figure& figure, FigureFormat format, Typeface t
 /// it is.
 Result<std::string> draw(const Figure& figure, FigureFormat format);
 
+/// "gnuplot 5.4 patchlevel 4"; empty where there is none.
+std::string gnuplot_version();
+
 }  // namespace cromer

@@ -249,7 +249,6 @@ std::vector<double> row_widths(const std::vector<Cell>& row, double width, doubl
   double left_over = width, shares = 0;
   int used = 0;
   for (const Cell& cell : row) used += std::clamp(cell.panel->span, 1, columns);
-  std::any_of(row.begin(), row.end(), [](const Cell& c) { return !c.panel->phase_portrait; });
   for (const Cell& cell : row) {
     const double share = std::clamp(cell.panel->span, 1, columns);
     const double wanted = beside_others * (height - cell.top - cell.bottom) + cell.left + cell.right;

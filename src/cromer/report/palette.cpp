@@ -8,7 +8,7 @@ constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3,
 
 // Hue is the family, dash the member. Where LOOK.md gives one colour only, the word's is darkened (lightened)
 // to 4.5:1.
-constexpr std::array<RoleStyle, 25> roles{{
+constexpr std::array<RoleStyle, 24> roles{{
     {"exact", "#8A93A0", "#5B6573", "#7F8A98", "#AAB4C0", 4, solid},
     {"measured", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 2.6, solid},
     {"fitted", "#AA4488", "#983A79", "#E08CC0", "#EBA3CF", 2, solid},
@@ -35,7 +35,6 @@ constexpr std::array<RoleStyle, 25> roles{{
     {"family:3", "#2E86BE", "#2A76A6", "#3F97D3", "#5AAEE6", 1.5, solid},
     {"family:4", "#5596C2", "#3A7296", "#3985B9", "#4F9FD6", 1.5, solid},
     {"implicit-family:0", "#003D2C", "#003D2C", "#BFF0DF", "#BFF0DF", 1.5, solid},
-    {"implicit-family:2", "#009E73", "#007A59", "#2CC295", "#45D0A6", 1.5, solid},
     {"implicit-family:4", "#469F84", "#2A7560", "#2FA583", "#4DBB99", 1.5, solid},
 }};
 

@@ -28,6 +28,7 @@ int exponent_of(double value) { return static_cast<int>(std::floor(std::log10(st
 
 double tick_step(double low, double high, int most) {
   const double span = high - low;
+  if (!(span > 0) || !std::isfinite(span)) return 1;
   for (int exponent = exponent_of(span / most) - 1;; ++exponent) {
     for (const double mantissa : {1.0, 2.0, 2.5, 5.0}) {
       const double step = mantissa * std::pow(10.0, exponent);

@@ -1,4 +1,5 @@
 #include "cromer/analysis/envelope.h"
+#include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/collect.h"
 
 namespace cromer {
@@ -48,12 +49,13 @@ void collect_reynolds(const std::string& id, const FittedRecording& fitted, Resu
 
 void collect_columns(const std::string& id, const FittedRecording& fitted, Results& results) {
   const double mean = fitted.fit.equilibrium.value;
-  const std::string unit = fitted.series.quantity == "angle" ? "rad" : "m";
+  const std::string_view unit = si_unit_of(fitted.series.quantity);
+  const std::string axis = fitted.series.quantity == "position" ? "position *x*" : fitted.series.quantity;
   std::vector<double> displacement = fitted.series.y;
   for (double& value : displacement) value -= mean;
   results.set_column(id + ".t", fitted.series.t, "s", "time *t*");
   results.set_column(id + ".measured", fitted.series.y, unit, "measured " + fitted.series.quantity);
-  results.set_column(id + ".displacement", std::move(displacement), unit, "position *x*");
+  results.set_column(id + ".displacement", std::move(displacement), unit, axis);
   results.set_column(id + ".mean", std::vector<double>(fitted.series.t.size(), mean), unit, "mean");
 }
 
@@ -78,7 +80,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
   results.set(id + ".file", fitted.file);
   results.set(id + ".law", to_text(fitted.fit.law));
   results.set(id + ".samples", static_cast<double>(fitted.series.t.size()));
-  results.set(id + ".rms", fitted.fit.residual.rms, fitted.series.quantity == "angle" ? "rad" : "m");
+  results.set(id + ".rms", fitted.fit.residual.rms, si_unit_of(fitted.series.quantity));
   for (const auto* group : {&fitted.parameters, &fitted.derived})
     for (const NamedEstimate& each : *group)
       set_estimate(results, id + "." + each.name, each.estimate, each.unit);
@@ -91,6 +93,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
 
 void collect(const std::string& id, const CompareResult& compared, Results& results) {
   collect(id, compared.recording, results);
+  const std::string_view unit = si_unit_of(compared.recording.series.quantity);
   std::vector<Envelope> envelopes;
   for (const ComparedCurve& curve : compared.curves)
     envelopes.push_back(envelope(curve.trajectory.t, curve.trajectory.x));
@@ -98,18 +101,18 @@ void collect(const std::string& id, const CompareResult& compared, Results& resu
     const ComparedCurve& curve = compared.curves[i];
     const std::string name = id + "." + std::to_string(i + 1);
     results.set(name + ".label", curve.label);
-    results.set(name + ".rms", curve.rms, "m");
+    results.set(name + ".rms", curve.rms, unit);
     results.set(name + ".r_squared", curve.r_squared);
     results.set(name + ".amplitude_error_end", curve.amplitude_ratio_end - 1);
     results.set(name + ".phase_drift", curve.phase_drift, "rad");
     // The last curve is the law that the data chose.
     collect_excess(name, envelopes[i], envelopes.back(), results);
     results.set_column(name + ".t", curve.trajectory.t, "s", "time *t*");
-    results.set_column(name + ".x", curve.trajectory.x, "m", "position *x*");
+    results.set_column(name + ".x", curve.trajectory.x, unit, "position *x*");
     results.set_column(name + ".top_t", envelopes[i].top_t, "s", "time *t*");
-    results.set_column(name + ".top", envelopes[i].top, "m", "position *x*");
+    results.set_column(name + ".top", envelopes[i].top, unit, "position *x*");
     results.set_column(name + ".bottom_t", envelopes[i].bottom_t, "s", "time *t*");
-    results.set_column(name + ".bottom", envelopes[i].bottom, "m", "position *x*");
+    results.set_column(name + ".bottom", envelopes[i].bottom, unit, "position *x*");
   }
 }
 

@@ -102,7 +102,7 @@ void collect(const std::string& id, const ResonanceResult& resonance, Results& r
     const std::string name = id + "." + std::to_string(i + 1);
     std::size_t peak = 0;
     for (std::size_t j = 1; j < curve.amplitude.size(); ++j)
-      if (!(curve.amplitude[j] <= curve.amplitude[peak])) peak = j;
+      if (curve.amplitude[j] > curve.amplitude[peak] || std::isnan(curve.amplitude[peak])) peak = j;
     results.set(name + ".label", curve.method);
     results.set(name + ".peak", curve.amplitude[peak], "m");
     results.set(name + ".peak_frequency", curve.frequency[peak], "rad/s");

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -8,7 +10,8 @@ namespace cromer {
 namespace {
 
 constexpr std::string_view commands[] = {"simulate",  "fit",         "compare",
-                                         "resonance", "local_error", "difference"};
+                                         "resonance", "local_error", "difference",
+                                         "method_map", "work_precision"};
 
 /// Reads one table with a function that asks a TomlReader for its keys.
 template <class Read>
@@ -184,24 +187,39 @@ KeyFigureSpec read_key_figure(TomlReader& toml) {
   return {toml.text("name"), toml.text("value"), toml.text("remark")};
 }
 
+bool is_file_name(std::string_view id) {
+  return std::all_of(id.begin(), id.end(),
+                     [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
+}
+
 Result<void> check(const Study& study) {
   std::set<std::string> ids;
   for (const TaskSpec& task : study.tasks) {
     if (task.command.empty())
       return task.place.error(
           "a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, "
-          "resonance, local_error, difference)");
+          "resonance, local_error, method_map, work_precision, difference)");
     if (task.id.empty() || !ids.insert(task.id).second)
       return task.place.error("each task needs a name of its own");
   }
   ids.clear();
-  for (const FigureSpec& figure : study.figures)
+  for (const FigureSpec& figure : study.figures) {
     if (figure.look.id.empty() || !ids.insert(figure.look.id).second)
       return figure.place.error("each figure needs an id of its own");
+    if (!is_file_name(figure.look.id))
+      return figure.place.error("the id \"" + figure.look.id +
+                                "\" becomes a file's name: letters, digits, - and _ only");
+    for (const PanelSpec& panel : figure.panels)
+      if (panel.curves.empty())
+        return panel.place.error(
+            "a figure or panel needs curves: write [[figure.curve]] or [[figure.panel.curve]]");
+  }
   for (const BlockSpec& block : study.blocks)
     if (const auto* named = std::get_if<BlockSpec::FigureName>(&block.content);
         named && !ids.count(named->id))
       return block.place.error("\"" + named->id + "\" is no figure of this study");
+  if (study.tasks.empty())
+    return Error{study.file + ": there is nothing to do: a study has at least one [[task]]"};
   return {};
 }
 

@@ -32,7 +32,8 @@ struct Setting {
 
 /// [[task]] with its command as key: `simulate = "name"`, then the command's options.
 struct TaskSpec {
-  std::string command;  ///< simulate, fit, compare, resonance, local-error, difference
+  std::string command;  ///< simulate, fit, compare, resonance, local-error, method-map,
+                        ///< work-precision, difference
   std::string id;       ///< what its results are called
   std::vector<Setting> settings;
   Place place;
@@ -58,6 +59,7 @@ struct PanelSpec {
   Place place;
 };
 
+/// `look.id` is the name of its file without ending: letters, digits, - and _.
 struct FigureSpec {
   Figure look;  ///< id, title, caption, size, columns
   std::vector<PanelSpec> panels;

@@ -27,6 +27,16 @@ Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, cons
   return drawn;
 }
 
+std::string versions(const std::string& program) {
+  std::string text = program;
+  if (const std::string gnuplot = gnuplot_version(); !gnuplot.empty()) text += " · figures by " + gnuplot;
+#if defined(__clang__)
+  return text + " · compiled by clang " __clang_version__;
+#else
+  return text + " · compiled by g++ " __VERSION__;
+#endif
+}
+
 Result<void> make_folder(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
@@ -37,7 +47,7 @@ Result<void> make_folder(const std::string& folder) {
 }  // namespace
 
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
-                                   const std::string& date, const std::string& versions, const Watch& watch,
+                                   const std::string& date, const std::string& program, const Watch& watch,
                                    const StudyProgress& progress) {
   const auto bytes = read_file(study_path);
   if (!bytes) return bytes.error();
@@ -52,8 +62,8 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   if (progress) progress("figures", 1);
   const auto figures = draw_figures(*study, run->results, watch);
   if (!figures) return figures.error();
-  study->byline += (study->byline.empty() ? "" : " · ") + date + " · " + versions;
-  const auto page = make_page(*study, run->results, *figures, versions);
+  study->byline += (study->byline.empty() ? "" : " · ") + date + " · " + program;
+  const auto page = make_page(*study, run->results, *figures, versions(program));
   if (!page) return page.error();
 
   for (const auto& [id, figure] : *figures) {

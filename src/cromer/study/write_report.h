@@ -18,9 +18,10 @@ struct WrittenReport {
 };
 
 /// Reads the study, runs it, draws its figures and only then writes; each file whole or not at all. `date` is
-/// shown under the title ("21 November 2026").
+/// shown under the title ("21 November 2026"), and with it
+/// `program` ("cromer 0.1.0"), which at the foot is followed by the versions of what drew and compiled.
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
-                                   const std::string& date, const std::string& versions,
+                                   const std::string& date, const std::string& program,
                                    const Watch& watch = {}, const StudyProgress& progress = {});
 
 }  // namespace cromer
