@@ -6,9 +6,11 @@
 // is not used).
 #pragma once
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace cromer {
 
@@ -100,10 +102,13 @@ class SensorReadings {
  public:
   explicit SensorReadings(const Sensor& sensor) : sensor_(sensor), deviates_(sensor.seed) {}
 
-  /// The next reading [m], of position x [m].
+  /// The next reading [m], of position x [m]; always finite.
   double next(double x) {
-    const double reading = sensor_.offset + x + (sensor_.noise > 0 ? sensor_.noise * deviates_.next() : 0.0);
-    if (sensor_.resolution <= 0) return reading;
+    constexpr double largest = std::numeric_limits<double>::max();
+    const double sum = sensor_.offset + x + (sensor_.noise > 0 ? sensor_.noise * deviates_.next() : 0.0);
+    const double reading = std::clamp(sum, -largest, largest);
+    // From 2^53 steps on every double is a whole number of them.
+    if (sensor_.resolution <= 0 || !(std::abs(reading) / sensor_.resolution < 0x1p53)) return reading;
     return to_15_digits(std::round(reading / sensor_.resolution) * sensor_.resolution);
   }
 

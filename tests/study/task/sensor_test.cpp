@@ -29,6 +29,15 @@ TEST(PortableLog, AgreesWithTheLibraryToTwoUnitsInTheLastPlace) {
   }
 }
 
+TEST(SensorReadings, AreFiniteWhateverTheNoise) {
+  SensorReadings loud({.noise = 1e308, .resolution = 0, .offset = 1e308, .seed = 1});
+  SensorReadings fine({.noise = 1e300, .resolution = 1e-300, .offset = 0, .seed = 1});
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_TRUE(std::isfinite(loud.next(0)));
+    EXPECT_TRUE(std::isfinite(fine.next(0)));
+  }
+}
+
 TEST(NormalDeviates, HaveTheMomentsOfTheNormalDistribution) {
   NormalDeviates deviates(1);
   constexpr int n = 200000;

@@ -10,6 +10,7 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/steady_state.h"
 #include "cromer/model/terms.h"
+#include "cromer/study/task/simulate_setup.h"
 
 namespace cromer {
 namespace {
@@ -54,9 +55,6 @@ SimulateOptions run_at(const ResonanceOptions& options, const Oscillator<double>
   return run;
 }
 
-/// Phase lags measured from -pi/2 to 3 pi/2 lie from 0 to pi but for the method's own error.
-double between_0_and_pi(double phase) { return std::clamp(phase, 0.0, std::numbers::pi); }
-
 Result<SteadyState> settle(const ResonanceOptions& options, const Oscillator<double>& law,
                            const std::string& method, double w, const Watch& watch) {
   if (method == "exact") return frequency_response(law, options.simulate.drive_amplitude, w);
@@ -68,23 +66,23 @@ Result<SteadyState> settle(const ResonanceOptions& options, const Oscillator<dou
   const auto measured = measure_steady_state(run.trajectory, run.drive, measured_cycles);
   if (!measured) return measured.error();
   if (!measured->settled()) return SteadyState{nothing, nothing};
-  return SteadyState{measured->amplitude, between_0_and_pi(measured->phase_lag)};
+  return SteadyState{measured->amplitude, measured->phase_lag};
 }
 
 }  // namespace
 
 Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& watch) {
-  // A run at the first frequency checks all other options and fills in their defaults.
-  SimulateOptions probe = options.simulate;
-  probe.drive_frequency = {options.frequency_from};
-  probe.until = probe.until.value_or(probe.step.value_or(1));
-  auto checked = simulate(probe);
-  if (!checked) return checked.error();
-  const Oscillator<double> law = checked->runs.front().oscillator;
+  // A run at the first frequency has every other option checked and every default filled in.
+  SimulateOptions first = options.simulate;
+  first.drive_frequency = {options.frequency_from};
+  const auto runs = set_up_runs(first);
+  if (!runs) return runs.error();
+  const Oscillator<double> law = runs->front().oscillator;
   if (const auto good = check(options, law); !good) return good.error();
 
   ResonanceResult result;
-  const std::vector<std::string>& methods = checked->options.method;
+  std::vector<std::string> methods;
+  for (const SimulatedRun& run : *runs) methods.push_back(run.method);
   for (std::size_t m = 0; m < methods.size(); ++m) {
     ResonanceCurve curve{.method = methods[m], .frequency = {}, .amplitude = {}, .phase = {}};
     for (long long i = 0; i < options.points; ++i) {

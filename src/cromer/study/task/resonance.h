@@ -24,7 +24,7 @@ struct ResonanceCurve {
   std::string method;
   std::vector<double> frequency;  // [rad/s]
   std::vector<double> amplitude;  // [m]
-  std::vector<double> phase;      // [rad] lag behind the force, 0 to pi
+  std::vector<double> phase;      // [rad] lag behind the force, 0 to pi but for the method's own error
 };
 
 struct ResonanceResult {
