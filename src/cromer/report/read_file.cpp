@@ -14,6 +14,8 @@ Result<std::string> read_file(const std::string& path) {
   if (!standard_input) {
     if (stat(path.c_str(), &info) != 0) return Error{path + ": cannot be read: " + std::strerror(errno)};
     if (S_ISDIR(info.st_mode)) return Error{path + ": is a folder; name a file in it"};
+    if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode))
+      return Error{path + ": is a device, not a file; - reads standard input"};
   }
   std::FILE* file = standard_input ? stdin : std::fopen(path.c_str(), "rb");
   if (!file) return Error{path + ": cannot be read: " + std::strerror(errno)};
@@ -27,6 +29,11 @@ Result<std::string> read_file(const std::string& path) {
     bytes.resize(used + room);
     const std::size_t got = std::fread(bytes.data() + used, 1, room, file);
     used += got;
+    // An endless stream of zeros (/dev/zero, an empty disk) is no recording.
+    if (used == got && got > 0 && bytes.find_first_not_of('\0') == std::string::npos) {
+      if (!standard_input) std::fclose(file);
+      return Error{path + ": begins with nothing but zero bytes: a text or CSV file is expected"};
+    }
     if (got < room) break;
   }
   const bool failed = std::ferror(file) != 0;

@@ -7,8 +7,9 @@
 
 namespace cromer {
 
-/// The bytes of a file, or of standard input for "-". Missing, unreadable, or a folder is an Error that names
-/// the path and the reason.
+/// The bytes of a file, or of standard input for "-". Missing, unreadable, a folder, a device, or
+/// nothing but zeros at its beginning is an Error that names the path and the reason. Pipes are read to their
+/// end.
 Result<std::string> read_file(const std::string& path);
 
 }  // namespace cromer

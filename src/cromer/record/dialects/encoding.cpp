@@ -1,5 +1,6 @@
 #include "cromer/record/dialects/encoding.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -71,11 +72,23 @@ std::string from_cp1252(std::string_view s) {
   return utf8;
 }
 
+/// Every second byte of the beginning is zero, and no other: plain letters and digits in two bytes each.
+bool looks_utf16(std::string_view bytes) {
+  const std::size_t looked_at = std::min<std::size_t>(bytes.size() & ~std::size_t{1}, 512);
+  std::size_t even = 0, odd = 0;
+  for (std::size_t i = 0; i < looked_at; i += 2) {
+    even += bytes[i] == '\0';
+    odd += bytes[i + 1] == '\0';
+  }
+  const std::size_t pairs = looked_at / 2;
+  return pairs > 1 && ((even == 0 && 10 * odd >= 9 * pairs) || (odd == 0 && 10 * even >= 9 * pairs));
+}
+
 }  // namespace
 
 Result<Decoded> decode(std::string_view bytes) {
   if (bytes.empty()) return Error{"the file is empty"};
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF") || looks_utf16(bytes))
     return Error{"the text is UTF-16: save it as UTF-8 (Notepad: Save as, Encoding)"};
   if (bytes.starts_with("PK\x03\x04"))
     return Error{"this is a ZIP archive or a spreadsheet: unpack it, or export the sheet as CSV"};

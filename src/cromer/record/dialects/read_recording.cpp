@@ -27,7 +27,7 @@ Result<Recording> read_recording(std::string_view bytes, std::string_view file, 
   if (const auto foreign = foreign_format(decoded->text()); !foreign.empty()) return refuse(foreign);
   const auto lines = split_lines(decoded->text());
   auto layout = find_layout(lines, options);
-  if (!layout) return refuse(layout.error().message);
+  if (!layout) return Error{concat({file, no_rows(lines, layout.error().message)})};
   layout = settle_commas(lines, *layout, options);
   if (!layout) return refuse(layout.error().message);
 
@@ -37,7 +37,10 @@ Result<Recording> read_recording(std::string_view bytes, std::string_view file, 
   for (const Column& column : name_columns(header, layout->columns)) names.push_back(column_title(column));
   auto rows = read_rows(lines, data, *layout, names, options.skip_bad_rows);
   if (!rows) return Error{concat({file, rows.error().message})};
-  if (rows->lines.empty()) return refuse("no rows of numbers are left");
+  if (rows->lines.empty())
+    return refuse(rows->bad_rows == 0 ? std::string("no rows of numbers are left")
+                                      : concat({"no rows of numbers are left: ", rows->first_complaint,
+                                                ", in line ", std::to_string(rows->first_bad_line)}));
 
   Recording recording;
   recording.file = file;
@@ -49,9 +52,13 @@ Result<Recording> read_recording(std::string_view bytes, std::string_view file, 
     recording.table.columns[j].values = std::move(rows->columns[j]);
   recording.named = !header.headings.empty();
   recording.lines = std::move(rows->lines);
+  const bool most_lost = rows->bad_rows > recording.lines.size();
   if (rows->bad_rows > 0)
-    recording.warnings.push_back(concat({counted(rows->bad_rows, "bad row"), " left out, the first in line ",
-                                         std::to_string(rows->first_bad_line)}));
+    recording.warnings.push_back(
+        concat({most_lost ? "MOST ROWS ARE LOST: " : "", counted(rows->bad_rows, "bad row"), " left out",
+                most_lost ? concat({", ", counted(recording.lines.size(), "row"), " kept"}) : std::string{},
+                ", the first in line ", std::to_string(rows->first_bad_line),
+                most_lost ? concat({" (", rows->first_complaint, ")"}) : std::string{}}));
   drop_unnamed_empty(recording);
   if (split_stacked_runs(recording))
     recording.dialect.name = "Cromer";

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "cromer/base/concat.h"
+#include "cromer/record/dialects/bad_cell.h"
 #include "cromer/record/dialects/lines.h"
 
 namespace cromer::dialects {
@@ -12,9 +13,7 @@ constexpr std::string_view cure = "; --skip-bad-rows drops such rows";
 
 std::string complaint(std::string_view cell, const std::string& name, char decimal) {
   std::string text = concat({"column \"", name, "\": ", quoted(cell), " is not a number"});
-  const char other = decimal == '.' ? ',' : '.';
-  if (read_cell(cell, other).kind == CellKind::number)
-    text += concat({" (the decimal mark of this file is a ", decimal == '.' ? "point" : "comma", ")"});
+  if (const std::string seen = bad_cell(cell, decimal); !seen.empty()) text += concat({" but ", seen});
   return text.append(cure);
 }
 
@@ -54,7 +53,10 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t d
     const long number = static_cast<long>(i) + 1;
     if (!bad.empty()) {
       if (!skip_bad_rows) return Error{concat({":", std::to_string(number), ": ", bad})};
-      if (rows.bad_rows++ == 0) rows.first_bad_line = number;
+      if (rows.bad_rows++ == 0) {
+        rows.first_bad_line = number;
+        rows.first_complaint = bad.substr(0, bad.size() - cure.size());
+      }
       continue;
     }
     for (; count < layout.columns; ++count) row[count] = nan;
@@ -62,6 +64,36 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t d
     rows.lines.push_back(number);
   }
   return rows;
+}
+
+std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason) {
+  std::vector<std::string_view> cells;
+  const bool about_cells = reason.starts_with("no rows");  // and not about a wrong option
+  for (std::size_t i = 0; about_cells && i < lines.size(); ++i) {
+    const std::string_view line = trimmed(lines[i]);
+    if (line.empty() || std::string_view("0123456789+-.,\"").find(line.front()) == std::string_view::npos)
+      continue;
+    // The separator is not known: the one that leaves the shortest bad cell.
+    std::string_view bad;
+    std::string seen;
+    for (const char separator : {'\t', ';', ',', ' '}) {
+      split_cells(line, Layout{separator, '.', 1}, cells);
+      for (const std::string_view cell : cells) {
+        const bool number =
+            read_cell(cell, '.').kind != CellKind::word || read_cell(cell, ',').kind != CellKind::word;
+        if (number || (!bad.empty() && cell.size() >= bad.size())) continue;
+        std::string what = bad_cell(cell, '.');
+        if (what.empty()) what = bad_cell(cell, ',');
+        if (what.empty()) continue;
+        bad = cell;
+        seen = std::move(what);
+      }
+    }
+    if (!bad.empty())
+      return concat({":", std::to_string(i + 1), ": no rows of numbers are found: ", quoted(bad),
+                     " is not a number but ", seen});
+  }
+  return concat({": ", reason});
 }
 
 }  // namespace cromer::dialects

@@ -1,0 +1,15 @@
+// What a cell is that is not a number, and the cure.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cromer::dialects {
+
+/// "a clock time: write the seconds since the start", "a number with thousands separators: write 1000.0",
+/// ...;
+/// "" where nothing is recognised. Also dates, Fortran's D exponents, numbers beyond the doubles, and the
+/// other decimal mark.
+std::string bad_cell(std::string_view cell, char decimal);
+
+}  // namespace cromer::dialects
