@@ -14,8 +14,10 @@ const HarmonicDrive<double> drive{.amplitude = 1.4, .frequency = 2.5, .phase = 0
 
 /// The law as its header writes it.
 double force(const Oscillator<double>& o, const HarmonicDrive<double>& d, double t, double x, double v) {
-  return d.amplitude * std::cos(d.frequency * t + d.phase) - o.stiffness * x - o.cubic * x * x * x -
-         o.damping * v - o.drag * v * std::abs(v) - o.friction * ((v > 0) - (v < 0));
+  const double smooth = d.amplitude * std::cos(d.frequency * t + d.phase) - o.stiffness * x -
+                        o.cubic * x * x * x - o.damping * v - o.drag * v * std::abs(v);
+  if (v == 0 && std::abs(smooth) <= o.friction) return 0;  // it sticks
+  return smooth - o.friction * (v != 0 ? std::copysign(1, v) : std::copysign(1, smooth));
 }
 
 TEST(DrivenOscillator, IsTheLawForEverySetOfTerms) {

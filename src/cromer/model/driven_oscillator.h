@@ -3,16 +3,19 @@
 //   return with_terms(oscillator, drive, [&](const auto& system) { return ...; });
 //
 // calls with the DrivenOscillator that has exactly the terms present, so that absent ones cost nothing in the
-// loop.
+// loop; with friction it is a DryFriction around that.
 #pragma once
 
 #include <cmath>
+#include <concepts>
+#include <numbers>
 #include <type_traits>
 #include <utility>
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 #include "cromer/model/drive.h"
+#include "cromer/model/friction.h"
 #include "cromer/model/harmonic_force.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
@@ -20,16 +23,36 @@
 
 namespace cromer {
 
-/// The law per unit mass: x'' = f(t) - s x - k3 x^3 - (c + d |x'|) x' - f0 sgn(x'), each coefficient
-/// divided by m. Friction is the plain sign function, 0 at rest. Force gives f(t) [m/s^2]: HarmonicForce, or
-/// TabulatedForce after on_grid.
+/// A force under which the linear law's motion is known: a member propagate(law, t0, t, y0), on the law
+/// without a drive.
+template <class Force, class Real>
+concept HasClosedForm = requires(const Force& force, const LinearLaw<Real>& law, const Real& t,
+                                 const State<Real>& y) {
+  { force.propagate(law, t, t, y) } -> std::convertible_to<State<Real>>;
+};
+
+/// The oscillator per unit mass.
+template <class Real>
+constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& o) {
+  return {.mass = Real(1),
+          .stiffness = o.stiffness / o.mass,
+          .damping = o.damping / o.mass,
+          .drag = o.drag / o.mass,
+          .friction = o.friction / o.mass,
+          .cubic = o.cubic / o.mass,
+          .static_friction = o.static_friction / o.mass};
+}
+
+/// The smooth law per unit mass: x'' = f(t) - s x - k3 x^3 - (c + d |x'|) x', each coefficient divided by
+/// m. Force gives f(t) [m/s^2]: HarmonicForce, TabulatedForce after on_grid, or one of general_drive.h.
 template <class Real, Terms terms, class Force = HarmonicForce<Real>>
 class DrivenOscillator {
  public:
   /// Oscillator and force per unit mass.
   DrivenOscillator(const Oscillator<Real>& per_mass, const Force& force) : law_(per_mass), force_(force) {}
 
-  static constexpr bool depends_on_velocity = terms.damping || terms.drag || terms.friction;
+  static constexpr bool depends_on_velocity = terms.damping || terms.drag;
+  static constexpr bool depends_on_time = terms.drive;
 
   /// [m/s^2]. T is Real, or a Dual over it.
   template <class Time, class T>
@@ -47,10 +70,22 @@ class DrivenOscillator {
 
   /// The state at t of the motion through y0 at t0.
   State<Real> propagate(const Real& t0, const Real& t, const State<Real>& y0) const
-      requires(is_linear(terms) && std::is_same_v<Force, HarmonicForce<Real>>) {
-    const LinearLaw<Real> linear{law_.damping / Real(2), law_.stiffness, force_.amplitude, force_.frequency,
-                                 force_.phase};
-    return cromer::propagate(linear, t0, t, y0);
+      requires(is_linear(terms) && HasClosedForm<Force, Real>) {
+    const LinearLaw<Real> linear{.decay_rate = law_.damping / Real(2), .stiffness = law_.stiffness};
+    return force_.propagate(linear, t0, t, y0);
+  }
+
+  /// The closed form has many pieces: best asked from state to state, not from the start of the run.
+  static constexpr bool has_many_pieces = requires { Force::has_many_pieces; };
+
+  /// [s] of a harmonic drive.
+  double drive_period() const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
+    return 2 * std::numbers::pi / value_of(force_.frequency);
+  }
+
+  /// The linear law without its drive.
+  LinearLaw<Real> free_law() const requires(is_linear(terms) && !terms.drive) {
+    return {.decay_rate = law_.damping / Real(2), .stiffness = law_.stiffness};
   }
 
   /// The same law for times `spacing` [s] apart, its drive from a table: move_to(first) makes the next
@@ -78,7 +113,6 @@ class DrivenOscillator {
       r = (law_.damping + law_.drag * abs(v)) * v;
     else
       r = law_.damping * v;
-    if constexpr (terms.friction) r = r + law_.friction * sgn(v);
     return r;
   }
 
@@ -87,18 +121,13 @@ class DrivenOscillator {
 };
 
 /// Calls f with the DrivenOscillator that has the terms with a coefficient other than zero, and returns what
-/// it returns. Of the resistances a higher one brings the lower along (damping < drag < friction): 16
-/// instantiations instead of 32.
+/// it returns. Of the resistances a higher one brings the lower along (damping < drag < friction), but for
+/// the linear law with friction, which has a closed form.
 template <class Real, class F>
 decltype(auto) with_terms(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive, F&& f) {
   const Terms present = terms_of(oscillator, drive);
   const Real& m = oscillator.mass;
-  const Oscillator<Real> per_mass{Real(1),
-                                  oscillator.stiffness / m,
-                                  oscillator.damping / m,
-                                  oscillator.drag / m,
-                                  oscillator.friction / m,
-                                  oscillator.cubic / m};
+  const Oscillator<Real> per_mass = divided_by_mass(oscillator);
   const HarmonicForce<Real> force{drive.amplitude / m, drive.frequency, drive.phase};
 
   const auto call = [&]<Terms terms>() -> decltype(auto) {
@@ -107,8 +136,15 @@ decltype(auto) with_terms(const Oscillator<Real>& oscillator, const HarmonicDriv
   const auto with_resistance = [&]<Terms terms>() -> decltype(auto) {
     constexpr Terms damped{.drive = terms.drive, .damping = true, .cubic = terms.cubic};
     constexpr Terms dragged{.drive = terms.drive, .damping = true, .cubic = terms.cubic, .drag = true};
-    constexpr Terms rubbed{terms.drive, true, terms.cubic, true, true};
-    if (present.friction) return call.template operator()<rubbed>();
+    if (present.friction) {
+      const auto rub = [&](const auto& smooth) -> decltype(auto) {
+        return std::forward<F>(f)(
+            DryFriction(smooth, Real(oscillator.friction / m), Real(oscillator.static_friction / m)));
+      };
+      if constexpr (is_linear(terms) && !terms.drive)
+        if (!present.drag) return rub(DrivenOscillator<Real, damped>(per_mass, force));
+      return rub(DrivenOscillator<Real, dragged>(per_mass, force));
+    }
     if (present.drag) return call.template operator()<dragged>();
     if (present.damping) return call.template operator()<damped>();
     return call.template operator()<terms>();

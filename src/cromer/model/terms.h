@@ -24,19 +24,19 @@ constexpr Terms terms_of(const Oscillator<Real>& oscillator, const HarmonicDrive
           .damping = oscillator.damping != Real(0),
           .cubic = oscillator.cubic != Real(0),
           .drag = oscillator.drag != Real(0),
-          .friction = oscillator.friction != Real(0)};
+          .friction = oscillator.friction != Real(0) || oscillator.static_friction != Real(0)};
 }
 
 /// The linear law with harmonic drive: the one with a closed form.
 constexpr bool is_linear(Terms terms) { return !terms.cubic && !terms.drag && !terms.friction; }
 
-/// Empty if the oscillator has a closed form; otherwise the term that prevents it, for people: "drag (0.02
-/// kg/m)"-like is the caller's.
+/// Empty if the oscillator has a closed form in one piece (with friction it is made of arcs); otherwise the
+/// term that prevents it, for people: "drag (0.02 kg/m)"-like is the caller's.
 template <class Real>
 constexpr const char* why_not_exact(const Oscillator<Real>& oscillator) {
   if (oscillator.cubic != Real(0)) return "cubic";
   if (oscillator.drag != Real(0)) return "drag";
-  if (oscillator.friction != Real(0)) return "friction";
+  if (oscillator.friction != Real(0) || oscillator.static_friction != Real(0)) return "friction";
   return "";
 }
 

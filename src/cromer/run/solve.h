@@ -10,14 +10,14 @@
 //   });
 //   Trajectory trajectory = keep.take();
 //
+// Which loop that is, is decided here: uniform steps (the fast one), steps that are looked into for events,
+// steps that the error estimate chooses; and with dry friction phases of either.
+//
 // The name must be in the list (check_method_name), a law without a closed form refused for `exact`
 // (why_not_exact): a method that cannot integrate a system is a programmer's error.
 #pragma once
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -25,163 +25,87 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
+#include "cromer/run/adaptive_steps.h"
+#include "cromer/run/course.h"
+#include "cromer/run/event.h"
+#include "cromer/run/fixed_steps.h"
 #include "cromer/run/keep.h"
 #include "cromer/run/outcome.h"
+#include "cromer/run/step_control.h"
 #include "cromer/run/steps.h"
+#include "cromer/run/stick_slip.h"
+#include "cromer/run/uniform_steps.h"
 
 namespace cromer {
 
-/// When to give up.
-struct Limits {
-  long long steps = std::numeric_limits<long long>::max();  ///< > 0; where more are needed the run ends with
-                                                            ///< Status::step_limit
-};
+/// M can run S: with dry friction, the smooth systems of its phases.
+template <class M, class S, class Real>
+struct CanRun : std::bool_constant<Method<M, S, Real>> {};
+template <class M, FrictionSystem S>
+struct CanRun<M, S, double> : std::bool_constant<Method<M, SlidingSystem<S>, double>> {};
 
-/// True if both are numbers.
-template <class Real>
-bool is_finite(const State<Real>& y) {
-  // One comparison for both: the difference of infinities is infinite or NaN, and neither compares.
-  return std::abs(value_of(y.x) - value_of(y.v)) <= std::numeric_limits<double>::max();
-}
-
-/// A system for any times: itself.
-template <class S>
-class OffGrid {
- public:
-  static constexpr int block = 128;
-  OffGrid(const S& system, double) : system_(system) {}
-  const S& from(double) { return system_; }
-
- private:
-  const S& system_;
-};
-
-/// A system ready for times t, t + spacing, ..., block of them: its own tabulated form if it has one, else
-/// itself.
-template <class S>
-class OnGrid : public OffGrid<S> {
-  using OffGrid<S>::OffGrid;
-};
-
-template <class S>
-requires requires(const S& system) { system.on_grid(1.0).move_to(0.0); }
-class OnGrid<S> {
- public:
-  static constexpr int block = S::block;
-  OnGrid(const S& system, double spacing) : tabulated_(system.on_grid(spacing)) {}
-  const auto& from(double first) {
-    tabulated_.move_to(first);
-    return tabulated_;
-  }
-
- private:
-  decltype(std::declval<const S&>().on_grid(1.0)) tabulated_;
-};
-
-/// Where a run stands. x and v lie apart on purpose: side by side, GCC keeps them in one vector register
-/// through the whole loop, and its shuffles lengthen the way x -> v -> x that limits the speed (W1 took 57 us
-/// instead of 45).
-template <class Real, class Memory>
-struct Progress {
-  Real x;
-  Memory memory;
-  long long accepted = 0;
-  long long newton_iterations = 0;
-  Real v;
-};
-
-/// Steps first to last - 1 of the grid from + n h. What changes is local here, so that it stays in registers;
-/// not inlined for the reason above.
-template <class S, class M, class Real, class Memory, class Recorder>
-[[gnu::noinline]] Status advance(const S& system, const M& method, double from, double h, long long first,
-                                 long long last, Progress<Real, Memory>& progress, Recorder& record) {
-  State<Real> y{progress.x, progress.v};
-  Memory memory = progress.memory;
-  long long n = first, newton_iterations = 0;
-  Status status = Status::reached_end;
-  double t = from + static_cast<double>(n) * h;
-  while (n < last) {
-    const Trial<Real> trial = method.step(system, t, h, y, memory);
-    newton_iterations += trial.newton_iterations;
-    if (!trial.converged) {
-      status = Status::no_convergence;
-      break;
-    }
-    if (!is_finite(trial.y)) {
-      status = Status::not_finite;
-      break;
-    }
-    y = trial.y;
-    ++n;
-    t = from + static_cast<double>(n) * h;
-    record(t, y);
-  }
-  progress = {y.x, memory, progress.accepted + (n - first), progress.newton_iterations + newton_iterations,
-              y.v};
-  return status;
-}
-
-/// Runs method on system over the interval (until >= from) from the start state, in steps of `step` > 0 [s];
-/// state n is at from + n step, never accumulated. The recorder is called with (t, state) of the start and of
-/// every accepted step, all finite. Deterministic; allocates nothing. Interrupt and progress are looked at
-/// every hundred steps or so.
+/// Runs method on system over the interval (until >= from) from the start state. The recorder is called with
+/// (t, state) of the start and of every row, all finite: rows are `step` apart, row n at from + n step, the
+/// last one at the end. A fixed-step method steps from row to row; an adaptive one chooses its own steps, by
+/// the tolerance. An event that stops is recorded as the last row. Deterministic.
 template <class S, class M, class Real, class Recorder>
-requires Method<M, S, Real> Outcome solve(const S& system, const M& method, Interval interval,
-                                          const State<Real>& start, double step, Recorder&& record,
-                                          const Watch& watch = {}, const Limits& limits = {}) {
-  // A method that asks at other times than a grid's gets the system as it is.
-  using Grid = std::conditional_t<(M::info.divisions > 0), OnGrid<S>, OffGrid<S>>;
-  constexpr int divisions = std::max(M::info.divisions, 1);
-  constexpr int block = Grid::block / divisions;
-  Grid grid(system, step / divisions);
-
-  const Steps steps = count_steps(interval, step);
-  const long long whole = std::min(steps.whole, limits.steps);
-  const auto time = [&](long long n) { return interval.from + static_cast<double>(n) * step; };
-
-  auto memory = method.start(system, interval.from, start);
-  Progress<Real, decltype(memory)> progress{start.x, memory, 0, 0, start.v};
-  record(interval.from, start);
-
-  Outcome outcome;
-  Status& status = outcome.status;
-  for (long long n = 0; n < whole && status == Status::reached_end; n += block) {
-    if (watch.interrupted()) {
-      outcome.interrupted = true;
-      status = Status::stopped_by_event;
-      break;
+requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
+    solve(const S& system, const M& method, Interval interval, const State<Real>& start, StepControl control,
+          Recorder&& record, const Watch& watch = {}, const Limits& limits = {},
+          std::type_identity_t<EventLog*> events = nullptr) {
+  const Lookout look{0, events};
+  if constexpr (AdaptiveMethod<M, S, Real>) {
+    assert((std::is_same_v<Real, double> || !look.anything()) && "events are for doubles");
+    const Rows rows{interval, control.step};
+    Course<Real> course{interval.from, start};
+    MotionScale scale;
+    record(course.t, start);
+    take_adaptive_steps(system, method, rows, control.tolerance, look, scale, course, record, watch, limits);
+    return course.outcome(rows, watch);
+  } else {
+    if constexpr (std::is_same_v<Real, double>) {
+      if (look.anything()) {
+        const Rows rows{interval, control.step};
+        Course<double> course{interval.from, start};
+        record(course.t, start);
+        take_fixed_steps(system, method, rows, look, course, record, watch, limits);
+        return course.outcome(rows, watch);
+      }
     }
-    if (watch.progress && n % (64 * block) == 0)
-      watch.progress(static_cast<double>(n) / static_cast<double>(steps.count()));
-    status = advance(grid.from(time(n)), method, interval.from, step, n, std::min(n + block, whole), progress,
-                     record);
+    assert(!look.anything() && "events are for doubles");
+    return take_uniform_steps(system, method, interval, start, control.step, record, watch, limits);
   }
-  outcome.t = time(progress.accepted);
-  if (status == Status::reached_end && whole < steps.count()) {
-    if (whole == limits.steps) {
-      status = Status::step_limit;
-    } else if (status = advance(system, method, outcome.t, steps.last, 0, 1, progress, record);
-               status == Status::reached_end) {
-      outcome.last_step = steps.last;
-      outcome.t += steps.last;
-    }
-  }
-  if (status == Status::reached_end && watch.progress) watch.progress(1.0);
+}
 
-  outcome.y = {value_of(progress.x), value_of(progress.v)};
-  outcome.step = progress.accepted;
-  outcome.counts = {.accepted = progress.accepted,
-                    .rejected = 0,
-                    .evaluations = M::info.evaluations_of(progress.accepted, progress.newton_iterations),
-                    .newton_iterations = progress.newton_iterations};
-  return outcome;
+/// The same with dry friction: phase by phase, each smooth. The moments where one ends are found to rounding
+/// by the method's own partial steps, which keeps its order.
+template <FrictionSystem S, class M, class Recorder>
+requires(CanRun<M, S, double>::value) Outcome
+    solve(const S& system, const M& method, Interval interval, const State<double>& start,
+          StepControl control, Recorder&& record, const Watch& watch = {}, const Limits& limits = {},
+          EventLog* events = nullptr) {
+  const Rows rows{interval, control.step};
+  Course<double> course{interval.from, start};
+  MotionScale scale;
+  record(course.t, start);
+  const auto slide = [&](const auto& smooth, int direction) {
+    const Lookout look{direction, events};
+    if constexpr (AdaptiveMethod<M, SlidingSystem<S>, double>)
+      take_adaptive_steps(smooth, method, rows, control.tolerance, look, scale, course, record, watch,
+                          limits);
+    else
+      take_fixed_steps(smooth, method, rows, look, course, record, watch, limits);
+  };
+  stick_and_slip(system, rows, course, slide, record, watch);
+  return course.outcome(rows, watch);
 }
 
 /// A method that cannot integrate this system (`exact` and a law without a closed form): to be refused
 /// before.
 template <class S, class M, class Real, class Recorder>
-requires(!Method<M, S, Real>) Outcome solve(const S&, const M&, Interval interval, const State<Real>& start,
-                                            double, Recorder&&, const Watch& = {}, const Limits& = {}) {
+requires(!CanRun<M, S, Real>::value) Outcome
+    solve(const S&, const M&, Interval interval, const State<Real>& start, StepControl, Recorder&&,
+          const Watch& = {}, const Limits& = {}, EventLog* = nullptr) {
   assert(false && "the method cannot integrate this system");
   Outcome outcome;
   outcome.status = Status::no_convergence;

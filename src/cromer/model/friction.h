@@ -1,0 +1,98 @@
+// Dry friction (Coulomb): a motion in phases, each of them smooth.
+//
+// While the mass slides the friction is a constant force against the velocity. At rest it balances whatever
+// pulls, up to the static friction: the mass sticks until the pull exceeds it, then slides with the pull. The
+// law is never the sign function of a small velocity, so nothing chatters and nothing needs smoothing;
+// run/stick_slip.h joins the phases where the velocity vanishes. C. A. de Coulomb, Theorie des machines
+// simples, 1785; J. P. Den Hartog, Trans. ASME 53, 107 (1931).
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cromer/base/dual.h"
+#include "cromer/base/state.h"
+#include "cromer/model/propagate.h"
+
+namespace cromer {
+
+/// A smooth system and a constant deceleration: what slides one way.
+template <class S, class Real>
+class Sliding {
+ public:
+  static constexpr bool depends_on_velocity = S::depends_on_velocity;
+
+  /// friction [m/s^2], signed: positive slows a positive velocity.
+  Sliding(const S& smooth, const Real& friction) : smooth_(smooth), friction_(friction) {}
+
+  /// [m/s^2]
+  template <class Time, class T>
+  T acceleration(const Time& t, const T& x, const T& v) const {
+    return smooth_.acceleration(t, x, v) - T(friction_);
+  }
+
+  /// The linear law without a drive: an arc about the place where spring and friction balance.
+  State<Real> propagate(const Real& t0, const Real& t, const State<Real>& y0) const requires
+      requires(const S& smooth) {
+    smooth.free_law();
+  }
+  {
+    LinearLaw<Real> law = smooth_.free_law();
+    law.drive_amplitude = -friction_;
+    return cromer::propagate(law, t0, t, y0);
+  }
+
+  /// No two zeros of the velocity lie closer [s]: half a period of the undamped motion.
+  double zero_spacing() const requires requires(const S& smooth) { smooth.free_law(); }
+  {
+    const double s = value_of(smooth_.free_law().stiffness);
+    return s > 0 ? std::numbers::pi / std::sqrt(s) : std::numeric_limits<double>::infinity();
+  }
+
+ private:
+  S smooth_;
+  Real friction_;
+};
+
+/// A smooth system with dry friction, per unit mass [m/s^2]: kinetic >= 0 while it moves, up to holding >=
+/// kinetic at rest.
+template <class S, class Real>
+class DryFriction {
+ public:
+  static constexpr bool depends_on_velocity = true;
+  static constexpr bool depends_on_time = S::depends_on_time;
+
+  DryFriction(const S& smooth, const Real& kinetic, const Real& holding)
+      : smooth_(smooth), kinetic_(kinetic), holding_(std::max(kinetic, holding)) {}
+
+  /// [m/s^2] At rest 0 if the mass sticks. A method needs the phases below instead: this jumps.
+  template <class Time, class T>
+  T acceleration(const Time& t, const T& x, const T& v) const {
+    const T smooth = smooth_.acceleration(t, x, v);
+    if (!(v == T(0))) return smooth - T(kinetic_) * sgn(v);
+    return smooth <= T(holding_) && -smooth <= T(holding_) ? T(0) : smooth - T(kinetic_) * sgn(smooth);
+  }
+
+  /// While it slides in the direction of velocities of this sign, 1 or -1.
+  Sliding<S, Real> sliding(int direction) const { return {smooth_, direction > 0 ? kinetic_ : -kinetic_}; }
+
+  /// What friction must balance to hold the mass at x [m/s^2].
+  Real pull(double t, const Real& x) const { return smooth_.acceleration(t, x, Real(0)); }
+
+  /// A time in which the pull on a mass at rest changes little [s]; infinite where that is not known.
+  double pull_spacing() const {
+    if constexpr (requires { smooth_.drive_period(); }) return smooth_.drive_period() / 64;
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// The most it balances [m/s^2].
+  Real holding() const { return holding_; }
+
+ private:
+  S smooth_;
+  Real kinetic_, holding_;
+};
+
+}  // namespace cromer

@@ -1,0 +1,59 @@
+// Events: the moments a motion passes a position or a velocity.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "cromer/base/state.h"
+
+namespace cromer {
+
+enum class Crossing { any, rising, falling };
+
+/// A threshold to watch for. A turning point is velocity = 0.
+struct Event {
+  enum class Quantity { position, velocity };
+
+  Quantity quantity = Quantity::velocity;
+  double value = 0;  // [m] or [m/s]
+  Crossing crossing = Crossing::any;
+  bool stop = false;  ///< the run ends there
+
+  /// Quantity minus value; the event is where it changes its sign.
+  double distance(const State<double>& y) const {
+    return (quantity == Quantity::position ? y.x : y.v) - value;
+  }
+
+  /// Whether going from one distance to another passes the event. A motion that starts on the threshold has
+  /// not passed it; one that arrives there has.
+  bool passed(double from, double to) const {
+    if (from == 0 || !(to == 0 || (from > 0) != (to > 0))) return false;
+    return crossing == Crossing::any || (crossing == Crossing::rising) == (from < 0);
+  }
+};
+
+/// One that happened.
+struct FoundEvent {
+  std::size_t event = 0;  ///< index into those watched for
+  double t = 0;           // [s]
+  State<double> y{};
+};
+
+/// What to watch for, and what was found, in order of time.
+struct EventLog {
+  static constexpr std::size_t most = 1'000'000;  ///< found events kept; more are counted only
+
+  std::vector<Event> events{};
+  std::vector<FoundEvent> found{};
+  long long missed = 0;  ///< found beyond `most`
+
+  void add(const FoundEvent& one) {
+    if (found.size() < most)
+      found.push_back(one);
+    else
+      ++missed;
+  }
+};
+
+}  // namespace cromer

@@ -1,0 +1,108 @@
+// What happens inside a step: events, and the moment a sliding mass comes to rest.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "cromer/base/state.h"
+#include "cromer/run/event.h"
+#include "cromer/run/root.h"
+
+namespace cromer {
+
+/// What to look for.
+struct Lookout {
+  int direction = 0;           ///< sign of the velocity while the mass slides; 0 without dry friction
+  EventLog* events = nullptr;  ///< nullptr or empty: none
+
+  bool anything() const { return direction != 0 || (events && !events->events.empty()); }
+};
+
+/// How far a step is good.
+struct Cut {
+  double theta = 1;  ///< of the step
+  State<double> y{};
+  bool at_rest = false;  ///< the sliding mass stopped there
+  bool stopped = false;  ///< an event ends the run there
+};
+
+/// A part of a step, from theta to theta.
+struct Part {
+  double from, to;
+  State<double> start, end;
+};
+
+/// Adds the events within the part of the step from t to t + h to the log; returns where the first one that
+/// stops is. Where the velocity changes sign in between, the parts before and after are looked at by
+/// themselves: each passes a position once.
+template <class StateAt>
+std::optional<double> log_events(EventLog& log, double t, double h, const Part& part,
+                                 const StateAt& state_at) {
+  std::vector<std::pair<double, std::size_t>> passed;
+  const auto look = [&](const Part& p) {
+    for (std::size_t i = 0; i < log.events.size(); ++i) {
+      const Event& event = log.events[i];
+      const double from = event.distance(p.start), to = event.distance(p.end);
+      if (event.passed(from, to))
+        passed.emplace_back(
+            find_root([&](double theta) { return event.distance(state_at(theta)); }, p.from, from, p.to, to),
+            i);
+    }
+  };
+  if (part.start.v * part.end.v < 0) {
+    const double turn = find_root([&](double theta) { return state_at(theta).v; }, part.from, part.start.v,
+                                  part.to, part.end.v);
+    const State<double> y = state_at(turn);
+    // The velocity there is 0 but for rounding; on the far side it is neither.
+    look({part.from, turn, part.start, {y.x, 0}});
+    look({turn, part.to, {y.x, 0}, part.end});
+  } else {
+    look(part);
+  }
+  std::sort(passed.begin(), passed.end());
+  for (const auto& [theta, event] : passed) {
+    log.add({event, t + theta * h, theta == part.to ? part.end : state_at(theta)});
+    if (log.events[event].stop) return theta;
+  }
+  return std::nullopt;
+}
+
+/// Looks through the step from y0 at t to y1 at t + h in `pieces` equal parts. state_at(theta) is the state
+/// inside the step; exactly(theta) is what a step of just that length gives, for the moment of rest: from
+/// there the motion goes on.
+template <class StateAt, class Exactly>
+Cut look_inside(const Lookout& look, double t, double h, const State<double>& y0, const State<double>& y1,
+                int pieces, const StateAt& state_at, const Exactly& exactly) {
+  const auto slides = [&](const State<double>& y) { return y.v * look.direction > 0; };
+  Part part{0, 0, y0, y0};
+  for (int i = 1; i <= pieces; ++i) {
+    part = {part.to, static_cast<double>(i) / pieces, part.end, y1};
+    if (i < pieces) part.end = state_at(part.to);
+    bool at_rest = false;
+    if (look.direction != 0 && !slides(part.end)) {
+      // It slid and stopped; or it began to slide in this part and stopped again; or rounding is all there is
+      // to see of a pull that just balances the friction: then it stays where it is for this step.
+      double from = part.from;
+      State<double> moving = part.start;
+      for (int halvings = 0; !slides(moving) && halvings < 8; ++halvings) {
+        from = part.from +
+               (part.to - part.from) * std::array{0.5, 0.25, 0.75, 0.1, 0.9, 0.03, 0.01, 0.001}[halvings];
+        moving = exactly(from);
+      }
+      if (!slides(moving)) return {.theta = 1, .y = {part.start.x, 0}, .at_rest = true};
+      part.to = find_root([&](double theta) { return exactly(theta).v; }, from, moving.v, part.to,
+                          exactly(part.to).v);
+      part.end = {exactly(part.to).x, 0};
+      at_rest = true;
+    }
+    if (look.events)
+      if (const auto stop = log_events(*look.events, t, h, part, state_at))
+        return {.theta = *stop, .y = *stop == part.to ? part.end : state_at(*stop), .stopped = true};
+    if (at_rest) return {.theta = part.to, .y = part.end, .at_rest = true};
+  }
+  return {.theta = 1, .y = y1};
+}
+
+}  // namespace cromer
