@@ -30,13 +30,14 @@ struct SampledDrive {
   }
 };
 
-/// The recording as a function of time, per unit mass; before and after it the first and the last value. The
-/// samples must outlive it. An evaluation looks its interval up directly.
+/// The recording as a function of time, per unit mass; before and after it the first and the last value. An
+/// evaluation looks its interval up directly.
 template <class Real>
 class SampledForce {
  public:
   SampledForce(const SampledDrive& drive, const Real& mass)
-      : samples_(drive.force->data()),
+      : owner_(drive.force),
+        samples_(drive.force->data()),
         last_(drive.force->size() - 1),
         spacing_(drive.spacing),
         per_spacing_(1 / drive.spacing),
@@ -85,6 +86,7 @@ class SampledForce {
     return shifted >= static_cast<double>(last_) ? last_ : static_cast<std::size_t>(shifted);
   }
 
+  std::shared_ptr<const std::vector<double>> owner_;
   const double* samples_;
   std::size_t last_;
   double spacing_, per_spacing_;

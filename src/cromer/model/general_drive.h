@@ -1,0 +1,52 @@
+// Drives other than the harmonic one, as one type; with_terms tells them apart once, outside every loop.
+#pragma once
+
+#include <utility>
+#include <variant>
+
+#include "cromer/model/chirp.h"
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/model/friction.h"
+#include "cromer/model/pulse.h"
+#include "cromer/model/sampled_drive.h"
+
+namespace cromer {
+
+template <class Real>
+using GeneralDrive = std::variant<PulseDrive<Real>, ChirpDrive<Real>, SampledDrive>;
+
+template <class Real>
+PulseForce<Real> force_of(const PulseDrive<Real>& drive, const Real& mass) {
+  return {drive, mass};
+}
+template <class Real>
+ChirpForce<Real> force_of(const ChirpDrive<Real>& drive, const Real& mass) {
+  return {drive, mass};
+}
+template <class Real>
+SampledForce<Real> force_of(const SampledDrive& drive, const Real& mass) {
+  return {drive, mass};
+}
+
+/// As with_terms of a harmonic drive, with three sets of terms only (linear, all but friction, all): each
+/// force would multiply the instantiations.
+template <class Real, class F>
+decltype(auto) with_terms(const Oscillator<Real>& oscillator, const GeneralDrive<Real>& drive, F&& f) {
+  constexpr Terms linear{.drive = true, .damping = true};
+  constexpr Terms smooth{.drive = true, .damping = true, .cubic = true, .drag = true};
+  const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
+  const Oscillator<Real> per_mass = divided_by_mass(oscillator);
+  return std::visit(
+      [&](const auto& one) -> decltype(auto) {
+        const auto force = force_of(one, oscillator.mass);
+        using Force = std::remove_const_t<decltype(force)>;
+        const DrivenOscillator<Real, smooth, Force> system(per_mass, force);
+        if (present.friction)
+          return std::forward<F>(f)(DryFriction(system, per_mass.friction, per_mass.static_friction));
+        if (present.cubic || present.drag) return std::forward<F>(f)(system);
+        return std::forward<F>(f)(DrivenOscillator<Real, linear, Force>(per_mass, force));
+      },
+      drive);
+}
+
+}  // namespace cromer
