@@ -30,7 +30,10 @@ bool is_missing_mark(std::string_view cell) {
 }  // namespace
 
 CellReader::CellReader(std::string_view line, const Layout& layout)
-    : rest_(line), separator_(layout.separator), paired_(layout.separator == ',' && layout.decimal == ',') {
+    : rest_(line),
+      separator_(layout.separator),
+      decimal_(layout.decimal),
+      paired_(layout.separator == ',' && layout.decimal == ',') {
   if (separator_ == ' ') rest_ = trimmed(rest_);
 }
 
@@ -63,6 +66,19 @@ bool CellReader::next(std::string_view& cell) {
   more_ = end < rest_.size();
   if (more_) rest_.remove_prefix(end + 1);
   if (separator_ == ' ') rest_ = rest_.substr(std::min(rest_.find_first_not_of(" \t"), rest_.size()));
+  return true;
+}
+
+bool CellReader::next_number(double& value) {
+  if (!more_ || paired_ || separator_ == ' ') return false;
+  const auto number = leading_number(rest_, decimal_);
+  if (!number || !std::isfinite(number->value)) return false;
+  const bool last = number->length == rest_.size();
+  const bool open = decimal_ == ',' && rest_[number->length - 1] == ',';
+  if (open || (!last && rest_[number->length] != separator_)) return false;
+  value = number->value;
+  more_ = !last;
+  if (more_) rest_.remove_prefix(number->length + 1);
   return true;
 }
 

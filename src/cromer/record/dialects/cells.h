@@ -22,11 +22,16 @@ class CellReader {
   /// The next cell; false at the end of the line.
   bool next(std::string_view& cell);
 
+  /// Takes the next cell if it is a plain number right up to the separator, the usual case, without looking
+  /// for its end first; else nothing is taken and next() decides.
+  bool next_number(double& value);
+
  private:
   std::size_t cell_end() const;
 
   std::string_view rest_;
   char separator_;
+  char decimal_;
   bool paired_;  ///< comma both as separator and as decimal mark: two pieces make one cell
   bool more_ = true;
 };

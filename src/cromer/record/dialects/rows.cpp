@@ -40,7 +40,12 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t d
     CellReader reader(line, layout);
     std::size_t count = 0;
     std::string bad;
-    for (std::string_view text; bad.empty() && reader.next(text);) {
+    for (std::string_view text; bad.empty();) {
+      if (count < layout.columns && reader.next_number(row[count])) {
+        ++count;
+        continue;
+      }
+      if (!reader.next(text)) break;
       if (count >= layout.columns) {
         if (text.empty()) continue;
         bad = concat({"there are more values than the ", std::to_string(layout.columns), " columns", cure});
