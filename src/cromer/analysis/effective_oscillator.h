@@ -52,12 +52,12 @@ struct EffectiveOscillator {
 /// The map of one step h > 0 of the method on the law.
 template <class M>
 StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
-  using Column = std::array<Precise, 3>;
+  using Image = std::array<Precise, 3>;
   StepMap map;
   const Precise h = step;
   const Oscillator<Precise> per_mass{
       .mass = 1, .stiffness = law.stiffness, .damping = 2 * Precise(law.decay_rate)};
-  const auto image = [&]<Terms terms>(const Column& z, const HarmonicForce<Precise>& force) {
+  const auto image = [&]<Terms terms>(const Image& z, const HarmonicForce<Precise>& force) {
     const DrivenOscillator<Precise, terms> system(per_mass, force);
     const State<Precise> y{z[0], z[1] / h};
     auto memory = method.start(system, Precise(0), y);
@@ -67,12 +67,12 @@ StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
     }
     const auto trial = method.step(system, Precise(0), h, y, memory);
     map.converged = map.converged && trial.converged;
-    Column result{trial.y.x, h * trial.y.v, 0};
+    Image result{trial.y.x, h * trial.y.v, 0};
     if constexpr (CarriesAcceleration<M, decltype(memory)>) result[2] = h * h * method.carried(memory);
     return result;
   };
   // Undamped, methods may spare an equation: the run would, so the map does.
-  const auto free = [&](const Column& z) {
+  const auto free = [&](const Image& z) {
     return law.decay_rate == 0 ? image.template operator()<Terms{}>(z, {})
                                : image.template operator()<Terms{.damping = true}>(z, {});
   };
@@ -83,7 +83,7 @@ StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
       return image.template operator()<Terms{.drive = true, .damping = true}>(
           {0, 0, 0}, {law.drive_amplitude, law.drive_frequency, phase});
     };
-    const Column real = driven(0), imaginary = driven(-std::numbers::pi_v<Precise> / 2);
+    const Image real = driven(0), imaginary = driven(-std::numbers::pi_v<Precise> / 2);
     for (std::size_t i = 0; i < 3; ++i) map.drive[i] = {real[i], imaginary[i]};
   }
   return map;

@@ -19,6 +19,7 @@
 #include "cromer/methods/heun.h"
 #include "cromer/methods/implicit_euler.h"
 #include "cromer/methods/implicit_midpoint.h"
+#include "cromer/methods/method_settings.h"
 #include "cromer/methods/newmark.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/methods/verlet.h"
@@ -28,16 +29,6 @@ namespace cromer {
 
 using AllMethods = std::tuple<ForwardEuler, EulerCromer, ImplicitEuler, Verlet, Newmark, ImplicitMidpoint,
                               GeneralizedAlpha, Heun, Rk4, Yoshida4, GaussLegendre4, DormandPrince, Exact>;
-
-/// What a run may set; a method takes what it has a use for.
-struct MethodSettings {
-  NewtonOptions newton;
-  double beta = Newmark{}.beta;                 ///< 0 to 1
-  double gamma = Newmark{}.gamma;               ///< 0 to 1
-  double rho_inf = GeneralizedAlpha{}.rho_inf;  ///< 0 to 1
-
-  friend bool operator==(const MethodSettings&, const MethodSettings&) = default;
-};
 
 template <class M>
 constexpr M make_method(const MethodSettings& settings) {

@@ -1,6 +1,12 @@
 #include "cromer/study/task/methods.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "cromer/methods/all.h"
 
@@ -8,13 +14,14 @@ namespace cromer {
 namespace {
 
 TEST(ListMethods, HasTheRegistryInItsOrder) {
-  const auto rows = list_methods();
+  const auto rows = *list_methods();
   ASSERT_EQ(rows.size(), method_names.size());
   for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(rows[i].name, method_names[i]);
 }
 
 TEST(ListMethods, SaysWhatTheTheorySays) {
-  for (const auto& row : list_methods()) {
+  const auto rows = *list_methods();
+  for (const auto& row : rows) {
     if (row.name == "exact") {
       EXPECT_FALSE(row.order);
     }
@@ -32,6 +39,80 @@ TEST(ListMethods, SaysWhatTheTheorySays) {
     }
     EXPECT_FALSE(row.source.empty()) << row.name;
   }
+}
+
+MethodRow row_of(std::string_view name, const MethodsOptions& options) {
+  const auto rows = list_methods(options);
+  EXPECT_TRUE(rows.ok());
+  for (const auto& row : *rows)
+    if (row.name == name) return row;
+  ADD_FAILURE() << name;
+  return {};
+}
+
+const MethodsOptions theory{.natural_frequency = 6, .damping_ratio = 0.15 / 6, .step = 0.01};
+
+TEST(ListMethods, SayWhatTheyReallySimulate) {
+  const MethodRow growing = row_of("forward-euler", theory);
+  EXPECT_NEAR(*growing.effect->effective.decay_rate, -0.030, 5e-4);
+  EXPECT_FALSE(growing.effect->stable);
+  EXPECT_NEAR(*growing.effect->stability_limit, 2 * 0.15 / 36, 1e-12);
+  EXPECT_GT(*growing.effect->effective.energy_factor(), 1);
+  EXPECT_THAT(growing.words, testing::HasSubstr("turns damping of 0.15 1/s into growth of 0.0"));
+  EXPECT_THAT(row_of("euler-cromer", theory).words, testing::HasSubstr("0.1502"));
+  EXPECT_THAT(row_of("rk4", theory).words, testing::HasSubstr("keeps damping of 0.15 1/s"));
+  EXPECT_FALSE(row_of("implicit-euler", theory).effect->stability_limit);
+  EXPECT_FALSE(row_of("dormand-prince", theory).effect);
+}
+
+TEST(ListMethods, ExactIsItsOwnOscillatorAtAnyStep) {
+  auto options = theory;
+  options.step = 2;  // more than half a period
+  const auto effect = row_of("exact", options).effect;
+  EXPECT_EQ(*effect->effective.decay_rate, 0.15);
+  EXPECT_DOUBLE_EQ(*effect->effective.angular_frequency, std::sqrt(36 - 0.15 * 0.15));
+  EXPECT_TRUE(effect->stable);
+}
+
+TEST(ListMethods, WhatDoesNotSwingHasNoRates) {
+  auto options = theory;
+  options.damping_ratio = 2;
+  const auto rows = *list_methods(options);
+  for (const auto& row : rows) {
+    if (row.name != "exact" && row.name != "verlet") continue;
+    EXPECT_FALSE(row.effect->effective.decay_rate || row.effect->effective.energy_factor()) << row.name;
+    EXPECT_EQ(row.words, "does not swing, as it should") << row.name;
+  }
+}
+
+TEST(ListMethods, OptionsReachTheMethods) {
+  auto options = theory;
+  options.beta = 0;
+  EXPECT_NEAR(*row_of("newmark", options).effect->stability_limit, 2.0 / 6, 1e-6);
+  options.rho_inf = 0;
+  options.step = 1000;
+  EXPECT_LT(row_of("generalized-alpha", options).effect->effective.spectral_radius, 0.02);
+}
+
+TEST(ListMethods, RefusesWhatItCannotUse) {
+  const auto message = [](const MethodsOptions& options) {
+    const auto rows = list_methods(options);
+    return rows ? "" : rows.error().message;
+  };
+  EXPECT_THAT(message({.natural_frequency = 6}),
+              testing::StartsWith("--natural-frequency: it needs a --step"));
+  EXPECT_THAT(message({.step = 0.1}), testing::StartsWith("--step: it needs a --natural-frequency"));
+  EXPECT_THAT(message({.damping_ratio = 0.1}), testing::StartsWith("--damping-ratio: it needs"));
+  EXPECT_THAT(message({.natural_frequency = -6, .step = 0.1}), testing::HasSubstr("be positive"));
+  EXPECT_THAT(message({.natural_frequency = 6, .step = 0.1, .rho_inf = 1.5}),
+              testing::HasSubstr("lie between 0 and 1"));
+}
+
+TEST(MethodsPage, HasTheTableOfTheRegistry) {
+  std::ifstream file(CROMER_SOURCE_DIR "/docs/methods.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_THAT(page, testing::HasSubstr(methods_in_markdown()))
+      << "put the output of `cromer methods --markdown` into docs/methods.md";
 }
 
 }  // namespace

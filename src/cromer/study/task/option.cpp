@@ -28,8 +28,12 @@ bool in_range(Range range, double value) {
       return value > 0;
     case Range::not_negative:
       return value >= 0;
+    case Range::fraction:
+      return value >= 0 && value <= 1;
     case Range::tolerance:
       return value >= 1e-15 && value <= 1e-2;
+    case Range::accuracy:
+      return value >= 1e-9 && value <= 0.5;
     case Range::air_temperature:
       return value >= 100 && value <= 1900;
   }
@@ -172,8 +176,12 @@ std::string_view constraint(Range range) {
       return "be positive";
     case Range::not_negative:
       return "not be negative";
+    case Range::fraction:
+      return "lie between 0 and 1";
     case Range::tolerance:
       return "lie between 1e-15 and 1e-2";
+    case Range::accuracy:
+      return "lie between 1e-9 and 0.5";
     case Range::air_temperature:
       return "lie between 100 K and 1900 K (for instance \"20 °C\")";
   }

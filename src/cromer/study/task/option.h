@@ -16,9 +16,10 @@ struct SimulateOptions;
 struct ReadOptions;
 struct FitOptions;
 struct CompareOptions;
+struct MethodsOptions;
 
 /// What a value must satisfy.
-enum class Range { any, positive, not_negative, tolerance, air_temperature };
+enum class Range { any, positive, not_negative, fraction, tolerance, accuracy, air_temperature };
 
 /// The constraint in words, to follow "it must": "be positive"; empty for any.
 std::string_view constraint(Range range);
@@ -56,6 +57,7 @@ std::vector<Option> options_of(SimulateOptions& options);
 std::vector<Option> options_of(ReadOptions& options);
 std::vector<Option> options_of(FitOptions& options);      ///< with those of its ReadOptions
 std::vector<Option> options_of(CompareOptions& options);  ///< with those of its FitOptions
+std::vector<Option> options_of(MethodsOptions& options);
 
 /// Reads `text` (a quantity with unit, a whole number, a word, "true" or "false" for a flag) into the target;
 /// a list grows by one. An Error names the option, the text and what was expected.

@@ -1,0 +1,26 @@
+// A method's effect as the contract's "effective" object and what goes with it.
+#pragma once
+
+#include <optional>
+
+#include "cromer/study/json/json.h"
+#include "cromer/study/task/method_effect.h"
+
+namespace cromer {
+
+inline Json json_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+inline Json to_json(const EffectiveOscillator& effective) {
+  Json eigenvalues = Json::array();
+  for (const auto& z : effective.eigenvalues) eigenvalues.push_back({z.re, z.im});
+  Json object{{"decay_rate", json_or_null(effective.decay_rate)},
+              {"angular_frequency", json_or_null(effective.angular_frequency)},
+              {"spectral_radius", effective.spectral_radius},
+              {"eigenvalues", std::move(eigenvalues)}};
+  if (effective.steady_state)
+    object["steady_state"] = {{"amplitude", effective.steady_state->amplitude},
+                              {"phase", effective.steady_state->phase_lag}};
+  return object;
+}
+
+}  // namespace cromer

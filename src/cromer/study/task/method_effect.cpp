@@ -1,0 +1,85 @@
+#include "cromer/study/task/method_effect.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cromer/base/quantity.h"
+#include "cromer/methods/all.h"
+
+namespace cromer {
+namespace {
+
+/// Angular frequency of the free motion; empty if it does not swing.
+std::optional<double> free_frequency(const LinearLaw<double>& law) {
+  const double squared = law.stiffness - law.decay_rate * law.decay_rate;
+  return squared > 0 ? std::optional(std::sqrt(squared)) : std::nullopt;
+}
+
+/// Equal to four digits or, of a rate, to a ten-millionth of the frequency.
+bool keeps(double effective, double true_value, double frequency) {
+  return std::abs(effective - true_value) <= 5e-5 * std::abs(true_value) + 1e-7 * frequency;
+}
+
+std::string rate_in_words(double effective, double b, double frequency) {
+  if (keeps(effective, b, frequency))
+    return b > 0 ? fmt::format("keeps damping of {:.4g} 1/s", b) : "adds no damping";
+  const char* kind = effective < 0 ? "growth" : "damping";
+  if (b == 0) return fmt::format("adds {} of {:.4g} 1/s", kind, std::abs(effective));
+  return fmt::format("turns damping of {:.4g} 1/s into {}{:.4g} 1/s", b, effective < 0 ? "growth of " : "",
+                     std::abs(effective));
+}
+
+}  // namespace
+
+std::optional<MethodEffect> method_effect(std::string_view method, const MethodSettings& settings,
+                                          const LinearLaw<double>& law, double h, bool with_limit) {
+  if (find_method(method)->error_order > 0) return std::nullopt;
+  MethodEffect result;
+  visit_method(method, settings, [&](const auto& m) {
+    result.effective = effective_oscillator(m, law, h);
+    result.stable = result.effective.stable();
+    if (law.stiffness > 0 && (with_limit || !result.stable)) {
+      result.stability_limit = stability_limit(m, law);
+      // Where every step is stable a radius above 1 is rounding.
+      result.stable = result.stable || !result.stability_limit;
+    }
+    return 0;
+  });
+  if (std::isnan(result.effective.spectral_radius)) return std::nullopt;
+  if (method == "exact") {
+    // Also where the step is too long to show the frequency.
+    result.effective.angular_frequency = free_frequency(law);
+    result.effective.decay_rate =
+        result.effective.angular_frequency ? std::optional(law.decay_rate) : std::nullopt;
+  }
+  return result;
+}
+
+std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law) {
+  const auto frequency = free_frequency(law);
+  const EffectiveOscillator& effective = effect.effective;
+  if (!effective.decay_rate || !effective.angular_frequency) {
+    const bool hops = effective.eigenvalues.front().re < 0;
+    if (!effect.stable) return hops ? "grows, with another sign each step" : "grows without swinging";
+    return frequency ? "does not swing any more" : "does not swing, as it should";
+  }
+  if (!frequency)
+    return fmt::format("swings at {:.4g} rad/s, which it should not", *effective.angular_frequency);
+  std::string words = rate_in_words(*effective.decay_rate, law.decay_rate, *frequency);
+  if (keeps(*effective.angular_frequency, *frequency, 0))
+    return words + fmt::format(", keeps {:.6g} rad/s", *frequency);
+  return words +
+         fmt::format(", turns {:.6g} rad/s into {:.6g} rad/s", *frequency, *effective.angular_frequency);
+}
+
+std::string instability_warning(std::string_view method, const MethodEffect& effect, double h) {
+  if (effect.stable || !effect.stability_limit) return "";
+  if (*effect.stability_limit == 0)
+    return fmt::format("{} is unstable for this law whatever the step: the motion will grow", method);
+  return fmt::format(
+      "--step: {} s is beyond the stability limit of {} for this law, {:.6g} s: the motion will grow",
+      shortest(h), method, *effect.stability_limit);
+}
+
+}  // namespace cromer

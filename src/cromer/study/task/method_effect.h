@@ -1,0 +1,34 @@
+// What a method with a step really simulates, in numbers and in words.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "cromer/analysis/effective_oscillator.h"
+#include "cromer/methods/method_settings.h"
+#include "cromer/model/propagate.h"
+
+namespace cromer {
+
+/// A method's effect on the linear law.
+struct MethodEffect {
+  EffectiveOscillator effective{};
+  bool stable = true;
+  std::optional<double> stability_limit{};  // [s] 0 where no step is stable; empty where there is no limit
+};
+
+/// Of the method of that name (check_method_name) with steps h > 0 [s]; empty for adaptive methods, which
+/// choose their steps, and where an implicit method finds no solution. `exact` is its own oscillator. The
+/// limit is looked for where the step is unstable or `with_limit` asks; a law without spring has none.
+std::optional<MethodEffect> method_effect(std::string_view method, const MethodSettings& settings,
+                                          const LinearLaw<double>& law, double h, bool with_limit);
+
+/// "turns damping of 0.15 1/s into growth of 0.02998 1/s and 5.998 rad/s into 5.989 rad/s": what became of
+/// decay rate and frequency.
+std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law);
+
+/// Warning of a step beyond the limit, which it names; empty if there is none.
+std::string instability_warning(std::string_view method, const MethodEffect& effect, double h);
+
+}  // namespace cromer
