@@ -56,6 +56,9 @@ TEST(Inspect, SaysWhatIsInAFileAndConvertsIt) {
   EXPECT_EQ(document["separator"], "semicolon");
   EXPECT_EQ(document["samples"], 4);
   EXPECT_NEAR(document["rate"].get<double>(), 100, 1e-9);
+  EXPECT_EQ(document["columns"][0]["name"], document["time_column"]);
+  EXPECT_EQ(document["columns"][1]["samples"], 4);
+  EXPECT_EQ(document["columns"][1]["time_column"], document["time_column"]);
   EXPECT_EQ(document["columns"][1]["unit"], "mm");
   EXPECT_EQ(document["columns"][1]["quantity"], "position");
   EXPECT_EQ(folder.read("clean.csv"), "Time (s),Position (mm)\n0,1.5\n0.01,1.75\n0.02,2\n0.03,2.5\n");

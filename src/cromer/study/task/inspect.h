@@ -16,7 +16,9 @@ struct InspectedColumn {
   std::string time_column;  ///< the one it is taken with, with unit; "" of a time, and where there is none
 };
 
-/// What `cromer inspect` says: of the whole file, and of the column that a fit would take in each run.
+/// In JSON a column's name is its title, "Time (s)": as time_column spells it, and as --column and
+/// --time-column take it (they also take the bare name). What `cromer inspect` says: of the whole file, and
+/// of the column that a fit would take in each run.
 struct Inspection {
   Recording recording;
   std::vector<InspectedColumn> columns;  ///< as in the table
