@@ -1,9 +1,12 @@
 // The work that benchmarks time and tests check.
 #pragma once
 
+#include <cmath>
+
 #include "cromer/base/state.h"
 #include "cromer/model/drive.h"
 #include "cromer/model/oscillator.h"
+#include "cromer/model/terms.h"
 #include "cromer/run/steps.h"
 
 namespace cromer::bench {
@@ -23,5 +26,16 @@ inline constexpr ForcedRun forced_runs[] = {
     {"linear", {.mass = 1, .stiffness = 9, .damping = 0.2}},
     {"with cubic and drag", {.mass = 1, .stiffness = 9, .damping = 0.2, .drag = 0.05, .cubic = 2}},
 };
+
+/// The law as the peers are given it, its cosine in every evaluation, with the terms the run has [m/s^2].
+template <Terms terms>
+double acceleration(const ForcedRun& run, double t, double x, double v) {
+  const Oscillator<double>& o = run.oscillator;
+  double force = run.drive.amplitude * std::cos(run.drive.frequency * t + run.drive.phase) - o.stiffness * x -
+                 o.damping * v;
+  if constexpr (terms.cubic) force -= o.cubic * x * x * x;
+  if constexpr (terms.drag) force -= o.drag * v * std::abs(v);
+  return force / o.mass;
+}
 
 }  // namespace cromer::bench
