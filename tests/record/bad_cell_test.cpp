@@ -23,12 +23,12 @@ std::string refusal(std::string_view text, bool skip = false) {
 
 TEST(BadCell, IsCalledByItsName) {
   using dialects::bad_cell;
-  EXPECT_EQ(bad_cell("1,000.0", '.'), "a number with thousands separators: write 1000.0");
-  EXPECT_EQ(bad_cell("-1.234.567,5", ','), "a number with thousands separators: write -1234567.5");
-  EXPECT_EQ(bad_cell("12:00:00.50", '.'), "a clock time: write the seconds since the start");
-  EXPECT_EQ(bad_cell("2024-03-01T12:00:00", '.'), "a date: write the seconds since the start");
-  EXPECT_EQ(bad_cell("01.03.2024", '.'), "a date: write the seconds since the start");
-  EXPECT_EQ(bad_cell("1.5D-03", '.'), "a number with Fortran's exponent: write 1.5E-03");
+  EXPECT_EQ(bad_cell("1,000.0", '.'), "it has thousands separators: write 1000.0");
+  EXPECT_EQ(bad_cell("-1.234.567,5", ','), "it has thousands separators: write -1234567.5");
+  EXPECT_EQ(bad_cell("12:00:00.50", '.'), "it is a clock time: write the seconds since the start");
+  EXPECT_EQ(bad_cell("2024-03-01T12:00:00", '.'), "it is a date: write the seconds since the start");
+  EXPECT_EQ(bad_cell("01.03.2024", '.'), "it is a date: write the seconds since the start");
+  EXPECT_EQ(bad_cell("1.5D-03", '.'), "it has Fortran's exponent: write 1.5E-03");
   EXPECT_THAT(bad_cell("-1e309", '.'), HasSubstr("too large"));
   EXPECT_THAT(bad_cell("1,5", '.'), HasSubstr("the decimal mark of this file is a point"));
   EXPECT_EQ(bad_cell("abc", '.'), "");
@@ -47,7 +47,7 @@ TEST(BadCell, IsNamedWhereNoRowIsLeft) {
   for (const bool skip : {false, true}) {
     EXPECT_THAT(
         refusal("t,x\n12:00:00.50,1.5\n12:00:00.60,2.5\n", skip),
-        AllOf(StartsWith("lab.csv:2: "), HasSubstr("\"12:00:00.50\" is not a number but a clock time")));
+        AllOf(StartsWith("lab.csv:2: "), HasSubstr("\"12:00:00.50\" is not a number; it is a clock time")));
     EXPECT_THAT(refusal("t;x\n0;1,001.0\n1;1,000.0\n", skip),
                 AllOf(StartsWith("lab.csv:2: "), HasSubstr("write 1001.0")));
     EXPECT_THAT(refusal("t x\n0.0D0 1.5D-03\n1.0D0 2.5D-03\n", skip),

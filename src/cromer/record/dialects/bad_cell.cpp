@@ -70,18 +70,18 @@ std::string without_fortran(std::string_view cell, char decimal) {
 
 std::string bad_cell(std::string_view cell, char decimal) {
   const std::string shape = shape_of(cell);
-  if (is_date(shape)) return "a date: write the seconds since the start";
-  if (is_clock(shape)) return "a clock time: write the seconds since the start";
+  if (is_date(shape)) return "it is a date: write the seconds since the start";
+  if (is_clock(shape)) return "it is a clock time: write the seconds since the start";
   if (const std::string plain = without_thousands(cell); !plain.empty())
-    return concat({"a number with thousands separators: write ", plain});
+    return concat({"it has thousands separators: write ", plain});
   if (const std::string plain = without_fortran(cell, decimal); !plain.empty())
-    return concat({"a number with Fortran's exponent: write ", plain});
+    return concat({"it has Fortran's exponent: write ", plain});
   if (const auto number = leading_number(cell, decimal);
       number && number->length == cell.size() && !std::isfinite(number->value))
-    return "too large for one: they end at 1.8e308";
+    return "it is too large: numbers end at 1.8e308";
   const char other = decimal == '.' ? ',' : '.';
   if (read_cell(cell, other).kind == CellKind::number)
-    return concat({"one elsewhere: the decimal mark of this file is a ", decimal == '.' ? "point" : "comma"});
+    return concat({"the decimal mark of this file is a ", decimal == '.' ? "point" : "comma"});
   return {};
 }
 

@@ -6,7 +6,7 @@
 
 namespace cromer::dialects {
 
-/// "a clock time: write the seconds since the start", "a number with thousands separators: write 1000.0",
+/// "it is a clock time: write the seconds since the start", "it has thousands separators: write 1000.0",
 /// ...;
 /// "" where nothing is recognised. Also dates, Fortran's D exponents, numbers beyond the doubles, and the
 /// other decimal mark.

@@ -13,7 +13,7 @@ constexpr std::string_view cure = "; --skip-bad-rows drops such rows";
 
 std::string complaint(std::string_view cell, const std::string& name, char decimal) {
   std::string text = concat({"column \"", name, "\": ", quoted(cell), " is not a number"});
-  if (const std::string seen = bad_cell(cell, decimal); !seen.empty()) text += concat({" but ", seen});
+  if (const std::string seen = bad_cell(cell, decimal); !seen.empty()) text += concat({"; ", seen});
   return text.append(cure);
 }
 
@@ -96,7 +96,7 @@ std::string no_rows(const std::vector<std::string_view>& lines, std::string_view
     }
     if (!bad.empty())
       return concat({":", std::to_string(i + 1), ": no rows of numbers are found: ", quoted(bad),
-                     " is not a number but ", seen});
+                     " is not a number; ", seen});
   }
   return concat({": ", reason});
 }
