@@ -16,8 +16,8 @@ TEST(FindRoot, IsRightToRoundingWithFewEvaluations) {
     };
   };
   const auto root = [&](auto f, double a, double b) { return find_root(counted(f), a, f(a), b, f(b)); };
-  EXPECT_NEAR(root([](double x) { return std::cos(x); }, 0, 3), std::acos(0), 5e-16);
-  EXPECT_NEAR(root([](double x) { return x * x - 2; }, 0, 2), std::sqrt(2), 5e-16);
+  EXPECT_NEAR(root([](double x) { return std::cos(x); }, 0, 3), std::acos(0), 1e-15);
+  EXPECT_NEAR(root([](double x) { return x * x - 2; }, 0, 2), std::sqrt(2), 1e-15);
   EXPECT_NEAR(root([](double x) { return 1e9 * (x - 0.3); }, 0, 1), 0.3, 1e-16);
   EXPECT_LT(evaluations, 40);
   // Flat at the root: bisection, all the way.

@@ -20,7 +20,7 @@ namespace cromer {
 /// step_too_small where that would take steps that time cannot resolve.
 template <class S, class M, class Real, class Recorder>
 requires AdaptiveMethod<M, S, Real>
-void take_adaptive_steps(const S& system, const M& method, const Rows& rows, double tolerance,
+void take_adaptive_steps(const S& system, const M& method, const Rows& rows, const StepControl& control,
                          const Lookout& look, MotionScale& scale, Course<Real>& course, Recorder& record,
                          const Watch& watch, const Limits& limits) {
   constexpr int parts = 8;  // a long step may pass a threshold more than once
@@ -30,13 +30,14 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, dou
   scale.include(course.y);
   const double end = rows.time(rows.last());
   PiController controller(M::info.error_order);
-  double h = first_step(course.y, system.acceleration(course.t, course.y.x, course.y.v), tolerance,
-                        M::info.error_order, std::min(rows.step, end - course.t));
+  double h = first_step(course.y, system.acceleration(course.t, course.y.x, course.y.v), control.tolerance,
+                        M::info.error_order, rows.step);
   while (course.goes_on(rows) && !course.at_rest) {
     course.look_up(rows, watch, limits);
     if (course.status != Status::reached_end) return;
     // What would be left for one more step is shared between two.
     const double left = end - course.t;
+    h = std::min(h, control.longest);
     const bool last = h >= left * (1 - 1e-12);
     if (last)
       h = left;
@@ -48,8 +49,8 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, dou
     course.counts.newton_iterations += trial.newton_iterations;
     course.counts.evaluations += M::info.evaluations_of(1, trial.newton_iterations);
     const bool finite = is_finite(trial.y);
-    const double error =
-        trial.converged && finite ? scale.norm(trial, h, tolerance) : std::numeric_limits<double>::infinity();
+    const double error = trial.converged && finite ? scale.norm(trial, h, control.tolerance)
+                                                   : std::numeric_limits<double>::infinity();
     if (!(error <= 1)) {
       ++course.counts.rejected;
       h *= controller.after_rejected(error);

@@ -42,14 +42,14 @@ struct FoundEvent {
 
 /// What to watch for, and what was found, in order of time.
 struct EventLog {
-  static constexpr std::size_t most = 1'000'000;  ///< found events kept; more are counted only
+  static constexpr long long most = 1'000'000;  ///< found events kept; more are counted only
 
   std::vector<Event> events{};
   std::vector<FoundEvent> found{};
   long long missed = 0;  ///< found beyond `most`
 
   void add(const FoundEvent& one) {
-    if (found.size() < most)
+    if (static_cast<long long>(found.size()) < most)
       found.push_back(one);
     else
       ++missed;

@@ -60,7 +60,7 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
     Course<Real> course{interval.from, start};
     MotionScale scale;
     record(course.t, start);
-    take_adaptive_steps(system, method, rows, control.tolerance, look, scale, course, record, watch, limits);
+    take_adaptive_steps(system, method, rows, control, look, scale, course, record, watch, limits);
     return course.outcome(rows, watch);
   } else {
     if constexpr (std::is_same_v<Real, double>) {
@@ -91,8 +91,7 @@ requires(CanRun<M, S, double>::value) Outcome
   const auto slide = [&](const auto& smooth, int direction) {
     const Lookout look{direction, events};
     if constexpr (AdaptiveMethod<M, SlidingSystem<S>, double>)
-      take_adaptive_steps(smooth, method, rows, control.tolerance, look, scale, course, record, watch,
-                          limits);
+      take_adaptive_steps(smooth, method, rows, control, look, scale, course, record, watch, limits);
     else
       take_fixed_steps(smooth, method, rows, look, course, record, watch, limits);
   };

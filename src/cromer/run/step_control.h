@@ -16,11 +16,15 @@ struct StepControl {
   static constexpr double default_tolerance = 1e-9;
 
   double step;  // [s] > 0; of adaptive methods the spacing of the rows
-  double tolerance =
-      default_tolerance;  ///< of adaptive methods, 1e-15 to 1e-2: error of a step over the motion's scale
+  /// Of adaptive methods, 1e-15 to 1e-2: error of a step over the motion's scale.
+  double tolerance = default_tolerance;
+  /// [s] > 0, of adaptive methods: no longer steps, where a force acts so briefly that one could leap over
+  /// it.
+  double longest = std::numeric_limits<double>::infinity();
 
-  StepControl(double step_, double tolerance_ = default_tolerance)
-      : step(step_), tolerance(tolerance_) {}  // NOLINT
+  StepControl(double step_, double tolerance_ = default_tolerance,  // NOLINT: a number is a step
+              double longest_ = std::numeric_limits<double>::infinity())
+      : step(step_), tolerance(tolerance_), longest(longest_) {}
 };
 
 /// The largest position and velocity of the motion so far: errors are measured by them.
@@ -81,14 +85,15 @@ class PiController {
 };
 
 /// A first step [s]: the part tolerance^(1/(error order + 1)) of the time in which the acceleration changes
-/// the state by as much as itself, |a| T^2 = |v| T + |x|; at most `longest`. The controller corrects it.
+/// the state by as much as itself, |a| T^2 = |v| T + |x|; `otherwise` where there is no such
+/// time. The controller corrects it.
 template <class Real>
 double first_step(const State<Real>& y, const Real& acceleration, double tolerance, int error_order,
-                  double longest) {
+                  double otherwise) {
   const double x = std::abs(value_of(y.x)), v = std::abs(value_of(y.v)), a = std::abs(value_of(acceleration));
   const double time = (v + std::sqrt(v * v + 4 * a * x)) / (2 * a);
   const double step = time * std::pow(tolerance, 1.0 / (error_order + 1));
-  return step > 0 && step < longest ? step : longest;
+  return step > 0 && std::isfinite(step) ? step : otherwise;
 }
 
 }  // namespace cromer
