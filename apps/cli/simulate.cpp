@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "cromer/analysis/energy.h"
 #include "cromer/report/file.h"
+#include "cromer/study/load_drive.h"
 #include "cromer/study/json/documents.h"
 #include "exit_status.h"
 #include "message.h"
@@ -67,6 +68,7 @@ int run_simulate(const Arguments& arguments) {
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  if (auto good = load_drive(options, ""); !good) return refuse(good.error().message);
   options.memory = memory_for_states();
 
   auto result = simulate(options, watching(output.quiet));

@@ -2,6 +2,7 @@
 
 #include "cromer/report/read_file.h"
 #include "cromer/study/collect.h"
+#include "cromer/study/load_drive.h"
 #include "cromer/study/run_study.h"
 #include "cromer/study/task_settings.h"
 
@@ -34,6 +35,7 @@ Result<TaskReport> run_simulate(const Work& work) {
   SimulateOptions options;
   if (const auto done = assign_settings(work.task, options_of(options), work.results); !done)
     return done.error();
+  if (const auto done = load_drive(options, work.study.folder); !done) return work.error(done.error());
   const auto result = simulate(options, work.watch);
   if (!result) return work.error(result.error());
   for (const SimulatedRun& run : result->runs)

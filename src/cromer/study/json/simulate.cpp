@@ -1,23 +1,19 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/study/json/documents.h"
+#include "cromer/study/json/drive.h"
 #include "cromer/study/json/json.h"
 
 namespace cromer {
 namespace {
 
-Json parameters(const SimulatedRun& run) {
+Json parameters(const SimulatedRun& run, const SimulateOptions& options) {
   const auto& law = run.oscillator;
-  return {{"mass", law.mass},
-          {"stiffness", law.stiffness},
-          {"damping", law.damping},
-          {"drag", law.drag},
-          {"friction", law.friction},
-          {"cubic", law.cubic},
-          {"drive_amplitude", run.drive.amplitude},
-          {"drive_frequency", run.drive.frequency},
-          {"drive_phase", run.drive.phase},
-          {"position", run.start.x},
-          {"velocity", run.start.v}};
+  Json all = {{"mass", law.mass}, {"stiffness", law.stiffness}, {"damping", law.damping},
+              {"drag", law.drag}, {"friction", law.friction},   {"cubic", law.cubic}};
+  add_drive(all, run, options);
+  all["position"] = run.start.x;
+  all["velocity"] = run.start.v;
+  return all;
 }
 
 Json sensor(const SensorOptions& options) {
@@ -43,7 +39,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
   Json object;
   object["method"] = run.method;
   object["label"] = run.label;
-  object["parameters"] = parameters(run);
+  object["parameters"] = parameters(run, options);
   object["step"] = run.step;
   object["until"] = run.until;
   object["tolerance"] = run.tolerance;

@@ -53,6 +53,9 @@ Result<LocalErrorResult> local_errors(const LocalErrorOptions& options) {
   if (!runs) return runs.error();
   LocalErrorResult result;
   for (const SimulatedRun& run : *runs) {
+    if (run.general)
+      return Error{
+          "--drive: the error of a step is measured on a smooth motion, free or under a harmonic drive"};
     if (const std::string_view term = why_not_exact(run.oscillator); !term.empty())
       return Error{"--" + std::string(term) +
                    ": the error of a step is measured against the closed form, which this law has not"};

@@ -1,16 +1,18 @@
+#include <algorithm>
+
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/simulate.h"
 
 namespace cromer {
 
 std::vector<Option> options_of(SimulateOptions& o) {
-  constexpr std::string_view law =
-      "Law of motion: m x'' = F cos(w t + phi) - k x - k3 x^3 - c x' - d x'|x'| - f sgn(x')";
+  constexpr std::string_view law = "Law of motion: m x'' = F(t) - k x - k3 x^3 - c x' - d x'|x'| - f sgn(x')";
   constexpr std::string_view start = "Start";
-  constexpr std::string_view drive = "Drive: F cos(w t + phi)";
+  constexpr std::string_view drive = "Drive F(t): harmonic, F cos(w t + phi), or another";
+  constexpr std::string_view recorded = "Recorded drive";
   constexpr std::string_view integration = "Integration";
   constexpr std::string_view sensor = "Simulated motion sensor: -o then writes what a logger would";
-  return {
+  std::vector<Option> options{
       {"mass", &o.mass, "kg", Range::positive, "mass m", "1 kg", law},
       {"stiffness", &o.stiffness, "N/m", Range::any,
        "spring constant k; negative with a cubic is a double well", "1 N/m", law},
@@ -27,17 +29,46 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"position", &o.position, "m", Range::any, "displacement at the start",
        "1 m when nothing else sets the motion going, else 0", start},
       {"velocity", &o.velocity, "m/s", Range::any, "velocity at the start", "0", start},
-      {"drive-amplitude", &o.drive_amplitude, "N", Range::not_negative, "amplitude F of the driving force",
-       "0: none", drive},
+      {"drive", &o.drive, "", Range::any,
+       "harmonic, step, rectangular, half-sine, triangular (pulses), chirp (linear sweep), "
+       "logarithmic-chirp, unbalance (rotating, m_u e w^2), base (shaking: Y cos(w t + phi), x relative to "
+       "it)",
+       "harmonic", drive},
+      {"drive-amplitude", &o.drive_amplitude, "N", Range::not_negative,
+       "amplitude F of the driving force, or height of a pulse", "0: none", drive},
       {"drive-frequency", &o.drive_frequency, "rad/s", Range::not_negative,
-       "its angular frequency w; may be given several times", "none", drive},
-      {"drive-phase", &o.drive_phase, "rad", Range::any, "its phase phi at t = 0", "0", drive},
+       "its angular frequency w, where a chirp begins; may be given several times", "none", drive},
+      {"drive-phase", &o.drive_phase, "rad", Range::any, "its phase phi at t = 0, of a chirp at its start",
+       "0", drive},
+      {"drive-to", &o.drive_to, "rad/s", Range::not_negative, "angular frequency where a chirp ends", "",
+       drive},
+      {"drive-start", &o.drive_start, "s", Range::not_negative, "when a pulse or chirp begins", "0", drive},
+      {"drive-duration", &o.drive_duration, "s", Range::positive, "how long a pulse or chirp lasts",
+       "a chirp: to the end of the run", drive},
+      {"unbalance-mass", &o.unbalance_mass, "kg", Range::positive, "rotating mass m_u, part of --mass", "",
+       drive},
+      {"eccentricity", &o.eccentricity, "m", Range::positive, "its distance e from the axis", "", drive},
+      {"base-displacement", &o.base_displacement, "m", Range::positive, "amplitude Y of a shaking base", "",
+       drive},
+      {"drive-file", &o.drive_file, "", Range::any, "file with a recorded force: time and force", "none",
+       recorded},
+      {"base-motion", &o.base_motion, "", Range::any,
+       "file with the ground's recorded acceleration; x is then relative to the ground", "none", recorded},
+      {"drive-column", &o.drive_column, "", Range::any, "column of that file", "the force or acceleration",
+       recorded},
+      {"between-samples", &o.between_samples, "", Range::any,
+       "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear)", "linear", recorded},
       {"method", &o.method, "", Range::any, "a name from `cromer methods`; may be given several times",
        "euler-cromer", integration},
-      {"step", &o.step, "s", Range::positive, "time step", "1/200 of the shorter of natural and drive period",
+      {"step", &o.step, "s", Range::positive, "time step",
+       "1/200 of the shorter of natural and drive period (or pulse); of a recorded drive a whole part of its "
+       "spacing",
        integration},
       {"until", &o.until, "s", Range::positive, "end of the run",
-       "20 natural periods (of the drive where the law has none)", integration},
+       "20 natural periods (of the drive where the law has none), at least to the end of a pulse or chirp; "
+       "the "
+       "length of a recorded drive",
+       integration},
       {"tolerance", &o.tolerance, "", Range::tolerance,
        "Newton's last update over the motion's scale; 1e-15 to 1e-2", "1e-12", integration},
       {"every", &o.every, "", Range::positive, "keep every Nth state", "1", integration},
@@ -49,6 +80,11 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"seed", &o.sensor.seed, "", Range::any,
        "of the noise; the same seed gives the same samples everywhere", "1", sensor, &o.sensor.used},
   };
+  const auto after_recorded = std::find_if(options.begin(), options.end(),
+                                           [&](const Option& each) { return each.group == integration; });
+  const auto reading = options_of(o.read);
+  options.insert(after_recorded, reading.begin(), reading.end());
+  return options;
 }
 
 }  // namespace cromer

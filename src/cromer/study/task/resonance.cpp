@@ -24,6 +24,10 @@ Result<void> check(const ResonanceOptions& options, const Oscillator<double>& la
   if (!(options.frequency_to > options.frequency_from))
     return Error{"--frequency-to: it must be above --frequency-from"};
   if (options.points < 2) return Error{"--points: at least 2"};
+  if (!options.simulate.drive.empty() && options.simulate.drive != "harmonic")
+    return Error{"--drive: a resonance curve is that of a harmonic force"};
+  if (!options.simulate.drive_file.empty() || !options.simulate.base_motion.empty())
+    return Error{"--drive-file, --base-motion: a resonance curve is that of a harmonic force"};
   if (!(options.simulate.drive_amplitude > 0))
     return Error{"--drive-amplitude: a resonance curve needs a force"};
   if (const std::string_view term = why_not_exact(law); !term.empty())

@@ -6,11 +6,11 @@
 
 #include "cromer/analysis/energy.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/driven_oscillator.h"
 #include "cromer/model/sensor.h"
 #include "cromer/run/keep.h"
 #include "cromer/run/solve.h"
 #include "cromer/study/task/simulate_setup.h"
+#include "cromer/study/task/with_system.h"
 
 namespace cromer {
 namespace {
@@ -57,7 +57,7 @@ void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const Interval interval{0, run.until};
   const MethodSettings settings{.newton = {.tolerance = run.tolerance}};
   KeepEvery keep(every, count_steps(interval, run.step));
-  run.outcome = with_terms(run.oscillator, run.drive, [&](const auto& system) {
+  run.outcome = with_system(run, [&](const auto& system) {
     return visit_method(run.method, settings, [&](const auto& method) {
       return solve(system, method, interval, run.start, run.step, keep, watch);
     });

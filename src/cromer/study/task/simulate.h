@@ -9,9 +9,11 @@
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
 #include "cromer/model/drive.h"
+#include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/run/outcome.h"
 #include "cromer/run/trajectory.h"
+#include "cromer/study/task/drive_record.h"
 
 namespace cromer {
 
@@ -35,9 +37,22 @@ struct SimulateOptions {
   std::optional<double> natural_frequency{};  // [rad/s] > 0, in place of stiffness
   std::optional<double> damping_ratio{};      // >= 0, in place of damping
   std::optional<double> quality_factor{};     // > 0, in place of damping
+  std::string drive{};                        ///< a name of drive_setup.h; harmonic by default
   double drive_amplitude = 0;                 // [N] >= 0
-  std::vector<double> drive_frequency{};      // [rad/s] >= 0; one run each
+  std::vector<double> drive_frequency{};      // [rad/s] >= 0; one run each; where a chirp begins
   double drive_phase = 0;                     // [rad]
+  std::optional<double> drive_to{};           // [rad/s] >= 0, where a chirp ends
+  std::optional<double> drive_start{};        // [s] >= 0, of pulses and chirps; 0
+  std::optional<double> drive_duration{};     // [s] > 0, of pulses and chirps; a chirp's: to the end
+  std::optional<double> unbalance_mass{};     // [kg] > 0
+  std::optional<double> eccentricity{};       // [m] > 0, of the unbalance
+  std::optional<double> base_displacement{};  // [m] > 0, amplitude of a shaking base
+  std::string drive_file{};                   ///< recorded force
+  std::string base_motion{};                  ///< recorded acceleration of the ground
+  std::string drive_column{};                 ///< of that file
+  std::string between_samples{};              ///< linear (by default), hold or band-limited
+  ReadOptions read{};                         ///< of that file
+  std::optional<DriveRecord> drive_record{};  ///< what that file holds, read by the caller; not an option
   std::optional<double> position{};           // [m]; 1 when nothing else sets the motion going
   std::optional<double> velocity{};           // [m/s]; 0
   std::vector<std::string> method{};          ///< names; euler-cromer by default
@@ -55,7 +70,8 @@ struct SimulatedRun {
   std::string method;
   std::string label;  ///< what tells it from the others: "euler-cromer, 3 rad/s"
   Oscillator<double> oscillator;
-  HarmonicDrive<double> drive;
+  HarmonicDrive<double> drive;  ///< amplitude 0 where nothing drives, or another drive does
+  std::optional<GeneralDrive<double>> general{};
   State<double> start;
   double step = 0;   // [s]
   double until = 0;  // [s]

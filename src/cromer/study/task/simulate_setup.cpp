@@ -10,6 +10,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
 #include "cromer/run/steps.h"
+#include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/option.h"
 
 namespace cromer {
@@ -31,9 +32,6 @@ Result<void> check_alternatives(const SimulateOptions& o) {
     return Error{"--stiffness and --natural-frequency both set the spring; give one of them"};
   if (o.damping.has_value() + o.damping_ratio.has_value() + o.quality_factor.has_value() > 1)
     return Error{"--damping, --damping-ratio and --quality-factor all set the damping; give one of them"};
-  if (o.drive_amplitude > 0 && o.drive_frequency.empty())
-    return Error{fmt::format("--drive-amplitude: {} N needs a --drive-frequency (0 is a constant force)",
-                             shortest(o.drive_amplitude))};
   return {};
 }
 
@@ -56,7 +54,7 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
 }
 
 State<double> start_of(const SimulateOptions& o) {
-  const bool moves = o.position || o.velocity || o.drive_amplitude > 0;
+  const bool moves = o.position || o.velocity || drive_name(o) != "none";
   return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
 }
 
@@ -71,7 +69,15 @@ Result<void> check_start(const SimulatedRun& run) {
 /// Fills step and until of one run.
 Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
   const double natural = natural_period(run.oscillator);
-  const double drive = run.drive.amplitude > 0 && run.drive.frequency > 0 ? two_pi / run.drive.frequency : 0;
+  const double drive = drive_period(run);
+  if (o.drive_record) {
+    // A whole number of steps from sample to sample.
+    const double spacing = o.drive_record->spacing;
+    run.step = o.step.value_or(
+        natural > 0 ? spacing / std::ceil(steps_per_period * spacing / natural * (1 - 1e-9)) : spacing);
+    run.until = o.until.value_or(drive_end(run));
+    return {};
+  }
   const double shorter = natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
   if (!(shorter > 0) && !(o.step && o.until))
     return Error{
@@ -79,7 +85,7 @@ Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
                     "drive: give --step and --until",
                     shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic))};
   run.step = o.step.value_or(shorter / steps_per_period);
-  run.until = o.until.value_or(periods_per_run * (natural > 0 ? natural : drive));
+  run.until = o.until.value_or(std::max(periods_per_run * (natural > 0 ? natural : drive), drive_end(run)));
   return {};
 }
 
@@ -147,6 +153,7 @@ double natural_period(const Oscillator<double>& oscillator) {
 Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
   if (auto good = check_ranges(options); !good) return good.error();
   if (auto good = check_alternatives(options); !good) return good.error();
+  if (auto good = check_drive(options); !good) return good.error();
   auto oscillator = oscillator_of(options);
   if (!oscillator) return oscillator.error();
 
@@ -162,12 +169,13 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       SimulatedRun run;
       run.method = method;
       run.oscillator = *oscillator;
-      run.drive = {options.drive_amplitude, frequency, options.drive_phase};
+      if (auto good = set_drive(options, frequency, run); !good) return good.error();
       run.start = start_of(options);
       run.tolerance = options.tolerance.value_or(NewtonOptions{}.tolerance);
       run.label = label_of(options, run);
       if (auto good = check_start(run); !good) return good.error();
       if (auto good = set_times(options, run); !good) return good.error();
+      if (auto good = end_drive(options, run); !good) return good.error();
       if (auto good = check_exact(run); !good) return good.error();
       runs.push_back(std::move(run));
     }
@@ -187,7 +195,9 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
     add_once(
         "friction acts as f sgn(v) only: the mass chatters about its resting place instead of sticking "
         "there");
-  if (!options.drive_frequency.empty() && options.drive_amplitude == 0)
+  if (options.drive_record)
+    for (const auto& warning : options.drive_record->warnings) add_once(warning);
+  if (!options.drive_frequency.empty() && drive_name(options) == "none")
     add_once("--drive-frequency has no effect without a --drive-amplitude");
   for (const auto& run : runs) {
     if (options.tolerance && !uses_tolerance(run.method))

@@ -1,0 +1,15 @@
+// The recorded drive that the options of `simulate` name, read from its file.
+#pragma once
+
+#include <string>
+
+#include "cromer/base/result.h"
+#include "cromer/study/task/simulate.h"
+
+namespace cromer {
+
+/// Fills options.drive_record where a --drive-file or a --base-motion is named, its path relative to
+/// `folder`; otherwise does nothing. An Error says what is wrong with the file.
+Result<void> load_drive(SimulateOptions& options, const std::string& folder);
+
+}  // namespace cromer

@@ -1,0 +1,33 @@
+// From the options of `simulate` to the drive of a run.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "cromer/base/result.h"
+#include "cromer/study/task/simulate.h"
+
+namespace cromer {
+
+/// What is asked for: a name that --drive takes, "drive-file" or "base-motion"; "none" where nothing drives.
+std::string_view drive_name(const SimulateOptions& options);
+
+/// That the name is known, everything it needs is given, and nothing that it has no use for. An Error names
+/// the option.
+Result<void> check_drive(const SimulateOptions& options);
+
+/// Sets the run's drive at this frequency. A chirp without a duration gets one in end_drive.
+Result<void> set_drive(const SimulateOptions& options, double frequency, SimulatedRun& run);
+
+/// The length by which step and end are chosen [s]: a period of the drive, the shortest of a chirp, the
+/// duration of a pulse; 0 where there is none.
+double drive_period(const SimulatedRun& run);
+
+/// Where the drive itself ends [s]; 0 where it does not.
+double drive_end(const SimulatedRun& run);
+
+/// A chirp without a duration sweeps until the end of the run; a recording must last that long, and `exact`
+/// needs a closed form.
+Result<void> end_drive(const SimulateOptions& options, SimulatedRun& run);
+
+}  // namespace cromer
