@@ -284,8 +284,9 @@ TEST(Drive, AFileMustBeEvenAndWhole) {
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,")), HasSubstr("a gap, the first 0.02 s long"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,NaN")), HasSubstr("a value is missing"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,many")), HasSubstr("many"));
-  EXPECT_THAT(file_refusal(file_of("Time (s),Position (m)")), HasSubstr("is a position"));
-  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)"), "acceleration"), HasSubstr("an acceleration"));
+  EXPECT_THAT(file_refusal(file_of("Time (s),Position (m)")), HasSubstr("holds position, not a force"));
+  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)"), "acceleration"),
+              HasSubstr("holds force, not an acceleration"));
   EXPECT_THAT(file_refusal("Time (s),Force (N)\n0,1\n"), HasSubstr("at least two samples"));
   EXPECT_NE(file_refusal(""), "");
 }

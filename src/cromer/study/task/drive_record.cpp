@@ -56,7 +56,7 @@ Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view f
   if (!series) return series.error();
 
   if (!series->quantity.empty() && series->quantity != quantity)
-    return refuse(fmt::format("column \"{}\" is a {}, and {} is needed; choose another with --drive-column",
+    return refuse(fmt::format("column \"{}\" holds {}, not {}; choose another with --drive-column",
                               series->column, series->quantity,
                               quantity == "force" ? "a force (N)" : "an acceleration (m/s^2 or g)"));
   if (series->t.size() < 2) return refuse("a drive needs at least two samples");
