@@ -6,8 +6,8 @@
 #include "commands.h"
 #include "cromer/analysis/energy.h"
 #include "cromer/report/file.h"
-#include "cromer/study/load_drive.h"
 #include "cromer/study/json/documents.h"
+#include "cromer/study/load_drive.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"
@@ -33,6 +33,18 @@ std::string table(const SimulateResult& result) {
                     run.label});
   }
   return text_table(rows, 0, 8);
+}
+
+/// The moments of the events asked for; empty without any.
+std::string event_table(const SimulateResult& result) {
+  if (result.options.event.empty()) return "";
+  std::vector<std::vector<std::string>> rows{{"run", "t (s)", "x (m)", "v (m/s)", "event"}};
+  for (std::size_t i = 0; i < result.runs.size(); ++i)
+    for (const FoundEvent& found : result.runs[i].events.found)
+      rows.push_back({fmt::format("{}", i + 1), fmt::format("{:.9g}", found.t),
+                      fmt::format("{:.6g}", found.y.x), fmt::format("{:.6g}", found.y.v),
+                      result.options.event[found.event]});
+  return rows.size() == 1 ? "\nno events\n" : "\n" + text_table(rows, 0, 4);
 }
 
 /// Half of the machine's memory: what is kept is written out once more as text.
@@ -78,7 +90,8 @@ int run_simulate(const Arguments& arguments) {
   for (const auto& run : result->runs)
     if (!run.message.empty()) complain(run.label + ": " + run.message);
   if (auto good = write_files(*result, output, arguments); !good) return refuse(good.error().message);
-  if (output.output != "-" && !print(output.json ? to_json(*result, false) : table(*result)))
+  if (output.output != "-" &&
+      !print(output.json ? to_json(*result, false) : table(*result) + event_table(*result)))
     return refuse("standard output cannot be written");
   return result->ok() ? done : no_success;
 }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "cromer/analysis/energy.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/drive.h"
@@ -10,6 +12,7 @@ Json parameters(const SimulatedRun& run, const SimulateOptions& options) {
   const auto& law = run.oscillator;
   Json all = {{"mass", law.mass}, {"stiffness", law.stiffness}, {"damping", law.damping},
               {"drag", law.drag}, {"friction", law.friction},   {"cubic", law.cubic}};
+  all["static_friction"] = std::max(law.friction, law.static_friction);
   add_drive(all, run, options);
   all["position"] = run.start.x;
   all["velocity"] = run.start.v;
@@ -22,6 +25,14 @@ Json sensor(const SensorOptions& options) {
           {"resolution", options.resolution},
           {"offset", options.offset},
           {"seed", options.seed}};
+}
+
+Json events(const SimulatedRun& run, const SimulateOptions& options) {
+  Json all = Json::array();
+  for (const FoundEvent& found : run.events.found)
+    all.push_back(
+        {{"event", options.event[found.event]}, {"t", found.t}, {"x", found.y.x}, {"v", found.y.v}});
+  return all;
 }
 
 Json states(const SimulatedRun& run) {
@@ -56,6 +67,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
                      {"x", outcome.y.x},
                      {"v", outcome.y.v},
                      {"energy", energy(run.oscillator, outcome.y)}};
+  object["events"] = events(run, options);
   object["sensor"] = sensor(options.sensor);
   return object;
 }

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <variant>
 
 #include "cromer/analysis/energy.h"
 #include "cromer/methods/all.h"
@@ -15,14 +18,14 @@
 namespace cromer {
 namespace {
 
-/// Why the run ended early, with the last good time and step; empty if it did not.
+/// Why the run ended early, with the last good time and step; empty if it did not, or was asked to.
 std::string message_of(const Outcome& outcome) {
   const std::string place = fmt::format("t = {:.6g} s (step {})", outcome.t, outcome.step);
   switch (outcome.status) {
     case Status::reached_end:
       return "";
     case Status::stopped_by_event:
-      return (outcome.interrupted ? "interrupted after " : "stopped by an event at ") + place;
+      return outcome.interrupted ? "interrupted after " + place : "";
     case Status::step_limit:
       return "the step limit was reached at " + place;
     case Status::step_too_small:
@@ -53,13 +56,21 @@ void end_before_overflow(SimulatedRun& run, long long every) {
   run.outcome.last_step = 0;
 }
 
+/// How long a step may be that is not to leap over a pulse or a sample [s]; a harmonic drive shows in any.
+double longest_step(const SimulatedRun& run) {
+  if (!run.general) return std::numeric_limits<double>::infinity();
+  const auto* sampled = std::get_if<SampledDrive>(&*run.general);
+  return sampled ? std::min(run.step, sampled->spacing) : run.step;
+}
+
 void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const Interval interval{0, run.until};
   const MethodSettings settings{.newton = {.tolerance = run.tolerance}};
   KeepEvery keep(every, count_steps(interval, run.step));
   run.outcome = with_system(run, [&](const auto& system) {
     return visit_method(run.method, settings, [&](const auto& method) {
-      return solve(system, method, interval, run.start, run.step, keep, watch);
+      return solve(system, method, interval, run.start, {run.step, run.tolerance, longest_step(run)}, keep,
+                   watch, {}, &run.events);
     });
   });
   run.trajectory = keep.take();
@@ -107,6 +118,9 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
   for (std::size_t i = 0; i < result.runs.size(); ++i) {
     SimulatedRun& run = result.runs[i];
     integrate(run, options.every, part_of(watch, i, result.runs.size()));
+    if (run.events.missed > 0)
+      result.warnings.push_back(fmt::format("{}: only the first {} of {} events are listed", run.label,
+                                            EventLog::most, EventLog::most + run.events.missed));
     if (options.sensor.used) run.sensor = readings(run.trajectory, options.sensor);
   }
   return result;

@@ -11,6 +11,7 @@
 #include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
+#include "cromer/run/event.h"
 #include "cromer/run/outcome.h"
 #include "cromer/run/trajectory.h"
 #include "cromer/study/task/drive_record.h"
@@ -33,6 +34,7 @@ struct SimulateOptions {
   std::optional<double> damping{};            // [kg/s] >= 0; 0 by default
   double drag = 0;                            // [kg/m] >= 0
   double friction = 0;                        // [N] >= 0
+  std::optional<double> static_friction{};    // [N] >= friction, which it is by default
   double cubic = 0;                           // [N/m^3] any sign
   std::optional<double> natural_frequency{};  // [rad/s] > 0, in place of stiffness
   std::optional<double> damping_ratio{};      // >= 0, in place of damping
@@ -59,6 +61,7 @@ struct SimulateOptions {
   std::optional<double> step{};               // [s] > 0; 1/200 of the shorter of natural and drive period
   std::optional<double> until{};              // [s] > 0; 20 natural periods
   std::optional<double> tolerance{};  // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
+  std::vector<std::string> event{};   ///< as event_option.h reads them
   long long every = 1;                ///< keep every Nth state, > 0
   SensorOptions sensor{};
   double memory =
@@ -80,6 +83,13 @@ struct SimulatedRun {
   Trajectory trajectory;
   std::vector<double> sensor{};  ///< one sample per kept state; empty without a sensor
   std::string message;           ///< why it ended early, with time and step
+  EventLog events{};             ///< what was watched for and found
+
+  /// It reached its end, or an event that was to stop it.
+  bool done() const {
+    return outcome.status == Status::reached_end ||
+           (outcome.status == Status::stopped_by_event && !outcome.interrupted);
+  }
 };
 
 struct SimulateResult {
@@ -88,7 +98,7 @@ struct SimulateResult {
   std::vector<std::string> warnings{};
   bool ok() const {
     for (const auto& run : runs)
-      if (run.outcome.status != Status::reached_end) return false;
+      if (!run.done()) return false;
     return true;
   }
 };

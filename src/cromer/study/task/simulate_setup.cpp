@@ -9,8 +9,10 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
+#include "cromer/run/step_control.h"
 #include "cromer/run/steps.h"
 #include "cromer/study/task/drive_setup.h"
+#include "cromer/study/task/event_option.h"
 #include "cromer/study/task/option.h"
 
 namespace cromer {
@@ -30,6 +32,9 @@ Result<void> check_ranges(SimulateOptions options) {
 Result<void> check_alternatives(const SimulateOptions& o) {
   if (o.stiffness && o.natural_frequency)
     return Error{"--stiffness and --natural-frequency both set the spring; give one of them"};
+  if (o.static_friction && *o.static_friction < o.friction)
+    return Error{fmt::format("--static-friction: it must be at least --friction ({} N), not {} N",
+                             shortest(o.friction), shortest(*o.static_friction))};
   if (o.damping.has_value() + o.damping_ratio.has_value() + o.quality_factor.has_value() > 1)
     return Error{"--damping, --damping-ratio and --quality-factor all set the damping; give one of them"};
   return {};
@@ -49,8 +54,13 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   if (!std::isfinite(k) || !std::isfinite(c))
     return Error{
         "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
-  return Oscillator<double>{
-      .mass = m, .stiffness = k, .damping = c, .drag = o.drag, .friction = o.friction, .cubic = o.cubic};
+  return Oscillator<double>{.mass = m,
+                            .stiffness = k,
+                            .damping = c,
+                            .drag = o.drag,
+                            .friction = o.friction,
+                            .cubic = o.cubic,
+                            .static_friction = o.static_friction.value_or(0)};
 }
 
 State<double> start_of(const SimulateOptions& o) {
@@ -93,8 +103,15 @@ Result<void> check_exact(const SimulatedRun& run) {
   const Oscillator<double>& law = run.oscillator;
   const std::string_view term = why_not_exact(law);
   if (run.method != "exact" || term.empty()) return {};
-  const double value = term == "cubic" ? law.cubic : term == "drag" ? law.drag : law.friction;
-  const std::string_view unit = term == "cubic" ? "N/m^3" : term == "drag" ? "kg/m" : "N";
+  if (term == "friction") {
+    if (run.drive.amplitude == 0 && !run.general) return {};
+    return Error{fmt::format(
+        "--method exact: with friction ({} N) there is no closed form under a drive; leave one of them "
+        "out or choose another method, for instance dormand-prince",
+        shortest(law.friction))};
+  }
+  const double value = term == "cubic" ? law.cubic : law.drag;
+  const std::string_view unit = term == "cubic" ? "N/m^3" : "kg/m";
   return Error{fmt::format(
       "--method exact: there is no closed form with {} ({} {}); leave it out or choose another method, "
       "for instance rk4 with a short step",
@@ -128,11 +145,24 @@ Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedR
       states, bytes_in_words(bytes), bytes_in_words(memory))};
 }
 
-/// Methods that solve an equation, in every step or where the force depends on the velocity.
+bool is_adaptive(std::string_view name) { return find_method(name)->error_order > 0; }
+
+/// Methods that choose their steps, or solve an equation in every step or where the force depends on the
+/// velocity.
 bool uses_tolerance(std::string_view name) {
-  return visit_method(name, {}, [](const auto& method) {
-    return requires { method.newton; };
-  });
+  return is_adaptive(name) || visit_method(name, {}, [](const auto& method) {
+           return requires { method.newton; };
+         });
+}
+
+Result<std::vector<Event>> events_of(const SimulateOptions& o) {
+  std::vector<Event> events;
+  for (const auto& text : o.event) {
+    auto event = parse_event(text);
+    if (!event) return event.error();
+    events.push_back(*event);
+  }
+  return events;
 }
 
 std::string label_of(const SimulateOptions& o, const SimulatedRun& run) {
@@ -156,6 +186,8 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
   if (auto good = check_drive(options); !good) return good.error();
   auto oscillator = oscillator_of(options);
   if (!oscillator) return oscillator.error();
+  const auto events = events_of(options);
+  if (!events) return events.error();
 
   std::vector<std::string> methods = options.method;
   if (methods.empty()) methods.emplace_back("euler-cromer");
@@ -171,7 +203,9 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       run.oscillator = *oscillator;
       if (auto good = set_drive(options, frequency, run); !good) return good.error();
       run.start = start_of(options);
-      run.tolerance = options.tolerance.value_or(NewtonOptions{}.tolerance);
+      run.events.events = *events;
+      run.tolerance = options.tolerance.value_or(is_adaptive(method) ? StepControl::default_tolerance
+                                                                     : NewtonOptions{}.tolerance);
       run.label = label_of(options, run);
       if (auto good = check_start(run); !good) return good.error();
       if (auto good = set_times(options, run); !good) return good.error();
@@ -191,10 +225,6 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
       warnings.push_back(std::move(warning));
   };
-  if (options.friction > 0)
-    add_once(
-        "friction acts as f sgn(v) only: the mass chatters about its resting place instead of sticking "
-        "there");
   if (options.drive_record)
     for (const auto& warning : options.drive_record->warnings) add_once(warning);
   if (!options.drive_frequency.empty() && drive_name(options) == "none")
