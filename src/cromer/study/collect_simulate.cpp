@@ -29,7 +29,7 @@ std::vector<double> energies(const SimulatedRun& run) {
 void collect_energy(const std::string& name, const SimulatedRun& run, const std::vector<double>& energy,
                     Results& results) {
   const double period = natural_period(run.oscillator);
-  if (run.drive.amplitude > 0 || !(period > 0) || !(energy.front() > 0)) return;
+  if (run.drive.amplitude > 0 || run.general || !(period > 0) || !(energy.front() > 0)) return;
   const EnergyGrowth growth = energy_growth(run.oscillator, run.trajectory);
   const auto [least, most] = std::minmax_element(energy.begin(), energy.end());
   results.set(name + ".energy_start", energy.front(), "J");
