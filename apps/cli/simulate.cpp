@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "cromer/analysis/energy.h"
 #include "cromer/report/file.h"
+#include "cromer/study/task/run_effect.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/load_drive.h"
 #include "exit_status.h"
@@ -47,6 +48,14 @@ std::string event_table(const SimulateResult& result) {
   return rows.size() == 1 ? "\nno events\n" : "\n" + text_table(rows, 0, 4);
 }
 
+/// What each method really simulates.
+std::string effects(const SimulateResult& result) {
+  std::string text;
+  for (const auto& run : result.runs)
+    if (const auto words = effect_in_words(run); !words.empty()) text += words + "\n";
+  return text.empty() ? text : "\n" + text;
+}
+
 /// Half of the machine's memory: what is kept is written out once more as text.
 double memory_for_states() {
   return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
@@ -83,15 +92,21 @@ int run_simulate(const Arguments& arguments) {
   if (auto good = load_drive(options, ""); !good) return refuse(good.error().message);
   options.memory = memory_for_states();
 
-  auto result = simulate(options, watching(output.quiet));
+  Watch watch = watching(output.quiet);
+  std::size_t said = 0;
+  watch.warn = [&](const std::vector<std::string>& warnings) {
+    warn(warnings, output.quiet);
+    said = warnings.size();
+  };
+  auto result = simulate(options, watch);
   clear_progress();
   if (!result) return refuse(result.error().message);
-  warn(result->warnings, output.quiet);
+  warn({result->warnings.begin() + static_cast<std::ptrdiff_t>(said), result->warnings.end()}, output.quiet);
   for (const auto& run : result->runs)
     if (!run.message.empty()) complain(run.label + ": " + run.message);
   if (auto good = write_files(*result, output, arguments); !good) return refuse(good.error().message);
   if (output.output != "-" &&
-      !print(output.json ? to_json(*result, false) : table(*result) + event_table(*result)))
+      !print(output.json ? to_json(*result, false) : table(*result) + event_table(*result) + effects(*result)))
     return refuse("standard output cannot be written");
   return result->ok() ? done : no_success;
 }

@@ -3,7 +3,9 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/drive.h"
+#include "cromer/study/json/effect.h"
 #include "cromer/study/json/json.h"
+#include "cromer/study/task/run_effect.h"
 
 namespace cromer {
 namespace {
@@ -45,6 +47,21 @@ Json states(const SimulatedRun& run) {
   return columns;
 }
 
+/// What the method really simulates, and what was set of it.
+void add_effect(Json& object, const SimulatedRun& run) {
+  if (run.method == "newmark") {
+    object["beta"] = run.settings.beta;
+    object["gamma"] = run.settings.gamma;
+  }
+  if (run.method == "generalized-alpha") object["rho_inf"] = run.settings.rho_inf;
+  object["effective"] = run.effect ? to_json(run.effect->effective) : Json(nullptr);
+  if (!run.effect) return;
+  object["stable"] = run.effect->stable;
+  if (!run.effect->stable) object["stability_limit"] = json_or_null(run.effect->stability_limit);
+  object["energy_factor_per_cycle"] = json_or_null(run.effect->effective.energy_factor());
+  object["in_words"] = effect_in_words(run);
+}
+
 Json document(const SimulatedRun& run, const SimulateOptions& options) {
   const Outcome& outcome = run.outcome;
   Json object;
@@ -68,6 +85,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
                      {"v", outcome.y.v},
                      {"energy", energy(run.oscillator, outcome.y)}};
   object["events"] = events(run, options);
+  add_effect(object, run);
   object["sensor"] = sensor(options.sensor);
   return object;
 }

@@ -79,6 +79,13 @@ std::vector<Option> options_of(SimulateOptions& o) {
        ":falling, "
        ":stop; may be given several times",
        "none", integration},
+      {"beta", &o.beta, "", Range::fraction,
+       "of newmark: 1/4 average acceleration, 1/6 linear acceleration, 0 central difference", "0.25",
+       integration},
+      {"gamma", &o.gamma, "", Range::fraction, "of newmark: above 1/2 it damps, below it grows", "0.5",
+       integration},
+      {"rho-inf", &o.rho_inf, "", Range::fraction,
+       "of generalized-alpha: what is left of motions far faster than the step, each step", "0.8", integration},
       {"every", &o.every, "", Range::positive, "keep every Nth state", "1", integration},
       {"sensor-noise", &o.sensor.noise, "m", Range::not_negative, "standard deviation of the noise", "0",
        sensor, &o.sensor.used},

@@ -12,6 +12,7 @@
 #include "cromer/model/sensor.h"
 #include "cromer/run/keep.h"
 #include "cromer/run/solve.h"
+#include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/simulate_setup.h"
 #include "cromer/study/task/with_system.h"
 
@@ -68,7 +69,7 @@ void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const MethodSettings settings{.newton = {.tolerance = run.tolerance}};
   KeepEvery keep(every, count_steps(interval, run.step));
   run.outcome = with_system(run, [&](const auto& system) {
-    return visit_method(run.method, settings, [&](const auto& method) {
+    return visit_method(run.method, run.settings, [&](const auto& method) {
       return solve(system, method, interval, run.start, {run.step, run.tolerance, longest_step(run)}, keep,
                    watch, {}, &run.events);
     });
@@ -111,8 +112,10 @@ SimulateOptions with_defaults(SimulateOptions options, const SimulatedRun& run) 
 Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& watch) {
   auto runs = set_up_runs(options);
   if (!runs) return runs.error();
+  for (auto& run : *runs) run.effect = effect_of(run);
   SimulateResult result;
   result.warnings = setup_warnings(options, *runs);
+  if (watch.warn) watch.warn(result.warnings);
   result.options = with_defaults(options, runs->front());
   result.runs = *std::move(runs);
   for (std::size_t i = 0; i < result.runs.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
+#include "cromer/methods/method_settings.h"
 #include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
@@ -15,6 +16,7 @@
 #include "cromer/run/outcome.h"
 #include "cromer/run/trajectory.h"
 #include "cromer/study/task/drive_record.h"
+#include "cromer/study/task/method_effect.h"
 
 namespace cromer {
 
@@ -62,6 +64,8 @@ struct SimulateOptions {
   std::optional<double> until{};              // [s] > 0; 20 natural periods
   std::optional<double> tolerance{};  // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
   std::vector<std::string> event{};   ///< as event_option.h reads them
+  std::optional<double> beta{}, gamma{};      // of newmark, 0 to 1; 1/4 and 1/2 by default
+  std::optional<double> rho_inf{};            // of generalized-alpha, 0 to 1; 0.8 by default
   long long every = 1;                ///< keep every Nth state, > 0
   SensorOptions sensor{};
   double memory =
@@ -79,6 +83,8 @@ struct SimulatedRun {
   double step = 0;   // [s]
   double until = 0;  // [s]
   double tolerance = 0;
+  MethodSettings settings{};  ///< what the method takes besides
+  std::optional<MethodEffect> effect{};  ///< what it really simulates, of linear laws
   Outcome outcome;
   Trajectory trajectory;
   std::vector<double> sensor{};  ///< one sample per kept state; empty without a sensor

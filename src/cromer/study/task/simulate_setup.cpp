@@ -206,6 +206,10 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       run.events.events = *events;
       run.tolerance = options.tolerance.value_or(is_adaptive(method) ? StepControl::default_tolerance
                                                                      : NewtonOptions{}.tolerance);
+      run.settings = {.newton = {.tolerance = run.tolerance},
+                      .beta = options.beta.value_or(run.settings.beta),
+                      .gamma = options.gamma.value_or(run.settings.gamma),
+                      .rho_inf = options.rho_inf.value_or(run.settings.rho_inf)};
       run.label = label_of(options, run);
       if (auto good = check_start(run); !good) return good.error();
       if (auto good = set_times(options, run); !good) return good.error();
@@ -232,6 +236,13 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
   for (const auto& run : runs) {
     if (options.tolerance && !uses_tolerance(run.method))
       add_once(fmt::format("--tolerance has no effect on {}", run.method));
+    if ((options.beta || options.gamma) && run.method != Newmark::info.name)
+      add_once(fmt::format("--{} has no effect on {}", options.beta ? "beta" : "gamma", run.method));
+    if (options.rho_inf && run.method != GeneralizedAlpha::info.name)
+      add_once(fmt::format("--rho-inf has no effect on {}", run.method));
+    if (run.effect)
+      if (auto warning = instability_warning(run.method, *run.effect, run.step); !warning.empty())
+        add_once(std::move(warning));
     const Steps steps = count_steps({0, run.until}, run.step);
     if (steps.last > 0)
       add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {:.6g} s",

@@ -1,0 +1,93 @@
+#include "cromer/study/task/run_effect.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cromer/study/task/simulate.h"
+
+namespace cromer {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+SimulateResult run(SimulateOptions options) {
+  auto result = simulate(options);
+  EXPECT_TRUE(result.ok()) << result.error().message;
+  return *std::move(result);
+}
+
+TEST(RunEffect, EveryLinearRunSaysWhatItReallySimulates) {
+  const auto result = run({.stiffness = 36,
+                           .damping = 0.3,
+                           .method = {"forward-euler", "euler-cromer", "exact", "dormand-prince"},
+                           .step = 0.01,
+                           .until = 1});
+  EXPECT_NEAR(*result.runs[0].effect->effective.decay_rate, -0.030, 5e-4);
+  EXPECT_THAT(effect_in_words(result.runs[0]),
+              HasSubstr("forward-euler turns damping of 0.15 1/s into growth"));
+  EXPECT_NEAR(*result.runs[1].effect->effective.decay_rate, 0.1502, 5e-5);
+  EXPECT_EQ(*result.runs[2].effect->effective.decay_rate, 0.15);
+  EXPECT_FALSE(result.runs[3].effect) << "it chooses its own steps";
+}
+
+TEST(RunEffect, ADrivenRunSettlesWhereItIsSaidTo) {
+  const auto result = run({.stiffness = 36,
+                           .damping = 1.2,
+                           .drive_amplitude = 1.5,
+                           .drive_frequency = {4},
+                           .method = {"euler-cromer"},
+                           .step = 0.05,
+                           .until = 100});
+  const auto& steady = *result.runs[0].effect->effective.steady_state;
+  EXPECT_NEAR(result.runs[0].outcome.y.x,
+              steady.amplitude * std::cos(4 * result.runs[0].outcome.t - steady.phase_lag), 1e-12);
+  EXPECT_THAT(effect_in_words(result.runs[0]), HasSubstr("will settle at"));
+}
+
+TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
+  std::vector<std::string> said;
+  bool finished = false;
+  Watch watch;
+  watch.warn = [&](const std::vector<std::string>& warnings) {
+    EXPECT_FALSE(finished);
+    said = warnings;
+  };
+  watch.progress = [&](double) { finished = true; };
+  const auto result =
+      simulate({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.34, .until = 3.4}, watch);
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(finished);
+  EXPECT_THAT(said,
+              Contains(HasSubstr("--step: 0.34 s is beyond the stability limit of euler-cromer for this law, "
+                                 "0.333333 s")));
+  EXPECT_THAT(run({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.33, .until = 3.3}).warnings,
+              testing::IsEmpty());
+  EXPECT_THAT(run({.stiffness = 36, .method = {"forward-euler"}, .step = 0.01, .until = 1}).warnings,
+              Contains(HasSubstr("forward-euler is unstable for this law whatever the step")));
+}
+
+TEST(RunEffect, NonlinearLawsHaveNone) {
+  EXPECT_FALSE(run({.drag = 0.1, .step = 0.01, .until = 0.1}).runs[0].effect);
+  EXPECT_FALSE(run({.cubic = 1, .step = 0.01, .until = 0.1}).runs[0].effect);
+}
+
+TEST(RunEffect, OptionsOfTheMethodReachIt) {
+  // The central difference is Verlet's method.
+  const auto result =
+      run({.stiffness = 36, .method = {"newmark", "verlet"}, .step = 0.1, .until = 1, .beta = 0.0});
+  EXPECT_NEAR(result.runs[0].outcome.y.x, result.runs[1].outcome.y.x, 1e-13);
+  EXPECT_THAT(result.warnings, Contains("--beta has no effect on verlet"));
+  const auto damped =
+      run({.stiffness = 36, .method = {"generalized-alpha"}, .step = 1000, .until = 2000, .rho_inf = 0.3});
+  EXPECT_NEAR(damped.runs[0].effect->effective.spectral_radius, 0.3, 0.02);
+
+  const auto refused = simulate({.method = {"generalized-alpha"}, .rho_inf = 1.2});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().message, HasSubstr("--rho-inf: it must lie between 0 and 1, not 1.2"));
+}
+
+}  // namespace
+}  // namespace cromer
