@@ -7,8 +7,10 @@
 #include "cromer/study/task/compare.h"
 #include "cromer/study/task/fit.h"
 #include "cromer/study/task/local_error.h"
+#include "cromer/study/task/method_map.h"
 #include "cromer/study/task/resonance.h"
 #include "cromer/study/task/simulate.h"
+#include "cromer/study/task/work_precision.h"
 
 namespace cromer {
 
@@ -30,5 +32,13 @@ void collect(const std::string& id, const ResonanceResult& resonance, Results& r
 /// "id.N" for method N: label, x_slope, v_slope, x_over_predicted, v_over_predicted. Columns h, x_error,
 /// v_error.
 void collect(const std::string& id, const LocalErrorResult& errors, Results& results);
+
+/// "id": natural_frequency, decay_rate. "id.N" for method N: label, and at w h nearest to 0.1
+/// at_a_tenth.decay_rate, at_a_tenth.frequency_error. Columns wh, decay_rate, frequency_error, decay_error.
+void collect(const std::string& id, const MethodMapResult& map, Results& results);
+
+/// "id.N" for method N: label, slope, evaluations_for_a_millionth where it gets there. Columns evaluations,
+/// error.
+void collect(const std::string& id, const WorkPrecisionResult& work, Results& results);
 
 }  // namespace cromer

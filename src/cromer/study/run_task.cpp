@@ -131,6 +131,41 @@ Result<TaskReport> run_local_error(const Work& work) {
   return TaskReport{};
 }
 
+Option plain_option(std::string_view name, Option::Target target) {
+  return {.name = name,
+          .target = target,
+          .unit = "",
+          .range = Range::positive,
+          .help = "",
+          .default_text = "",
+          .group = ""};
+}
+
+Result<TaskReport> run_method_map(const Work& work) {
+  MethodMapOptions options;
+  auto table = options_of(options.simulate);
+  table.push_back(plain_option("from", &options.from));
+  table.push_back(plain_option("to", &options.to));
+  table.push_back(plain_option("points", &options.points));
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  const auto result = method_map(options);
+  if (!result) return work.error(result.error());
+  collect(work.task.id, *result, work.results);
+  return TaskReport{};
+}
+
+Result<TaskReport> run_work_precision(const Work& work) {
+  WorkPrecisionOptions options;
+  auto table = options_of(options.simulate);
+  table.push_back(plain_option("longest", &options.longest));
+  table.push_back(plain_option("halvings", &options.halvings));
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  const auto result = work_precision(options, work.watch);
+  if (!result) return work.error(result.error());
+  collect(work.task.id, *result, work.results);
+  return TaskReport{};
+}
+
 /// The largest distance between the positions of two results, row by row.
 Result<TaskReport> run_difference(const Work& work) {
   std::string of, minus;
@@ -158,7 +193,8 @@ struct Command {
 
 constexpr Command commands[] = {{"simulate", run_simulate},       {"fit", run_fit},
                                 {"compare", run_compare},         {"resonance", run_resonance},
-                                {"local-error", run_local_error}, {"difference", run_difference}};
+                                {"local-error", run_local_error}, {"difference", run_difference},
+                                {"method-map", run_method_map},   {"work-precision", run_work_precision}};
 
 }  // namespace
 

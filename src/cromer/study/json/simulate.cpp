@@ -4,8 +4,8 @@
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/drive.h"
 #include "cromer/study/json/effect.h"
-#include "cromer/study/json/json.h"
 #include "cromer/study/task/run_effect.h"
+#include "cromer/study/json/json.h"
 
 namespace cromer {
 namespace {
@@ -29,11 +29,33 @@ Json sensor(const SensorOptions& options) {
           {"seed", options.seed}};
 }
 
+Json accuracy(const Accuracy& found) {
+  const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  return {{"asked", found.asked},
+          {"step", found.step},
+          {"frequency_error", or_null(found.frequency_error)},
+          {"decay_error", or_null(found.decay_error)},
+          {"amplitude_error", found.amplitude_error}};
+}
+
+Json energy_balance(const EnergyBalance& balance) {
+  return {{"start", balance.start},     {"end", balance.end},   {"drive", balance.drive},
+          {"damping", balance.damping}, {"drag", balance.drag}, {"friction", balance.friction},
+          {"method", balance.method()}};
+}
+
+Json measured(const MeasuredOscillator& found) {
+  return {{"angular_frequency", found.angular_frequency},
+          {"decay_rate", found.decay_rate},
+          {"first_amplitude", found.first_amplitude},
+          {"last_amplitude", found.last_amplitude},
+          {"half_cycles", found.half_cycles}};
+}
+
 Json events(const SimulatedRun& run, const SimulateOptions& options) {
   Json all = Json::array();
   for (const FoundEvent& found : run.events.found)
-    all.push_back(
-        {{"event", options.event[found.event]}, {"t", found.t}, {"x", found.y.x}, {"v", found.y.v}});
+    all.push_back({{"event", options.event[found.event]}, {"t", found.t}, {"x", found.y.x}, {"v", found.y.v}});
   return all;
 }
 
@@ -85,6 +107,9 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
                      {"v", outcome.y.v},
                      {"energy", energy(run.oscillator, outcome.y)}};
   object["events"] = events(run, options);
+  if (run.accuracy) object["accuracy"] = accuracy(*run.accuracy);
+  object["energy_balance"] = run.energy_balance ? energy_balance(*run.energy_balance) : Json(nullptr);
+  if (run.measured) object["measured"] = measured(*run.measured);
   add_effect(object, run);
   object["sensor"] = sensor(options.sensor);
   return object;

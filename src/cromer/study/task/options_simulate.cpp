@@ -33,8 +33,8 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"velocity", &o.velocity, "m/s", Range::any, "velocity at the start", "0", start},
       {"drive", &o.drive, "", Range::any,
        "harmonic, step, rectangular, half-sine, triangular (pulses), chirp (linear sweep), "
-       "logarithmic-chirp, unbalance (rotating, m_u e w^2), base (shaking: Y cos(w t + phi), x relative to "
-       "it)",
+       "logarithmic-chirp, "
+       "unbalance (rotating, m_u e w^2), base (shaking: Y cos(w t + phi), x relative to it)",
        "harmonic", drive},
       {"drive-amplitude", &o.drive_amplitude, "N", Range::not_negative,
        "amplitude F of the driving force, or height of a pulse", "0: none", drive},
@@ -74,9 +74,12 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"tolerance", &o.tolerance, "", Range::tolerance,
        "relative to the motion's scale, of Newton's last update or an adaptive method's step; 1e-15 to 1e-2",
        "1e-12; adaptive 1e-9", integration},
+      {"accuracy", &o.accuracy, "", Range::accuracy,
+       "in place of step: the largest that keeps frequency, decay and amplitude within this part of themselves; "
+       "1e-9 to 0.5 (\"0.1 %\")",
+       "", integration},
       {"event", &o.event, "", Range::any,
-       "report when it happens: position=VALUE, velocity=VALUE or turning-point, then any of :rising, "
-       ":falling, "
+       "report when it happens: position=VALUE, velocity=VALUE or turning-point, then any of :rising, :falling, "
        ":stop; may be given several times",
        "none", integration},
       {"beta", &o.beta, "", Range::fraction,

@@ -13,6 +13,7 @@
 #include "cromer/run/keep.h"
 #include "cromer/run/solve.h"
 #include "cromer/study/task/run_effect.h"
+#include "cromer/study/task/run_energy.h"
 #include "cromer/study/task/simulate_setup.h"
 #include "cromer/study/task/with_system.h"
 
@@ -66,12 +67,10 @@ double longest_step(const SimulatedRun& run) {
 
 void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const Interval interval{0, run.until};
-  const MethodSettings settings{.newton = {.tolerance = run.tolerance}};
   KeepEvery keep(every, count_steps(interval, run.step));
   run.outcome = with_system(run, [&](const auto& system) {
     return visit_method(run.method, run.settings, [&](const auto& method) {
-      return solve(system, method, interval, run.start, {run.step, run.tolerance, longest_step(run)}, keep,
-                   watch, {}, &run.events);
+      return solve(system, method, interval, run.start, {run.step, run.tolerance, longest_step(run)}, keep, watch, {}, &run.events);
     });
   });
   run.trajectory = keep.take();
@@ -112,6 +111,8 @@ SimulateOptions with_defaults(SimulateOptions options, const SimulatedRun& run) 
 Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& watch) {
   auto runs = set_up_runs(options);
   if (!runs) return runs.error();
+  if (options.accuracy)
+    if (auto good = choose_steps(options, *runs, watch); !good) return good.error();
   for (auto& run : *runs) run.effect = effect_of(run);
   SimulateResult result;
   result.warnings = setup_warnings(options, *runs);
@@ -124,6 +125,8 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
     if (run.events.missed > 0)
       result.warnings.push_back(fmt::format("{}: only the first {} of {} events are listed", run.label,
                                             EventLog::most, EventLog::most + run.events.missed));
+    run.energy_balance = energy_balance_of(run);
+    run.measured = measured_oscillator_of(run);
     if (options.sensor.used) run.sensor = readings(run.trajectory, options.sensor);
   }
   return result;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cromer/analysis/energy_balance.h"
+#include "cromer/analysis/measured_oscillator.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
@@ -15,6 +17,7 @@
 #include "cromer/run/event.h"
 #include "cromer/run/outcome.h"
 #include "cromer/run/trajectory.h"
+#include "cromer/study/task/accuracy.h"
 #include "cromer/study/task/drive_record.h"
 #include "cromer/study/task/method_effect.h"
 
@@ -63,9 +66,10 @@ struct SimulateOptions {
   std::optional<double> step{};               // [s] > 0; 1/200 of the shorter of natural and drive period
   std::optional<double> until{};              // [s] > 0; 20 natural periods
   std::optional<double> tolerance{};  // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
-  std::vector<std::string> event{};   ///< as event_option.h reads them
   std::optional<double> beta{}, gamma{};      // of newmark, 0 to 1; 1/4 and 1/2 by default
   std::optional<double> rho_inf{};            // of generalized-alpha, 0 to 1; 0.8 by default
+  std::optional<double> accuracy{};   ///< 1e-9 to 0.5, in place of step: the largest that keeps to it
+  std::vector<std::string> event{};   ///< as event_option.h reads them
   long long every = 1;                ///< keep every Nth state, > 0
   SensorOptions sensor{};
   double memory =
@@ -90,6 +94,9 @@ struct SimulatedRun {
   std::vector<double> sensor{};  ///< one sample per kept state; empty without a sensor
   std::string message;           ///< why it ended early, with time and step
   EventLog events{};             ///< what was watched for and found
+  std::optional<Accuracy> accuracy{};             ///< where it was asked for
+  std::optional<MeasuredOscillator> measured{};   ///< of a free motion that is not the linear law's
+  std::optional<EnergyBalance> energy_balance{};  ///< where the kept states are dense enough for it
 
   /// It reached its end, or an event that was to stop it.
   bool done() const {

@@ -11,8 +11,8 @@
 #include "cromer/model/terms.h"
 #include "cromer/run/step_control.h"
 #include "cromer/run/steps.h"
-#include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/event_option.h"
+#include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/option.h"
 
 namespace cromer {
@@ -37,6 +37,8 @@ Result<void> check_alternatives(const SimulateOptions& o) {
                              shortest(o.friction), shortest(*o.static_friction))};
   if (o.damping.has_value() + o.damping_ratio.has_value() + o.quality_factor.has_value() > 1)
     return Error{"--damping, --damping-ratio and --quality-factor all set the damping; give one of them"};
+  if (o.step && o.accuracy)
+    return Error{"--step and --accuracy both set the step; give one of them"};
   return {};
 }
 
@@ -54,13 +56,9 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   if (!std::isfinite(k) || !std::isfinite(c))
     return Error{
         "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
-  return Oscillator<double>{.mass = m,
-                            .stiffness = k,
-                            .damping = c,
-                            .drag = o.drag,
-                            .friction = o.friction,
-                            .cubic = o.cubic,
-                            .static_friction = o.static_friction.value_or(0)};
+  return Oscillator<double>{
+      .mass = m, .stiffness = k, .damping = c, .drag = o.drag, .friction = o.friction, .cubic = o.cubic,
+      .static_friction = o.static_friction.value_or(0)};
 }
 
 State<double> start_of(const SimulateOptions& o) {
@@ -105,10 +103,10 @@ Result<void> check_exact(const SimulatedRun& run) {
   if (run.method != "exact" || term.empty()) return {};
   if (term == "friction") {
     if (run.drive.amplitude == 0 && !run.general) return {};
-    return Error{fmt::format(
-        "--method exact: with friction ({} N) there is no closed form under a drive; leave one of them "
-        "out or choose another method, for instance dormand-prince",
-        shortest(law.friction))};
+    return Error{
+        fmt::format("--method exact: with friction ({} N) there is no closed form under a drive; leave one of them "
+                    "out or choose another method, for instance dormand-prince",
+                    shortest(law.friction))};
   }
   const double value = term == "cubic" ? law.cubic : law.drag;
   const std::string_view unit = term == "cubic" ? "N/m^3" : "kg/m";

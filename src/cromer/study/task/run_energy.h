@@ -1,0 +1,20 @@
+// What a finished run says about itself: its energy balance and, where no closed form tells, its oscillation.
+#pragma once
+
+#include <optional>
+
+#include "cromer/analysis/energy_balance.h"
+#include "cromer/analysis/measured_oscillator.h"
+#include "cromer/study/task/simulate.h"
+
+namespace cromer {
+
+/// From the kept states and the final one; of the smooth linear law by `exact`, from the closed form between
+/// them, closed to rounding. Empty if the run ended early or its states are fewer than 20 a period.
+std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
+
+/// Of a free motion under a law with cubic, drag or friction; empty for others, and with fewer than 8 kept
+/// states a period.
+std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run);
+
+}  // namespace cromer
