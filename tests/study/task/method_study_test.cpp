@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cromer/study/task/method_map.h"
+#include "cromer/study/task/work_precision.h"
+
+namespace cromer {
+namespace {
+
+TEST(MethodMap, IsTheClosedFormOfTheEulers) {
+  MethodMapOptions options;
+  options.simulate.natural_frequency = 1;
+  options.simulate.damping_ratio = 0.02;
+  options.simulate.method = {"forward-euler", "euler-cromer"};
+  options.points = 20;
+  const auto map = method_map(options);
+  ASSERT_TRUE(map.ok());
+  EXPECT_NEAR(map->decay_rate, 0.02, 1e-15);
+  for (std::size_t i = 0; i < 20; ++i) {
+    const double h = map->curves[0].wh[i];
+    EXPECT_NEAR(map->curves[0].decay_rate[i], -std::log(1 - 0.04 * h + h * h) / (2 * h), 1e-12);
+    if (h < 1.9) {
+      EXPECT_NEAR(map->curves[1].decay_rate[i], -std::log(1 - 0.04 * h) / (2 * h), 1e-12);
+    }
+  }
+  EXPECT_NEAR(map->curves[0].wh.front(), 0.02, 1e-15);
+  EXPECT_NEAR(map->curves[0].wh.back(), 2.5, 1e-12);
+}
+
+TEST(MethodMap, RefusesWhatHasNoOneFrequency) {
+  MethodMapOptions options;
+  options.simulate.cubic = 1;
+  EXPECT_FALSE(method_map(options).ok());
+  options.simulate.cubic = 0;
+  options.simulate.damping = 5;
+  EXPECT_FALSE(method_map(options).ok());
+  options.simulate.damping = 0;
+  options.simulate.method = {"dormand-prince"};
+  EXPECT_FALSE(method_map(options).ok());
+}
+
+TEST(WorkPrecision, FallsWithTheOrder) {
+  WorkPrecisionOptions options;
+  options.simulate.damping = 0.04;
+  options.simulate.until = 20;
+  options.simulate.method = {"verlet", "rk4", "dormand-prince"};
+  options.halvings = 9;
+  const auto work = work_precision(options);
+  ASSERT_TRUE(work.ok());
+  EXPECT_NEAR(work->curves[0].slope, -2, 0.1);
+  EXPECT_NEAR(work->curves[1].slope, -4, 0.15);
+  EXPECT_NEAR(work->curves[2].slope, -5, 0.5);
+  for (const auto& curve : work->curves)
+    for (std::size_t i = 1; i < curve.evaluations.size(); ++i)
+      EXPECT_GT(curve.evaluations[i], curve.evaluations[i - 1]) << curve.method;
+}
+
+}  // namespace
+}  // namespace cromer
