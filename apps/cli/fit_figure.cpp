@@ -39,7 +39,7 @@ Panel residual_panel(const FittedRecording& fitted, const MeasuredAxis& axis,
   Panel panel;
   panel.title = "What the law leaves";
   panel.x.name = "time {/:Italic t} (s)";
-  panel.y.name = fmt::format("residual ({})", axis.unit);
+  panel.y.name = axis.unit.empty() ? "residual" : fmt::format("residual ({})", axis.unit);
   Curve rest = measured_curve(fitted, axis);
   for (std::size_t i = 0; i < rest.y.size(); ++i) rest.y[i] -= model[i];
   rest.name = "residual";
