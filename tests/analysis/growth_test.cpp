@@ -69,7 +69,12 @@ TEST(LocalError, HasTheOrderOfEveryMethod) {
     const double h = method.info.order >= 4 ? 0.02 : 1e-3;
     const LocalError error =
         local_error(system, method, 0.3, {0.4, 1.1}, std::vector<double>{h, h / 2, h / 4});
-    EXPECT_NEAR(std::min(error.position_slope, error.velocity_slope), method.info.order + 1, 0.1)
+    // The acceleration that generalized-alpha carries belongs to a shifted time. Its first step begins with
+    // the state's own and misses a term of second order; once only, so that the run keeps its order.
+    using M = std::decay_t<decltype(method)>;
+    constexpr bool carries = CarriesAcceleration<M, typename M::template Memory<double>>;
+    EXPECT_NEAR(std::min(error.position_slope, error.velocity_slope), method.info.order + (carries ? 0 : 1),
+                0.1)
         << method.info.name;
   });
 }

@@ -68,10 +68,11 @@ TEST(ListMethods, SayWhatTheyReallySimulate) {
 TEST(ListMethods, ExactIsItsOwnOscillatorAtAnyStep) {
   auto options = theory;
   options.step = 2;  // more than half a period
-  const auto effect = row_of("exact", options).effect;
-  EXPECT_EQ(*effect->effective.decay_rate, 0.15);
-  EXPECT_DOUBLE_EQ(*effect->effective.angular_frequency, std::sqrt(36 - 0.15 * 0.15));
-  EXPECT_TRUE(effect->stable);
+  const MethodRow row = row_of("exact", options);
+  ASSERT_TRUE(row.effect && row.effect->effective.decay_rate && row.effect->effective.angular_frequency);
+  EXPECT_EQ(row.effect->effective.decay_rate.value_or(0), 0.15);
+  EXPECT_DOUBLE_EQ(row.effect->effective.angular_frequency.value_or(0), std::sqrt(36 - 0.15 * 0.15));
+  EXPECT_TRUE(row.effect->stable);
 }
 
 TEST(ListMethods, WhatDoesNotSwingHasNoRates) {
