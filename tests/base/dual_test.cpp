@@ -64,5 +64,15 @@ TEST(Dual, NestsForSecondDerivatives) {
   EXPECT_EQ(value_of(y), 0.09 * std::sin(0.3));
 }
 
+TEST(Dual, MayBeDividedAndMultipliedByItself) {
+  auto x = Dual<double, 1>::variable(3, 0);
+  x *= x;
+  EXPECT_EQ(x.value, 9);
+  EXPECT_EQ(x.derivative[0], 6);
+  x /= x;
+  EXPECT_EQ(x.value, 1);
+  EXPECT_EQ(x.derivative[0], 0);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -45,16 +45,15 @@ struct Dual {
     for (std::size_t i = 0; i < N; ++i) derivative[i] -= b.derivative[i];
     return *this;
   }
-  constexpr Dual& operator*=(const Dual& other) {
-    const Dual b = other;  // may be this number itself
+  constexpr Dual& operator*=(const Dual& b) {
     for (std::size_t i = 0; i < N; ++i) derivative[i] = derivative[i] * b.value + value * b.derivative[i];
     value *= b.value;
     return *this;
   }
-  constexpr Dual& operator/=(const Dual& other) {
-    const Dual b = other;  // may be this number itself
-    value /= b.value;
-    for (std::size_t i = 0; i < N; ++i) derivative[i] = (derivative[i] - value * b.derivative[i]) / b.value;
+  constexpr Dual& operator/=(const Dual& b) {
+    const Real divisor = b.value;  // b may be this number itself
+    value /= divisor;
+    for (std::size_t i = 0; i < N; ++i) derivative[i] = (derivative[i] - value * b.derivative[i]) / divisor;
     return *this;
   }
 
