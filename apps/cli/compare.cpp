@@ -77,7 +77,7 @@ int run_compare(const Arguments& arguments) {
                      "measured and simulated motion as .csv, or the document as .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  if (auto good = check_outputs(output, files); !good) return refuse(good.error().message);
   auto bytes = read_file(files.front());
   if (!bytes) return refuse(bytes.error().message);
   auto comparisons = compare(*bytes, files.front(), options, watching(output.quiet));

@@ -65,7 +65,7 @@ int run_fit(const Arguments& arguments) {
   add_output_options(syntax.options, output, {}, "the table of quantities as .csv, or the document as .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  if (auto good = check_outputs(output, files); !good) return refuse(good.error().message);
 
   const Watch watch = watching(output.quiet);
   auto fits = fit_all(files, options, watch);

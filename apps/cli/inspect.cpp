@@ -80,7 +80,7 @@ int run_inspect(const Arguments& arguments) {
   add_output_options(syntax.options, output, {.plot = false}, "the columns as .csv or .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  if (auto good = check_outputs(output, files); !good) return refuse(good.error().message);
   auto bytes = read_file(files.front());
   if (!bytes) return refuse(bytes.error().message);
   auto inspection = inspect(*bytes, files.front(), options);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <utility>
 
 #include "cromer/report/file.h"
 
@@ -35,7 +37,13 @@ Result<FileFormat> file_format(const std::string& path) {
                            path, ending)};
 }
 
-Result<void> check_outputs(const OutputOptions& options) {
+Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs) {
+  for (const auto& input : inputs)
+    for (const auto& [name, path] : {std::pair{"-o", &options.output}, std::pair{"--plot", &options.plot}}) {
+      std::error_code none;
+      if (!path->empty() && std::filesystem::equivalent(input, *path, none))
+        return Error{fmt::format("{} {}: that is the recording itself; it would be lost", name, *path)};
+    }
   if (!options.output.empty()) {
     if (auto format = file_format(options.output); !format) return format.error();
     if (options.output == "-" && options.json)

@@ -33,8 +33,8 @@ enum class FileFormat { csv, json };
 /// By the ending of the name; "-" is CSV on standard output. HDF5 and unknown endings are Errors.
 Result<FileFormat> file_format(const std::string& path);
 
-/// That all outputs have a known format and can be written; asked before long work.
-Result<void> check_outputs(const OutputOptions& options);
+/// That all outputs have a known format, can be written, and are none of the inputs; asked before long work.
+Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs = {});
 
 /// Draws the figure and writes it.
 Result<void> write_plot(const std::string& path, const Figure& figure);

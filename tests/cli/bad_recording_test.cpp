@@ -65,6 +65,15 @@ TEST_P(Commands, NameFileLineAndColumnOfAWord) {
 INSTANTIATE_TEST_SUITE_P(All, Commands, ::testing::Values("inspect", "fit", "compare"),
                          [](const auto& test) { return std::string(test.param); });
 
+TEST_P(Commands, NeverOverwriteTheRecording) {
+  folder.write("lab.csv", recording(600));
+  const std::string before = folder.read("lab.csv");
+  const Finished end = folder.run({GetParam(), "lab.csv", "-o", "./lab.csv"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("the recording itself"));
+  EXPECT_EQ(folder.read("lab.csv"), before);
+}
+
 TEST(BadRecording, SkipBadRowsReadsTheRest) {
   const Folder folder;
   std::string text = recording(1000);
