@@ -45,49 +45,36 @@ Result<TaskReport> run_simulate(const Work& work) {
   return TaskReport{result->warnings, ""};
 }
 
-Result<TaskReport> run_fit(const Work& work) {
-  FitOptions options;
-  std::string file;
-  auto table = options_of(options);
-  table.push_back(text_option("file", file));
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
-  const auto bytes = work.recording(file);
-  if (!bytes) return bytes.error();
-  const auto fits = fit(*bytes, file, options, work.watch);
-  if (!fits) return work.error(fits.error());
-  TaskReport report;
-  for (std::size_t i = 0; i < fits->size(); ++i) {
-    const FittedRecording& fitted = (*fits)[i];
-    if (fitted.fit.status != FitStatus::converged)
-      return TaskReport{fitted.warnings, file + ": " + fitted.fit.message};
-    collect(fits->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), fitted,
-            work.results);
-    report.warnings.insert(report.warnings.end(), fitted.warnings.begin(), fitted.warnings.end());
-  }
-  return report;
-}
+const FreeDecay& fit_of(const FittedRecording& fitted) { return fitted.fit; }
+const FreeDecay& fit_of(const CompareResult& compared) { return compared.recording.fit; }
 
-Result<TaskReport> run_compare(const Work& work) {
-  CompareOptions options;
+/// fit and compare: a recording's file in, one result for each of its runs out.
+template <class Options, class Task>
+Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
+  Options options;
   std::string file;
   auto table = options_of(options);
   table.push_back(text_option("file", file));
   if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
   const auto bytes = work.recording(file);
   if (!bytes) return bytes.error();
-  const auto compared = compare(*bytes, file, options, work.watch);
-  if (!compared) return work.error(compared.error());
+  const auto found = task(*bytes, file, options, work.watch);
+  if (!found) return work.error(found.error());
   TaskReport report;
-  for (std::size_t i = 0; i < compared->size(); ++i) {
-    const CompareResult& each = (*compared)[i];
-    if (each.recording.fit.status != FitStatus::converged)
-      return TaskReport{each.warnings, file + ": " + each.recording.fit.message};
-    collect(compared->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each,
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const auto& each = (*found)[i];
+    if (fit_of(each).status != FitStatus::converged)
+      return TaskReport{each.warnings, file + ": " + fit_of(each).message};
+    collect(found->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each,
             work.results);
     report.warnings.insert(report.warnings.end(), each.warnings.begin(), each.warnings.end());
   }
   return report;
 }
+
+Result<TaskReport> run_fit(const Work& work) { return run_on_recording<FitOptions>(work, fit); }
+
+Result<TaskReport> run_compare(const Work& work) { return run_on_recording<CompareOptions>(work, compare); }
 
 Result<TaskReport> run_resonance(const Work& work) {
   ResonanceOptions options;
