@@ -74,6 +74,15 @@ TEST_P(Commands, NeverOverwriteTheRecording) {
   EXPECT_EQ(folder.read("lab.csv"), before);
 }
 
+TEST(BadRecording, ATimeFarAwayIsNamedAndCanBeLeftOut) {
+  Folder folder;
+  folder.write("far.csv", recording(600) + "1e19,0.01\n");
+  const Finished end = folder.run({"fit", "far.csv"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("line 602: the time jumps"));
+  EXPECT_EQ(folder.run({"fit", "far.csv", "--to", "100"}).status, 0);
+}
+
 TEST(BadRecording, SkipBadRowsReadsTheRest) {
   const Folder folder;
   std::string text = recording(1000);

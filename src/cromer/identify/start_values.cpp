@@ -33,8 +33,11 @@ struct Samples {
 Samples even_samples(const Record& record, std::size_t count, double h) {
   Samples even;
   const double t0 = record.t.front(), t1 = record.t[count - 1];
-  const auto points = static_cast<std::size_t>((t1 - t0) / h + 1.0000001);
-  if (points == count || points > 4 * longest_transform) {  // mostly gaps: the order of the samples must do
+  const double wanted =
+      (t1 - t0) / h + 1.0000001;  // may be beyond every whole number: one absurd time is enough
+  const bool too_many = !(wanted <= static_cast<double>(4 * longest_transform));
+  const std::size_t points = too_many ? 0 : static_cast<std::size_t>(wanted);
+  if (points == count || too_many) {  // mostly gaps: the order of the samples must do
     even.t.assign(record.t.begin(), record.t.begin() + static_cast<std::ptrdiff_t>(count));
     even.y.assign(record.y.begin(), record.y.begin() + static_cast<std::ptrdiff_t>(count));
     return even;

@@ -257,11 +257,23 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
   return nullptr;
 }
 
+// A pause so long that the motion cannot be followed through it: a wrong time, or two recordings in one.
+Result<void> check_pauses(const Series& series) {
+  constexpr double longest_pause = 1e6;  // [sample spacings]
+  for (std::size_t i = 1; i < series.t.size(); ++i)
+    if ((series.t[i] - series.t[i - 1]) * series.rate > longest_pause)
+      return Error{fmt::format(
+          "line {}: the time jumps from {:.9g} to {:.9g} s; choose one side of it with --from and --to",
+          i < series.lines.size() ? series.lines[i] : 0, series.t[i - 1], series.t[i])};
+  return {};
+}
+
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch) {
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
   Result<Series> used = used_part(series, options);
   if (!used) return used.error();
+  if (const Result<void> checked = check_pauses(*used); !checked) return checked.error();
 
   FittedRecording result;
   result.file = file;
