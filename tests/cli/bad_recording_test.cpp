@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <filesystem>
 #include <random>
 
@@ -81,6 +83,19 @@ TEST(BadRecording, ATimeFarAwayIsNamedAndCanBeLeftOut) {
   EXPECT_EQ(end.status, 2);
   EXPECT_THAT(end.err, HasSubstr("line 602: the time jumps"));
   EXPECT_EQ(folder.run({"fit", "far.csv", "--to", "100"}).status, 0);
+}
+
+TEST(BadRecording, ALongPauseKeepsTheFrequency) {
+  Folder folder;
+  std::string csv = "Time (s),Position (m)\n";
+  for (int i = 0; i < 3000; ++i) {
+    const double t = 0.02 * i + (i >= 1500 ? 600 : 0);
+    csv += std::to_string(t) + "," + std::to_string(0.05 * std::exp(-0.001 * t) * std::cos(6 * t)) + "\n";
+  }
+  folder.write("pause.csv", csv);
+  const Finished end = folder.run({"fit", "pause.csv", "--law", "viscous", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_NEAR(end.json().at("parameters").at("angular_frequency").at("value").get<double>(), 6, 1e-5);
 }
 
 TEST(BadRecording, SkipBadRowsReadsTheRest) {

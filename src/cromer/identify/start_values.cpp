@@ -37,9 +37,15 @@ Samples even_samples(const Record& record, std::size_t count, double h) {
       (t1 - t0) / h + 1.0000001;  // may be beyond every whole number: one absurd time is enough
   const bool too_many = !(wanted <= static_cast<double>(4 * longest_transform));
   const std::size_t points = too_many ? 0 : static_cast<std::size_t>(wanted);
-  if (points == count || too_many) {  // mostly gaps: the order of the samples must do
-    even.t.assign(record.t.begin(), record.t.begin() + static_cast<std::ptrdiff_t>(count));
-    even.y.assign(record.y.begin(), record.y.begin() + static_cast<std::ptrdiff_t>(count));
+  if (points == count || too_many) {
+    // Mostly gaps: the longest stretch without one, which is even enough.
+    std::size_t first = 0, last = count;
+    for (std::size_t begin = 0, i = 1; too_many && i <= count; ++i) {
+      if (i < count && record.t[i] - record.t[i - 1] <= 1.5 * h) continue;
+      if (begin == 0 || i - begin > last - first) first = begin, last = i;
+      begin = i;
+    }
+    for (std::size_t i = first; i < last; ++i) even.add(record.t[i], record.y[i]);
     return even;
   }
   for (std::size_t i = 0, k = 0; k < points; ++k) {
