@@ -25,7 +25,7 @@ TEST(DormandPrince, DenseOutputIsOfFourthOrder) {
     double most = 0;
     for (const double theta : {0.1, 0.3, 0.5, 0.8})
       most = std::fmax(most,
-                       distance(method.interpolate(memory, theta), swinging.propagate(0, theta * h, start)));
+                       distance(method.dense_output(memory)(theta), swinging.propagate(0, theta * h, start)));
     return most;
   };
   // One step of a method of order 4 is off by h^5.
@@ -36,8 +36,8 @@ TEST(DormandPrince, DenseOutputMeetsTheEnds) {
   const DormandPrince method;
   auto memory = method.start(swinging, 0.0, start);
   const auto end = method.step(swinging, 0.0, 0.2, start, memory).y;
-  EXPECT_EQ(method.interpolate(memory, 0.0), start);
-  EXPECT_LT(distance(method.interpolate(memory, 1.0), end), 1e-16);
+  EXPECT_EQ(method.dense_output(memory)(0.0), start);
+  EXPECT_LT(distance(method.dense_output(memory)(1.0), end), 1e-16);
 }
 
 TEST(DormandPrince, TheEstimateIsTheErrorOfTheFourthOrderSolution) {

@@ -198,6 +198,19 @@ TEST(StickSlip, ReleaseIsFoundBetweenRowsFarApart) {
     EXPECT_NEAR(coarse.trajectory.x[i], fine.trajectory.x[1000 * i], 1e-8) << i;
 }
 
+TEST(StickSlip, BreaksLooseAtAnyTolerance) {
+  // Pull and friction all but cancel there: what moves at first is less than the rounding of both.
+  const Oscillator<double> o{.mass = 1, .stiffness = 4, .friction = 0.5};
+  const HarmonicDrive<double> drive{.amplitude = 1, .frequency = 3, .phase = 1.4};
+  const double end = run(o, drive, "dormand-prince", 10, {0.01, 1e-15}, {0, 0}).outcome.y.x;
+  for (const double step : {0.01, 0.3, 10.0})
+    for (const double tolerance : {1e-6, 1e-9, 1e-12, 1e-13, 1e-14}) {
+      const auto outcome = run(o, drive, "dormand-prince", 10, {step, tolerance}, {0, 0}).outcome;
+      EXPECT_EQ(outcome.status, Status::reached_end) << tolerance;
+      EXPECT_NEAR(outcome.y.x, end, std::max(30 * tolerance, 1e-13)) << tolerance;
+    }
+}
+
 TEST(StickSlip, APullThatJustBalancesIsRest) {
   // Turning points at 3 f/k, then f/k: there friction holds, or all but holds.
   for (const double k : {1.0, 3.0, 7.0, 0.3})

@@ -54,8 +54,9 @@ concept Method = requires(const M& method, const S& system, double t, double h, 
 };
 
 /// A method whose error estimate can choose the steps. info.error_order > 0: Trial.error is the embedded
-/// estimate, of order h^(error_order + 1). interpolate(memory, theta) is the state at t + theta h of the last
-/// step (dense output), 0 <= theta <= 1, until the next step.
+/// estimate, of order h^(error_order + 1). dense_output(memory) is the last step, from t to t + h, as a
+/// function: called with theta, 0 to 1, it gives the state at t + theta h. A method that names its nodes, the
+/// fractions of a step at which it asks for accelerations, gets a drive that is ready there.
 ///
 /// Memory is a value. To try a step, give `step` a copy: the copy of an accepted step is the new memory, that
 /// of a rejected one is thrown away. Once the loop inlines them the copies cost nothing.
@@ -63,7 +64,7 @@ template <class M, class S, class Real>
 concept AdaptiveMethod = Method<M, S, Real> &&(M::info.error_order > 0) &&
                          requires(const M& method, const typename M::template Memory<Real>& memory,
                                   double theta) {
-  { method.interpolate(memory, theta) } -> std::convertible_to<State<Real>>;
+  { method.dense_output(memory)(theta) } -> std::convertible_to<State<Real>>;
 };
 
 /// A method that carries an acceleration of its own, which is not that of the state, gives it as

@@ -17,6 +17,7 @@
 #include "cromer/model/drive.h"
 #include "cromer/model/friction.h"
 #include "cromer/model/harmonic_force.h"
+#include "cromer/model/node_force.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
 #include "cromer/model/terms.h"
@@ -44,7 +45,8 @@ constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& o) {
 }
 
 /// The smooth law per unit mass: x'' = f(t) - s x - k3 x^3 - (c + d |x'|) x', each coefficient divided by
-/// m. Force gives f(t) [m/s^2]: HarmonicForce, TabulatedForce after on_grid, or one of general_drive.h.
+/// m. Force gives f(t) [m/s^2]: HarmonicForce, TabulatedForce after on_grid, NodeForce after on_nodes, or one
+/// of general_drive.h.
 template <class Real, Terms terms, class Force = HarmonicForce<Real>>
 class DrivenOscillator {
  public:
@@ -93,6 +95,14 @@ class DrivenOscillator {
   auto on_grid(double spacing) const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
     return DrivenOscillator<Real, terms, TabulatedForce<Real>>(law_, TabulatedForce<Real>(force_, spacing));
   }
+  /// The same law for one step after another, its drive made ready for the step's nodes: move_to(t, h).
+  template <class Nodes>
+  auto on_nodes() const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
+    return DrivenOscillator<Real, terms, NodeForce<Real, Nodes>>(law_, NodeForce<Real, Nodes>(force_));
+  }
+  void move_to(double t, double h) requires requires(Force& force) { force.move_to(t, h); }
+  { force_.move_to(t, h); }
+
   static constexpr int block = TabulatedForce<Real>::block;
   void move_to(double first) requires(std::is_same_v<Force, TabulatedForce<Real>>) { force_.move_to(first); }
 

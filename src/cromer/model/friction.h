@@ -33,6 +33,11 @@ class Sliding {
     return smooth_.acceleration(t, x, v) - T(friction_);
   }
 
+  /// [m/s^2] Where the mass breaks loose, pull and friction cancel to this.
+  double acceleration_rounding() const {
+    return std::numeric_limits<double>::epsilon() * std::abs(value_of(friction_));
+  }
+
   /// The linear law without a drive: an arc about the place where spring and friction balance.
   State<Real> propagate(const Real& t0, const Real& t, const State<Real>& y0) const requires
       requires(const S& smooth) {

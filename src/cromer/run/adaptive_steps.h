@@ -6,14 +6,27 @@
 #include <limits>
 #include <type_traits>
 
+#include "cromer/base/compensated.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
 #include "cromer/run/course.h"
 #include "cromer/run/look_inside.h"
+#include "cromer/run/ready_for_steps.h"
 #include "cromer/run/step_control.h"
 
 namespace cromer {
+
+/// Whether the error of a step of length h [s] is the rounding of the acceleration, where the system says how
+/// large that is [m/s^2]: forces that all but cancel set a motion going so gently that nothing else is seen.
+template <class S, class Real>
+bool is_rounding(const S& system, const Trial<Real>& trial, double h) {
+  if constexpr (requires { system.acceleration_rounding(); }) {
+    const double change = 4 * system.acceleration_rounding() * h;  // [m/s]
+    return std::abs(value_of(trial.error.v)) <= change && std::abs(value_of(trial.error.x)) <= change * h;
+  }
+  return false;
+}
 
 /// Goes on from where the course stands until the last row, the end of the phase, or an early end. The error
 /// of each step is at most the tolerance, relative to the motion's own scale (MotionScale). Status
@@ -32,6 +45,9 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
   PiController controller(M::info.error_order);
   double h = first_step(course.y, system.acceleration(course.t, course.y.x, course.y.v), control.tolerance,
                         M::info.error_order, rows.step);
+  ReadyForSteps<S, M> ready(system);
+  // Equal steps would round the same way each time: the rest is kept.
+  Compensated now(course.t);
   while (course.goes_on(rows) && !course.at_rest) {
     course.look_up(rows, watch, limits);
     if (course.status != Status::reached_end) return;
@@ -45,12 +61,13 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
       h = left / 2;
 
     auto tried = memory;
-    const Trial<Real> trial = method.step(system, course.t, h, course.y, tried);
+    const Trial<Real> trial = method.step(ready.over(course.t, h), course.t, h, course.y, tried);
     course.counts.newton_iterations += trial.newton_iterations;
     course.counts.evaluations += M::info.evaluations_of(1, trial.newton_iterations);
     const bool finite = is_finite(trial.y);
-    const double error = trial.converged && finite ? scale.norm(trial, h, control.tolerance)
-                                                   : std::numeric_limits<double>::infinity();
+    double error = std::numeric_limits<double>::infinity();
+    if (trial.converged && finite)
+      error = is_rounding(system, trial, h) ? 0 : scale.norm(trial, h, control.tolerance);
     if (!(error <= 1)) {
       ++course.counts.rejected;
       h *= controller.after_rejected(error);
@@ -62,7 +79,6 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
     }
 
     const double t = course.t;
-    const auto inside = [&](double theta) { return method.interpolate(tried, theta); };
     Cut cut;
     if constexpr (std::is_same_v<Real, double>) {
       if (look.anything()) {
@@ -71,15 +87,22 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
           course.counts.evaluations += M::info.evaluations;
           return method.step(system, t, theta * h, course.y, copy).y;
         };
-        cut = look_inside(look, t, h, course.y, trial.y, parts, inside, exactly);
+        cut = look_inside(look, t, h, course.y, trial.y, parts, method.dense_output(tried), exactly);
       }
     }
     ++course.counts.accepted;
     const bool whole = cut.theta == 1;
-    const double until = whole ? (last ? end : t + h) : t + cut.theta * h;
-    for (; course.row < rows.last() && rows.time(course.row + 1) < until; ++course.row) {
-      const double at = rows.time(course.row + 1);
-      record(at, inside(std::max(0.0, (at - t) / h)));
+    if (whole)
+      now += h;
+    else
+      now += cut.theta * h;
+    const double until = whole && last ? end : value_of(now);
+    if (course.row < rows.last() && rows.time(course.row + 1) < until) {
+      const auto inside = method.dense_output(tried);
+      for (; course.row < rows.last() && rows.time(course.row + 1) < until; ++course.row) {
+        const double at = rows.time(course.row + 1);
+        record(at, inside(std::max(0.0, (at - t) / h)));
+      }
     }
     course.t = until;
     if constexpr (std::is_same_v<Real, double>)
@@ -95,7 +118,7 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
     scale.include(course.y);
     // Where nothing has moved, a long step could leap over what will set it going.
     const double factor = controller.after_accepted(error);
-    h = error > 0 ? h * factor : std::max(h, std::min(h * factor, rows.step));
+    if (factor != 1) h = error > 0 ? h * factor : std::max(h, std::min(h * factor, rows.step));
   }
 }
 

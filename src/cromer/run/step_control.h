@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/base/coarse_power.h"
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
@@ -40,12 +41,14 @@ class MotionScale {
   /// error that matters to neither position nor velocity within some hundred steps is none: else rounding
   /// would be all there is to see of a mass at rest.
   template <class Real>
-  double norm(const Trial<Real>& trial, double h, double tolerance) const {
+  [[gnu::always_inline]] double norm(const Trial<Real>& trial, double h, double tolerance) const {
     const double x = std::max(x_, std::abs(value_of(trial.y.x)));
     const double v = std::max(v_, std::abs(value_of(trial.y.v)));
     const double x_error = std::abs(value_of(trial.error.x)), v_error = std::abs(value_of(trial.error.v));
     if (x_error == 0 && v_error == 0) return 0;
-    return std::max(x_error / std::max(x, unseen * v * h), v_error / std::max(v, unseen * x / h)) / tolerance;
+    const double way = v * h;  // both are compared as lengths
+    return std::max(x_error / (tolerance * std::max(x, unseen * way)),
+                    v_error * h / (tolerance * std::max(way, unseen * x)));
   }
 
  private:
@@ -55,32 +58,41 @@ class MotionScale {
 
 /// Proportional-integral control: K. Gustafsson, ACM Trans. Math. Softw. 17, 533 (1991), with the constants
 /// of Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed., section II.4, and Hairer
-/// & Wanner II, section IV.2.
+/// & Wanner II, section IV.2. Works with binary logarithms, known to three digits: no step needs more.
+///
+/// A step that could grow by less than a fifth stays as it is. Equal steps cost no accuracy for the work, the
+/// system can keep what it has ready for a length, and above all the next step need not wait for the error of
+/// the last: the processor runs ahead.
 class PiController {
  public:
   explicit PiController(int error_order)
-      : integral_(1.0 / (error_order + 1) - 0.75 * proportional_), per_order_(1.0 / (error_order + 1)) {}
+      : integral_(1.0 / (error_order + 1) - 0.75 * proportional), per_order_(1.0 / (error_order + 1)) {}
 
-  /// The factor to the next step after an accepted one with this error (<= 1).
-  double after_accepted(double error) {
-    double factor = most;
-    if (error > 0) factor = safety * std::pow(error, -integral_) * std::pow(last_, proportional_);
-    last_ = std::max(error, 1e-4);
+  /// The factor to the next step after an accepted one with this error (<= 1); exactly 1 where it is to stay.
+  [[gnu::always_inline]] double after_accepted(double error) {
+    const double size = coarse_log2(std::max(error, 1e-10));  // below it a step grows by the most allowed
+    const double growth = safety + proportional * last_ - integral_ * size;
+    last_ = std::max(size, least_last);
     const double limit = rejected_ ? 1.0 : most;
     rejected_ = false;
-    return std::clamp(factor, least, limit);
+    if (growth >= 0 && growth < worthwhile) return 1;
+    return std::clamp(coarse_exp2(growth), least, limit);
   }
 
   /// The factor to the next try after a rejected step with this error (> 1 or not a number).
   double after_rejected(double error) {
     rejected_ = true;
-    const double factor = safety * std::pow(error, -per_order_);
-    return factor > least ? factor : least;
+    const bool tells =
+        error < 1e10;  // beyond, or without a number, it only says that the step was far too long
+    return tells ? std::max(least, coarse_exp2(safety - per_order_ * coarse_log2(error))) : least;
   }
 
  private:
-  static constexpr double safety = 0.9, least = 0.2, most = 10, proportional_ = 0.04;
-  double integral_, per_order_, last_ = 1e-4;
+  static constexpr double least = 0.2, most = 10, proportional = 0.04;
+  // Binary logarithms of 0.9, 1.2 and 1e-4.
+  static constexpr double safety = -0.152, worthwhile = 0.263, least_last = -13.288;
+  double integral_, per_order_;
+  double last_ = least_last;  ///< binary logarithm of the last accepted step's error
   bool rejected_ = false;
 };
 
