@@ -25,7 +25,13 @@ struct ForcedRun {
 inline constexpr ForcedRun forced_runs[] = {
     {"linear", {.mass = 1, .stiffness = 9, .damping = 0.2}},
     {"with cubic and drag", {.mass = 1, .stiffness = 9, .damping = 0.2, .drag = 0.05, .cubic = 2}},
+    {"with cubic", {.mass = 1, .stiffness = 9, .damping = 0.2, .cubic = 2}},
 };
+
+/// The terms that they have, for peers that are told them when compiled.
+inline constexpr Terms linear_terms{.drive = true, .damping = true};
+inline constexpr Terms all_smooth_terms{.drive = true, .damping = true, .cubic = true, .drag = true};
+inline constexpr Terms duffing_terms{.drive = true, .damping = true, .cubic = true};
 
 /// The law as the peers are given it, its cosine in every evaluation, with the terms the run has [m/s^2].
 template <Terms terms>

@@ -2,9 +2,13 @@
 // writing of its rows. Prints lines of tab-separated "row, who, seconds"; bench/run adds the peers and makes
 // the table.
 #include <array>
+#include <boost/numeric/odeint/integrate/integrate_const.hpp>
 #include <boost/numeric/odeint/integrate/integrate_n_steps.hpp>
 #include <boost/numeric/odeint/stepper/euler.hpp>
+#include <boost/numeric/odeint/stepper/explicit_generic_rk.hpp>
+#include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
+#include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -46,16 +50,14 @@ void ours(const ForcedRun& run, std::string_view method, KeepEvery& keep) {
 using OdeintState = std::array<double, 2>;
 
 /// The law as odeint wants it, with the terms the run has.
-template <bool cubic_and_drag>
+template <Terms terms>
 struct OdeintLaw {
-  Oscillator<double> o;
-  HarmonicDrive<double> d;
+  const ForcedRun& run;
 
-  void operator()(const OdeintState& y, OdeintState& dydt, double t) const {
+  template <class Vector>
+  void operator()(const Vector& y, Vector& dydt, double t) const {
     dydt[0] = y[1];
-    double force = d.amplitude * std::cos(d.frequency * t + d.phase) - o.stiffness * y[0] - o.damping * y[1];
-    if constexpr (cubic_and_drag) force -= o.cubic * y[0] * y[0] * y[0] + o.drag * y[1] * std::abs(y[1]);
-    dydt[1] = force / o.mass;
+    dydt[1] = bench::acceleration<terms>(run, t, y[0], y[1]);
   }
 };
 
@@ -80,31 +82,64 @@ struct OdeintEulerCromer {
   }
 };
 
-template <bool cubic_and_drag, class Stepper>
-void odeints(const ForcedRun& run, Stepper stepper, Kept& kept) {
+/// Keeps what odeint tells.
+struct Keeper {
+  Kept& kept;
+
+  template <class Vector>
+  void operator()(const Vector& u, double t) const {
+    kept.t.push_back(t);
+    kept.x.push_back(u[0]);
+    kept.v.push_back(u[1]);
+  }
+};
+
+void forget(Kept& kept) {
   kept.t.clear();
   kept.x.clear();
   kept.v.clear();
-  OdeintState y{run.start.x, run.start.v};
-  odeint::integrate_n_steps(stepper, OdeintLaw<cubic_and_drag>{run.oscillator, run.drive}, y,
-                            run.interval.from, run.step,
-                            static_cast<std::size_t>(count_steps(run.interval, run.step).whole),
-                            [&](const OdeintState& u, double t) {
-                              kept.t.push_back(t);
-                              kept.x.push_back(u[0]);
-                              kept.v.push_back(u[1]);
-                            });
 }
 
-template <bool cubic_and_drag>
+template <Terms terms, class Stepper>
+void odeints(const ForcedRun& run, Stepper stepper, Kept& kept) {
+  forget(kept);
+  OdeintState y{run.start.x, run.start.v};
+  const auto steps = static_cast<std::size_t>(count_steps(run.interval, run.step).whole);
+  odeint::integrate_n_steps(stepper, OdeintLaw<terms>{run}, y, run.interval.from, run.step, steps,
+                            Keeper{kept});
+}
+
+/// Adaptive, at our default tolerance, with a row a step by its dense output.
+template <Terms terms>
+void odeints_dopri5(const ForcedRun& run, Kept& kept) {
+  forget(kept);
+  OdeintState y{run.start.x, run.start.v};
+  constexpr double tolerance = StepControl::default_tolerance;
+  auto stepper = odeint::make_dense_output(tolerance, tolerance, odeint::runge_kutta_dopri5<OdeintState>());
+  odeint::integrate_const(stepper, OdeintLaw<terms>{run}, y, run.interval.from,
+                          run.interval.until + run.step / 2, run.step, Keeper{kept});
+}
+
+/// Heun's method by its table: odeint has no stepper of that name.
+auto odeints_heun() {
+  using Stepper = odeint::explicit_generic_rk<2, 2, OdeintState>;
+  const boost::array<double, 1> second{1.0};
+  return Stepper(boost::fusion::make_vector(second), boost::array<double, 2>{0.5, 0.5},
+                 boost::array<double, 2>{0.0, 1.0});
+}
+
+/// What odeint has of our methods. It has no Newmark, generalized-alpha or Gauss; its symplectic ones take no
+/// force that depends on the velocity; its implicit Euler (uBLAS of Boost 1.74) does not compile as C++20.
+template <Terms terms>
 void add_odeint(std::vector<Timed>& works, const ForcedRun& run, Kept& kept) {
-  const std::string row = run.name;
-  works.push_back({row + ", forward-euler", "odeint",
-                   [&] { odeints<cubic_and_drag>(run, odeint::euler<OdeintState>(), kept); }});
-  works.push_back(
-      {row + ", euler-cromer", "odeint", [&] { odeints<cubic_and_drag>(run, OdeintEulerCromer(), kept); }});
-  works.push_back({row + ", rk4", "odeint",
-                   [&] { odeints<cubic_and_drag>(run, odeint::runge_kutta4<OdeintState>(), kept); }});
+  const auto add = [&](const char* method, auto work) {
+    works.push_back({std::string(run.name) + ", " + method, "odeint", std::move(work)});
+  };
+  add("forward-euler", [&] { odeints<terms>(run, odeint::euler<OdeintState>(), kept); });
+  add("euler-cromer", [&] { odeints<terms>(run, OdeintEulerCromer(), kept); });
+  add("heun", [&] { odeints<terms>(run, odeints_heun(), kept); });
+  add("rk4", [&] { odeints<terms>(run, odeint::runge_kutta4<OdeintState>(), kept); });
+  add("dormand-prince", [&] { odeints_dopri5<terms>(run, kept); });
 }
 
 }  // namespace
@@ -125,11 +160,10 @@ int main(int argc, char** argv) {
       works.push_back({std::string(run.name) + ", " + std::string(method), "cromer",
                        [&, method] { ours(run, method, keep); }});
     }
-    if (*why_not_exact(run.oscillator))
-      add_odeint<true>(works, run, kept);
-    else
-      add_odeint<false>(works, run, kept);
   }
+  add_odeint<bench::linear_terms>(works, bench::forced_runs[0], kept);
+  add_odeint<bench::all_smooth_terms>(works, bench::forced_runs[1], kept);
+  add_odeint<bench::duffing_terms>(works, bench::forced_runs[2], kept);
 
   ours(bench::forced_runs[0], "euler-cromer", keep);
   const Trajectory rows = KeepEvery(keep).take();

@@ -128,8 +128,9 @@ void compare(const ForcedRun& run, int rounds) {
 
 int main(int argc, char** argv) {
   const int rounds = argc > 1 ? std::atoi(argv[1]) : 31;
-  compare<Terms{.drive = true, .damping = true}>(bench::forced_runs[0], rounds);
-  compare<Terms{.drive = true, .damping = true, .cubic = true, .drag = true}>(bench::forced_runs[1], rounds);
+  compare<bench::linear_terms>(bench::forced_runs[0], rounds);
+  compare<bench::all_smooth_terms>(bench::forced_runs[1], rounds);
+  compare<bench::duffing_terms>(bench::forced_runs[2], rounds);
 #ifndef CROMER_SUNDIALS
   std::fprintf(stderr, "SUNDIALS was not found when this was built: skipped\n");
 #endif
