@@ -94,7 +94,8 @@ struct DormandPrince {
   /// The last step as a function of the fraction theta of it, from 0 to 1.
   template <class Real>
   auto dense_output(const Memory<Real>& memory) const {
-    const auto& [from, to, a_from, a_to, k, h] = memory;
+    const auto& [from, to, a_from, a_to, k, length] = memory;
+    const double h = length;  // lambdas may not take it from a binding
     // What the interpolant adds to the cubic through the ends.
     const auto quartic = [&](const Real& k1, const Real& k3, const Real& k4, const Real& k5, const Real& k6,
                              const Real& k7) {

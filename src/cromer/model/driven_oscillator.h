@@ -56,11 +56,17 @@ class DrivenOscillator {
   static constexpr bool depends_on_velocity = terms.damping || terms.drag;
   static constexpr bool depends_on_time = terms.drive;
 
+  /// Made ready by on_nodes, for a method of many stages.
+  static constexpr bool at_nodes = requires(Force & force) { force.move_to(0.0, 1.0); };
+
   /// [m/s^2]. T is Real, or a Dual over it.
   template <class Time, class T>
   T acceleration([[maybe_unused]] const Time& t, const T& x, [[maybe_unused]] const T& v) const {
-    // The restoring force last: from x to the next x is the longest way through a step.
-    if constexpr (terms.drive && depends_on_velocity)
+    // The restoring force last: from x to the next x is the longest way through a step. Through many stages
+    // it is from v to v, where drag makes the resistance the longer part.
+    if constexpr (terms.drive && terms.drag && at_nodes)
+      return (T(force_(t)) - restoring(x)) - resistance(v);
+    else if constexpr (terms.drive && depends_on_velocity)
       return (T(force_(t)) - resistance(v)) - restoring(x);
     else if constexpr (terms.drive)
       return T(force_(t)) - restoring(x);
@@ -100,8 +106,7 @@ class DrivenOscillator {
   auto on_nodes() const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
     return DrivenOscillator<Real, terms, NodeForce<Real, Nodes>>(law_, NodeForce<Real, Nodes>(force_));
   }
-  void move_to(double t, double h) requires requires(Force& force) { force.move_to(t, h); }
-  { force_.move_to(t, h); }
+  void move_to(double t, double h) requires at_nodes { force_.move_to(t, h); }
 
   static constexpr int block = TabulatedForce<Real>::block;
   void move_to(double first) requires(std::is_same_v<Force, TabulatedForce<Real>>) { force_.move_to(first); }
