@@ -1,8 +1,9 @@
 // Where the energy of a run came from and went: the work of the drive and of each resistance.
 //
-// For an exact motion by quadrature between the states (exact_energy_balance.h), closed to rounding. For the
-// other methods from their states alone (energy_ledger.h): what is then left over is energy that the method
-// itself made or lost, to the error of the quadrature.
+// For an exact motion by quadrature between the states (exact_energy_balance.h), with dry friction from stop
+// to stop (exact_friction_balance.h), closed to rounding. For the other methods from their states alone
+// (energy_ledger.h): what is then left over is energy that the method itself made or lost, to the error of
+// the quadrature.
 #pragma once
 
 #include <cmath>

@@ -49,11 +49,13 @@ class Sliding {
     return cromer::propagate(law, t0, t, y0);
   }
 
-  /// No two zeros of the velocity lie closer [s]: half a period of the undamped motion.
+  /// From one zero of the velocity to the next [s]: half a period; infinite where the motion does not swing.
   double zero_spacing() const requires requires(const S& smooth) { smooth.free_law(); }
   {
-    const double s = value_of(smooth_.free_law().stiffness);
-    return s > 0 ? std::numbers::pi / std::sqrt(s) : std::numeric_limits<double>::infinity();
+    const LinearLaw<double> law{.decay_rate = value_of(smooth_.free_law().decay_rate),
+                                .stiffness = value_of(smooth_.free_law().stiffness)};
+    const double squared = law.stiffness - law.decay_rate * law.decay_rate;
+    return squared > 0 ? std::numbers::pi / std::sqrt(squared) : std::numeric_limits<double>::infinity();
   }
 
  private:

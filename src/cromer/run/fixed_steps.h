@@ -15,9 +15,10 @@ namespace cromer {
 /// Into how many parts a step must be divided so that no two zeros of the velocity fall into one; 1 where the
 /// system does not say how close they are (then the step is the caller's choice).
 template <class S>
-int parts_of_step(const S& system, double h) {
+long long parts_of_step(const S& system, double h) {
+  // The first zero ends the phase, so that many parts cost nothing.
   if constexpr (requires { system.zero_spacing(); })
-    return static_cast<int>(std::min(1e6, 1 + std::floor(1.01 * h / system.zero_spacing())));
+    return static_cast<long long>(std::min(1e15, 1 + std::floor(1.01 * h / system.zero_spacing())));
   return 1;
 }
 

@@ -74,11 +74,11 @@ std::optional<double> log_events(EventLog& log, double t, double h, const Part& 
 /// there the motion goes on.
 template <class StateAt, class Exactly>
 Cut look_inside(const Lookout& look, double t, double h, const State<double>& y0, const State<double>& y1,
-                int pieces, const StateAt& state_at, const Exactly& exactly) {
+                long long pieces, const StateAt& state_at, const Exactly& exactly) {
   const auto slides = [&](const State<double>& y) { return y.v * look.direction > 0; };
   Part part{0, 0, y0, y0};
-  for (int i = 1; i <= pieces; ++i) {
-    part = {part.to, static_cast<double>(i) / pieces, part.end, y1};
+  for (long long i = 1; i <= pieces; ++i) {
+    part = {part.to, static_cast<double>(i) / static_cast<double>(pieces), part.end, y1};
     if (i < pieces) part.end = state_at(part.to);
     bool at_rest = false;
     if (look.direction != 0 && !slides(part.end)) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "cromer/analysis/energy.h"
 
 namespace cromer {
 namespace {
@@ -59,6 +62,90 @@ TEST(RunEnergy, FrictionTakesItsForceTimesThePath) {
   // Half cycles of 1.9, 1.7, ... 0.1 m: it stops at the middle.
   EXPECT_NEAR(balance->friction, 0.5, 1e-3);
   EXPECT_NEAR(balance->method(), 0, 1e-3);
+}
+
+/// Dry friction by `exact`, from 1 m.
+SimulateOptions rubbing() {
+  SimulateOptions options;
+  options.stiffness = 9;
+  options.friction = 0.05;
+  options.position = 1;
+  options.method = {"exact"};
+  return options;
+}
+
+/// What the method seems to have made, over the largest energy.
+double left_over(const EnergyBalance& b) {
+  return std::abs(b.method()) / std::max({b.start, std::abs(b.end), b.damping + b.friction});
+}
+
+TEST(RunEnergy, ClosesToRoundingForExactWithFriction) {
+  struct Case {
+    const char* name;
+    double stiffness, damping, friction, static_friction, velocity;
+  };
+  for (const Case& c :
+       {Case{"friction alone", 9, 0, 0.05, 0.05, 0}, Case{"with damping", 9, 0.2, 0.05, 0.05, -2},
+        Case{"holding more than it brakes", 9, 0.1, 0.05, 3, 1},
+        Case{"static friction alone", 9, 0.1, 0, 3, 1}, Case{"aperiodic", 9, 20, 0.05, 0.05, 4},
+        Case{"all but aperiodic", 9, 5.99, 0.05, 0.05, 4}, Case{"strongly damped", 9, 5e4, 0.05, 0.05, 4},
+        Case{"no spring", 0, 0.3, 0.05, 0.05, 2}, Case{"falling over", -1, 0.3, 0.05, 0.05, 0}}) {
+    // Within the first arc, between stops, long after the last one; rows close together and far apart.
+    for (const double until : {0.3, 2.9, 5.0, 400.0})
+      for (const double step : {0.01, 0.37, 2.9, 400.0}) {
+        if (c.stiffness < 0 && until > 5) continue;
+        SimulateOptions options = rubbing();
+        options.stiffness = c.stiffness;
+        options.damping = c.damping;
+        options.friction = c.friction;
+        options.static_friction = c.static_friction;
+        options.velocity = c.velocity;
+        options.until = until;
+        options.step = step;
+        const SimulatedRun run = run_of(options);
+        ASSERT_TRUE(run.energy_balance) << c.name << ' ' << until << ' ' << step;
+        const EnergyBalance& b = *run.energy_balance;
+        EXPECT_LT(left_over(b), 1e-14) << c.name << ' ' << until << ' ' << step;
+        EXPECT_NEAR(b.end, energy(run.oscillator, run.outcome.y), 1e-14 * std::abs(b.start));
+        EXPECT_EQ(b.drive, 0);
+        EXPECT_EQ(b.drag, 0);
+      }
+  }
+}
+
+TEST(RunEnergy, FrictionTakesTheEnergyBetweenTheStops) {
+  // Stops at 1, -0.9, 0.8, ... m: f/k = 0.05 m of it either way, the last at 0 or where friction holds.
+  SimulateOptions options = rubbing();
+  options.friction = 0.45;
+  options.until = 3.5 * std::acos(-1) / 3;  // three half periods, and half of the fourth
+  const EnergyBalance b = *run_of(options).energy_balance;
+  EXPECT_NEAR(b.friction, 0.45 * (1.9 + 1.7 + 1.5 + 0.65), 1e-14);
+  EXPECT_EQ(b.damping, 0);
+}
+
+TEST(RunEnergy, WhatSticksAtOnceTakesNothing) {
+  SimulateOptions options = rubbing();
+  options.static_friction = 9.1;
+  options.until = 100;
+  const EnergyBalance b = *run_of(options).energy_balance;
+  EXPECT_EQ(b.end, b.start);
+  EXPECT_EQ(b.friction, 0);
+  EXPECT_EQ(b.method(), 0);
+}
+
+TEST(RunEnergy, ClosesOverManyArcs) {
+  // It still moves after 4775 stops. Each arc shrinks the swing by the same factor, rounded the same way: a
+  // rounding of the energy each.
+  SimulateOptions options = rubbing();
+  options.friction = 1e-4;
+  options.damping = 1e-5;
+  options.until = 5000;
+  options.step = 1;
+  const EnergyBalance b = *run_of(options).energy_balance;
+  EXPECT_GT(b.end, 0.5);
+  EXPECT_GT(b.friction, 0.1);
+  EXPECT_GT(b.damping, 0.01);
+  EXPECT_LT(left_over(b), 4775 * 2e-16);
 }
 
 TEST(RunEnergy, NeedsDenseStates) {

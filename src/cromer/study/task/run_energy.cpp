@@ -7,6 +7,7 @@
 
 #include "cromer/analysis/energy_ledger.h"
 #include "cromer/analysis/exact_energy_balance.h"
+#include "cromer/analysis/exact_friction_balance.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/terms.h"
 #include "cromer/study/task/drive_setup.h"
@@ -52,12 +53,23 @@ EnergyBalance from_closed_form(const SimulatedRun& run, const F& force, double p
   return exact_energy_balance(per_mass, o, motion, run.outcome.t, panel);
 }
 
+/// With dry friction, which `exact` takes without a drive only.
+EnergyBalance from_arcs(const SimulatedRun& run) {
+  return with_terms(run.oscillator, run.drive, [&](const auto& system) {
+    if constexpr (requires { exact_friction_balance(system, run.oscillator, run.start, run.until); })
+      return exact_friction_balance(system, run.oscillator, run.start, run.until);
+    return EnergyBalance{};
+  });
+}
+
 }  // namespace
 
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
   const double period = shortest_period(run);
-  const bool closed = run.method == "exact" && run.oscillator.friction == 0;
+  const bool closed = run.method == "exact";
+  const bool rubs = run.oscillator.friction > 0 || run.oscillator.static_friction > 0;
   if (!dense_enough(run, period, closed ? 0 : 20)) return std::nullopt;
+  if (closed && rubs) return from_arcs(run);
   const double spacing = spacing_of(run.trajectory);
   const double m = run.oscillator.mass;
   if (!run.general) {

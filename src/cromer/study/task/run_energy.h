@@ -9,8 +9,8 @@
 
 namespace cromer {
 
-/// From the kept states and the final one; of the smooth linear law by `exact`, from the closed form between
-/// them, closed to rounding. Empty if the run ended early or its states are fewer than 20 a period.
+/// From the kept states and the final one; of a run by `exact` from its closed form, with dry friction arc by
+/// arc, closed to rounding. Empty if the run ended early or its states are fewer than 20 a period.
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
 
 /// Of a free motion under a law with cubic, drag or friction; empty for others, and with fewer than 8 kept
