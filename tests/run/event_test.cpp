@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
@@ -16,15 +20,16 @@ constexpr double pi = std::numbers::pi;
 constexpr auto position = Event::Quantity::position;
 constexpr auto velocity = Event::Quantity::velocity;
 
-/// x = cos 3t, and what is found on it.
+/// x = cos 3t, or from another start, and what is found on it.
 EventLog watch_for(std::vector<Event> events, std::string_view method, StepControl control,
-                   Outcome* outcome = nullptr, Trajectory* trajectory = nullptr, double until = 10) {
+                   Outcome* outcome = nullptr, Trajectory* trajectory = nullptr, double until = 10,
+                   State<double> start = {1, 0}) {
   EventLog log{.events = std::move(events)};
   KeepEvery keep(1, count_steps({0, until}, control.step));
   const Oscillator<double> spring{.mass = 1, .stiffness = 9};
   const Outcome end = with_terms(spring, HarmonicDrive<double>{}, [&](const auto& system) {
     return visit_method(method, {}, [&](const auto& m) {
-      return solve(system, m, {0, until}, State<double>{1, 0}, control, keep, {}, {}, &log);
+      return solve(system, m, {0, until}, start, control, keep, {}, {}, &log);
     });
   });
   if (outcome) *outcome = end;
@@ -72,6 +77,91 @@ TEST(Events, BothPassagesWithinOneStepAreFound) {
     ASSERT_EQ(log.found.size(), 9u) << method;
     EXPECT_NEAR(log.found[1].t, late, 1e-5) << method;
     EXPECT_NEAR(log.found[2].t - late, 2 * std::acos(0.999) / 3, 1e-5) << method;
+  }
+}
+
+/// The path of a method between its states, by its own partial steps: the quantity at `inside` times a step.
+std::vector<double> path_of(Event::Quantity quantity, std::string_view name, State<double> y, double h,
+                            int steps, int inside) {
+  const DrivenOscillator<double, Terms{}> spring({.mass = 1, .stiffness = 9}, {});
+  std::vector<double> path;
+  const auto add = [&](const State<double>& at) { path.push_back(quantity == position ? at.x : at.v); };
+  visit_method(name, {}, [&](const auto& method) {
+    auto memory = method.start(spring, 0.0, y);
+    for (int n = 0; n < steps; ++n) {
+      for (int i = 1; i < inside; ++i) {
+        auto copy = memory;
+        add(method.step(spring, n * h, i * h / inside, y, copy).y);
+      }
+      y = method.step(spring, n * h, h, y, memory).y;
+      add(y);
+    }
+    return 0;
+  });
+  return path;
+}
+
+/// x = -cos(3t + 0.13): the velocity is largest between two states.
+const State<double> before_a_peak{-std::cos(0.13), 3 * std::sin(0.13)};
+
+class ThresholdJustBelowThePeak : public testing::TestWithParam<std::string_view> {};
+
+INSTANTIATE_TEST_SUITE_P(Registry, ThresholdJustBelowThePeak, testing::ValuesIn(method_names),
+                         [](const auto& test) {
+                           std::string name(test.param);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_P(ThresholdJustBelowThePeak, IsPassedTwice) {
+  const MethodInfo& info = *find_method(GetParam());
+  constexpr int inside = 1000;
+  for (const auto quantity : {position, velocity})
+    for (const int per_period : {20, 7}) {
+      const double h = 2 * pi / 3 / per_period;
+      const int steps = 6 * per_period / 7;
+      const auto path = path_of(quantity, info.name, before_a_peak, h, steps, inside);
+      const double peak = *std::max_element(path.begin(), path.end());
+      const double threshold = peak - 1e-4 * peak;
+      std::vector<double> passed;
+      for (std::size_t i = 1; i < path.size(); ++i)
+        if ((path[i] > threshold) != (path[i - 1] > threshold))
+          passed.push_back((static_cast<double>(i) + 0.5) * h / inside);
+      ASSERT_EQ(passed.size(), 2u) << per_period;
+      const auto log = watch_for({{quantity, threshold}}, info.name, {h, 1e-11}, nullptr, nullptr, steps * h,
+                                 before_a_peak);
+      ASSERT_EQ(log.found.size(), 2u) << per_period;
+      if (info.error_order > 0) continue;  // it takes other steps
+      for (std::size_t i = 0; i < 2; ++i) EXPECT_NEAR(log.found[i].t, passed[i], h / inside) << per_period;
+      // From order two on the path turns inside a step; Euler's runs straight.
+      if (info.order != 1) {
+        EXPECT_EQ(std::floor(log.found[0].t / h), std::floor(log.found[1].t / h)) << per_period;
+      }
+    }
+}
+
+TEST(Events, AThresholdBelowThePeakIsFoundToTheOrderOfTheMethod) {
+  // 3 sin(3t + 0.13) = 2.7
+  const double first = (std::asin(0.9) - 0.13) / 3, second = (pi - std::asin(0.9) - 0.13) / 3;
+  for (const MethodInfo& info : method_infos) {
+    const auto error = [&](int per_period) {
+      const auto log = watch_for({{velocity, 2.7}}, info.name, {2 * pi / 3 / per_period, 1e-11}, nullptr,
+                                 nullptr, pi / 3, before_a_peak);
+      EXPECT_EQ(log.found.size(), 2u) << info.name << ' ' << per_period;
+      if (log.found.size() < 2) return 1.0;
+      return std::hypot(log.found[0].t - first, log.found[1].t - second);
+    };
+    if (info.error_order > 0 || info.order == 0) {
+      EXPECT_LT(error(7), info.order == 0 ? 1e-14 : 1e-10) << info.name;
+      continue;
+    }
+    // So long a step leaves the first order no peak of this height.
+    for (const int per_period : {20, 7})
+      if (info.order > 1) {
+        EXPECT_LT(3 * error(per_period), 0.6 * std::pow(2 * pi / per_period, info.order)) << info.name;
+      }
+    const int steps = info.order >= 4 ? 40 : 400;
+    EXPECT_NEAR(std::log2(error(steps) / error(4 * steps)) / 2, info.order, 0.2) << info.name;
   }
 }
 

@@ -34,32 +34,42 @@ struct Part {
   State<double> start, end;
 };
 
+/// Where a quantity, as a function of theta, turns between `from` and `to`, given its values there; empty
+/// where it does not. A turn nearer to an end than 1e-5 of the interval lifts it by next to nothing, and is
+/// none.
+template <class Quantity>
+std::optional<double> turn_within(const Quantity& quantity, double from, double at_from, double to,
+                                  double at_to) {
+  const double near = 1e-5 * (to - from), first = from + near, last = to - near;
+  const double before = quantity(first) - at_from, after = at_to - quantity(last);
+  if (!(before * after < 0)) return std::nullopt;
+  const auto rise = [&](double theta) { return quantity(theta + near) - quantity(theta - near); };
+  return find_root(rise, first, before, last, after);
+}
+
 /// Adds the events within the part of the step from t to t + h to the log; returns where the first one that
-/// stops is. Where the velocity changes sign in between, the parts before and after are looked at by
-/// themselves: each passes a position once.
+/// stops is. Where the method's own path turns inside the part, the sides before and after the turn are
+/// looked at by themselves: each passes a value once.
 template <class StateAt>
 std::optional<double> log_events(EventLog& log, double t, double h, const Part& part,
                                  const StateAt& state_at) {
   std::vector<std::pair<double, std::size_t>> passed;
-  const auto look = [&](const Part& p) {
-    for (std::size_t i = 0; i < log.events.size(); ++i) {
-      const Event& event = log.events[i];
-      const double from = event.distance(p.start), to = event.distance(p.end);
-      if (event.passed(from, to))
-        passed.emplace_back(
-            find_root([&](double theta) { return event.distance(state_at(theta)); }, p.from, from, p.to, to),
-            i);
+  for (std::size_t i = 0; i < log.events.size(); ++i) {
+    const Event& event = log.events[i];
+    const auto distance = [&](double theta) { return event.distance(state_at(theta)); };
+    const auto look = [&](double from, double at_from, double to, double at_to) {
+      if (event.passed(at_from, at_to)) passed.emplace_back(find_root(distance, from, at_from, to, at_to), i);
+    };
+    const double start = event.distance(part.start), end = event.distance(part.end);
+    // With the ends on different sides a single turn changes nothing.
+    const bool same_side = start == 0 || start * end > 0;
+    if (const auto turn = same_side ? turn_within(distance, part.from, start, part.to, end) : std::nullopt) {
+      const double there = distance(*turn);
+      look(part.from, start, *turn, there);
+      look(*turn, there, part.to, end);
+    } else {
+      look(part.from, start, part.to, end);
     }
-  };
-  if (part.start.v * part.end.v < 0) {
-    const double turn = find_root([&](double theta) { return state_at(theta).v; }, part.from, part.start.v,
-                                  part.to, part.end.v);
-    const State<double> y = state_at(turn);
-    // The velocity there is 0 but for rounding; on the far side it is neither.
-    look({part.from, turn, part.start, {y.x, 0}});
-    look({turn, part.to, {y.x, 0}, part.end});
-  } else {
-    look(part);
   }
   std::sort(passed.begin(), passed.end());
   for (const auto& [theta, event] : passed) {
