@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
+#include "cromer/model/general_drive.h"
 #include "cromer/run/solve.h"
 #include "tests/support/problems.h"
 
@@ -209,6 +213,79 @@ TEST(StickSlip, BreaksLooseAtAnyTolerance) {
       EXPECT_EQ(outcome.status, Status::reached_end) << tolerance;
       EXPECT_NEAR(outcome.y.x, end, std::max(30 * tolerance, 1e-13)) << tolerance;
     }
+}
+
+/// When a mass on 1 N/m that rests at x breaks loose, held by 1 N, with rows so far apart [s].
+template <class Drive>
+double breaks_loose(const Drive& drive, double x, double row) {
+  const Oscillator<double> o{.mass = 2, .stiffness = 1, .friction = 0.8, .static_friction = 1};
+  return with_terms(o, drive, [&](const auto& system) {
+    if constexpr (requires { system.holding(); }) {
+      const Rows rows{{0, 100}, row};
+      Course<double> course{0, {x, 0}};
+      KeepNone keep_none;
+      if (direction_from_rest(system, 0, x) == 0 && stick(system, rows, course, keep_none, {}) != 0)
+        return course.t;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  });
+}
+
+TEST(StickSlip, NoPullIsMissedHoweverBriefOrSlight) {
+  using General = GeneralDrive<double>;
+  const double pi = std::numbers::pi;
+  for (const double row : {1.0, 0.37, 100.0}) {
+    const auto pulse = [](PulseShape shape) { return General(PulseDrive<double>{shape, 2, 7.3, 1e-3}); };
+    EXPECT_NEAR(breaks_loose(pulse(PulseShape::step), 0, row), 7.3, 1e-14);
+    EXPECT_NEAR(breaks_loose(pulse(PulseShape::rectangular), 0, row), 7.3, 1e-14);
+    EXPECT_NEAR(breaks_loose(pulse(PulseShape::half_sine), 0, row), 7.3 + 1e-3 / 6, 1e-14);
+    EXPECT_NEAR(breaks_loose(pulse(PulseShape::triangular), 0, row), 7.3 + 1e-3 / 4, 1e-14);
+
+    // One sample of 100,000 that pulls; the spring already pulls with 0.3 N.
+    auto samples = std::make_shared<std::vector<double>>(100'001);
+    (*samples)[54321] = -4;
+    SampledDrive recorded{samples, 1e-3, BetweenSamples::linear};
+    EXPECT_NEAR(breaks_loose(General(recorded), 0.3, row), 54.320 + 0.7 / 4 * 1e-3, 1e-13);
+    recorded.between = BetweenSamples::hold;
+    EXPECT_NEAR(breaks_loose(General(recorded), 0.3, row), 54.321, 1e-9) << "a jump";
+
+    // A millionth more than friction holds, once in 0.02 s; nothing if it is a millionth less.
+    const double fast = 100 * pi;
+    const HarmonicDrive<double> drive{1 + 1e-6, fast, -1};
+    EXPECT_NEAR(breaks_loose(drive, 0, row), (1 - std::acos(1 / (1 + 1e-6))) / fast, 1e-14);
+    EXPECT_TRUE(std::isnan(breaks_loose(HarmonicDrive<double>{1 - 1e-6, fast, -1}, 0, row)));
+
+    // A chirp that pushes first, but the spring helps it only when it pulls: its first pull at 2 pi.
+    const ChirpDrive<double> linear{0.7 + 1e-6, 50, 5e4, pi, 2, 90, false};
+    const double angle = pi - std::acos(0.7 / (0.7 + 1e-6)), bend = (5e4 - 50) / 180;
+    const double since = 2 * angle / (50 + std::sqrt(2500 + 4 * bend * angle));
+    EXPECT_NEAR(breaks_loose(General(linear), -0.3, row), 2 + since, 1e-13);
+    // One that ends while it rises: the last value counts.
+    const ChirpDrive<double> ending{2, 0.01, 0.01, -pi / 2, 2, 100 * pi / 6 + 1e-6, false};
+    EXPECT_NEAR(breaks_loose(General(ending), 0, row), 2 + 100 * pi / 6, 1e-12);
+  }
+}
+
+TEST(StickSlip, AShortPulseBetweenTwoRowsMovesTheMassWithEveryMethod) {
+  const GeneralDrive<double> pulse(PulseDrive<double>{PulseShape::rectangular, 20, 0.3, 1e-3});
+  const Oscillator<double> o{.mass = 1, .stiffness = 0, .friction = 1};
+  for (const std::string_view method : method_names) {
+    if (method == "exact") continue;
+    KeepEvery keep(1, count_steps({0, 3}, 1));
+    with_terms(o, pulse, [&](const auto& system) {
+      return visit_method(method, {}, [&](const auto& m) {
+        return solve(system, m, {0, 3}, State<double>{0, 0}, {1, 1e-11}, keep);
+      });
+    });
+    const Trajectory kept = keep.take();
+    ASSERT_EQ(kept.size(), 4u) << method;
+    EXPECT_NE(kept.x.back(), 0) << method;
+    // 19 m/s^2 for 1 ms, then 1 m/s^2 against it: 9.5 um, and 180.5 um to the stop.
+    if (method == "dormand-prince") {
+      EXPECT_NEAR(kept.x.back(), 190e-6, 1e-10);
+      EXPECT_EQ(kept.v[1], 0);
+    }
+  }
 }
 
 TEST(StickSlip, APullThatJustBalancesIsRest) {

@@ -1,9 +1,12 @@
 // A sweep through frequencies, as shakers do it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cromer/base/dual.h"
+#include "cromer/model/next_turn.h"
 
 namespace cromer {
 
@@ -40,7 +43,30 @@ class ChirpForce {
     return amplitude_ * cos(angle(u));
   }
 
+  /// The first time after t at which it begins, turns or ends.
+  double next_turn(double t) const {
+    const double start = value_of(drive_.start), end = start + value_of(drive_.duration);
+    if (t < start) return start;
+    if (t >= end) return std::numeric_limits<double>::infinity();
+    const double turn = time_of_next_half_turn(
+        t, [&](double at) { return value_of(angle(Real(at) - drive_.start)); },
+        [&](double angle) { return start + time_of(angle - value_of(drive_.phase)); });
+    return std::min(turn, end);
+  }
+
  private:
+  /// Since the start, to this angle beyond the phase there [s].
+  double time_of(double angle) const {
+    const double from = value_of(drive_.from), to = value_of(drive_.to), length = value_of(drive_.duration);
+    if (drive_.logarithmic) {
+      const double l = value_of(log_ratio_);
+      return l == 0 ? angle / from : length * std::log1p(l * angle / (from * length)) / l;
+    }
+    // from u + (to - from) u^2/2T
+    const double bend = (to - from) / (2 * length);
+    return 2 * angle / (from + std::sqrt(from * from + 4 * bend * angle));
+  }
+
   Real angle(const Real& u) const {
     using std::expm1;
     const Real part = u / drive_.duration;

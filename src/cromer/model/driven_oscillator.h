@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <concepts>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
@@ -86,10 +85,8 @@ class DrivenOscillator {
   /// The closed form has many pieces: best asked from state to state, not from the start of the run.
   static constexpr bool has_many_pieces = requires { Force::has_many_pieces; };
 
-  /// [s] of a harmonic drive.
-  double drive_period() const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
-    return 2 * std::numbers::pi / value_of(force_.frequency);
-  }
+  /// The first time after t at which the drive may turn or jump.
+  double next_turn(double t) const requires(terms.drive) { return force_.next_turn(t); }
 
   /// The linear law without its drive.
   LinearLaw<Real> free_law() const requires(is_linear(terms) && !terms.drive) {

@@ -88,11 +88,9 @@ class DryFriction {
   /// What friction must balance to hold the mass at x [m/s^2].
   Real pull(double t, const Real& x) const { return smooth_.acceleration(t, x, Real(0)); }
 
-  /// A time in which the pull on a mass at rest changes little [s]; infinite where that is not known.
-  double pull_spacing() const {
-    if constexpr (requires { smooth_.drive_period(); }) return smooth_.drive_period() / 64;
-    return std::numeric_limits<double>::infinity();
-  }
+  /// The first time after t at which the pull on a mass at rest may turn or jump [s]: until then it only
+  /// rises or only falls.
+  double next_turn(double t) const requires(depends_on_time) { return smooth_.next_turn(t); }
 
   /// The most it balances [m/s^2].
   Real holding() const { return holding_; }

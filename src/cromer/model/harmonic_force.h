@@ -7,6 +7,7 @@
 #include <cstddef>
 
 #include "cromer/base/dual.h"
+#include "cromer/model/next_turn.h"
 #include "cromer/model/propagate.h"
 
 namespace cromer {
@@ -22,6 +23,13 @@ struct HarmonicForce {
   Real operator()(const Time& t) const {
     using std::cos;
     return amplitude * cos(frequency * t + phase);
+  }
+
+  /// The first time after t at which it turns; infinite for a constant.
+  double next_turn(double t) const {
+    return time_of_next_half_turn(
+        t, [&](double at) { return value_of(frequency) * at + value_of(phase); },
+        [&](double angle) { return (angle - value_of(phase)) / value_of(frequency); });
   }
 
   /// The state at t of the motion through y0 at t0.

@@ -73,6 +73,16 @@ class PulseForce {
            (value_of(piece->frequency) != 0 ? piece->sine * sin(piece->frequency * u) : Real(0));
   }
 
+  /// The first time after t at which a piece begins, or the half sine is at its top.
+  double next_turn(double t) const {
+    for (std::size_t i = 0; i < size_; ++i) {
+      const double begin = value_of(pieces_[i].begin), frequency = value_of(pieces_[i].frequency);
+      if (begin > t) return begin;
+      if (const double top = begin + std::numbers::pi / 2 / frequency; frequency != 0 && top > t) return top;
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
   /// The state at t >= t0 of the motion through y0 at t0.
   State<Real> propagate(const LinearLaw<Real>& law, const Real& t0, const Real& t,
                         const State<Real>& y0) const {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -51,6 +52,13 @@ class SampledForce {
     const std::size_t i = std::min(interval(u), last_ - 1);
     const double part = std::clamp(u - static_cast<double>(i), 0.0, 1.0);
     return per_mass_ * (samples_[i] + part * (samples_[i + 1] - samples_[i]));
+  }
+
+  /// The next sample after t, where it may turn, or jump if it is held.
+  double next_turn(double t) const {
+    const double u = t * per_spacing_;
+    if (!(u + rounding < static_cast<double>(last_))) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(interval(u) + 1) * spacing_;
   }
 
   /// Goes from sample to sample: best asked step by step.

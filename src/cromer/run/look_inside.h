@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -96,9 +95,8 @@ Cut look_inside(const Lookout& look, double t, double h, const State<double>& y0
       // to see of a pull that just balances the friction: then it stays where it is for this step.
       double from = part.from;
       State<double> moving = part.start;
-      for (int halvings = 0; !slides(moving) && halvings < 8; ++halvings) {
-        from = part.from +
-               (part.to - part.from) * std::array{0.5, 0.25, 0.75, 0.1, 0.9, 0.03, 0.01, 0.001}[halvings];
+      for (double share = 0.5; !slides(moving) && share > 1e-9; share /= 4) {
+        from = part.from + (part.to - part.from) * share;
         moving = exactly(from);
       }
       if (!slides(moving)) return {.theta = 1, .y = {part.start.x, 0}, .at_rest = true};

@@ -15,7 +15,8 @@
 namespace cromer {
 
 /// A system with dry friction: sliding(direction) is the smooth system of a phase (direction 1 or -1),
-/// pull(t, x) what friction must balance to hold it at rest, holding() the most it can [m/s^2].
+/// pull(t, x) what friction must balance to hold it at rest, holding() the most it can [m/s^2]. If it
+/// depends_on_time, next_turn(t) is the first time after t at which the pull may turn or jump.
 template <class S>
 concept FrictionSystem = requires(const S& system, double t, double x) {
   system.sliding(1);
@@ -35,8 +36,8 @@ int direction_from_rest(const S& system, double t, double x) {
 }
 
 /// The mass sticks: records rows until the pull exceeds what friction holds, a moment found to rounding, and
-/// returns the direction of the slide that begins; 0 at the end of the run. The pull is looked at 16 times
-/// between rows, and 64 times a drive period where there is one. Without a drive nothing is computed.
+/// returns the direction of the slide that begins; 0 at the end of the run. The pull is looked at wherever it
+/// may turn or jump, on either side, so that none is missed. Without a drive nothing is computed.
 template <FrictionSystem S, class Recorder>
 int stick(const S& system, const Rows& rows, Course<double>& course, Recorder& record, const Watch& watch) {
   course.y.v = 0;
@@ -49,16 +50,16 @@ int stick(const S& system, const Rows& rows, Course<double>& course, Recorder& r
     }
     const double next = rows.time(course.row + 1);
     if constexpr (S::depends_on_time) {
-      const double length = next - course.t;
-      const double looks = std::ceil(std::max(16.0, length / system.pull_spacing()));
-      for (double from = course.t, i = 1; i <= looks; ++i) {
-        const double to = i < looks ? course.t + length * (i / looks) : next;
-        if (const int direction = direction_from_rest(system, to, x); direction != 0) {
-          const auto excess = [&](double t) { return direction * system.pull(t, x) - system.holding(); };
-          course.t = find_root(excess, from, excess(from), to, excess(to));
-          return direction;
-        }
-        from = to;
+      while (course.t < next) {
+        const double from = course.t, turn = system.next_turn(from);
+        const double to = turn > from ? std::min(turn, next) : next;
+        for (const double at : {std::nextafter(to, from), to})
+          if (const int direction = direction_from_rest(system, at, x); direction != 0) {
+            const auto excess = [&](double t) { return direction * system.pull(t, x) - system.holding(); };
+            course.t = find_root(excess, from, excess(from), at, excess(at));
+            return direction;
+          }
+        course.t = to;
       }
     }
     course.t = next;
