@@ -3,8 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
+#include <functional>
+#include <map>
 #include <numbers>
+#include <set>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/analysis/frequency_response.h"
@@ -60,6 +67,70 @@ TEST(EffectiveOscillator, MeetsThePublishedValues) {
   EXPECT_GT(others, 10);
 }
 
+TEST(EffectiveOscillator, EigenvaluesAreTheStabilityFunctionsOfTheTextbooks) {
+  // Of z = h lambda: J. C. Butcher, Numerical Methods for Ordinary Differential Equations, section 238.
+  using Z = std::complex<double>;
+  const auto taylor = [](const Z& z, int order) {
+    Z sum = 1, term = 1;
+    for (int n = 1; n <= order; ++n) sum += term *= z / static_cast<double>(n);
+    return sum;
+  };
+  const std::map<std::string_view, std::function<Z(Z)>> functions{
+      {"forward-euler", [&](Z z) { return taylor(z, 1); }},
+      {"heun", [&](Z z) { return taylor(z, 2); }},
+      {"rk4", [&](Z z) { return taylor(z, 4); }},
+      {"dormand-prince", [&](Z z) { return taylor(z, 5) + std::pow(z, 6) / 600.0; }},
+      {"implicit-euler", [](Z z) { return 1.0 / (1.0 - z); }},
+      {"implicit-midpoint", [](Z z) { return (2.0 + z) / (2.0 - z); }},
+      {"newmark", [](Z z) { return (2.0 + z) / (2.0 - z); }},
+      {"gauss-legendre4", [](Z z) { return (12.0 + 6.0 * z + z * z) / (12.0 - 6.0 * z + z * z); }},
+      {"exact", [](Z z) { return std::exp(z); }},
+  };
+  for (const auto& [name, function] : functions)
+    for (const double zeta : {0.0, 0.02, 0.6})
+      for (const double wh : {0.03, 0.3, 1.1, 2.5}) {
+        const Z expected = function(wh * Z(-zeta, std::sqrt(1 - zeta * zeta)));
+        const auto z = effective(name, law_of(6, zeta), wh / 6).eigenvalues.front();
+        EXPECT_NEAR(z.re, expected.real(), 1e-13 * std::abs(expected)) << name << ' ' << zeta << ' ' << wh;
+        EXPECT_NEAR(z.im, std::abs(expected.imag()), 1e-13 * std::abs(expected))
+            << name << ' ' << zeta << ' ' << wh;
+      }
+}
+
+TEST(EffectiveOscillator, Yoshida4IsThreeVerlets) {
+  // H. Yoshida, Phys. Lett. A 150, 262 (1990): steps w1 h, w0 h, w1 h, undamped.
+  const double w1 = 1 / (2 - std::cbrt(2.0)), w0 = 1 - 2 * w1;
+  for (const double wh : {0.03, 0.3, 1.1}) {
+    std::array<double, 4> product{1, 0, 0, 1};
+    for (const double part : {w1, w0, w1}) {
+      // Of x and v/w.
+      const double u = part * wh, c = 1 - u * u / 2, s = u * (1 - u * u / 4);
+      const auto [a, b, d, e] = product;
+      product = {c * a + u * d, c * b + u * e, c * d - s * a, c * e - s * b};
+    }
+    const double angle = std::acos((product[0] + product[3]) / 2);
+    EXPECT_NEAR(*effective("yoshida4", law_of(6, 0), wh / 6).angular_frequency, 6 / wh * angle, 1e-11) << wh;
+  }
+}
+
+TEST(EffectiveOscillator, GeneralizedAlphaDampsLongStepsByItsRhoInf) {
+  for (const double rho_inf : {0.0, 0.3, 0.8, 1.0}) {
+    const GeneralizedAlpha method{.newton = {}, .rho_inf = rho_inf};
+    const auto far = effective_oscillator(method, law_of(6, 0), 1e6);
+    EXPECT_NEAR(far.spectral_radius, rho_inf, 2e-3) << rho_inf;
+    EXPECT_NEAR(*effective_oscillator(method, law_of(6, 0), 1e-3).angular_frequency, 6, 1e-4) << rho_inf;
+  }
+}
+
+TEST(EffectiveOscillator, EveryMethodOfTheRegistryMeetsAnIndependentTruth) {
+  std::set<std::string> known{"heun",  "dormand-prince", "gauss-legendre4",
+                              "exact", "yoshida4",       "generalized-alpha"};
+  for (const auto& entry : problems::read("effective.json"))
+    known.insert(entry.at("method").get<std::string>());
+  for (const auto name : method_names)
+    EXPECT_TRUE(known.count(std::string(name))) << name << ": add one above";
+}
+
 TEST(EffectiveOscillator, SaysWhatTheTheorySays) {
   // theory.md: w = 6, b = 0.15, h = 0.01.
   const LinearLaw<double> law{.decay_rate = 0.15, .stiffness = 36};
@@ -106,6 +177,27 @@ TEST(EffectiveOscillator, StabilityLimitsAreTheKnownOnes) {
   EXPECT_EQ(limit("implicit-euler", 6, 0), std::nullopt);
   EXPECT_EQ(limit("implicit-euler", 6, 2), std::nullopt);
   EXPECT_EQ(limit("exact", 6, 0), std::nullopt);
+}
+
+TEST(EffectiveOscillator, WhatClaimsAStabilityIsStableAtAnyStepAndNothingElseIs) {
+  for (const double rho_inf : {0.8, 0.0, 0.5, 1.0})
+    for_each_method(MethodSettings{.newton = {}, .rho_inf = rho_inf}, [&](const auto& method) {
+      bool bounded = true;
+      double most = 0;
+      for (int decade = -3; decade <= 4; ++decade)
+        for (const double part : {1.0, 1.7, 3.1, 5.9})
+          for (const double zeta : {0.0, 1e-6, 0.01, 0.1, 0.5, 0.99, 1.0, 1.01, 2.0, 5.0, 10.0}) {
+            const double wh = part * std::pow(10, decade);
+            if (wh > 1e4) continue;
+            const double radius = effective_oscillator(method, law_of(6, zeta), wh / 6).spectral_radius;
+            // A map with entries of the size of w h rounds by as much.
+            bounded = bounded && radius <= 1 + 1e-12 + 1e-15 * wh;
+            most = std::max(most, radius);
+          }
+      EXPECT_EQ(bounded, method.info.a_stable) << method.info.name << ": " << most;
+      // Far beyond rounding, where it is not claimed.
+      EXPECT_TRUE(method.info.a_stable || most > 100) << method.info.name << ": " << most;
+    });
 }
 
 TEST(EffectiveOscillator, StepsJustBelowTheLimitAreStableAndJustAboveAreNot) {

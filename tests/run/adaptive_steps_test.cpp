@@ -44,15 +44,20 @@ TEST(AdaptiveSteps, MeetTheDuffingTruths) {
 TEST(AdaptiveSteps, TheErrorFollowsTheTolerance) {
   for (const auto& entry : problems::read("duffing.json")) {
     const problems::Problem p(entry.at("parameters"));
-    const double t = problems::number(entry, "t"), x = problems::number(entry, "x");
-    double last = 1;
-    for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-12}) {
-      const auto [outcome, kept] = run(p.oscillator, p.drive, t, {0.01, tolerance}, p.start);
-      const double error = std::abs(outcome.y.x - x);
-      EXPECT_LT(error, 300 * tolerance) << tolerance;
-      EXPECT_LT(error, last / 5) << tolerance;
-      last = std::max(error, 1e-13);
+    const double t = problems::number(entry, "t"), x = problems::number(entry, "x"),
+                 v = problems::number(entry, "v");
+    // The slope of log(error) over log(tolerance), by least squares.
+    double n = 0, sum_a = 0, sum_b = 0, sum_aa = 0, sum_ab = 0;
+    for (double exponent = -6; exponent >= -12; exponent -= 0.5) {
+      const double tolerance = std::pow(10, exponent);
+      const State<double> y = run(p.oscillator, p.drive, t, {0.01, tolerance}, p.start).outcome.y;
+      const double error = std::hypot(y.x - x, y.v - v);
+      EXPECT_LT(error, 25 * tolerance) << tolerance;
+      EXPECT_GT(error, tolerance / 50) << tolerance << ": steps wasted";
+      n += 1, sum_a += exponent, sum_b += std::log10(error);
+      sum_aa += exponent * exponent, sum_ab += exponent * std::log10(error);
     }
+    EXPECT_NEAR((n * sum_ab - sum_a * sum_b) / (n * sum_aa - sum_a * sum_a), 1, 0.25) << entry;
   }
 }
 
