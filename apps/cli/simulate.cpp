@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
+
 #include "commands.h"
 #include "cromer/analysis/energy.h"
 #include "cromer/report/file.h"
-#include "cromer/study/task/run_effect.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/load_drive.h"
+#include "cromer/study/task/run_effect.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"
@@ -46,6 +48,38 @@ std::string event_table(const SimulateResult& result) {
                       fmt::format("{:.6g}", found.y.x), fmt::format("{:.6g}", found.y.v),
                       result.options.event[found.event]});
   return rows.size() == 1 ? "\nno events\n" : "\n" + text_table(rows, 0, 4);
+}
+
+/// "+5.8 %", "0 %" where only rounding is left.
+std::string percent_off(std::optional<double> error) {
+  if (!error) return "";
+  return std::abs(*error) < 1e-12 ? "0 %" : fmt::format("{:+.2g} %", 100 * *error);
+}
+
+/// What gets through to the mass or to the ground; empty where nothing shakes a linear law.
+std::string transmissions(const SimulateResult& result) {
+  std::vector<std::vector<std::string>> rows{
+      {"run", "w/w0", "ratio", "lag (rad)", "simulated", "lag (rad)", "off by", "label"}};
+  std::string_view title;
+  for (std::size_t i = 0; i < result.runs.size(); ++i) {
+    const auto& found = result.runs[i].transmission;
+    if (!found) continue;
+    title = transmission_title(*found);
+    std::vector<std::string> row{
+        fmt::format("{}", i + 1), fmt::format("{:.4g}", found->frequency_ratio), "unbounded", "", "", "", "",
+        result.runs[i].label};
+    if (found->bounded()) {
+      row[2] = fmt::format("{:.6g}", found->exact.amplitude);
+      row[3] = fmt::format("{:.4g}", found->exact.phase_lag);
+    }
+    if (found->simulated) {
+      row[4] = fmt::format("{:.6g}", found->simulated->amplitude);
+      row[5] = fmt::format("{:.4g}", found->simulated->phase_lag);
+      row[6] = percent_off(found->error());
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows.size() == 1 ? "" : fmt::format("\n{}\n{}", title, text_table(rows, 0, 7));
 }
 
 /// What each method really simulates.
@@ -106,7 +140,8 @@ int run_simulate(const Arguments& arguments) {
     if (!run.message.empty()) complain(run.label + ": " + run.message);
   if (auto good = write_files(*result, output, arguments); !good) return refuse(good.error().message);
   if (output.output != "-" &&
-      !print(output.json ? to_json(*result, false) : table(*result) + event_table(*result) + effects(*result)))
+      !print(output.json ? to_json(*result, false)
+                         : table(*result) + event_table(*result) + transmissions(*result) + effects(*result)))
     return refuse("standard output cannot be written");
   return result->ok() ? done : no_success;
 }

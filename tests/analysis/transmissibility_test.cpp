@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 #include "cromer/analysis/frequency_response.h"
 
@@ -34,6 +35,24 @@ TEST(Transmissibility, MeetsItsLandmarks) {
   EXPECT_GT(transmissibility(mount, 6).amplitude, 3);
   // Far above, a base shakes around a mass at rest.
   EXPECT_NEAR(relative_transmissibility(mount, 6000).amplitude, 1, 2e-6);
+}
+
+TEST(Transmissibility, FollowsFromTheMotionThatPassesItOn) {
+  for (const double w : {0.1, 3.0, 6.0, 6.1, 20.0}) {
+    const Transmission exact = transmissibility(mount, w);
+    // A base with Y = 2: the force on the mass is m w^2 Y.
+    const Transmission motion = transmitted_motion(2, frequency_response(mount, 3 * w * w * 2, w));
+    EXPECT_NEAR(motion.amplitude / exact.amplitude, 1, 1e-13) << w;
+    EXPECT_NEAR(motion.phase_lag, exact.phase_lag, 1e-13) << w;
+    const SteadyState x = frequency_response(mount, 7, w),
+                      v{w * x.amplitude, x.phase_lag - std::numbers::pi / 2};
+    const Transmission force = transmitted_force(mount, 7, x, v);
+    EXPECT_NEAR(force.amplitude / exact.amplitude, 1, 1e-13) << w;
+    EXPECT_NEAR(force.phase_lag, exact.phase_lag, 1e-13) << w;
+  }
+  // A lag just short of nothing stays just short of nothing.
+  EXPECT_NEAR(transmission(1, -1e-3).phase_lag, -1e-3, 1e-9);
+  EXPECT_NEAR(transmission(-1, -1e-3).phase_lag, std::numbers::pi + 1e-3, 1e-9);
 }
 
 }  // namespace

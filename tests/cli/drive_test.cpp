@@ -83,5 +83,28 @@ TEST(Drive, IsNamedInTheParameters) {
   EXPECT_EQ(drive({"--drive", "base", "--base-displacement", "2 mm", "--drive-frequency", "1 Hz"}), "base");
 }
 
+TEST(Drive, SaysWhatGetsThrough) {
+  const Folder folder;
+  const std::vector<std::string> arguments{
+      "simulate",      "--natural-frequency", "6",    "--damping-ratio",   "0.05", "--drive",
+      "base",          "--base-displacement", "2 mm", "--drive-frequency", "12",   "--method",
+      "implicit-euler"};
+  const Finished text = folder.run(arguments);
+  EXPECT_THAT(text.out, HasSubstr("transmissibility: displacement of the mass over that of the base"));
+  auto with_json = arguments;
+  with_json.emplace_back("--json");
+  const auto found = folder.run(with_json).json()["runs"][0]["transmissibility"];
+  EXPECT_EQ(found["of"], "displacement");
+  EXPECT_NEAR(found["frequency_ratio"].get<double>(), 2, 1e-15);
+  const double exact = std::hypot(1, 0.2) / std::hypot(3, 0.2);
+  EXPECT_NEAR(found["ratio"].get<double>(), exact, 1e-14);
+  EXPECT_NEAR(found["transmitted"].get<double>(), 0.002 * exact, 1e-16);
+  EXPECT_NEAR(found["simulated"]["ratio"].get<double>() / exact - 1,
+              found["simulated"]["error"].get<double>(), 1e-12);
+  EXPECT_NE(found["simulated"]["error"].get<double>(), 0);
+  const auto free = folder.run({"simulate", "--json"}).json()["runs"][0];
+  EXPECT_FALSE(free.contains("transmissibility"));
+}
+
 }  // namespace
 }  // namespace cromer::test

@@ -106,16 +106,20 @@ std::vector<Complex<Precise>> eigenvalues(const StepMap& map) {
 
 Precise modulus(const Complex<Precise>& z) { return std::hypot(z.re, z.im); }
 
-/// X of x_n = Re X e^{i W n h}: the first component of (e^{i W h} - map)^-1 drive, by Cramer's rule.
-SteadyState steady_state(const StepMap& map, Precise phase_per_step) {
+/// Z of z_n = Re Z e^{i W n h}: one component of (e^{i W h} - map)^-1 drive, by Cramer's rule.
+SteadyState steady_component(const StepMap& map, Precise phase_per_step, std::size_t component) {
   const Complex<Precise> z{std::cos(phase_per_step), std::sin(phase_per_step)};
   const auto left = [&](std::size_t i, std::size_t j) {
     const Complex<Precise> diagonal = i == j ? z : Complex<Precise>{};
     return diagonal - Complex<Precise>{map.column[j][i], 0};
   };
-  const auto with_drive = [&](std::size_t i, std::size_t j) { return j == 0 ? map.drive[i] : left(i, j); };
-  const auto x = determinant<Complex<Precise>>(with_drive) / determinant<Complex<Precise>>(left);
-  return {static_cast<double>(modulus(x)), static_cast<double>(std::atan2(-x.im, x.re))};
+  const auto with_drive = [&](std::size_t i, std::size_t j) {
+    return j == component ? map.drive[i] : left(i, j);
+  };
+  const auto found = determinant<Complex<Precise>>(with_drive) / determinant<Complex<Precise>>(left);
+  Precise lag = std::atan2(-found.im, found.re);
+  if (lag < -std::numbers::pi_v<Precise> / 2) lag += 2 * std::numbers::pi_v<Precise>;
+  return {static_cast<double>(modulus(found)), static_cast<double>(lag)};
 }
 
 }  // namespace
@@ -140,8 +144,11 @@ EffectiveOscillator analyse(const StepMap& map, double h, double drive_frequency
   }
   const bool driven = std::any_of(map.drive.begin(), map.drive.end(),
                                   [](const Complex<Precise>& f) { return f.re != 0 || f.im != 0; });
-  if (driven && result.spectral_radius < 1 - 1e-14)
-    result.steady_state = steady_state(map, drive_frequency * h);
+  if (driven && result.spectral_radius < 1 - 1e-14) {
+    result.steady_state = steady_component(map, drive_frequency * h, 0);
+    result.steady_velocity = steady_component(map, drive_frequency * h, 1);
+    result.steady_velocity->amplitude /= h;
+  }
   return result;
 }
 

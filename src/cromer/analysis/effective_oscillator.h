@@ -37,13 +37,15 @@ struct StepMap {
 
 /// The oscillator that the method simulates.
 struct EffectiveOscillator {
-  std::vector<Complex<double>> eigenvalues{};   ///< of one step; the physical pair first
-  double spectral_radius = 0;                   ///< largest modulus of them
-  std::optional<double> decay_rate{};           // [1/s]; empty where nothing oscillates
-  std::optional<double> angular_frequency{};    // [rad/s]; likewise. At most pi/h
-  std::optional<SteadyState> steady_state{};    ///< where a driven motion settles; empty without drive or
-                                                ///< where it never does
-  std::optional<double> energy_factor() const;  ///< of the energy per cycle; empty where nothing oscillates
+  std::vector<Complex<double>> eigenvalues{};    ///< of one step; the physical pair first
+  double spectral_radius = 0;                    ///< largest modulus of them
+  std::optional<double> decay_rate{};            // [1/s]; empty where nothing oscillates
+  std::optional<double> angular_frequency{};     // [rad/s]; likewise. At most pi/h
+  std::optional<SteadyState> steady_state{};     ///< where a driven motion settles, its lag from -pi/2 to
+                                                 ///< 3 pi/2; empty without drive or
+                                                 ///< where it never does
+  std::optional<SteadyState> steady_velocity{};  // [m/s] of the same motion: the method's own, not i W x
+  std::optional<double> energy_factor() const;   ///< of the energy per cycle; empty where nothing oscillates
 
   /// The motion stays bounded: spectral radius at most 1, to rounding.
   bool stable() const { return spectral_radius <= 1 + 1e-12; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "cromer/base/dual.h"
 #include "cromer/model/oscillator.h"
@@ -25,8 +26,15 @@ inline SteadyState frequency_response(const Oscillator<double>& oscillator, doub
 /// A ratio of amplitudes, and how far the answer lags.
 struct Transmission {
   double amplitude = 1;  ///< of the answer over that of the cause
-  double phase_lag = 0;  // [rad] 0 to pi
+  double phase_lag = 0;  // [rad] 0 to pi but for a method's own error
 };
+
+/// Of a cos u + b sin u against cos u; the lag from -pi/2 to 3 pi/2.
+inline Transmission transmission(double cosine, double sine) {
+  double lag = std::atan2(sine, cosine);
+  if (lag < -std::numbers::pi / 2) lag += 2 * std::numbers::pi;
+  return {std::hypot(cosine, sine), lag};
+}
 
 /// T = |k + i c w|/|k - m w^2 + i c w| of the linear law: how much of a shaking base's displacement reaches
 /// the mass, and as well how much of a force on the mass reaches the ground (J. P. Den Hartog, Mechanical
@@ -50,6 +58,23 @@ inline Transmission unbalance_transmissibility(const Oscillator<double>& oscilla
   Transmission t = transmissibility(oscillator, w);
   t.amplitude *= oscillator.mass * (w * w) / oscillator.stiffness;
   return t;
+}
+
+/// What becomes of a shaking base's Y cos u, Y > 0, where the mass moves X cos(u - delta) relative to it: the
+/// mass's own displacement over the base's. However X and delta were found: exactly, by a method, measured.
+inline Transmission transmitted_motion(double base_amplitude, const SteadyState& relative) {
+  const double x = relative.amplitude / base_amplitude;
+  return transmission(1 + x * std::cos(relative.phase_lag), x * std::sin(relative.phase_lag));
+}
+
+/// What becomes of a force F cos u, F > 0, on a mass with this position and velocity: the force k x + c v of
+/// spring and damper on the ground over F. A method's velocity need not be the derivative of its position.
+inline Transmission transmitted_force(const Oscillator<double>& oscillator, double force_amplitude,
+                                      const SteadyState& position, const SteadyState& velocity) {
+  const double spring = oscillator.stiffness * position.amplitude / force_amplitude;
+  const double damper = oscillator.damping * velocity.amplitude / force_amplitude;
+  return transmission(spring * std::cos(position.phase_lag) + damper * std::cos(velocity.phase_lag),
+                      spring * std::sin(position.phase_lag) + damper * std::sin(velocity.phase_lag));
 }
 
 /// Where the steady amplitude is largest [rad/s]: sqrt(k/m - 2 (c/2m)^2), or 0 if it falls from the start. k

@@ -14,8 +14,8 @@
 
 namespace cromer {
 
-/// "id.N" for run N: label, steps, newton_per_step, peak, final.*, energy_*; steady.* and exact.* where it is
-/// driven. Columns t, x, v, energy.
+/// "id.N" for run N: label, steps, newton_per_step, peak, final.*, energy_*; steady.*, exact.* and
+/// transmissibility.* where it is driven. Columns t, x, v, energy.
 void collect(const std::string& id, const SimulateResult& result, Results& results);
 
 /// "id": every parameter and derived quantity (with .low and .high), mass, samples, rms, segment.N.rate,
@@ -26,7 +26,9 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
 /// phase_drift, excess_max. Columns t, x, top_t, top, bottom_t, bottom.
 void collect(const std::string& id, const CompareResult& compared, Results& results);
 
-/// "id.N" for method N: label, peak, peak_frequency. Columns frequency, amplitude, phase.
+/// "id.N" for curve N: label, damping_ratio, peak, peak_frequency, peak_transmissibility,
+/// peak_transmissibility_ratio (the frequency ratio there), last_transmissibility. Columns frequency,
+/// frequency_ratio, amplitude, phase, amplification, transmissibility, transmitted, transmitted_phase.
 void collect(const std::string& id, const ResonanceResult& resonance, Results& results);
 
 /// "id.N" for method N: label, x_slope, v_slope, x_over_predicted, v_over_predicted. Columns h, x_error,

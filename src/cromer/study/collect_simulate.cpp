@@ -18,6 +18,14 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
+/// Where it is; not-finite values are passed over.
+std::size_t largest(const std::vector<double>& values) {
+  std::size_t at = 0;
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i] > values[at] || std::isnan(values[at])) at = i;
+  return at;
+}
+
 std::vector<double> energies(const SimulatedRun& run) {
   std::vector<double> values(run.trajectory.size());
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -60,6 +68,19 @@ void collect_steady(const std::string& name, const SimulatedRun& run, Results& r
   results.set(name + ".phase_error", measured->phase_lag - exact.phase_lag, "rad");
 }
 
+/// What gets through, exactly and by the method.
+void collect_transmission(const std::string& name, const SimulatedRun& run, Results& results) {
+  if (!run.transmission || !run.transmission->bounded()) return;
+  const RunTransmission& found = *run.transmission;
+  const char* unit = found.of_motion ? "m" : "N";
+  results.set(name + ".transmissibility.exact", found.exact.amplitude);
+  results.set(name + ".transmissibility.phase", found.exact.phase_lag, "rad");
+  results.set(name + ".transmissibility.transmitted", found.sent * found.exact.amplitude, unit);
+  if (!found.simulated) return;
+  results.set(name + ".transmissibility.simulated", found.simulated->amplitude);
+  results.set(name + ".transmissibility.error", *found.error());
+}
+
 void collect_run(const std::string& name, const SimulatedRun& run, Results& results) {
   const Counts& counts = run.outcome.counts;
   results.set(name + ".label", run.label);
@@ -82,6 +103,7 @@ void collect_run(const std::string& name, const SimulatedRun& run, Results& resu
   auto energy = energies(run);
   collect_energy(name, run, energy, results);
   collect_steady(name, run, results);
+  collect_transmission(name, run, results);
   results.set_column(name + ".t", run.trajectory.t, "s", "time *t*");
   results.set_column(name + ".x", run.trajectory.x, "m", "position *x*");
   results.set_column(name + ".v", run.trajectory.v, "m/s", "velocity *v*");
@@ -100,15 +122,23 @@ void collect(const std::string& id, const ResonanceResult& resonance, Results& r
   for (std::size_t i = 0; i < resonance.curves.size(); ++i) {
     const ResonanceCurve& curve = resonance.curves[i];
     const std::string name = id + "." + std::to_string(i + 1);
-    std::size_t peak = 0;
-    for (std::size_t j = 1; j < curve.amplitude.size(); ++j)
-      if (curve.amplitude[j] > curve.amplitude[peak] || std::isnan(curve.amplitude[peak])) peak = j;
+    const std::size_t peak = largest(curve.amplitude), most = largest(curve.transmissibility);
     results.set(name + ".label", curve.method);
     results.set(name + ".peak", curve.amplitude[peak], "m");
     results.set(name + ".peak_frequency", curve.frequency[peak], "rad/s");
+    results.set(name + ".peak_transmissibility", curve.transmissibility[most]);
+    results.set(name + ".peak_transmissibility_ratio", curve.frequency_ratio[most]);
+    results.set(name + ".last_transmissibility", curve.transmissibility.back());
+    results.set(name + ".damping_ratio", curve.damping_ratio);
     results.set_column(name + ".frequency", curve.frequency, "rad/s", "drive frequency *ω*");
+    results.set_column(name + ".frequency_ratio", curve.frequency_ratio, "", "frequency ratio *ω*/*ω*_{0}");
     results.set_column(name + ".amplitude", curve.amplitude, "m", "steady amplitude");
     results.set_column(name + ".phase", curve.phase, "rad", "phase lag *φ*");
+    results.set_column(name + ".amplification", curve.amplification, "", "amplification");
+    results.set_column(name + ".transmissibility", curve.transmissibility, "", "transmissibility");
+    results.set_column(name + ".transmitted_phase", curve.transmitted_phase, "rad", "phase lag *φ*");
+    results.set_column(name + ".transmitted", curve.transmitted, resonance.of_motion ? "m" : "N",
+                       resonance.of_motion ? "amplitude of the mass" : "force on the ground");
   }
 }
 

@@ -76,6 +76,16 @@ Result<TaskReport> run_fit(const Work& work) { return run_on_recording<FitOption
 
 Result<TaskReport> run_compare(const Work& work) { return run_on_recording<CompareOptions>(work, compare); }
 
+Option plain_option(std::string_view name, Option::Target target) {
+  return {.name = name,
+          .target = target,
+          .unit = "",
+          .range = Range::positive,
+          .help = "",
+          .default_text = "",
+          .group = ""};
+}
+
 Result<TaskReport> run_resonance(const Work& work) {
   ResonanceOptions options;
   auto table = options_of(options.simulate);
@@ -93,13 +103,8 @@ Result<TaskReport> run_resonance(const Work& work) {
                                     .help = "",
                                     .default_text = "",
                                     .group = ""},
-                                   {.name = "points",
-                                    .target = &options.points,
-                                    .unit = "",
-                                    .range = Range::positive,
-                                    .help = "",
-                                    .default_text = "",
-                                    .group = ""}};
+                                   plain_option("points", &options.points),
+                                   plain_option("damping-ratios", &options.damping_ratio)};
   table.insert(table.end(), own.begin(), own.end());
   if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
   const auto result = resonance(options, work.watch);
@@ -116,16 +121,6 @@ Result<TaskReport> run_local_error(const Work& work) {
   if (!result) return work.error(result.error());
   collect(work.task.id, *result, work.results);
   return TaskReport{};
-}
-
-Option plain_option(std::string_view name, Option::Target target) {
-  return {.name = name,
-          .target = target,
-          .unit = "",
-          .range = Range::positive,
-          .help = "",
-          .default_text = "",
-          .group = ""};
 }
 
 Result<TaskReport> run_method_map(const Work& work) {

@@ -4,8 +4,8 @@
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/drive.h"
 #include "cromer/study/json/effect.h"
-#include "cromer/study/task/run_effect.h"
 #include "cromer/study/json/json.h"
+#include "cromer/study/task/run_effect.h"
 
 namespace cromer {
 namespace {
@@ -30,7 +30,9 @@ Json sensor(const SensorOptions& options) {
 }
 
 Json accuracy(const Accuracy& found) {
-  const auto or_null = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  const auto or_null = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  };
   return {{"asked", found.asked},
           {"step", found.step},
           {"frequency_error", or_null(found.frequency_error)},
@@ -55,7 +57,8 @@ Json measured(const MeasuredOscillator& found) {
 Json events(const SimulatedRun& run, const SimulateOptions& options) {
   Json all = Json::array();
   for (const FoundEvent& found : run.events.found)
-    all.push_back({{"event", options.event[found.event]}, {"t", found.t}, {"x", found.y.x}, {"v", found.y.v}});
+    all.push_back(
+        {{"event", options.event[found.event]}, {"t", found.t}, {"x", found.y.x}, {"v", found.y.v}});
   return all;
 }
 
@@ -82,6 +85,21 @@ void add_effect(Json& object, const SimulatedRun& run) {
   if (!run.effect->stable) object["stability_limit"] = json_or_null(run.effect->stability_limit);
   object["energy_factor_per_cycle"] = json_or_null(run.effect->effective.energy_factor());
   object["in_words"] = effect_in_words(run);
+}
+
+Json transmissibility(const RunTransmission& found) {
+  Json object{{"of", found.of_motion ? "displacement" : "force"},
+              {"frequency_ratio", found.frequency_ratio},
+              {"ratio", found.exact.amplitude},
+              {"phase_lag", found.bounded() ? Json(found.exact.phase_lag) : Json(nullptr)},
+              {"sent", found.sent},
+              {"transmitted", found.sent * found.exact.amplitude},
+              {"simulated", nullptr}};
+  if (found.simulated)
+    object["simulated"] = {{"ratio", found.simulated->amplitude},
+                           {"phase_lag", found.simulated->phase_lag},
+                           {"error", json_or_null(found.error())}};
+  return object;
 }
 
 Json document(const SimulatedRun& run, const SimulateOptions& options) {
@@ -111,6 +129,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
   object["energy_balance"] = run.energy_balance ? energy_balance(*run.energy_balance) : Json(nullptr);
   if (run.measured) object["measured"] = measured(*run.measured);
   add_effect(object, run);
+  if (run.transmission) object["transmissibility"] = transmissibility(*run.transmission);
   object["sensor"] = sensor(options.sensor);
   return object;
 }

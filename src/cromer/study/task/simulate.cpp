@@ -113,7 +113,10 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
   if (!runs) return runs.error();
   if (options.accuracy)
     if (auto good = choose_steps(options, *runs, watch); !good) return good.error();
-  for (auto& run : *runs) run.effect = effect_of(run);
+  for (auto& run : *runs) {
+    run.effect = effect_of(run);
+    run.transmission = transmission_of(options, run);
+  }
   SimulateResult result;
   result.warnings = setup_warnings(options, *runs);
   if (watch.warn) watch.warn(result.warnings);

@@ -20,6 +20,7 @@
 #include "cromer/study/task/accuracy.h"
 #include "cromer/study/task/drive_record.h"
 #include "cromer/study/task/method_effect.h"
+#include "cromer/study/task/run_transmission.h"
 
 namespace cromer {
 
@@ -89,6 +90,7 @@ struct SimulatedRun {
   double tolerance = 0;
   MethodSettings settings{};  ///< what the method takes besides
   std::optional<MethodEffect> effect{};  ///< what it really simulates, of linear laws
+  std::optional<RunTransmission> transmission{};  ///< what gets through, of driven linear laws
   Outcome outcome;
   Trajectory trajectory;
   std::vector<double> sensor{};  ///< one sample per kept state; empty without a sensor
