@@ -78,6 +78,23 @@ TEST(MeasuredSteadyState, UsesFewerCyclesWhereThereAreFewer) {
               frequency_response({.mass = 1, .stiffness = 9, .damping = 6}, 1, d.frequency).amplitude, 1e-9);
 }
 
+TEST(MeasuredSteadyState, LeavesOutAStateAfterAShorterStep) {
+  const Oscillator<double> o{.mass = 1, .stiffness = 9, .damping = 1};
+  const HarmonicDrive<double> d{.amplitude = 1, .frequency = 3};
+  const auto settled_by = [&](double until) {
+    const Interval interval{0, until};
+    KeepEvery keep(1, count_steps(interval, 0.2));
+    with_terms(o, d, [&](const auto& system) {
+      return solve(system, ImplicitEuler{}, interval, State<double>{0, 0}, 0.2, keep);
+    });
+    return measure_steady_state(keep.take(), d);
+  };
+  const auto whole = settled_by(80), cut = settled_by(80.05);
+  EXPECT_NEAR(cut->amplitude / whole->amplitude, 1, 1e-12);
+  EXPECT_LT(cut->residual, 1e-12);
+  EXPECT_TRUE(cut->settled());
+}
+
 TEST(MeasuredSteadyState, RefusesWhatCannotBeMeasured) {
   const HarmonicDrive<double> d{.amplitude = 1, .frequency = 0.1};
   const auto trajectory = driven({.mass = 1, .stiffness = 9, .damping = 1}, d, 100);

@@ -37,6 +37,14 @@ Sinusoid fit_sinusoid(const Trajectory& y, const HarmonicDrive<double>& drive, s
   return {c[0], c[1], c[2], std::sqrt(squares / static_cast<double>(last - first))};
 }
 
+/// How many states lie a whole step after the one before: all, or all but the last. What a method settles at
+/// depends on its step, so the state after a shorter one lies on another steady motion.
+std::size_t evenly_spaced(const Trajectory& y) {
+  const std::size_t n = y.size();
+  const double last = y.t[n - 1] - y.t[n - 2], before = y.t[n - 2] - y.t[n - 3];
+  return last < before * (1 - 1e-6) ? n - 1 : n;
+}
+
 }  // namespace
 
 Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
@@ -45,7 +53,8 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
     return Error{"no steady oscillation: there is no harmonic drive"};
   if (trajectory.size() < 8) return Error{"no steady oscillation: the run kept fewer than eight states"};
   const double period = 2 * std::numbers::pi / drive.frequency;
-  const double end = trajectory.t.back();
+  const std::size_t last = evenly_spaced(trajectory);
+  const double end = trajectory.t[last - 1];
   // A sample early at the start may belong to the window by rounding only.
   const double slack = 1e-9 * period;
   const auto since = [&](double t) {
@@ -56,7 +65,7 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
       static_cast<int>(std::min(1e6, std::floor((end - trajectory.t.front()) / period + 1e-9)));
   const int used = std::min(std::max(cycles, 2), available) / 2 * 2;
   if (used < 2) return Error{"no steady oscillation: the run is shorter than two periods of the drive"};
-  const std::size_t first = since(end - used * period), last = trajectory.size();
+  const std::size_t first = since(end - used * period);
   if (last - first < 4 * static_cast<std::size_t>(used))
     return Error{"no steady oscillation: the run kept fewer than four states a period of the drive"};
 
