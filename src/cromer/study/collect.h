@@ -35,12 +35,13 @@ void collect(const std::string& id, const ResonanceResult& resonance, Results& r
 /// v_error.
 void collect(const std::string& id, const LocalErrorResult& errors, Results& results);
 
-/// "id": natural_frequency, decay_rate. "id.N" for method N: label, and at w h nearest to 0.1
-/// at_a_tenth.decay_rate, at_a_tenth.frequency_error. Columns wh, decay_rate, frequency_error, decay_error.
+/// "id": natural_frequency, decay_rate. "id.N" for method N: label, order, stable_up_to (w h, or "any"), and
+/// at w h = 0.1 at_a_tenth.decay_rate, .frequency_error, .energy_factor. Columns wh, decay_rate,
+/// frequency_error, decay_error.
 void collect(const std::string& id, const MethodMapResult& map, Results& results);
 
-/// "id.N" for method N: label, slope, evaluations_for_a_millionth where it gets there. Columns evaluations,
-/// error.
+/// "id.N" for method N: label, slope, evaluations_for_a_millionth (not a number, shown as a dash, where it
+/// does not get there). Columns evaluations, error.
 void collect(const std::string& id, const WorkPrecisionResult& work, Results& results);
 
 }  // namespace cromer

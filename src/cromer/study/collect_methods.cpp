@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "cromer/study/collect.h"
 
@@ -11,16 +12,27 @@ void collect(const std::string& id, const MethodMapResult& map, Results& results
     const MethodMapCurve& curve = map.curves[i];
     const std::string name = id + "." + std::to_string(i + 1);
     results.set(name + ".label", curve.method);
-    // Where w h is nearest to a tenth, the place to compare methods at.
-    std::size_t tenth = 0;
-    for (std::size_t j = 1; j < curve.wh.size(); ++j)
-      if (std::abs(std::log(curve.wh[j] / 0.1)) < std::abs(std::log(curve.wh[tenth] / 0.1))) tenth = j;
-    results.set(name + ".at_a_tenth.decay_rate", curve.decay_rate[tenth], "1/s");
-    results.set(name + ".at_a_tenth.frequency_error", curve.frequency_error[tenth]);
+    if (curve.order > 0)
+      results.set(name + ".order", static_cast<double>(curve.order));
+    else
+      results.set(name + ".order", std::string("–"));
+    results.set(name + ".at_a_tenth.decay_rate", curve.at_a_tenth.decay_rate, "1/s");
+    results.set(name + ".at_a_tenth.frequency_error", curve.at_a_tenth.frequency_error);
+    results.set(name + ".at_a_tenth.energy_factor", curve.at_a_tenth.energy_factor);
+    if (curve.stable_up_to)
+      results.set(name + ".stable_up_to", *curve.stable_up_to);
+    else
+      results.set(name + ".stable_up_to", std::string("any"));
+    const auto column = [&](double MethodMapPoint::*which) {
+      std::vector<double> values;
+      for (const MethodMapPoint& point : curve.at) values.push_back(point.*which);
+      return values;
+    };
     results.set_column(name + ".wh", curve.wh, "", "natural frequency × step *ω*_{0}*h*");
-    results.set_column(name + ".decay_rate", curve.decay_rate, "1/s", "decay rate");
-    results.set_column(name + ".frequency_error", curve.frequency_error, "", "frequency error");
-    results.set_column(name + ".decay_error", curve.decay_error, "", "damping error");
+    results.set_column(name + ".decay_rate", column(&MethodMapPoint::decay_rate), "1/s", "decay rate");
+    results.set_column(name + ".frequency_error", column(&MethodMapPoint::frequency_error), "",
+                       "frequency error");
+    results.set_column(name + ".decay_error", column(&MethodMapPoint::decay_error), "", "damping error");
   }
 }
 
@@ -32,6 +44,8 @@ void collect(const std::string& id, const WorkPrecisionResult& work, Results& re
     results.set(name + ".slope", curve.slope);
     results.set_column(name + ".evaluations", curve.evaluations, "", "evaluations");
     results.set_column(name + ".error", curve.error, "", "error");
+    constexpr double not_reached = std::numeric_limits<double>::quiet_NaN();
+    results.set(name + ".evaluations_for_a_millionth", not_reached);
     // The evaluations for an error of one part in a million, on the line between the runs around it.
     for (std::size_t j = 1; j < curve.error.size(); ++j)
       if (curve.error[j - 1] > 1e-6 && curve.error[j] <= 1e-6) {

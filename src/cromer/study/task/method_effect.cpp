@@ -35,6 +35,11 @@ std::string rate_in_words(double effective, double b, double frequency) {
 std::optional<MethodEffect> method_effect(std::string_view method, const MethodSettings& settings,
                                           const LinearLaw<double>& law, double h, bool with_limit) {
   if (find_method(method)->error_order > 0) return std::nullopt;
+  return effect_at_step(method, settings, law, h, with_limit);
+}
+
+std::optional<MethodEffect> effect_at_step(std::string_view method, const MethodSettings& settings,
+                                           const LinearLaw<double>& law, double h, bool with_limit) {
   MethodEffect result;
   visit_method(method, settings, [&](const auto& m) {
     result.effective = effective_oscillator(m, law, h);

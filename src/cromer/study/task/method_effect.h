@@ -24,6 +24,10 @@ struct MethodEffect {
 std::optional<MethodEffect> method_effect(std::string_view method, const MethodSettings& settings,
                                           const LinearLaw<double>& law, double h, bool with_limit);
 
+/// The same of any method: of an adaptive one at a step that it might have chosen.
+std::optional<MethodEffect> effect_at_step(std::string_view method, const MethodSettings& settings,
+                                           const LinearLaw<double>& law, double h, bool with_limit);
+
 /// "turns damping of 0.15 1/s into growth of 0.02998 1/s and 5.998 rad/s into 5.989 rad/s": what became of
 /// decay rate and frequency.
 std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law);

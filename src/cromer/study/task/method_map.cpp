@@ -11,25 +11,34 @@
 namespace cromer {
 namespace {
 
-MethodMapCurve curve_of(const std::string& method, const LinearLaw<double>& law,
-                        const MethodMapOptions& options) {
-  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+MethodMapPoint point_of(const std::optional<MethodEffect>& effect, const LinearLaw<double>& law) {
+  if (!effect || !effect->effective.angular_frequency) return {nothing, nothing, nothing, nothing};
   const double w = std::sqrt(law.stiffness);
   const double damped = std::sqrt(law.stiffness - law.decay_rate * law.decay_rate);
+  const double decay_rate = *effect->effective.decay_rate;
+  return {decay_rate, std::abs(*effect->effective.angular_frequency / damped - 1),
+          std::abs(decay_rate - law.decay_rate) / w, *effect->effective.energy_factor()};
+}
+
+MethodMapCurve curve_of(const SimulatedRun& run, const LinearLaw<double>& law,
+                        const MethodMapOptions& options) {
+  const double w = std::sqrt(law.stiffness);
+  const auto effect_at = [&](double wh, bool with_limit) {
+    return effect_at_step(run.method, run.settings, law, wh / w, with_limit);
+  };
   MethodMapCurve curve;
-  curve.method = method;
+  curve.method = run.method;
+  curve.order = find_method(run.method)->order;
   for (long long i = 0; i < options.points; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(options.points - 1);
-    const double wh = options.from * std::pow(options.to / options.from, share);
-    const auto effect = method_effect(method, {}, law, wh / w, false);
-    const bool swings = effect && effect->effective.angular_frequency;
-    const double frequency = swings ? *effect->effective.angular_frequency : nothing;
-    const double decay_rate = swings ? *effect->effective.decay_rate : nothing;
-    curve.wh.push_back(wh);
-    curve.decay_rate.push_back(decay_rate);
-    curve.frequency_error.push_back(std::abs(frequency / damped - 1));
-    curve.decay_error.push_back(std::abs(decay_rate - law.decay_rate) / w);
+    curve.wh.push_back(options.from * std::pow(options.to / options.from, share));
+    curve.at.push_back(point_of(effect_at(curve.wh.back(), false), law));
   }
+  const auto tenth = effect_at(0.1, true);
+  curve.at_a_tenth = point_of(tenth, law);
+  if (tenth && tenth->stability_limit) curve.stable_up_to = *tenth->stability_limit * w;
   return curve;
 }
 
@@ -48,11 +57,7 @@ Result<MethodMapResult> method_map(const MethodMapOptions& options) {
   if (!(law.stiffness > law.decay_rate * law.decay_rate))
     return Error{"--damping: this law does not oscillate"};
   MethodMapResult result{std::sqrt(law.stiffness), law.decay_rate, {}};
-  for (const SimulatedRun& run : *runs) {
-    if (find_method(run.method)->error_order > 0)
-      return Error{"--method: " + run.method + " chooses its own steps"};
-    result.curves.push_back(curve_of(run.method, law, options));
-  }
+  for (const SimulatedRun& run : *runs) result.curves.push_back(curve_of(run, law, options));
   return result;
 }
 
