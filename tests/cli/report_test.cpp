@@ -1,8 +1,9 @@
-// Both labs and studies of all kinds of badness, from outside.
+// The labs and studies of all kinds of badness, from outside.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 
 #include "program.h"
@@ -81,6 +82,45 @@ TEST(Report, OfTheSpringLabAnswersItsQuestions) {
   EXPECT_NEAR(lab.value("perfect.1.energy_doubling_time"), 0.01 * std::log(2) / std::log1p(wh * wh), 0.005);
   EXPECT_NEAR(lab.value("taylor.1.x_slope"), 2, 0.05);
   EXPECT_NEAR(lab.value("taylor.1.v_slope"), 2, 0.05);
+}
+
+TEST(Report, OfTheMethodsLabHasEveryMethodAndTheTheorysNumbers) {
+  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
+  const Lab lab("methods.toml");
+  ASSERT_EQ(lab.end.status, 0) << lab.end.err;
+  EXPECT_THAT(lab.end.err, Not(HasSubstr("warning")));
+  expect_figures(lab, 9);
+  const auto shown = [&](const std::string& task, const std::string& method) {
+    for (int i = 1; i < 20; ++i) {
+      const std::string label = task + "." + std::to_string(i) + ".label";
+      if (lab.results.contains(label) && lab.results.at(label) == method) return true;
+    }
+    return false;
+  };
+  for (const auto& method : lab.folder.run({"methods", "--json"}).json()["methods"]) {
+    const std::string name = method["name"];
+    EXPECT_TRUE(shown("map", name)) << name;
+    if (name != "exact") {
+      EXPECT_TRUE(shown("linear", name) && shown("duffing", name) && shown("drag", name)) << name;
+    }
+    if (name != "forward-euler") {
+      EXPECT_TRUE(shown("curve", name)) << name << ", which would settle";
+    }
+  }
+  EXPECT_NEAR(lab.value("map.1.at_a_tenth.decay_rate"), -std::log(1 - 0.004 + 0.01) / 0.2, 1e-12);
+  EXPECT_NEAR(lab.value("map.2.at_a_tenth.decay_rate"), -std::log(1 - 0.004) / 0.2, 1e-12);
+  EXPECT_NEAR(lab.value("map.3.at_a_tenth.decay_rate"), std::log(1 + 0.004 + 0.01) / 0.2, 1e-12);
+  const auto through = [](double r, double ratio) {
+    return std::hypot(1, 2 * ratio * r) / std::hypot(1 - r * r, 2 * ratio * r);
+  };
+  EXPECT_NEAR(lab.value("mount.1.last_transmissibility"), through(3, 0.1), 1e-12);
+  EXPECT_NEAR(lab.value("mount.5.last_transmissibility"), through(3, 1), 1e-12);
+  const double w = 18 * M_PI;
+  EXPECT_NEAR(lab.value("machine.5.last_transmitted"), 0.5 * 0.2 * w * w * through(3, 1), 1e-9);
+  // Implicit Euler's relative motion on a base at 4 w0: backward differences in place of derivatives.
+  const std::complex<double> s = (1.0 - std::exp(std::complex<double>(0, -0.8))) / 0.2;
+  EXPECT_NEAR(lab.value("shaken.3.last_transmissibility"), std::abs(1.0 + 16.0 / (s * s + 0.2 * s + 1.0)),
+              1e-5);
 }
 
 TEST(Report, PrintsOneJsonDocument) {

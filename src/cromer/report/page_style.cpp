@@ -65,10 +65,10 @@ header{padding-top:28px}
 h1{font-size:27px;line-height:33px}
 .summary p{font-size:16.5px;line-height:26px}
 .key{display:grid;grid-template-columns:1fr 1fr}
-.key>div,.key>div:first-child{padding:10px 8px 10px 0;border-left:0}
+.key>div,.key>div:first-child{padding:10px 8px 10px 0;margin-left:0;border-left:0}
 .key .value{font-size:17px;white-space:normal}
 .pair{grid-template-columns:1fr;gap:24px}
-figure.wide svg{min-width:560px}
+figure.wide svg{min-width:200%}
 figure.wide{overflow-x:auto}
 figure.wide::before{content:"scroll sideways \2192";display:block;position:sticky;left:0;width:max-content;color:var(--text-3);font-size:12px}
 .table .scroll{background:linear-gradient(90deg,var(--ground) 40%,transparent) 0 0/40px 100% no-repeat local,linear-gradient(270deg,var(--ground) 40%,transparent) 100% 0/40px 100% no-repeat local,linear-gradient(90deg,var(--line),transparent) 0 0/14px 100% no-repeat scroll,linear-gradient(270deg,var(--line),transparent) 100% 0/14px 100% no-repeat scroll}

@@ -27,8 +27,9 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
 void collect(const std::string& id, const CompareResult& compared, Results& results);
 
 /// "id.N" for curve N: label, damping_ratio, peak, peak_frequency, peak_transmissibility,
-/// peak_transmissibility_ratio (the frequency ratio there), last_transmissibility. Columns frequency,
-/// frequency_ratio, amplitude, phase, amplification, transmissibility, transmitted, transmitted_phase.
+/// peak_transmissibility_ratio (the frequency ratio there), last_transmissibility, peak_transmitted,
+/// last_transmitted. Columns frequency, frequency_ratio, amplitude, phase, amplification, transmissibility,
+/// transmitted, transmitted_phase.
 void collect(const std::string& id, const ResonanceResult& resonance, Results& results);
 
 /// "id.N" for method N: label, x_slope, v_slope, x_over_predicted, v_over_predicted. Columns h, x_error,

@@ -118,18 +118,21 @@ void collect(const std::string& id, const SimulateResult& result, Results& resul
 }
 
 void collect(const std::string& id, const ResonanceResult& resonance, Results& results) {
+  const char* arrives = resonance.of_motion ? "m" : "N";
   results.set(id + ".points", static_cast<double>(resonance.curves.front().frequency.size()));
   for (std::size_t i = 0; i < resonance.curves.size(); ++i) {
     const ResonanceCurve& curve = resonance.curves[i];
     const std::string name = id + "." + std::to_string(i + 1);
     const std::size_t peak = largest(curve.amplitude), most = largest(curve.transmissibility);
     results.set(name + ".label", curve.method);
+    results.set(name + ".damping_ratio", curve.damping_ratio);
     results.set(name + ".peak", curve.amplitude[peak], "m");
     results.set(name + ".peak_frequency", curve.frequency[peak], "rad/s");
     results.set(name + ".peak_transmissibility", curve.transmissibility[most]);
     results.set(name + ".peak_transmissibility_ratio", curve.frequency_ratio[most]);
     results.set(name + ".last_transmissibility", curve.transmissibility.back());
-    results.set(name + ".damping_ratio", curve.damping_ratio);
+    results.set(name + ".peak_transmitted", curve.transmitted[largest(curve.transmitted)], arrives);
+    results.set(name + ".last_transmitted", curve.transmitted.back(), arrives);
     results.set_column(name + ".frequency", curve.frequency, "rad/s", "drive frequency *ω*");
     results.set_column(name + ".frequency_ratio", curve.frequency_ratio, "", "frequency ratio *ω*/*ω*_{0}");
     results.set_column(name + ".amplitude", curve.amplitude, "m", "steady amplitude");
@@ -137,7 +140,7 @@ void collect(const std::string& id, const ResonanceResult& resonance, Results& r
     results.set_column(name + ".amplification", curve.amplification, "", "amplification");
     results.set_column(name + ".transmissibility", curve.transmissibility, "", "transmissibility");
     results.set_column(name + ".transmitted_phase", curve.transmitted_phase, "rad", "phase lag *φ*");
-    results.set_column(name + ".transmitted", curve.transmitted, resonance.of_motion ? "m" : "N",
+    results.set_column(name + ".transmitted", curve.transmitted, arrives,
                        resonance.of_motion ? "amplitude of the mass" : "force on the ground");
   }
 }
