@@ -77,6 +77,20 @@ TEST(Accuracy, ADrivenRunKeepsItsSteadyAmplitude) {
   EXPECT_LE(driven.accuracy->worst(), 1e-3);
 }
 
+TEST(Accuracy, AShakingBaseIsTheForceThatItMakes) {
+  auto force = lightly_damped("verlet", 1e-3);
+  force.drive_frequency = {4};
+  auto base = force;
+  force.drive_amplitude = 0.01 * 16;
+  base.drive = "base";
+  base.base_displacement = 0.01;
+  const SimulatedRun by_force = run_of(force), by_base = run_of(base);
+  EXPECT_EQ(by_base.step, by_force.step);
+  // Measured on a run, both: what is only predicted differs in the last digits.
+  EXPECT_EQ(by_base.accuracy->frequency_error, by_force.accuracy->frequency_error);
+  EXPECT_EQ(by_base.accuracy->decay_error, by_force.accuracy->decay_error);
+}
+
 TEST(Accuracy, DuffingIsMeasuredAgainstAFineReference) {
   SimulateOptions options;
   options.cubic = 1;

@@ -95,8 +95,13 @@ Accuracy verified(const SimulateOptions& options, const SimulatedRun& run, const
   Accuracy found = predicted(run, law, step);
   SimulateOptions free = options;
   SimulatedRun released = run;
+  free.drive.clear();
   free.drive_amplitude = 0;
   free.drive_frequency.clear();
+  free.drive_phase = 0;
+  free.unbalance_mass.reset();
+  free.eccentricity.reset();
+  free.base_displacement.reset();
   released.drive = {};
   if (law.drive_amplitude > 0) {
     free.position = 1;

@@ -1,0 +1,63 @@
+// Every command that the documentation shows, run as it stands there.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+/// The lines set in by four that begin with "cromer ", with their continuations.
+std::vector<std::string> commands_in(const std::string& path) {
+  std::ifstream file(path);
+  std::vector<std::string> commands;
+  bool goes_on = false;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.starts_with("    ")) continue;
+    line.erase(0, line.find_first_not_of(' '));
+    if (goes_on)
+      commands.back() += line;
+    else if (line.starts_with("cromer "))
+      commands.push_back(line);
+    else
+      continue;
+    goes_on = line.ends_with('\\');
+    if (goes_on) commands.back().pop_back();
+  }
+  return commands;
+}
+
+/// As a shell would: words between blanks, "quoted" ones whole.
+std::vector<std::string> words_of(const std::string& command) {
+  std::vector<std::string> words{""};
+  bool quoted = false;
+  for (const char c : command) {
+    if (c == '"')
+      quoted = !quoted;
+    else if (c == ' ' && !quoted)
+      words.emplace_back();
+    else
+      words.back() += c;
+  }
+  std::erase(words, "");
+  return words;
+}
+
+TEST(Docs, EveryCommandShownWorks) {
+  const auto commands = commands_in(std::string(CROMER_SOURCE_DIR) + "/docs/methods.md");
+  EXPECT_GE(commands.size(), 8u);
+  const Folder folder;
+  for (const auto& command : commands) {
+    auto words = words_of(command);
+    words.erase(words.begin());
+    const Finished end = folder.run(words);
+    EXPECT_EQ(end.status, 0) << command << "\n" << end.err;
+    EXPECT_FALSE(end.out.empty()) << command;
+  }
+}
+
+}  // namespace
+}  // namespace cromer::test
