@@ -58,9 +58,10 @@ TEST(ListMethods, SayWhatTheyReallySimulate) {
   EXPECT_FALSE(growing.effect->stable);
   EXPECT_NEAR(*growing.effect->stability_limit, 2 * 0.15 / 36, 1e-12);
   EXPECT_GT(*growing.effect->effective.energy_factor(), 1);
-  EXPECT_THAT(growing.words, testing::HasSubstr("turns damping of 0.15 1/s into growth of 0.0"));
-  EXPECT_THAT(row_of("euler-cromer", theory).words, testing::HasSubstr("0.1502"));
-  EXPECT_THAT(row_of("rk4", theory).words, testing::HasSubstr("keeps damping of 0.15 1/s"));
+  EXPECT_THAT(growing.words, testing::HasSubstr("turns your damping of 0.15 1/s into growth of 0.02999 1/s"));
+  EXPECT_THAT(row_of("euler-cromer", theory).words,
+              testing::HasSubstr("keeps your damping of 0.15 1/s nearly (0.1502)"));
+  EXPECT_THAT(row_of("rk4", theory).words, "keeps your damping of 0.15 1/s and your 5.99812 rad/s");
   EXPECT_FALSE(row_of("implicit-euler", theory).effect->stability_limit);
   EXPECT_FALSE(row_of("dormand-prince", theory).effect);
 }
@@ -82,8 +83,23 @@ TEST(ListMethods, WhatDoesNotSwingHasNoRates) {
   for (const auto& row : rows) {
     if (row.name != "exact" && row.name != "verlet") continue;
     EXPECT_FALSE(row.effect->effective.decay_rate || row.effect->effective.energy_factor()) << row.name;
-    EXPECT_EQ(row.words, "does not swing, as it should") << row.name;
+    EXPECT_EQ(row.words, "creeps back without swinging, as your law does") << row.name;
   }
+}
+
+TEST(ListMethods, SayWhatAStepTooLongDoesToAStiffLaw) {
+  // Overdamped: of the trapezoidal rule the fast part changes its sign each step.
+  const MethodsOptions stiff{.natural_frequency = 6, .damping_ratio = 1.5, .step = 1};
+  EXPECT_EQ(row_of("newmark", stiff).words, "dies down with another sign each step, which your law does not");
+  // Yoshida's long step back grows at 0.0626 s already, and no more at 0.1 s.
+  const MethodsOptions between{.natural_frequency = 6, .damping_ratio = 1.5, .step = 0.1};
+  const MethodRow yoshida = row_of("yoshida4", between);
+  EXPECT_TRUE(yoshida.effect->stable);
+  EXPECT_LT(*yoshida.effect->stability_limit, 0.1);
+  EXPECT_THAT(yoshida.words, testing::HasSubstr("at some shorter steps it grows"));
+  const MethodsOptions undamped{.natural_frequency = 6, .step = 0.01};
+  EXPECT_THAT(row_of("implicit-euler", undamped).words, testing::HasSubstr("adds damping of 0.1797 1/s"));
+  EXPECT_THAT(row_of("implicit-euler", undamped).words, testing::HasSubstr("0.12 % too slow"));
 }
 
 TEST(ListMethods, OptionsReachTheMethods) {

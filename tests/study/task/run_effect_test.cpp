@@ -26,8 +26,7 @@ TEST(RunEffect, EveryLinearRunSaysWhatItReallySimulates) {
                            .step = 0.01,
                            .until = 1});
   EXPECT_NEAR(*result.runs[0].effect->effective.decay_rate, -0.030, 5e-4);
-  EXPECT_THAT(effect_in_words(result.runs[0]),
-              HasSubstr("forward-euler turns damping of 0.15 1/s into growth"));
+  EXPECT_THAT(effect_in_words(result.runs[0]), HasSubstr("turns your damping of 0.15 1/s into growth"));
   EXPECT_NEAR(*result.runs[1].effect->effective.decay_rate, 0.1502, 5e-5);
   EXPECT_EQ(*result.runs[2].effect->effective.decay_rate, 0.15);
   EXPECT_FALSE(result.runs[3].effect) << "it chooses its own steps";
@@ -44,7 +43,9 @@ TEST(RunEffect, ADrivenRunSettlesWhereItIsSaidTo) {
   const auto& steady = *result.runs[0].effect->effective.steady_state;
   EXPECT_NEAR(result.runs[0].outcome.y.x,
               steady.amplitude * std::cos(4 * result.runs[0].outcome.t - steady.phase_lag), 1e-12);
-  EXPECT_THAT(effect_in_words(result.runs[0]), HasSubstr("will settle at"));
+  EXPECT_THAT(steady_in_words(result.runs[0]), HasSubstr("settles at "));
+  EXPECT_THAT(steady_in_words(result.runs[0]), HasSubstr("(your law: "));
+  EXPECT_EQ(run_in_words(result.runs[0]).find("euler-cromer turns your damping"), 0u);
 }
 
 TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
@@ -72,6 +73,31 @@ TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
 TEST(RunEffect, NonlinearLawsHaveNone) {
   EXPECT_FALSE(run({.drag = 0.1, .step = 0.01, .until = 0.1}).runs[0].effect);
   EXPECT_FALSE(run({.cubic = 1, .step = 0.01, .until = 0.1}).runs[0].effect);
+}
+
+TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
+  const auto result =
+      run({.drag = 0.2, .method = {"implicit-euler", "dormand-prince"}, .step = 0.03, .until = 120});
+  const std::string lossy = effect_in_words(result.runs[0]), exact = effect_in_words(result.runs[1]);
+  EXPECT_THAT(exact, HasSubstr("swung at 0.9994"));
+  EXPECT_THAT(exact, HasSubstr("the method itself nothing"));
+  EXPECT_THAT(exact, HasSubstr("had 0.5 J, of which drag took 99."));
+  // What implicit Euler takes, drag cannot take any more.
+  const auto& balance = *result.runs[0].energy_balance;
+  EXPECT_LT(balance.method(), -0.1 * balance.start);
+  EXPECT_THAT(lossy, HasSubstr("the method itself 2"));
+  const auto spring = run({.cubic = 1, .method = {"euler-cromer", "rk4"}, .step = 0.02, .until = 60});
+  EXPECT_THAT(effect_in_words(spring.runs[1]), HasSubstr("m to each side; kept its 0.75 J"));
+  EXPECT_THAT(effect_in_words(spring.runs[0]), HasSubstr("which comes and goes"));
+  const auto driven = run({.damping = 0.1,
+                           .cubic = 1,
+                           .drive_amplitude = 1,
+                           .drive_frequency = {1.2},
+                           .method = {"implicit-euler"},
+                           .step = 0.02,
+                           .until = 60});
+  EXPECT_EQ(effect_in_words(driven.runs[0]).find("had "), 0u);
+  EXPECT_THAT(effect_in_words(driven.runs[0]), HasSubstr("with what the drive gave, of which damping took "));
 }
 
 TEST(RunEffect, OptionsOfTheMethodReachIt) {

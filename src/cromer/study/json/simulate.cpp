@@ -79,12 +79,12 @@ void add_effect(Json& object, const SimulatedRun& run) {
     object["gamma"] = run.settings.gamma;
   }
   if (run.method == "generalized-alpha") object["rho_inf"] = run.settings.rho_inf;
+  if (const std::string words = run_in_words(run); !words.empty()) object["in_words"] = words;
   object["effective"] = run.effect ? to_json(run.effect->effective) : Json(nullptr);
   if (!run.effect) return;
   object["stable"] = run.effect->stable;
   if (!run.effect->stable) object["stability_limit"] = json_or_null(run.effect->stability_limit);
   object["energy_factor_per_cycle"] = json_or_null(run.effect->effective.energy_factor());
-  object["in_words"] = effect_in_words(run);
 }
 
 Json transmissibility(const RunTransmission& found) {

@@ -21,13 +21,33 @@ bool keeps(double effective, double true_value, double frequency) {
   return std::abs(effective - true_value) <= 5e-5 * std::abs(true_value) + 1e-7 * frequency;
 }
 
-std::string rate_in_words(double effective, double b, double frequency) {
-  if (keeps(effective, b, frequency))
-    return b > 0 ? fmt::format("keeps damping of {:.4g} 1/s", b) : "adds no damping";
-  const char* kind = effective < 0 ? "growth" : "damping";
-  if (b == 0) return fmt::format("adds {} of {:.4g} 1/s", kind, std::abs(effective));
-  return fmt::format("turns damping of {:.4g} 1/s into {}{:.4g} 1/s", b, effective < 0 ? "growth of " : "",
-                     std::abs(effective));
+std::string damping_in_words(double effective, double b, double frequency) {
+  if (b == 0) {
+    if (keeps(effective, b, frequency)) return "adds no damping";
+    return fmt::format("adds {} of {:.4g} 1/s", effective < 0 ? "growth" : "damping", std::abs(effective));
+  }
+  if (keeps(effective, b, frequency)) return fmt::format("keeps your damping of {:.4g} 1/s", b);
+  constexpr double nearly = 0.01;
+  if (std::abs(effective / b - 1) <= nearly)
+    return fmt::format("keeps your damping of {:.4g} 1/s nearly ({:.4g})", b, effective);
+  return fmt::format("turns your damping of {:.4g} 1/s into {}{:.4g} 1/s", b,
+                     effective < 0 ? "growth of " : "", std::abs(effective));
+}
+
+std::string frequency_in_words(double effective, double frequency) {
+  if (keeps(effective, frequency, 0)) return fmt::format("keeps your {:.6g} rad/s", frequency);
+  const double off = effective / frequency - 1;
+  return fmt::format("swings at {:.6g} rad/s, {:.2g} % too {}", effective, 100 * std::abs(off),
+                     off > 0 ? "fast" : "slow");
+}
+
+/// Of a motion with real eigenvalues.
+std::string without_swing(const MethodEffect& effect, bool law_swings) {
+  const bool hops = effect.effective.eigenvalues.front().re < 0;
+  if (!effect.stable) return hops ? "grows, with another sign each step" : "grows without swinging";
+  if (hops) return "dies down with another sign each step, which your law does not";
+  return law_swings ? "creeps back without swinging, where your law swings"
+                    : "creeps back without swinging, as your law does";
 }
 
 }  // namespace
@@ -64,18 +84,15 @@ std::optional<MethodEffect> effect_at_step(std::string_view method, const Method
 std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law) {
   const auto frequency = free_frequency(law);
   const EffectiveOscillator& effective = effect.effective;
-  if (!effective.decay_rate || !effective.angular_frequency) {
-    const bool hops = effective.eigenvalues.front().re < 0;
-    if (!effect.stable) return hops ? "grows, with another sign each step" : "grows without swinging";
-    return frequency ? "does not swing any more" : "does not swing, as it should";
-  }
+  if (!effective.decay_rate || !effective.angular_frequency)
+    return without_swing(effect, frequency.has_value());
   if (!frequency)
-    return fmt::format("swings at {:.4g} rad/s, which it should not", *effective.angular_frequency);
-  std::string words = rate_in_words(*effective.decay_rate, law.decay_rate, *frequency);
-  if (keeps(*effective.angular_frequency, *frequency, 0))
-    return words + fmt::format(", keeps {:.6g} rad/s", *frequency);
-  return words +
-         fmt::format(", turns {:.6g} rad/s into {:.6g} rad/s", *frequency, *effective.angular_frequency);
+    return fmt::format("swings at {:.4g} rad/s, where your law creeps back", *effective.angular_frequency);
+  if (law.decay_rate > 0 && keeps(*effective.decay_rate, law.decay_rate, *frequency) &&
+      keeps(*effective.angular_frequency, *frequency, 0))
+    return fmt::format("keeps your damping of {:.4g} 1/s and your {:.6g} rad/s", law.decay_rate, *frequency);
+  return damping_in_words(*effective.decay_rate, law.decay_rate, *frequency) + " and " +
+         frequency_in_words(*effective.angular_frequency, *frequency);
 }
 
 std::string instability_warning(std::string_view method, const MethodEffect& effect, double h) {

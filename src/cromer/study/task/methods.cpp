@@ -48,7 +48,10 @@ Result<std::vector<MethodRow>> list_methods(const MethodsOptions& options) {
   settings.rho_inf = options.rho_inf.value_or(settings.rho_inf);
   for (auto& row : rows) {
     row.effect = method_effect(row.name, settings, law, *options.step, true);
-    if (row.effect) row.words = in_words(*row.effect, law);
+    if (!row.effect) continue;
+    row.words = in_words(*row.effect, law);
+    if (row.effect->stable && row.effect->stability_limit && *options.step > *row.effect->stability_limit)
+      row.words += "; at some shorter steps it grows";
   }
   return rows;
 }

@@ -2,10 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/methods/all.h"
+#include "cromer/model/terms.h"
 #include "cromer/study/task/simulate.h"
 
 namespace cromer {
 namespace {
+
+constexpr double nothing_to_speak_of = 1e-6;  // of the energy that was there
 
 LinearLaw<double> law_of(const SimulatedRun& run) {
   const double m = run.oscillator.mass;
@@ -14,6 +21,54 @@ LinearLaw<double> law_of(const SimulatedRun& run) {
           .drive_amplitude = run.drive.amplitude / m,
           .drive_frequency = run.drive.frequency,
           .drive_phase = run.drive.phase};
+}
+
+/// "swung at 0.9987 rad/s on average, from 0.934 m down to 0.0893 m".
+std::string swing_in_words(const MeasuredOscillator& swing) {
+  const double change = swing.last_amplitude / swing.first_amplitude - 1;
+  const std::string words = fmt::format("swung at {:.6g} rad/s on average, ", swing.angular_frequency);
+  if (std::abs(change) < 1e-3) return words + fmt::format("{:.4g} m to each side", swing.last_amplitude);
+  return words + fmt::format("from {:.4g} m {} to {:.4g} m", swing.first_amplitude,
+                             change < 0 ? "down" : "up", swing.last_amplitude);
+}
+
+/// Of a law that keeps its energy.
+std::string kept_energy_in_words(const EnergyBalance& balance, bool symplectic) {
+  const double off = balance.end / balance.start - 1;
+  if (std::abs(off) < nothing_to_speak_of) return fmt::format("kept its {:.4g} J", balance.start);
+  const std::string percent = fmt::format("{:.2g} %", 100 * std::abs(off));
+  if (symplectic)
+    return fmt::format("had {:.4g} J and at the end {} {}, which comes and goes", balance.start, percent,
+                       off < 0 ? "less" : "more");
+  return fmt::format("had {:.4g} J, {} the method itself {} {}", balance.start,
+                     off < 0 ? "of which" : "to which", off < 0 ? "took" : "added", percent);
+}
+
+/// "had 0.5 J, of which drag took 75.6 %, the method itself 24 %".
+std::string energy_in_words(const EnergyBalance& balance, bool symplectic) {
+  const double there = balance.start + std::max(balance.drive, 0.0);
+  if (!(there > 0)) return "";
+  std::string takers;
+  const auto add = [&](std::string_view what, double part) {
+    if (part > 0)
+      takers +=
+          fmt::format("{}{} {:.3g} %", takers.empty() ? "" : ", ",
+                      takers.empty() ? std::string(what) + " took" : std::string(what), 100 * part / there);
+  };
+  add("damping", balance.damping);
+  add("drag", balance.drag);
+  add("friction", balance.friction);
+  if (takers.empty()) return balance.drive == 0 ? kept_energy_in_words(balance, symplectic) : "";
+  const double made = balance.method() / there;
+  const std::string method = std::abs(made) < nothing_to_speak_of ? "nothing"
+                             : made < 0                           ? fmt::format("{:.2g} %", -100 * made)
+                                                                  : fmt::format("added {:.2g} %", 100 * made);
+  return fmt::format("had {:.4g} J{}, of which {}, the method itself {}", there,
+                     balance.drive > 0 ? " with what the drive gave" : "", takers, method);
+}
+
+std::string joined(const std::string& first, const std::string& second) {
+  return first.empty() || second.empty() ? first + second : first + "; " + second;
 }
 
 }  // namespace
@@ -25,12 +80,28 @@ std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
 }
 
 std::string effect_in_words(const SimulatedRun& run) {
-  if (!run.effect) return "";
-  std::string words = run.label + " " + in_words(*run.effect, law_of(run));
-  if (const auto& steady = run.effect->effective.steady_state)
-    words += fmt::format("; will settle at {:.6g} m, {:.4g} rad behind the drive", steady->amplitude,
-                         steady->phase_lag);
+  if (run.effect) return in_words(*run.effect, law_of(run));
+  if (is_linear(terms_of(run.oscillator, run.drive))) return "";
+  return joined(
+      run.measured ? swing_in_words(*run.measured) : "",
+      run.energy_balance ? energy_in_words(*run.energy_balance, find_method(run.method)->symplectic) : "");
+}
+
+std::string steady_in_words(const SimulatedRun& run) {
+  if (!run.effect || !run.effect->effective.steady_state) return "";
+  const SteadyState& steady = *run.effect->effective.steady_state;
+  const SteadyState exact = frequency_response(run.oscillator, run.drive.amplitude, run.drive.frequency);
+  std::string words =
+      fmt::format("settles at {:.6g} m{}, {:.4g} rad behind the drive", steady.amplitude,
+                  run.transmission && run.transmission->of_motion ? " from the base" : "", steady.phase_lag);
+  if (run.method != "exact" && std::isfinite(exact.amplitude))
+    words += fmt::format(" (your law: {:.6g} m, {:.4g} rad)", exact.amplitude, exact.phase_lag);
   return words;
+}
+
+std::string run_in_words(const SimulatedRun& run) {
+  const std::string words = joined(effect_in_words(run), steady_in_words(run));
+  return words.empty() ? "" : run.label + " " + words;
 }
 
 }  // namespace cromer

@@ -14,7 +14,15 @@ struct SimulatedRun;
 /// harmonic drive with the steady motion. Empty otherwise.
 std::optional<MethodEffect> effect_of(const SimulatedRun& run);
 
-/// The run's effect in a sentence: "euler-cromer turns ..."; empty without one.
+/// What the method makes of the law: of a linear one "turns your damping of ..."; of others, once run, what
+/// was measured and where the energy went: "swung at ...; had 0.5 J, of which drag took ...". Empty where neither is
+/// known.
 std::string effect_in_words(const SimulatedRun& run);
+
+/// "settles at 0.38 m, 2.9 rad behind the drive (your law: ...)"; empty where nothing settles.
+std::string steady_in_words(const SimulatedRun& run);
+
+/// Both, with the run's label before them; empty where both are.
+std::string run_in_words(const SimulatedRun& run);
 
 }  // namespace cromer
