@@ -51,6 +51,15 @@ struct EffectiveOscillator {
   bool stable() const { return spectral_radius <= 1 + 1e-12; }
 };
 
+/// The acceleration of its own that the method keeps in its memory; nullptr where it keeps none.
+template <class M, class Memory>
+Precise* carried_acceleration([[maybe_unused]] const M& method, [[maybe_unused]] Memory& memory) {
+  if constexpr (CarriesAcceleration<M, Memory>)
+    return &method.carried(memory);
+  else
+    return nullptr;
+}
+
 /// The map of one step h > 0 of the method on the law.
 template <class M>
 StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
@@ -63,14 +72,14 @@ StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
     const DrivenOscillator<Precise, terms> system(per_mass, force);
     const State<Precise> y{z[0], z[1] / h};
     auto memory = method.start(system, Precise(0), y);
-    if constexpr (CarriesAcceleration<M, decltype(memory)>) {
+    if (Precise* carried = carried_acceleration(method, memory)) {
       map.size = 3;
-      method.carried(memory) = z[2] / (h * h);
+      *carried = z[2] / (h * h);
     }
     const auto trial = method.step(system, Precise(0), h, y, memory);
     map.converged = map.converged && trial.converged;
     Image result{trial.y.x, h * trial.y.v, 0};
-    if constexpr (CarriesAcceleration<M, decltype(memory)>) result[2] = h * h * method.carried(memory);
+    if (const Precise* carried = carried_acceleration(method, memory)) result[2] = h * h * *carried;
     return result;
   };
   // Undamped, methods may spare an equation: the run would, so the map does.

@@ -15,8 +15,8 @@ struct SimulatedRun;
 std::optional<MethodEffect> effect_of(const SimulatedRun& run);
 
 /// What the method makes of the law: of a linear one "turns your damping of ..."; of others, once run, what
-/// was measured and where the energy went: "swung at ...; had 0.5 J, of which drag took ...". Empty where neither is
-/// known.
+/// was measured and where the energy went: "swung at ...; had 0.5 J, of which drag took ...". Empty where
+/// neither is known.
 std::string effect_in_words(const SimulatedRun& run);
 
 /// "settles at 0.38 m, 2.9 rad behind the drive (your law: ...)"; empty where nothing settles.
