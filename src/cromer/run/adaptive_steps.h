@@ -14,6 +14,7 @@
 #include "cromer/run/look_inside.h"
 #include "cromer/run/ready_for_steps.h"
 #include "cromer/run/step_control.h"
+#include "cromer/run/stepper.h"
 
 namespace cromer {
 
@@ -34,8 +35,8 @@ bool is_rounding(const S& system, const Trial<Real>& trial, double h) {
 template <class S, class M, class Real, class Recorder>
 requires AdaptiveMethod<M, S, Real>
 void take_adaptive_steps(const S& system, const M& method, const Rows& rows, const StepControl& control,
-                         const Lookout& look, MotionScale& scale, Course<Real>& course, Recorder& record,
-                         const Watch& watch, const Limits& limits) {
+                         const Lookout& look, MotionScale& scale, Course<Real>& course,
+                         const Recorder& record, const Watch& watch, const Limits& limits) {
   constexpr int parts = 8;  // a long step may pass a threshold more than once
   auto memory = method.start(system, course.t, course.y);
   course.at_rest = false;
@@ -85,7 +86,7 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
         const auto exactly = [&](double theta) {
           auto copy = memory;
           course.counts.evaluations += M::info.evaluations;
-          return method.step(system, t, theta * h, course.y, copy).y;
+          return one_step(system, method, t, theta * h, course.y, copy).y;
         };
         cut = look_inside(look, t, h, course.y, trial.y, parts, method.dense_output(tried), exactly);
       }

@@ -1,6 +1,6 @@
 // The loop: a method, step by step, from the start to the end of an interval.
 //
-// A task joins law, method and loop in two lines; the names are looked up once, inside there are direct
+// Law, method and loop are joined in two lines; the names are looked up once, inside there are direct
 // calls:
 //
 //   KeepEvery keep(every, count_steps(interval, step));
@@ -9,6 +9,9 @@
 //     start, step, keep, watch); });
 //   });
 //   Trajectory trajectory = keep.take();
+//
+// The tasks do not: they call run_law (study/task/run_law.h), which has these lines compiled for all laws and
+// methods once.
 //
 // Which loop that is, is decided here: uniform steps (the fast one), steps that are looked into for events,
 // steps that the error estimate chooses; and with dry friction phases of either.
@@ -32,6 +35,7 @@
 #include "cromer/run/keep.h"
 #include "cromer/run/outcome.h"
 #include "cromer/run/step_control.h"
+#include "cromer/run/stepper.h"
 #include "cromer/run/steps.h"
 #include "cromer/run/stick_slip.h"
 #include "cromer/run/uniform_steps.h"
@@ -54,21 +58,26 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
           Recorder&& record, const Watch& watch = {}, const Limits& limits = {},
           std::type_identity_t<EventLog*> events = nullptr) {
   const Lookout look{0, events};
+  const auto one_by_one = [&](double t, const State<Real>& y) {
+    record(t, y);
+    pause(record);
+  };
   if constexpr (AdaptiveMethod<M, S, Real>) {
     assert((std::is_same_v<Real, double> || !look.anything()) && "events are for doubles");
     const Rows rows{interval, control.step};
     Course<Real> course{interval.from, start};
     MotionScale scale;
-    record(course.t, start);
-    take_adaptive_steps(system, method, rows, control, look, scale, course, record, watch, limits);
+    one_by_one(course.t, start);
+    take_adaptive_steps(system, method, rows, control, look, scale, course, one_by_one, watch, limits);
     return course.outcome(rows, watch);
   } else {
     if constexpr (std::is_same_v<Real, double>) {
       if (look.anything()) {
         const Rows rows{interval, control.step};
         Course<double> course{interval.from, start};
-        record(course.t, start);
-        take_fixed_steps(system, method, rows, look, course, record, watch, limits);
+        one_by_one(course.t, start);
+        StepperOf stepper(system, method, course.t, course.y);
+        take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits);
         return course.outcome(rows, watch);
       }
     }
@@ -87,15 +96,22 @@ requires(CanRun<M, S, double>::value) Outcome
   const Rows rows{interval, control.step};
   Course<double> course{interval.from, start};
   MotionScale scale;
-  record(course.t, start);
-  const auto slide = [&](const auto& smooth, int direction) {
-    const Lookout look{direction, events};
-    if constexpr (AdaptiveMethod<M, SlidingSystem<S>, double>)
-      take_adaptive_steps(smooth, method, rows, control, look, scale, course, record, watch, limits);
-    else
-      take_fixed_steps(smooth, method, rows, look, course, record, watch, limits);
+  const auto one_by_one = [&](double t, const State<double>& y) {
+    record(t, y);
+    pause(record);
   };
-  stick_and_slip(system, rows, course, slide, record, watch);
+  one_by_one(course.t, start);
+  const auto slide = [&](int direction) {
+    const SlidingSystem<S> smooth = system.sliding(direction);
+    const Lookout look{direction, events};
+    if constexpr (AdaptiveMethod<M, SlidingSystem<S>, double>) {
+      take_adaptive_steps(smooth, method, rows, control, look, scale, course, one_by_one, watch, limits);
+    } else {
+      StepperOf stepper(smooth, method, course.t, course.y);
+      take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits);
+    }
+  };
+  stick_and_slip(system, rows, course, slide, one_by_one, watch);
   return course.outcome(rows, watch);
 }
 
