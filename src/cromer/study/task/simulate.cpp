@@ -8,14 +8,12 @@
 #include <variant>
 
 #include "cromer/analysis/energy.h"
-#include "cromer/methods/all.h"
 #include "cromer/model/sensor.h"
 #include "cromer/run/keep.h"
-#include "cromer/run/solve.h"
 #include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/run_energy.h"
+#include "cromer/study/task/run_law.h"
 #include "cromer/study/task/simulate_setup.h"
-#include "cromer/study/task/with_system.h"
 
 namespace cromer {
 namespace {
@@ -68,11 +66,16 @@ double longest_step(const SimulatedRun& run) {
 void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const Interval interval{0, run.until};
   KeepEvery keep(every, count_steps(interval, run.step));
-  run.outcome = with_system(run, [&](const auto& system) {
-    return visit_method(run.method, run.settings, [&](const auto& method) {
-      return solve(system, method, interval, run.start, {run.step, run.tolerance, longest_step(run)}, keep, watch, {}, &run.events);
-    });
-  });
+  run.outcome = run_law({.oscillator = run.oscillator,
+                         .drive = run.drive,
+                         .general = run.general ? &*run.general : nullptr,
+                         .method = run.method,
+                         .settings = run.settings,
+                         .interval = interval,
+                         .start = run.start,
+                         .control = {run.step, run.tolerance, longest_step(run)},
+                         .events = &run.events},
+                        keep, watch);
   run.trajectory = keep.take();
   end_before_overflow(run, every);
   run.message = message_of(run.outcome);
