@@ -5,8 +5,8 @@
 
 #include "bench/cases.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/driven_oscillator.h"
-#include "cromer/run/solve.h"
+#include "cromer/model/terms.h"
+#include "cromer/study/task/run_law.h"
 
 namespace cromer {
 namespace {
@@ -15,10 +15,13 @@ TEST(BenchCases, EveryMethodRunsThemAndAgrees) {
   for (const bench::ForcedRun& run : bench::forced_runs) {
     const auto end = [&](std::string_view method, double step, long long& kept) {
       KeepEvery keep(1, count_steps(run.interval, step));
-      const Outcome outcome = with_terms(run.oscillator, run.drive, [&](const auto& system) {
-        return visit_method(
-            method, {}, [&](const auto& m) { return solve(system, m, run.interval, run.start, step, keep); });
-      });
+      const Outcome outcome = run_law({.oscillator = run.oscillator,
+                                       .drive = run.drive,
+                                       .method = method,
+                                       .interval = run.interval,
+                                       .start = run.start,
+                                       .control = step},
+                                      keep);
       EXPECT_EQ(outcome.status, Status::reached_end) << method;
       kept = static_cast<long long>(keep.take().size());
       return outcome.y;
