@@ -281,8 +281,8 @@ TEST(Drive, AFileMustBeEvenAndWhole) {
   EXPECT_EQ(file_refusal(file_of("Time (s),Force (N)")), "");
   EXPECT_EQ(file_refusal(file_of("Time (s),Force (N)", "", 0.0001)), "");
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "", 0.001)), HasSubstr("not evenly spaced"));
-  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,")), HasSubstr("a gap, the first 0.02 s long"));
-  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,NaN")), HasSubstr("a value is missing"));
+  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,")), HasSubstr("a gap of 0.02 s after t = 0.19 s"));
+  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,NaN")), HasSubstr("fill in what is missing"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,many")), HasSubstr("many"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Position (m)")), HasSubstr("holds position, not a force"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)"), "acceleration"),

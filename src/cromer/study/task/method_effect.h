@@ -32,7 +32,8 @@ std::optional<MethodEffect> effect_at_step(std::string_view method, const Method
 /// swings at 5.98 rad/s, 0.3 % too slow".
 std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law);
 
-/// Warning of a step beyond the limit, which it names; empty if there is none.
-std::string instability_warning(std::string_view method, const MethodEffect& effect, double h);
+/// Warning of a step beyond the limit, which it names; empty if there is none. The law is linear, or the
+/// effect that of small motions under one that is not.
+std::string instability_warning(std::string_view method, const MethodEffect& effect, double h, bool linear);
 
 }  // namespace cromer

@@ -29,9 +29,10 @@ std::string message_of(const Outcome& outcome) {
     case Status::step_limit:
       return "the step limit was reached at " + place;
     case Status::step_too_small:
-      return "the step became too small at " + place;
+      return "the step became too small to go on at " + place +
+             ": the motion runs away there, or --tolerance asks for too much";
     case Status::no_convergence:
-      return "no convergence in Newton's iteration after " + place;
+      return "no convergence in Newton's iteration after " + place + "; take a shorter --step";
     case Status::not_finite:
       return "diverged: not finite after " + place;
   }

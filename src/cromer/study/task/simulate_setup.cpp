@@ -14,6 +14,7 @@
 #include "cromer/study/task/event_option.h"
 #include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/option.h"
+#include "cromer/study/task/run_effect.h"
 
 namespace cromer {
 namespace {
@@ -238,9 +239,7 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
       add_once(fmt::format("--{} has no effect on {}", options.beta ? "beta" : "gamma", run.method));
     if (options.rho_inf && run.method != GeneralizedAlpha::info.name)
       add_once(fmt::format("--rho-inf has no effect on {}", run.method));
-    if (run.effect)
-      if (auto warning = instability_warning(run.method, *run.effect, run.step); !warning.empty())
-        add_once(std::move(warning));
+    if (auto warning = step_warning(run); !warning.empty()) add_once(std::move(warning));
     const Steps steps = count_steps({0, run.until}, run.step);
     if (steps.last > 0)
       add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {:.6g} s",
