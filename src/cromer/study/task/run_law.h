@@ -5,6 +5,7 @@
 
 #include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
+#include "cromer/methods/method.h"
 #include "cromer/methods/method_settings.h"
 #include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
@@ -28,7 +29,14 @@ struct LawRun {
   State<double> start{};
   StepControl control;
   EventLog* events = nullptr;  ///< watched for and found; nullptr: none
+  bool compensated = false;    ///< states in compensated sums: without friction and events, by a method that
+                               ///< takes_compensated_sums
 };
+
+/// Methods that add increments to a state in steps of fixed length.
+constexpr bool takes_compensated_sums(const MethodInfo& info) {
+  return info.error_order == 0 && info.order > 0;
+}
 
 /// Runs it as solve does. Every law is compiled with every method here, once for all tasks, in a unit for
 /// each kind of drive: a task that called solve by itself would compile them again.
