@@ -76,6 +76,7 @@ Accuracy predicted(const SimulatedRun& run, const LinearLaw<double>& law, double
 std::optional<SimulatedRun> simulated(SimulateOptions options, const SimulatedRun& run,
                                       const std::string& method, double step, const Watch& watch) {
   options.accuracy.reset();
+  options.compensated = false;
   options.sensor = {};
   options.every = 1;
   options.method = {method};

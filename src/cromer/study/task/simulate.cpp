@@ -12,6 +12,7 @@
 #include "cromer/run/keep.h"
 #include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/run_energy.h"
+#include "cromer/study/task/run_invariants.h"
 #include "cromer/study/task/run_law.h"
 #include "cromer/study/task/simulate_setup.h"
 
@@ -75,7 +76,8 @@ void integrate(SimulatedRun& run, long long every, const Watch& watch) {
                          .interval = interval,
                          .start = run.start,
                          .control = {run.step, run.tolerance, longest_step(run)},
-                         .events = &run.events},
+                         .events = &run.events,
+                         .compensated = run.compensated},
                         keep, watch);
   run.trajectory = keep.take();
   end_before_overflow(run, every);
@@ -133,6 +135,7 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
       result.warnings.push_back(fmt::format("{}: only the first {} of {} events are listed", run.label,
                                             EventLog::most, EventLog::most + run.events.missed));
     run.energy_balance = energy_balance_of(run);
+    run.modified_energy = modified_energy_of(run);
     run.measured = measured_oscillator_of(run);
     if (options.sensor.used) run.sensor = readings(run.trajectory, options.sensor);
   }
