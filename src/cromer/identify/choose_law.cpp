@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/identify/criterion.h"
+
 namespace cromer {
 namespace {
 
@@ -39,30 +41,6 @@ Selection select(const Record& record, double angular_frequency) {
   return part;
 }
 
-bool excludes_zero(const std::optional<Estimate>& term) { return !term || term->low > 0 || term->high < 0; }
-
-double information_criterion(const FreeDecay& fit, double independent_samples) {
-  return independent_samples * 2 * std::log(fit.residual.rms) +
-         static_cast<double>(fit.names.size()) * std::log(independent_samples);
-}
-
-// The candidates' BIC, and the place of the best of them.
-std::size_t judge(std::vector<FreeDecay>& candidates) {
-  const FreeDecay* closest = &candidates.front();
-  for (const FreeDecay& fit : candidates)
-    if (fit.status == FitStatus::converged && fit.residual.rms < closest->residual.rms) closest = &fit;
-  const double independent = closest->independent_samples;
-  std::size_t best = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    FreeDecay& fit = candidates[i];
-    if (fit.residual.rms <= 0) continue;
-    fit.bic = information_criterion(fit, independent);
-    if (fit.status != FitStatus::converged || !excludes_zero(fit.drag) || !excludes_zero(fit.cubic)) continue;
-    if (candidates[best].status != FitStatus::converged || fit.bic < candidates[best].bic) best = i;
-  }
-  return best;
-}
-
 LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const Watch& watch,
                     double progress_end) {
   LawChoice choice;
@@ -80,7 +58,7 @@ LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const
     if (status != FitStatus::converged && status != FitStatus::iteration_limit) break;
     if (watch.progress) watch.progress(progress_end * static_cast<double>(choice.candidates.size()) / 4);
   }
-  choice.chosen = choice.candidates[judge(choice.candidates)];
+  choice.chosen = choice.candidates[choose_candidate(choice.candidates)];
   if (watch.interrupted() && choice.chosen.status == FitStatus::converged) {
     choice.chosen.status = FitStatus::iteration_limit;
     choice.chosen.message = "interrupted before all laws were tried";
