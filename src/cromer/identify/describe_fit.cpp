@@ -66,6 +66,7 @@ void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& 
   fit.angular_frequency = estimate("angular_frequency", motion.angular_frequency);
   fit.decay_rate = estimate("decay_rate", motion.decay_rate);
   if (fit.law.drag) fit.drag = estimate("drag", motion.drag);
+  if (fit.law.friction) fit.friction = estimate("friction", motion.friction);
   if (fit.law.cubic) fit.cubic = estimate("cubic", motion.cubic);
   fit.equilibrium = estimate("equilibrium", motion.equilibrium);
   fit.position = estimate("position", motion.position);

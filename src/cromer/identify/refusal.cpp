@@ -64,7 +64,8 @@ std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
   const double duration = record.t.back() - record.t.front();
   const double g = fit.decay_rate.value, w0 = fit.angular_frequency.value;
   const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
-  const double amplitude = std::hypot(fit.position.value, (fit.velocity.value + g * fit.position.value) / w);
+  const double amplitude = std::pow(w0, record.derivative) *
+                           std::hypot(fit.position.value, (fit.velocity.value + g * fit.position.value) / w);
   const double periods = w * duration / (2 * pi);
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
