@@ -9,6 +9,7 @@
 
 #include "cromer/identify/criterion.h"
 #include "cromer/identify/fit_motion.h"
+#include "cromer/identify/outliers.h"
 #include "cromer/identify/refusal.h"
 
 namespace cromer {
@@ -150,15 +151,30 @@ LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, 
   return choice;
 }
 
-}  // namespace
-
-LawChoice choose_law(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+LawChoice choose_on_all(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
   if (refuse_record(record)) {
-    const FreeDecay fit = fit_free_decay(record, {}, watch);
+    FreeDecayOptions viscous = options;
+    viscous.law = Law{};
+    const FreeDecay fit = fit_free_decay(record, viscous, watch);
     return {fit, {fit}};
   }
   return record.t.size() > 5 * enough_samples ? choose_on_part(record, options, watch)
                                               : choose_on(record, options, watch, 1);
+}
+
+}  // namespace
+
+LawChoice choose_law(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+  // All candidates see the same samples: those that are no outliers from the chosen one.
+  FreeDecayOptions every = options;
+  every.every_sample = true;
+  const auto choose = [&](const Record& samples) { return choose_on_all(samples, every, watch); };
+  if (options.every_sample) return choose(record);
+  auto [choice, aside] = fit_without_outliers(
+      record, choose,
+      [](const LawChoice& made, const Record& samples) { return residuals_of(made.chosen, samples); });
+  choice.chosen.outliers = std::move(aside);
+  return std::move(choice);
 }
 
 }  // namespace cromer

@@ -6,28 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/damped_phasor.h"
-
 namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-
-std::vector<double> residuals_of(const Record& record, const FreeDecay& fit) {
-  const MotionParameters p = fit.motion();
-  if (!(fit.law == Law{}) || record.derivative != 0) return motion_residuals(p, record, fit.step);
-  const double w =
-      std::sqrt(std::max(0.0, p.angular_frequency * p.angular_frequency - p.decay_rate * p.decay_rate));
-  Parameters phasor{};
-  phasor[DampedPhasor::angular_frequency] = w;
-  phasor[DampedPhasor::decay_rate] = p.decay_rate;
-  phasor[DampedPhasor::equilibrium] = p.equilibrium;
-  phasor[DampedPhasor::cosine] = p.position;
-  phasor[DampedPhasor::sine] = (p.velocity + p.decay_rate * p.position) / w;
-  std::vector<double> residuals;
-  DampedPhasor(record).residuals(phasor, residuals);
-  return residuals;
-}
 
 // Standard deviation of what is independent from sample to sample: a second difference sees six times its
 // variance, and little of anything slow.
@@ -94,7 +76,7 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
   std::vector<std::string> found;
   const double period = two_pi / fit.angular_frequency.value;
   const double duration = record.t.back() - record.t.front();
-  const std::vector<double> residuals = residuals_of(record, fit);
+  const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
   const std::string rises = rise(record, period, noise);
   if (!rises.empty()) found.push_back(rises);

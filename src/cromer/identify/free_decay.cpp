@@ -1,10 +1,14 @@
 #include "cromer/identify/free_decay.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
+#include "cromer/identify/damped_phasor.h"
 #include "cromer/identify/fit_motion.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/fit_viscous.h"
+#include "cromer/identify/outliers.h"
 #include "cromer/identify/refusal.h"
 
 namespace cromer {
@@ -49,7 +53,9 @@ double FreeDecay::covariance_of(std::string_view a, std::string_view b) const {
   return covariance[row * names.size() + column];
 }
 
-FreeDecay fit_free_decay(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+namespace {
+
+FreeDecay fit_every_sample(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
   if (const auto refusal = refuse_record(record)) {
     FreeDecay fit;
     fit.law = options.law;
@@ -67,6 +73,37 @@ FreeDecay fit_free_decay(const Record& record, const FreeDecayOptions& options, 
     return fit;
   }
   return fit_motion(record, options, beginning.known(options.law, record.t.front()), watch);
+}
+
+}  // namespace
+
+FreeDecay fit_free_decay(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+  const auto fit_all = [&](const Record& samples) { return fit_every_sample(samples, options, watch); };
+  if (options.every_sample) return fit_all(record);
+  auto [fit, aside] = fit_without_outliers(record, fit_all, residuals_of);
+  fit.outliers = std::move(aside);
+  return std::move(fit);
+}
+
+std::vector<double> residuals_of(const FreeDecay& fit, const Record& record) {
+  const MotionParameters p = fit.motion();
+  std::vector<double> residuals;
+  if (!(p.angular_frequency > 0)) return residuals;
+  if (!(fit.law == Law{}) || record.derivative != 0) {
+    residuals = motion_residuals(p, record, fit.step);
+    if (residuals.size() != record.t.size()) residuals.clear();
+    return residuals;
+  }
+  const double w =
+      std::sqrt(std::max(0.0, p.angular_frequency * p.angular_frequency - p.decay_rate * p.decay_rate));
+  Parameters phasor{};
+  phasor[DampedPhasor::angular_frequency] = w;
+  phasor[DampedPhasor::decay_rate] = p.decay_rate;
+  phasor[DampedPhasor::equilibrium] = p.equilibrium;
+  phasor[DampedPhasor::cosine] = p.position;
+  phasor[DampedPhasor::sine] = (p.velocity + p.decay_rate * p.position) / w;
+  DampedPhasor(record).residuals(phasor, residuals);
+  return residuals;
 }
 
 Trajectory motion_of(const FreeDecay& fit, std::span<const double> t) {

@@ -60,6 +60,7 @@ struct FreeDecay {
   double independent_samples = 0;  ///< samples over the factor by which correlation widens variances
   double student = 0;              ///< t of the 95 % intervals
   double step = 0;  // [s] longest step at which the law's motion is exact to well below its standard errors
+  std::vector<std::size_t> outliers;  ///< samples of the record that were set aside (see outliers.h)
   std::vector<std::string> warnings;
 
   MotionParameters motion() const;
@@ -81,11 +82,15 @@ struct FreeDecayOptions {
   std::optional<KnownMotion> start{};  ///< found if not given; the viscous law alone needs none
   int iteration_limit = 50;            // > 0
   double tolerance = 1e-10;            // of the last relative change of the motion, 0 < tolerance < 1
+  bool every_sample = false;           ///< outliers as well
 };
 
 /// Fits one law. Never throws; a record that cannot be fitted is a status with a message. Samples: 12,000
 /// take about half a millisecond with the viscous law.
 FreeDecay fit_free_decay(const Record& record, const FreeDecayOptions& options, const Watch& watch = {});
+
+/// The record's values minus the fitted motion, outliers' as well; empty where the fit has no values.
+std::vector<double> residuals_of(const FreeDecay& fit, const Record& record);
 
 /// The motion of a fitted law: displacement from the equilibrium and velocity, at times [s] that strictly
 /// increase from the first sample's.

@@ -119,6 +119,24 @@ void set_drop_outs_aside(Series& series) {
       added, series.t[found.front()]));
 }
 
+// Samples that the fit itself set aside join the outliers too.
+void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside) {
+  if (aside.empty()) return;
+  for (const std::size_t i : aside) {
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(series.t.begin(), series.t.end(), samples.t[i]) - series.t.begin());
+    series.outliers.push_back({samples.t[i], samples.y[i], at < series.lines.size() ? series.lines[at] : 0});
+  }
+  std::sort(series.outliers.begin(), series.outliers.end(),
+            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
+  series.warnings.push_back(fmt::format(
+      "{} {} far from the fitted motion and from {} neighbours, the first at {:.6g} s, and {} set "
+      "aside",
+      aside.size() == 1 ? "one sample" : fmt::format("{} samples", aside.size()),
+      aside.size() == 1 ? "lies" : "lie", aside.size() == 1 ? "its" : "their", samples.t[aside.front()],
+      aside.size() == 1 ? "is" : "are"));
+}
+
 // Twelve significant digits: a logger's times do not carry more.
 double to_twelve_digits(double value) { return std::stod(fmt::format("{:.12g}", value)); }
 
@@ -262,7 +280,6 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.options = options;
   result.series = std::move(*used);
   set_drop_outs_aside(result.series);
-  result.warnings = result.series.warnings;
   const FittedSamples samples = without_outliers(result.series);
   const Record record{samples.t, samples.y, result.series.resolution,
                       std::max(0, derivative_order(result.series.quantity))};
@@ -270,6 +287,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   Result<LawChoice> choice = fit_law(record, result.series, options, result.warnings, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;
+  list_outliers(result.series, samples, result.fit.outliers);
+  result.warnings.insert(result.warnings.begin(), result.series.warnings.begin(),
+                         result.series.warnings.end());
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const FreeDecay& candidate : choice->candidates)
     if (has_values(candidate))
