@@ -152,7 +152,7 @@ LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, 
 }
 
 LawChoice choose_on_all(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  if (refuse_record(record)) {
+  if (refuse_record(record, Law{})) {
     FreeDecayOptions viscous = options;
     viscous.law = Law{};
     const FreeDecay fit = fit_free_decay(record, viscous, watch);

@@ -56,7 +56,7 @@ double FreeDecay::covariance_of(std::string_view a, std::string_view b) const {
 namespace {
 
 FreeDecay fit_every_sample(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  if (const auto refusal = refuse_record(record)) {
+  if (const auto refusal = refuse_record(record, options.law)) {
     FreeDecay fit;
     fit.law = options.law;
     fit.status = refusal->status;
