@@ -52,7 +52,8 @@ void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& 
                           std::min(n, correlation_factor(residuals, rho, 0))};
   fit.independent_samples = n / widening.oscillation;
   const double k = fitted.count;
-  fit.student = student_95(std::max(1.0, fit.independent_samples - k));
+  const auto student_of = [&](double factor) { return student_95(std::max(1.0, n / factor - k)); };
+  fit.student = student_of(widening.oscillation);
   fit.bic = fit.independent_samples * 2 * std::log(fit.residual.rms) + k * std::log(fit.independent_samples);
   // Each parameter takes as much from the sum of squares as the residuals' spectrum holds where it lives.
   // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
