@@ -25,18 +25,20 @@ Figure coverage_figure(const std::vector<Tally>& tallies) {
   const std::vector<std::string> conditions = names_of(tallies, &Tally::condition);
   const std::vector<std::string> laws = names_of(tallies, &Tally::law);
   const auto rows = static_cast<double>(conditions.size());
-  constexpr double lowest = 88, highest = 100;
+  constexpr double lowest = 86, highest = 100;
 
   Panel panel;
   panel.x = {"95 % intervals that hold the truth (%)", lowest, highest, 1};
-  panel.y = {"", 0, rows, 100 * rows};  // no ticks: the rows have words
+  panel.y = {"", 0.01, rows, 2 * rows};  // no ticks: the rows have words
   panel.names_inside = false;
   const double part = 0.7 / static_cast<double>(laws.size());
   for (const std::string& law : laws) {
     Curve curve;
     curve.role = "family:" + std::to_string(std::min(4, static_cast<int>(place_of(laws, law))));
     curve.name = law;
-    for (const Tally& tally : tallies) {
+    // From the last row to the first, where the names then stand.
+    for (auto each = tallies.rbegin(); each != tallies.rend(); ++each) {
+      const Tally& tally = *each;
       if (tally.law != law) continue;
       double least = 1, most = 0;
       for (const ParameterTally& parameter : tally.parameters) {
@@ -45,8 +47,8 @@ Figure coverage_figure(const std::vector<Tally>& tallies) {
       }
       const double y =
           rows - place_of(conditions, tally.condition) - 0.15 - part * (place_of(laws, law) + 0.5);
-      for (const double x : {100 * least, 100 * most, std::nan("")}) {
-        curve.x.push_back(std::max(lowest, x));
+      for (const double x : {std::max(lowest, 100 * least), std::max(lowest, 100 * most), std::nan("")}) {
+        curve.x.push_back(x);
         curve.y.push_back(y);
       }
     }
