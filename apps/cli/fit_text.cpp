@@ -30,15 +30,31 @@ std::string heading(const FittedRecording& fitted) {
                             fitted.samples, series.t.front(), series.t.back(), to_text(fitted.fit.law));
 }
 
+// Of the column.
 std::string si_unit(const FittedRecording& fitted) {
   for (const auto& parameter : fitted.parameters)
-    if (parameter.name == "position") return parameter.unit;
+    if (parameter.name == "equilibrium") return parameter.unit;
   return "";
 }
 
-std::string with_true_minus(std::string text) {
-  if (text.starts_with('-')) text.replace(0, 1, "\u2212");
-  return text;
+// The law that comes next, and by how much.
+std::string runner_up(const FittedRecording& fitted) {
+  const Candidate* second = nullptr;
+  const Candidate* chosen = nullptr;
+  for (const auto& candidate : fitted.candidates)
+    if (candidate.law == fitted.fit.law)
+      chosen = &candidate;
+    else if (!second || candidate.bic < second->bic)
+      second = &candidate;
+  if (!chosen || !second) return "";
+  const std::string unit = si_unit(fitted);
+  return fmt::format(
+      "  chosen of {} laws; next is {}: residual {:.4g}{}, BIC {} than that of {}\n",
+      fitted.candidates.size(), to_text(second->law), second->rms, unit.empty() ? "" : " " + unit,
+      second->bic >= chosen->bic
+          ? fmt::format("{:.3g} higher", second->bic - chosen->bic)
+          : fmt::format("{:.3g} lower, but not all of its terms are sure,", chosen->bic - second->bic),
+      to_text(chosen->law));
 }
 
 std::string one_fit(const FittedRecording& fitted) {
@@ -59,12 +75,7 @@ std::string one_fit(const FittedRecording& fitted) {
   if (!fitted.parameters.empty())
     rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, si_unit(fitted))});
   out += text_table(rows, 0, 0);
-  const std::string unit = si_unit(fitted);
-  if (fitted.candidates.size() > 1)
-    for (const auto& candidate : fitted.candidates)
-      out +=
-          fmt::format("  candidate {}: residual {:.4g}{}, BIC {}\n", to_text(candidate.law), candidate.rms,
-                      unit.empty() ? "" : " " + unit, with_true_minus(fmt::format("{:.6g}", candidate.bic)));
+  out += runner_up(fitted);
   if (!fitted.simulate.empty()) out += "  simulate it: " + fitted.simulate + "\n";
   return out;
 }

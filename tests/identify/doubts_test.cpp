@@ -45,7 +45,7 @@ TEST(Doubts, AnAmplitudeThatRisesIsNoFreeSwing) {
   EXPECT_THAT(doubts_about(beats), testing::Contains(HasSubstr("the amplitude rises")));
 }
 
-TEST(Doubts, FrictionIsDescribedByNoLawYet) {
+TEST(Doubts, FrictionIsNotDescribedByTheViscousLaw) {
   // x'' = -w0² x - f sgn(x'): half waves about ±f/w0², the amplitude falling by 2 f/w0² in each.
   constexpr double w0 = 8.849, shift = 1e-4;
   std::mt19937_64 engine(3);
@@ -57,7 +57,9 @@ TEST(Doubts, FrictionIsDescribedByNoLawYet) {
     const double amplitude = std::max(0.0, 0.05 - (2 * half + 1) * shift);
     record.y.push_back(side * shift + amplitude * std::cos(w0 * t) + normal(engine));
   }
-  EXPECT_THAT(doubts_about(record), testing::Contains(HasSubstr("no law tried describes")));
+  const FreeDecay viscous = fit_free_decay(record.record(), {.law = {}});
+  EXPECT_THAT(doubts(record.record(), viscous), testing::Contains(HasSubstr("no law tried describes")));
+  EXPECT_THAT(doubts_about(record), testing::IsEmpty());
 }
 
 }  // namespace

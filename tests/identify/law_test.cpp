@@ -16,8 +16,8 @@ TEST(Law, ReadsAnySumInAnyOrder) {
 }
 
 TEST(Law, WritesWhatItReads) {
-  for (int bits = 1; bits < 16; ++bits) {
-    const Law law{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0};
+  for (int bits = 1; bits < 32; ++bits) {
+    const Law law{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
     ASSERT_TRUE(parse_law(to_text(law)).ok());
     EXPECT_EQ(*parse_law(to_text(law)), law);
   }

@@ -5,27 +5,35 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+
+#include "cromer/identify/criterion.h"
+#include "cromer/identify/fit_motion.h"
+#include "cromer/identify/outliers.h"
+#include "cromer/identify/refusal.h"
 
 namespace cromer {
 namespace {
 
 // What the choice is made on: most records whole.
-constexpr std::size_t enough_samples = 100'000;
+constexpr std::size_t enough_samples = 40'000;
 constexpr double samples_per_period = 16;
 
 struct Selection {
   std::vector<double> t, y;
   double resolution = 0;
+  int derivative = 0;
   std::size_t stride = 1;
   std::size_t end = 0;  ///< one past the last sample of the record that was considered
 
-  Record record() const { return {t, y, resolution}; }
+  Record record() const { return {t, y, resolution, derivative}; }
 };
 
 // Every so manieth sample, at least sixteen in a period, of as long a beginning as then suffices.
 Selection select(const Record& record, double angular_frequency) {
   Selection part;
   part.resolution = record.resolution;
+  part.derivative = record.derivative;
   const std::size_t n = record.t.size();
   const double h = (record.t.back() - record.t.front()) / static_cast<double>(n - 1);
   const double most = 2 * std::numbers::pi / (angular_frequency * h * samples_per_period);
@@ -39,52 +47,80 @@ Selection select(const Record& record, double angular_frequency) {
   return part;
 }
 
-bool excludes_zero(const std::optional<Estimate>& term) { return !term || term->low > 0 || term->high < 0; }
-
-double information_criterion(const FreeDecay& fit, double independent_samples) {
-  return independent_samples * 2 * std::log(fit.residual.rms) +
-         static_cast<double>(fit.names.size()) * std::log(independent_samples);
+// Every sum of dampings with a linear and a cubic spring, and for angles as a pendulum; the simplest first,
+// then those most often found.
+std::vector<Law> candidate_laws(bool angle) {
+  std::vector<Law> laws{{.viscous = true},
+                        {.viscous = true, .drag = true},
+                        {.viscous = true, .cubic = true},
+                        {.viscous = true, .drag = true, .cubic = true}};
+  for (int restoring = 0; restoring < (angle ? 3 : 2); ++restoring)
+    for (int damping = 1; damping < 8; ++damping) {
+      const Law law{.viscous = (damping & 1) != 0,
+                    .drag = (damping & 2) != 0,
+                    .friction = (damping & 4) != 0,
+                    .cubic = restoring == 1,
+                    .pendulum = restoring == 2};
+      if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
+    }
+  return laws;
 }
 
-// The candidates' BIC, and the place of the best of them.
-std::size_t judge(std::vector<FreeDecay>& candidates) {
-  const FreeDecay* closest = &candidates.front();
-  for (const FreeDecay& fit : candidates)
-    if (fit.status == FitStatus::converged && fit.residual.rms < closest->residual.rms) closest = &fit;
-  const double independent = closest->independent_samples;
-  std::size_t best = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    FreeDecay& fit = candidates[i];
-    if (fit.residual.rms <= 0) continue;
-    fit.bic = information_criterion(fit, independent);
-    if (fit.status != FitStatus::converged || !excludes_zero(fit.drag) || !excludes_zero(fit.cubic)) continue;
-    if (candidates[best].status != FitStatus::converged || fit.bic < candidates[best].bic) best = i;
-  }
-  return best;
+void mark_interrupted(FreeDecay& fit) {
+  if (fit.status != FitStatus::converged) return;
+  fit.status = FitStatus::iteration_limit;
+  fit.message = "interrupted before all laws were tried";
+}
+
+// Place of the candidate of lowest BIC but one.
+std::optional<std::size_t> runner_up(const std::vector<FreeDecay>& candidates, std::size_t best) {
+  std::optional<std::size_t> second;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (i != best && candidates[i].status == FitStatus::converged &&
+        (!second || candidates[i].bic < candidates[*second].bic))
+      second = i;
+  return second;
 }
 
 LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const Watch& watch,
                     double progress_end) {
   LawChoice choice;
-  const Law laws[] = {{.viscous = true},
-                      {.viscous = true, .drag = true},
-                      {.viscous = true, .cubic = true},
-                      {.viscous = true, .drag = true, .cubic = true}};
-  for (const Law& law : laws) {
-    FreeDecayOptions one = options;
-    one.law = law;
-    FreeDecay fit = fit_free_decay(record, one, watch);
-    if (watch.interrupted() && !choice.candidates.empty()) break;
-    choice.candidates.push_back(std::move(fit));
-    const FitStatus status = choice.candidates.front().status;
-    if (status != FitStatus::converged && status != FitStatus::iteration_limit) break;
-    if (watch.progress) watch.progress(progress_end * static_cast<double>(choice.candidates.size()) / 4);
+  std::vector<FreeDecay>& candidates = choice.candidates;
+  const Beginning beginning = begin_fit(record, options, watch);
+  candidates.push_back(beginning.viscous);
+  choice.chosen = beginning.viscous;
+  if (!beginning.usable() || watch.interrupted()) return choice;
+
+  const std::vector<Law> laws = candidate_laws(options.angle);
+  std::vector<bool> fine(laws.size());
+  fine[0] = true;
+  FreeDecayOptions one = options;
+  for (std::size_t i = 1; i < laws.size(); ++i) {
+    one.law = laws[i];
+    FreeDecay fit = fit_motion(record, one, beginning.known(one.law, record.t.front()), watch, true);
+    if (watch.interrupted()) break;
+    candidates.push_back(std::move(fit));
+    if (watch.progress)
+      watch.progress(progress_end * static_cast<double>(i) / static_cast<double>(laws.size()));
   }
-  choice.chosen = choice.candidates[judge(choice.candidates)];
-  if (watch.interrupted() && choice.chosen.status == FitStatus::converged) {
-    choice.chosen.status = FitStatus::iteration_limit;
-    choice.chosen.message = "interrupted before all laws were tried";
+  // The one chosen, and what it is chosen over, as finely as the record asks for.
+  std::size_t best = choose_candidate(candidates);
+  for (std::optional<std::size_t> next = best; next && !watch.interrupted();) {
+    FreeDecay& rough = candidates[*next];
+    if (!fine[*next]) {
+      one.law = rough.law;
+      const KnownMotion known{rough.motion(), record.t.size(), beginning.viscous.decay_rate.value};
+      FreeDecay fit = fit_motion(record, one, known, watch);
+      if (fit.status == FitStatus::converged) rough = std::move(fit);
+      fine[*next] = true;
+    }
+    best = choose_candidate(candidates);
+    next = runner_up(candidates, best);
+    if (!fine[best]) next = best;
+    if (next && fine[*next]) break;
   }
+  choice.chosen = candidates[best];
+  if (watch.interrupted()) mark_interrupted(choice.chosen);
   return choice;
 }
 
@@ -107,10 +143,7 @@ LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, 
     one.start = KnownMotion{choice.chosen.motion(), part.end, viscous.decay_rate.value};
     choice.chosen = fit_free_decay(record, one, watch);
   }
-  if (watch.interrupted() && choice.chosen.status == FitStatus::converged) {
-    choice.chosen.status = FitStatus::iteration_limit;
-    choice.chosen.message = "interrupted before all laws were tried";
-  }
+  if (watch.interrupted()) mark_interrupted(choice.chosen);
   choice.chosen.warnings.push_back(fmt::format(
       "the laws were compared on {} of the {} samples, one in {} up to {:.6g} s; the one chosen is "
       "fitted to all",
@@ -118,11 +151,30 @@ LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, 
   return choice;
 }
 
+LawChoice choose_on_all(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+  if (refuse_record(record, Law{})) {
+    FreeDecayOptions viscous = options;
+    viscous.law = Law{};
+    const FreeDecay fit = fit_free_decay(record, viscous, watch);
+    return {fit, {fit}};
+  }
+  return record.t.size() > 5 * enough_samples ? choose_on_part(record, options, watch)
+                                              : choose_on(record, options, watch, 1);
+}
+
 }  // namespace
 
 LawChoice choose_law(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  return record.t.size() > 2 * enough_samples ? choose_on_part(record, options, watch)
-                                              : choose_on(record, options, watch, 1);
+  // All candidates see the same samples: those that are no outliers from the chosen one.
+  FreeDecayOptions every = options;
+  every.every_sample = true;
+  const auto choose = [&](const Record& samples) { return choose_on_all(samples, every, watch); };
+  if (options.every_sample) return choose(record);
+  auto [choice, aside] = fit_without_outliers(
+      record, choose,
+      [](const LawChoice& made, const Record& samples) { return residuals_of(made.chosen, samples); });
+  choice.chosen.outliers = std::move(aside);
+  return std::move(choice);
 }
 
 }  // namespace cromer

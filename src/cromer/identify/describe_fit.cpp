@@ -16,6 +16,16 @@ struct Widening {
   }
 };
 
+// Infinite where a singular matrix left no number.
+double standard_error(double variance) {
+  return std::isfinite(variance) ? std::sqrt(std::max(0.0, variance)) : HUGE_VAL;
+}
+
+void set_undetermined(FreeDecay& fit) {
+  fit.status = FitStatus::iteration_limit;
+  fit.message = "the record does not determine this law: its terms cannot be told apart";
+}
+
 }  // namespace
 
 double centred_norm(std::span<const double> y) {
@@ -38,16 +48,18 @@ void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& 
   const double sum_of_squares = fit.residual.rms * fit.residual.rms * n;
   fit.explained = 1 - sum_of_squares / (norm * norm);
 
-  const Widening widening{correlation_factor(residuals, rho, motion.angular_frequency * h),
-                          correlation_factor(residuals, rho, 0)};
+  const Widening widening{std::min(n, correlation_factor(residuals, rho, motion.angular_frequency * h)),
+                          std::min(n, correlation_factor(residuals, rho, 0))};
   fit.independent_samples = n / widening.oscillation;
   const double k = fitted.count;
-  const double degrees = std::max(1.0, fit.independent_samples - k);
-  fit.student = student_95(degrees);
+  const auto student_of = [&](double factor) { return student_95(std::max(1.0, n / factor - k)); };
+  fit.student = student_of(widening.oscillation);
   fit.bic = fit.independent_samples * 2 * std::log(fit.residual.rms) + k * std::log(fit.independent_samples);
+  // Each parameter takes as much from the sum of squares as the residuals' spectrum holds where it lives.
   // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
-  const double variance =
-      std::max(sum_of_squares / std::max(1.0, n - k), record.resolution * record.resolution / 12);
+  const double remaining = n - (k - 1) * widening.oscillation - widening.equilibrium;
+  const double variance = std::max(sum_of_squares / std::max({1.0, n / (k + 1), remaining}),
+                                   record.resolution * record.resolution / 12);
 
   fit.names.clear();
   fit.covariance.assign(static_cast<std::size_t>(fitted.count * fitted.count), 0);
@@ -60,16 +72,18 @@ void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& 
           rounding_bias[i] * rounding_bias[j];
   }
   const auto estimate = [&](std::string_view parameter, double value) {
-    return make_estimate(value, std::sqrt(std::max(0.0, fit.covariance_of(parameter, parameter))),
-                         fit.student);
+    return make_estimate(value, standard_error(fit.covariance_of(parameter, parameter)), fit.student);
   };
   fit.angular_frequency = estimate("angular_frequency", motion.angular_frequency);
-  fit.decay_rate = estimate("decay_rate", motion.decay_rate);
+  if (fit.law.viscous) fit.decay_rate = estimate("decay_rate", motion.decay_rate);
   if (fit.law.drag) fit.drag = estimate("drag", motion.drag);
+  if (fit.law.friction) fit.friction = estimate("friction", motion.friction);
   if (fit.law.cubic) fit.cubic = estimate("cubic", motion.cubic);
   fit.equilibrium = estimate("equilibrium", motion.equilibrium);
   fit.position = estimate("position", motion.position);
   fit.velocity = estimate("velocity", motion.velocity);
+  for (int i = 0; i < fitted.count; ++i)
+    if (!std::isfinite(fit.covariance_of(fitted.name[i], fitted.name[i]))) set_undetermined(fit);
 }
 
 }  // namespace cromer

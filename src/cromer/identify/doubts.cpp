@@ -6,28 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/damped_phasor.h"
-
 namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-
-std::vector<double> residuals_of(const Record& record, const FreeDecay& fit) {
-  const MotionParameters p = fit.motion();
-  if (!(fit.law == Law{})) return motion_residuals(p, record, fit.step);
-  const double w =
-      std::sqrt(std::max(0.0, p.angular_frequency * p.angular_frequency - p.decay_rate * p.decay_rate));
-  Parameters phasor{};
-  phasor[DampedPhasor::angular_frequency] = w;
-  phasor[DampedPhasor::decay_rate] = p.decay_rate;
-  phasor[DampedPhasor::equilibrium] = p.equilibrium;
-  phasor[DampedPhasor::cosine] = p.position;
-  phasor[DampedPhasor::sine] = (p.velocity + p.decay_rate * p.position) / w;
-  std::vector<double> residuals;
-  DampedPhasor(record).residuals(phasor, residuals);
-  return residuals;
-}
 
 // Standard deviation of what is independent from sample to sample: a second difference sees six times its
 // variance, and little of anything slow.
@@ -94,13 +76,14 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
   std::vector<std::string> found;
   const double period = two_pi / fit.angular_frequency.value;
   const double duration = record.t.back() - record.t.front();
-  const std::vector<double> residuals = residuals_of(record, fit);
+  const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
   const std::string rises = rise(record, period, noise);
   if (!rises.empty()) found.push_back(rises);
 
-  const bool drag_falls = fit.drag && fit.drag->low > 0;
-  if (rises.empty() && fit.law.viscous && duration >= 20 * period && fit.decay_rate.low <= 0 && !drag_falls)
+  const bool falls = (fit.law.viscous && fit.decay_rate.low > 0) || (fit.drag && fit.drag->low > 0) ||
+                     (fit.friction && fit.friction->low > 0);
+  if (rises.empty() && duration >= 20 * period && !falls)
     found.push_back(
         fmt::format("the swing does not die down over {:.0f} periods. If something drives it, the frequency "
                     "is the drive's, "
@@ -114,7 +97,7 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
     found.push_back(
         fmt::format("no law tried describes this recording: what is left is {:.0f} times the noise from "
                     "sample to sample, and "
-                    "the uncertainties cannot be trusted. Friction, for one, cannot be fitted yet",
+                    "the uncertainties cannot be trusted",
                     std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))));
   return found;
 }

@@ -1,6 +1,10 @@
 // The free motion of any law of this folder, integrated with its derivatives.
 //
-//   x'' = -w0^2 x - 2 g x' - q x'|x'| - k3 x^3,   x measured from the equilibrium,  q = d/m, k3 per mass
+//   x'' = -w0^2 x - 2 g x' - q x'|x'| - f sgn x' - k3 x^3,   x measured from the equilibrium
+//
+// with q = d/m, f and k3 per mass; for a pendulum w0^2 sin x in place of w0^2 x. A record of velocities or
+// accelerations is compared with x' or x'' + the equilibrium, which then is the sensor's offset; all else
+// stays what it is of the displacement x, whose unit is that of the record times s or s^2.
 #pragma once
 
 #include <span>
@@ -17,16 +21,19 @@ struct MotionParameters {
   double angular_frequency = 0;  // [rad/s] w0, undamped
   double decay_rate = 0;         // [1/s] g
   double drag = 0;               // [1/unit] q
+  double friction = 0;           // [unit/s^2] f
   double cubic = 0;              // [1/(s^2 unit^2)] k3
-  double equilibrium = 0;        // [unit]
+  double equilibrium = 0;        // [unit of the record]
   double position = 0;           // [unit] from the equilibrium, at the first time
   double velocity = 0;           // [unit/s] at the first time
+  bool pendulum = false;         // the restoring force goes with sin x
 };
 
-/// Which of them a law fits, in the order angular_frequency, decay_rate, drag, cubic, equilibrium, position,
-/// velocity.
+/// Which of them a law fits, in the order angular_frequency, decay_rate, drag, friction, cubic, equilibrium,
+/// position, velocity.
 struct FittedParameters {
   int count = 0;
+  bool pendulum = false;  ///< of the law
   double MotionParameters::*member[max_parameters]{};
   const char* name[max_parameters]{};
 };
@@ -43,7 +50,7 @@ double motion_step(double angular_frequency, double duration, double error);
 /// t[0]. Steps of at most h.
 Trajectory free_motion(const MotionParameters& motion, std::span<const double> t, double h);
 
-/// data - model, at steps of at most h.
+/// data - model, at steps of at most h; fewer than the data where the motion runs away.
 std::vector<double> motion_residuals(const MotionParameters& motion, const Record& record, double h);
 
 /// The normal equations of the law at parameters packed as fitted_parameters(law) says, at steps of at most

@@ -13,8 +13,11 @@ struct Term {
   bool Law::*member;
 };
 
-constexpr std::array<Term, 4> terms{
-    {{"viscous", &Law::viscous}, {"drag", &Law::drag}, {"friction", &Law::friction}, {"cubic", &Law::cubic}}};
+constexpr std::array<Term, 5> terms{{{"viscous", &Law::viscous},
+                                     {"drag", &Law::drag},
+                                     {"friction", &Law::friction},
+                                     {"cubic", &Law::cubic},
+                                     {"pendulum", &Law::pendulum}}};
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
@@ -23,17 +26,17 @@ std::string_view trimmed(std::string_view text) {
 }
 
 Error unknown_term(std::string_view term) {
-  constexpr std::array<std::string_view, 5> names{"viscous", "drag", "friction", "cubic", "auto"};
+  constexpr std::array<std::string_view, 6> names{"viscous", "drag", "friction", "cubic", "pendulum", "auto"};
   const std::string suggestion = nearest(term, names);
   std::string message = "--law: \"" + std::string(term) + "\" is not a term";
   message += suggestion.empty() ? "." : "; did you mean " + suggestion + "?";
-  return Error{message + " A law is auto, or a sum of viscous, drag, friction and cubic"};
+  return Error{message + " A law is auto, or a sum of viscous, drag, friction, cubic and pendulum"};
 }
 
 }  // namespace
 
 Result<Law> parse_law(std::string_view text) {
-  Law law{false, false, false, false};
+  Law law{.viscous = false};
   for (std::size_t begin = 0;;) {
     const std::size_t end = text.find('+', begin);
     const std::string_view word =

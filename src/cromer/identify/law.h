@@ -14,15 +14,16 @@ struct Law {
   bool drag = false;
   bool friction = false;
   bool cubic = false;
+  bool pendulum = false;  ///< sin x in place of x, x an angle [rad]
 
   friend bool operator==(const Law&, const Law&) = default;
 };
 
-/// Reads "viscous+drag": any sum of viscous, drag, friction and cubic in any order, each at most once, blanks
-/// allowed. An unknown term is an Error that suggests the nearest.
+/// Reads "viscous+drag": any sum of viscous, drag, friction, cubic and pendulum in any order, each at most
+/// once, blanks allowed. An unknown term is an Error that suggests the nearest.
 Result<Law> parse_law(std::string_view text);
 
-/// Writes the terms in the order viscous, drag, friction, cubic.
+/// Writes the terms in the order viscous, drag, friction, cubic, pendulum.
 std::string to_text(const Law& law);
 
 }  // namespace cromer

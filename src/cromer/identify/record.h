@@ -10,6 +10,7 @@ struct Record {
   std::span<const double> t;
   std::span<const double> y;
   double resolution = 0;  ///< rounding step of the values, 0 if unknown
+  int derivative = 0;     ///< which of the displacement y is: 0 itself, 1 the velocity, 2 the acceleration
 };
 
 }  // namespace cromer

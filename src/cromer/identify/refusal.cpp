@@ -50,11 +50,13 @@ bool is_clipped(const Record& record, double amplitude, double w) {
 
 }  // namespace
 
-std::optional<Refusal> refuse_record(const Record& record) {
-  constexpr std::size_t fewest = 8;
+std::optional<Refusal> refuse_record(const Record& record, const Law& law) {
+  // Three more than there are parameters: what is left must show how well the law fits.
+  const auto fewest = static_cast<std::size_t>(fitted_parameters(law).count + 3);
   if (record.t.size() < fewest)
     return Refusal{FitStatus::too_short,
-                   fmt::format("{} samples are too few: a fit needs at least {}", record.t.size(), fewest)};
+                   fmt::format("{} samples are too few: a fit of the law {} needs at least {}",
+                               record.t.size(), to_text(law), fewest)};
   const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
   if (!(*high > *low)) return Refusal{FitStatus::no_oscillation, "all values are the same: nothing moves"};
   return std::nullopt;
@@ -64,7 +66,8 @@ std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
   const double duration = record.t.back() - record.t.front();
   const double g = fit.decay_rate.value, w0 = fit.angular_frequency.value;
   const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
-  const double amplitude = std::hypot(fit.position.value, (fit.velocity.value + g * fit.position.value) / w);
+  const double amplitude = std::pow(w0, record.derivative) *
+                           std::hypot(fit.position.value, (fit.velocity.value + g * fit.position.value) / w);
   const double periods = w * duration / (2 * pi);
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one

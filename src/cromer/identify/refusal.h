@@ -12,8 +12,8 @@ struct Refusal {
   std::string message;
 };
 
-/// Before any fit: too few samples, nothing moves.
-std::optional<Refusal> refuse_record(const Record& record);
+/// Before any fit of the law: too few samples for its parameters, nothing moves.
+std::optional<Refusal> refuse_record(const Record& record, const Law& law);
 
 /// What the viscous fit shows: a record without a line, too short, overdamped, too noisy, or with its tops
 /// cut off.

@@ -46,6 +46,44 @@ std::vector<double> products_by_transform(const std::vector<double>& r, std::siz
   return extended;
 }
 
+// r_i = sum over k of a_k r_(i-k) + white noise.
+struct Autoregression {
+  std::vector<double> coefficients;  // a_1, a_2, ...
+  double innovation = 1;             // variance of that noise over the variance of r
+
+  // Spectral density at an angle [rad per sample], over that of white noise of r's variance.
+  double density(double angle) const {
+    std::complex<double> response = 1;
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+      response -= coefficients[k] * std::polar(1.0, -static_cast<double>(k + 1) * angle);
+    return innovation / std::norm(response);
+  }
+};
+
+// The Yule-Walker solution (Levinson-Durbin recursion) of the best order up to `most` < rho.size().
+Autoregression autoregression(const std::vector<double>& rho, std::size_t samples, std::size_t most) {
+  const auto n = static_cast<double>(samples);
+  Autoregression model, best;
+  double least = 0;
+  for (std::size_t p = 1; p <= most; ++p) {
+    double reflection = rho[p];
+    for (std::size_t k = 1; k < p; ++k) reflection -= model.coefficients[k - 1] * rho[p - k];
+    reflection /= model.innovation;
+    if (!(std::abs(reflection) < 1)) break;  // what is left is predicted to rounding
+    const std::vector<double> before = model.coefficients;
+    for (std::size_t k = 1; k < p; ++k) model.coefficients[k - 1] -= reflection * before[p - 1 - k];
+    model.coefficients.push_back(reflection);
+    model.innovation *= 1 - reflection * reflection;
+    const double parameters = static_cast<double>(p);
+    if (n <= parameters + 2) break;
+    const double criterion = n * std::log(model.innovation) + 2 * parameters * n / (n - parameters - 1);
+    if (criterion >= least) continue;
+    least = criterion;
+    best = model;
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags) {
@@ -110,20 +148,14 @@ double correlation_factor(std::span<const double> r, double phase_step) {
 }
 
 double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
-  const std::size_t most = r.size() / 2;
-  std::vector<double> longer;
-  const std::vector<double>* lagged = &rho;
-  for (;;) {
-    const std::size_t lags = lagged->size() - 1;
-    double sum = 1;
-    for (std::size_t l = 1; l <= lags; ++l) {
-      sum += 2 * (*lagged)[l] * std::cos(static_cast<double>(l) * phase_step);
-      if (static_cast<double>(l) >= 5 * std::max(1.0, sum)) return std::max(1.0, sum);
-    }
-    if (lags >= most) return std::max(1.0, sum);
-    longer = autocorrelations(r, lags < 64 ? std::min<std::size_t>(2048, most) : most);
-    lagged = &longer;
+  const std::size_t most = std::min<std::size_t>(512, r.size() / 4);
+  Autoregression model = autoregression(rho, r.size(), std::min(rho.size() - 1, most));
+  // An order near the most that was tried may not be enough.
+  for (std::size_t tried = rho.size() - 1; tried < most && 4 * model.coefficients.size() > 3 * tried;) {
+    tried = std::min(4 * tried, most);
+    model = autoregression(autocorrelations(r, tried), r.size(), tried);
   }
+  return std::max(1.0, model.density(phase_step));
 }
 
 }  // namespace cromer

@@ -25,9 +25,9 @@ std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags
 
 /// By what factor residuals that are correlated widen the variance of a parameter which lives at `phase_step`
 /// radians per sample (0 for an equilibrium): their spectral density there over that of white noise of the
-/// same variance,
-///   1 + 2 sum over l of rho_l cos(l phase_step),
-/// summed over a window of five correlation times (Sokal's rule) and never below 1.
+/// same variance. The density is that of an autoregression, fitted by the Yule-Walker equations, of the order
+/// that Akaike's corrected criterion chooses (Burnham & Anderson, Model Selection, 2002, section 2.4): none
+/// for white residuals. Never below 1.
 double correlation_factor(std::span<const double> r, double phase_step);
 
 /// The same, given autocorrelations(r, first_lags(r.size())).

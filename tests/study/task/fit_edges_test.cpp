@@ -131,9 +131,9 @@ TEST(FitEdges, TheSimulateLineHasRoundNumbers) {
 
 TEST(FitEdges, ErrorsOfAnOptionBeginWithTheOption) {
   const std::string bytes = "t (s),x (m)\n0,1\n1,2\n2,1\n3,2\n4,1\n5,2\n6,1\n7,2\n8,1\n9,2\n";
-  const auto result = fit(bytes, "lab.csv", {.law = "friction"});
+  const auto result = fit(bytes, "lab.csv", {.law = "pendulum"});
   ASSERT_FALSE(result.ok());
-  EXPECT_THAT(result.error().message, testing::StartsWith("--law friction"));
+  EXPECT_THAT(result.error().message, testing::StartsWith("--law pendulum"));
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST(FitTask, FindsTheDiscsLaw) {
   const FittedRecording result = fitted(disc(), disc_options());
   EXPECT_EQ(result.fit.status, FitStatus::converged);
   EXPECT_EQ(to_text(result.fit.law), "viscous+drag");
-  EXPECT_EQ(result.candidates.size(), 4u);
+  EXPECT_EQ(result.candidates.size(), 14u);
   EXPECT_TRUE(result.fit.residual.white);
   expect_within(result.find("stiffness"), 17.04, 0.0015);
   expect_within(result.find("damping"), 0.000789, 0.1);
@@ -69,7 +69,15 @@ TEST(FitTask, GivesTheSegmentsRatesAndTheirMean) {
   ASSERT_TRUE(result.decay_rate_mean.has_value());
   EXPECT_NEAR(result.decay_rate_mean->value, 0.00984, 0.00008);  // this recording's own noise
   EXPECT_GT(result.decay_rate_mean->standard_error, 0.00002);    // no less than the noise allows
-  EXPECT_LT(result.decay_rate_mean->standard_error, 0.00004);
+  // Residuals of the later segments are white: standard errors are those of the noise, 0.3 mm, by the formula
+  // of docs/theory.md. In the first one a constant rate leaves more than noise, and its error is wider.
+  EXPECT_NEAR(result.segments[1].rate.standard_error, 4.2e-5, 0.3e-5);
+  EXPECT_NEAR(result.segments[2].rate.standard_error, 5.5e-5, 0.3e-5);
+  EXPECT_GT(result.segments[0].rate.standard_error, 6e-5);
+  double squares = 0;
+  for (const auto& segment : result.segments)
+    squares += segment.rate.standard_error * segment.rate.standard_error;
+  EXPECT_DOUBLE_EQ(result.decay_rate_mean->standard_error, std::sqrt(squares) / 3);
 }
 
 TEST(FitTask, GivesTheLargestReynoldsNumber) {
@@ -187,7 +195,7 @@ TEST(FitTask, RefusesWhatCannotBeFitted) {
     const Result<FittedRecording> result = fit_series(disc(), "f", options);
     return result.ok() ? std::string("fitted") : result.error().message;
   };
-  EXPECT_THAT(message({.law = "viscous+friction"}), HasSubstr("friction cannot be fitted"));
+  EXPECT_THAT(message({.law = "viscous+pendulum"}), HasSubstr("--law viscous+pendulum: a pendulum's law"));
   EXPECT_THAT(message({.law = "viscos"}), HasSubstr("did you mean viscous"));
   EXPECT_THAT(message({.from = 5, .to = 3}), HasSubstr("--from"));
   EXPECT_THAT(message({.mass = Quantity{0, 0}}), HasSubstr("--mass"));
@@ -213,7 +221,8 @@ TEST(FitTask, AVelocityIsFittedByTheViscousLaw) {
   EXPECT_NEAR(result.find("angular_frequency")->value, w0, 1e-8);
   const std::size_t at = result.simulate.find("--position ") + 11;
   EXPECT_NEAR(std::stod(result.simulate.substr(at)), 0.1, 1e-8);
-  EXPECT_FALSE(fit_series(series, "f", {.law = "viscous+drag"}).ok());
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("holds velocity: it is fitted as that")));
+  EXPECT_NEAR(result.find("position")->value, 0.1, 1e-8);
 }
 
 std::string data(const char* name) { return std::string(CROMER_SOURCE_DIR) + "/../shared/data/" + name; }

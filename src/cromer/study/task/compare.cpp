@@ -189,17 +189,22 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   return curve;
 }
 
+// The same recording, fitted with a law of one's own choice.
+Result<FittedRecording> with_law(const FittedRecording& recording, const Law& law, const Watch& watch) {
+  FitOptions options = recording.options;
+  options.law = to_text(law);
+  options.from = options.to = std::nullopt;
+  options.segment = std::nullopt;
+  options.segments = std::nullopt;
+  options.disc_diameter = std::nullopt;
+  return fit_series(recording.series, recording.file, options, watch);
+}
+
 // The constant rate, and the frequency that goes with it.
 Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& watch) {
   double w0 = recording.fit.angular_frequency.value, g = recording.fit.decay_rate.value;
   if (!(recording.fit.law == Law{})) {
-    FitOptions viscous = recording.options;
-    viscous.law = "viscous";
-    viscous.from = viscous.to = std::nullopt;
-    viscous.segment = std::nullopt;
-    viscous.segments = std::nullopt;
-    viscous.disc_diameter = std::nullopt;
-    const Result<FittedRecording> fitted = fit_series(recording.series, recording.file, viscous, watch);
+    const Result<FittedRecording> fitted = with_law(recording, Law{}, watch);
     if (!fitted) return fitted.error();
     if (watch.interrupted()) return NamedLaw{};
     w0 = fitted->fit.angular_frequency.value;
@@ -234,7 +239,18 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     return Error{fmt::format("--step {}: it must be positive and give at most {:.0e} steps over {:.6g} s",
                              step, most_steps, duration)};
 
-  const MotionParameters p = fit.motion();
+  MotionParameters p = fit.motion();
+  Law law_simulated = fit.law;
+  if (fit.law.pendulum) {
+    law_simulated.pendulum = false;
+    law_simulated.cubic = true;
+    const Result<FittedRecording> refitted = with_law(recording, law_simulated, watch);
+    if (!refitted) return refitted.error();
+    p = refitted->fit.motion();
+    result.warnings.push_back(
+        fmt::format("the pendulum is simulated as {}, fitted to the recording: the methods' law has no sine",
+                    to_text(law_simulated)));
+  }
   const Result<NamedLaw> constant = constant_rate(recording, watch);
   if (!constant) return constant.error();
   if (watch.interrupted()) {
@@ -242,12 +258,13 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     result.complete = false;
     return result;
   }
-  const NamedLaw chosen{to_text(fit.law),
-                        fit.law,
+  const NamedLaw chosen{to_text(law_simulated),
+                        law_simulated,
                         {.mass = 1,
                          .stiffness = p.angular_frequency * p.angular_frequency,
                          .damping = 2 * p.decay_rate,
                          .drag = p.drag,
+                         .friction = p.friction,
                          .cubic = p.cubic}};
   for (const NamedLaw& law : {*constant, chosen}) {
     Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.warnings, watch);

@@ -119,13 +119,22 @@ void set_drop_outs_aside(Series& series) {
       added, series.t[found.front()]));
 }
 
-// Displacement and velocity at the first sample, whatever derivative was recorded: x'' = -w0² x - 2 g x'
-// holds for each of them.
-State<double> start_state(const FreeDecay& fit, int order) {
-  State<double> y{fit.position.value, fit.velocity.value};
-  const double s = fit.angular_frequency.value * fit.angular_frequency.value;
-  for (; order > 0; --order) y = {-(y.v + 2 * fit.decay_rate.value * y.x) / s, y.x};
-  return y;
+// Samples that the fit itself set aside join the outliers too.
+void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside) {
+  if (aside.empty()) return;
+  for (const std::size_t i : aside) {
+    const auto at = static_cast<std::size_t>(
+        std::lower_bound(series.t.begin(), series.t.end(), samples.t[i]) - series.t.begin());
+    series.outliers.push_back({samples.t[i], samples.y[i], at < series.lines.size() ? series.lines[at] : 0});
+  }
+  std::sort(series.outliers.begin(), series.outliers.end(),
+            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
+  series.warnings.push_back(fmt::format(
+      "{} {} far from the fitted motion and from {} neighbours, the first at {:.6g} s, and {} set "
+      "aside",
+      aside.size() == 1 ? "one sample" : fmt::format("{} samples", aside.size()),
+      aside.size() == 1 ? "lies" : "lie", aside.size() == 1 ? "its" : "their", samples.t[aside.front()],
+      aside.size() == 1 ? "is" : "are"));
 }
 
 // Twelve significant digits: a logger's times do not carry more.
@@ -133,7 +142,8 @@ double to_twelve_digits(double value) { return std::stod(fmt::format("{:.12g}", 
 
 std::string simulate_line(const FreeDecay& fit, const Series& series, double mass) {
   const MotionParameters law = fit.motion();
-  const State<double> start = start_state(fit, std::max(0, derivative_order(series.quantity)));
+  if (law.pendulum) return {};  // simulate has no such term
+  const State<double> start{law.position, law.velocity};
   const double period = two_pi / law.angular_frequency;
   const double stiffness = mass * law.angular_frequency * law.angular_frequency;
   for (const double value : {mass, stiffness, start.x, start.v, period})
@@ -145,6 +155,7 @@ std::string simulate_line(const FreeDecay& fit, const Series& series, double mas
   };
   if (law.decay_rate != 0) add("damping", 2 * mass * law.decay_rate);
   if (law.drag != 0) add("drag", mass * law.drag);
+  if (law.friction != 0) add("friction", mass * law.friction);
   if (law.cubic != 0) add("cubic", mass * law.cubic);
   add("position", start.x);
   add("velocity", start.v);
@@ -180,8 +191,7 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, double temp
     t.push_back(t0 + static_cast<double>(i) * step);
   if (watch.interrupted()) return;
   const Trajectory motion = motion_of(fit, t);
-  const bool recorded_velocity = order == 1;
-  const auto windows = speed_windows(motion.t, recorded_velocity ? motion.x : motion.v, window);
+  const auto windows = speed_windows(motion.t, motion.v, window);
   const double nu = air_kinematic_viscosity(temperature);
   const SpeedWindow* top = nullptr;
   for (const SpeedWindow& w : windows) {
@@ -193,17 +203,11 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, double temp
   // At the top the speed does not depend on when it is taken: its derivatives are those of the velocity
   // there.
   double variance = 0;
-  if (recorded_velocity) {
-    const double relative = fit.position.standard_error /
-                            std::hypot(fit.position.value, fit.velocity.value / fit.angular_frequency.value);
-    variance = relative * relative * top->speed * top->speed;
-  } else {
-    const VelocityGradient gradient = velocity_gradient(fit.law, fit.motion(), top->at - t0, fit.step);
-    const std::size_t n = fit.names.size();
-    for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j)
-        variance += gradient.derivative[i] * fit.covariance[i * n + j] * gradient.derivative[j];
-  }
+  const VelocityGradient gradient = velocity_gradient(fit.law, fit.motion(), top->at - t0, fit.step);
+  const std::size_t n = fit.names.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      variance += gradient.derivative[i] * fit.covariance[i * n + j] * gradient.derivative[j];
   const double relative =
       std::hypot(std::sqrt(std::max(0.0, variance)) / top->speed, diameter.uncertainty / diameter.value);
   const double value = reynolds_number(top->speed, diameter.value, nu);
@@ -215,27 +219,22 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, double temp
 Result<LawChoice> fit_law(const Record& record, const Series& series, const FitOptions& options,
                           std::vector<std::string>& warnings, const Watch& watch) {
   FreeDecayOptions decay;
+  decay.angle = series.quantity.starts_with("ang");
   const bool automatic = options.law.empty() || options.law == "auto";
-  const int order = derivative_order(series.quantity);
-  if (!automatic) {
-    const Result<Law> law = parse_law(options.law);
-    if (!law) return law.error();
-    if (law->friction)
-      return Error{"--law " + options.law +
-                   ": friction cannot be fitted yet; leave it out (viscous, drag and cubic can)"};
-    if ((law->drag || law->cubic) && order > 0)
-      return Error{
-          fmt::format("--law {}: drag and cubic are laws of the displacement, and column \"{}\" is its {}; "
-                      "choose a position or an "
-                      "angle by --column, or --law viscous",
-                      options.law, series.column, series.quantity)};
-    decay.law = *law;
-  }
-  if (automatic && order <= 0) return choose_law(record, decay, watch);
-  if (automatic)
-    warnings.push_back(
-        fmt::format("column \"{}\" holds {}: only the viscous law, which holds for it as well, was tried",
-                    series.column, series.quantity));
+  if (record.derivative > 0)
+    warnings.push_back(fmt::format(
+        "column \"{}\" holds {}: it is fitted as that, and all but the equilibrium, which is the sensor's "
+        "offset, is said of the {}",
+        series.column, series.quantity, decay.angle ? "angle" : "displacement"));
+  if (automatic) return choose_law(record, decay, watch);
+  const Result<Law> law = parse_law(options.law);
+  if (!law) return law.error();
+  if (law->pendulum && !decay.angle && !series.quantity.empty())
+    return Error{fmt::format(
+        "--law {}: a pendulum's law is one of angles, and column \"{}\" holds {}; use cubic, or choose an "
+        "angle by --column",
+        options.law, series.column, series.quantity)};
+  decay.law = *law;
   LawChoice choice;
   choice.chosen = fit_free_decay(record, decay, watch);
   choice.candidates = {choice.chosen};
@@ -281,13 +280,16 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.options = options;
   result.series = std::move(*used);
   set_drop_outs_aside(result.series);
-  result.warnings = result.series.warnings;
   const FittedSamples samples = without_outliers(result.series);
-  const Record record{samples.t, samples.y, result.series.resolution};
+  const Record record{samples.t, samples.y, result.series.resolution,
+                      std::max(0, derivative_order(result.series.quantity))};
 
   Result<LawChoice> choice = fit_law(record, result.series, options, result.warnings, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;
+  list_outliers(result.series, samples, result.fit.outliers);
+  result.warnings.insert(result.warnings.begin(), result.series.warnings.begin(),
+                         result.series.warnings.end());
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const FreeDecay& candidate : choice->candidates)
     if (has_values(candidate))
@@ -296,7 +298,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
   const double temperature = options.temperature.value_or(293.15);
   const Body body{options.mass, options.spring_mass, options.disc_diameter, temperature};
-  result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity));
+  result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity), record.derivative);
   if (is_linear_quantity(result.series.quantity)) {
     const auto forces = force_parameters(result.fit, body);
     result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());

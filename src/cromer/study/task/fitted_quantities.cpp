@@ -1,5 +1,6 @@
 #include "cromer/study/task/fitted_quantities.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,17 +18,28 @@ std::string reciprocal(std::string_view unit) { return unit.empty() ? "" : "1/" 
 std::string cubic_unit(std::string_view unit) {
   return unit.empty() ? "1/s²" : "1/(" + std::string(unit) + "² s²)";
 }
-std::string rate_unit(std::string_view unit) {
-  if (unit.empty()) return "1/s";
-  if (unit.size() > 2 && unit.substr(unit.size() - 2) == "/s") return std::string(unit) + "²";
-  if (unit == "m/s²") return "m/s³";
-  return std::string(unit) + "/s";
+std::string rate_unit(std::string_view unit) { return unit.empty() ? "1/s" : std::string(unit) + "/s"; }
+std::string acceleration_unit(std::string_view unit) {
+  return unit.empty() ? "1/s²" : std::string(unit) + "/s²";
+}
+
+// "m" from "m", "m/s" or "m/s²", of a record that is the displacement's derivative.
+std::string displacement_unit(std::string_view unit, int derivative) {
+  return std::string(derivative > 0 ? unit.substr(0, unit.find('/')) : unit);
 }
 
 // c times an estimate, where c has a relative uncertainty of its own that is independent of the estimate.
 Estimate scaled(const Estimate& estimate, double c, double relative_uncertainty, double t) {
   const double value = c * estimate.value;
-  return make_estimate(value, std::hypot(c * estimate.standard_error, value * relative_uncertainty), t);
+  Estimate result =
+      make_estimate(value, std::hypot(c * estimate.standard_error, value * relative_uncertainty), t);
+  // An interval that is not centred, or cut at a bound, stays so.
+  const double widening =
+      estimate.standard_error > 0 ? result.standard_error / (c * estimate.standard_error) : 1;
+  result.low = value + c * widening * (estimate.low - estimate.value);
+  result.high = value + c * widening * (estimate.high - estimate.value);
+  if (estimate.low >= 0) result.low = std::max(result.low, 0.0);
+  return result;
 }
 
 // A function of w0 and g with its derivatives there.
@@ -45,14 +57,16 @@ Quantity Body::effective_mass() const {
   return {mass->value + spring.value / 3, std::hypot(mass->uncertainty, spring.uncertainty / 3)};
 }
 
-std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view unit) {
+std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view observed, int derivative) {
+  const std::string unit = displacement_unit(observed, derivative);
   std::vector<NamedEstimate> result;
   result.push_back({"angular_frequency", fit.angular_frequency, "rad/s"});
   if (fit.law.viscous) result.push_back({"decay_rate", fit.decay_rate, "1/s"});
   if (fit.drag) result.push_back({"drag", *fit.drag, reciprocal(unit)});
+  if (fit.friction) result.push_back({"friction", *fit.friction, acceleration_unit(unit)});
   if (fit.cubic) result.push_back({"cubic", *fit.cubic, cubic_unit(unit)});
-  result.push_back({"equilibrium", fit.equilibrium, std::string(unit)});
-  result.push_back({"position", fit.position, std::string(unit)});
+  result.push_back({"equilibrium", fit.equilibrium, std::string(observed)});
+  result.push_back({"position", fit.position, unit});
   result.push_back({"velocity", fit.velocity, rate_unit(unit)});
   return result;
 }
@@ -68,6 +82,8 @@ std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& bo
   if (fit.law.viscous)
     result.push_back({"damping", scaled(fit.decay_rate, 2 * m.value, u_m, fit.student), "kg/s"});
   if (fit.drag) result.push_back({"drag_constant", scaled(*fit.drag, m.value, u_m, fit.student), "kg/m"});
+  if (fit.friction)
+    result.push_back({"friction_force", scaled(*fit.friction, m.value, u_m, fit.student), "N"});
   if (fit.cubic) result.push_back({"cubic_stiffness", scaled(*fit.cubic, m.value, u_m, fit.student), "N/m³"});
   if (fit.drag && body.disc_diameter) {
     // d = rho S C_d / 2 with S = pi D²/4.

@@ -30,11 +30,12 @@ struct Body {
   Quantity effective_mass() const;
 };
 
-/// Per unit mass, in the contract's order; `unit` is that of the record.
-std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view unit);
+/// Per unit mass, in the contract's order; `observed` is the unit of the record, which is this derivative of
+/// the displacement.
+std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view observed, int derivative);
 
 /// With a mass and a record of lengths or its derivatives: stiffness, damping, drag_constant,
-/// cubic_stiffness, and with a disc drag_coefficient.
+/// friction_force, cubic_stiffness, and with a disc drag_coefficient.
 std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& body);
 
 /// frequency (damped), period, damping_ratio, quality_factor, logarithmic_decrement. Infinite where there is

@@ -35,7 +35,7 @@ std::vector<Option> options_of(FitOptions& o) {
       {"from", &o.from, "s", Range::any, "first time used", "the first sample", samples},
       {"to", &o.to, "s", Range::any, "last time used", "the last sample", samples},
       {"law", &o.law, "", Range::any,
-       "auto, or a sum of viscous, drag and cubic (friction is not fitted yet)", "auto", model},
+       "auto, or a sum of viscous, drag, friction, cubic and, for an angle, pendulum", "auto", model},
       {"mass", &o.mass, "kg", Range::positive, "oscillating mass, for the spring constant", "none", model},
       {"spring-mass", &o.spring_mass, "kg", Range::not_negative, "mass of the spring; a third of it is added",
        "0", model},

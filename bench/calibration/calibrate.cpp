@@ -1,0 +1,202 @@
+#include "bench/calibration/calibrate.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+#include <thread>
+
+#include "cromer/identify/choose_law.h"
+
+namespace cromer::bench {
+namespace {
+
+// Starts of every phase, each with its own bound on the scatter.
+struct Motion {
+  Waveform waveform;
+  Parameters bound{};  // standard deviations that no unbiased estimate can go below
+};
+
+constexpr int phases = 12;
+
+std::vector<Motion> motions(const Oscillator<double>& oscillator, const Law& law,
+                            const Condition& condition) {
+  std::vector<Motion> result(phases);
+  const FittedParameters fitted = fitted_parameters(law);
+  for (int i = 0; i < phases; ++i) {
+    Waveform& waveform = result[i].waveform;
+    waveform = simulate_waveform(oscillator, 2 * std::numbers::pi * i / phases, condition.cycles);
+    // The times of a record of this condition; its noise does not matter here.
+    const SimulatedRecord record = simulate_record(waveform, condition, 1);
+    const NormalEquations equations =
+        motion_equations(law, record.truth.packed(fitted), record.record(), waveform.step);
+    const SquareMatrix covariance = inverse(equations.matrix, fitted.count);
+    for (int j = 0; j < fitted.count; ++j)
+      result[i].bound[j] = effective_noise(condition) * std::sqrt(covariance[j][j]);
+  }
+  return result;
+}
+
+// Calls work(i) for i below n on all processors.
+template <class Work>
+void in_parallel(std::size_t n, const Progress& progress, Work work) {
+  std::atomic<std::size_t> next{0}, done{0};
+  std::mutex telling;
+  const auto run = [&] {
+    for (std::size_t i; (i = next++) < n;) {
+      work(i);
+      if (const std::size_t count = ++done; count % 50 == 0) {
+        const std::lock_guard lock(telling);
+        progress(count);
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(run);
+  run();
+  for (std::thread& thread : threads) thread.join();
+}
+
+const Estimate* estimate_of(const FreeDecay& fit, std::string_view name) {
+  if (name == "angular_frequency") return &fit.angular_frequency;
+  if (name == "decay_rate") return &fit.decay_rate;
+  if (name == "drag") return fit.drag ? &*fit.drag : nullptr;
+  if (name == "cubic") return fit.cubic ? &*fit.cubic : nullptr;
+  if (name == "equilibrium") return &fit.equilibrium;
+  if (name == "position") return &fit.position;
+  if (name == "velocity") return &fit.velocity;
+  return nullptr;
+}
+
+// One fit held against the truth.
+struct Verdict {
+  bool converged = false, on_bound = false;
+  struct {
+    bool covered = false;
+    double error = 0, stated = 0;  // over the bound
+  } of[max_parameters];
+};
+
+Verdict judge(const FreeDecay& fit, const Truth& truth, const FittedParameters& fitted,
+              const Parameters& bound) {
+  Verdict verdict;
+  verdict.converged = fit.status == FitStatus::converged;
+  if (!verdict.converged) return verdict;
+  for (int i = 0; i < fitted.count; ++i) {
+    const Estimate* estimate = estimate_of(fit, fitted.name[i]);
+    if (!estimate) continue;
+    const double value = truth.of(fitted.name[i]);
+    verdict.of[i] = {estimate->low <= value && value <= estimate->high, (estimate->value - value) / bound[i],
+                     estimate->standard_error / bound[i]};
+    const std::string_view name = fitted.name[i];
+    const bool bounded = name == "decay_rate" || name == "drag" || name == "friction";
+    verdict.on_bound |= bounded && estimate->value <= 0;
+  }
+  return verdict;
+}
+
+std::uint64_t seed_of(std::string_view law, std::string_view condition, std::size_t i) {
+  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+  for (std::string_view text : {law, condition})
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  return hash + i * 0x9E3779B97F4A7C15u;
+}
+
+// The oscillator with its extra terms scaled to about so many standard errors each.
+Oscillator<double> weakened(const TrueLaw& truth, const Law& law, const Condition& condition,
+                            double strength) {
+  Oscillator<double> oscillator = truth.oscillator;
+  const FittedParameters fitted = fitted_parameters(law);
+  for (int round = 0; round < 3; ++round) {
+    const std::vector<Motion> all = motions(oscillator, law, condition);
+    for (int i = 0; i < fitted.count; ++i) {
+      const std::string_view name = fitted.name[i];
+      double* coefficient = name == "drag"       ? &oscillator.drag
+                            : name == "cubic"    ? &oscillator.cubic
+                            : name == "friction" ? &oscillator.friction
+                                                 : nullptr;
+      if (!coefficient) continue;
+      double mean = 0;
+      for (const Motion& motion : all) mean += std::abs(*coefficient) / motion.bound[i] / phases;
+      *coefficient *= strength / mean;
+    }
+  }
+  return oscillator;
+}
+
+bool lacks(const Law& law, const Law& wanted) {
+  return (wanted.viscous && !law.viscous) || (wanted.drag && !law.drag) || (wanted.cubic && !law.cubic) ||
+         (wanted.friction && !law.friction);
+}
+
+}  // namespace
+
+Tally calibrate(const TrueLaw& truth, const Condition& condition, std::size_t records,
+                const Progress& progress) {
+  const Law law = *parse_law(truth.law);
+  const FittedParameters fitted = fitted_parameters(law);
+  const std::vector<Motion> all = motions(truth.oscillator, law, condition);
+  std::vector<Verdict> verdicts(records);
+  in_parallel(records, progress, [&](std::size_t i) {
+    const Motion& motion = all[i % phases];
+    const SimulatedRecord record =
+        simulate_record(motion.waveform, condition, seed_of(truth.law, condition.name, i));
+    FreeDecayOptions options;
+    options.law = law;
+    verdicts[i] = judge(fit_free_decay(record.record(), options), record.truth, fitted, motion.bound);
+  });
+
+  Tally tally;
+  tally.law = truth.law;
+  tally.condition = condition.name;
+  tally.records = records;
+  double converged = 0;
+  tally.parameters.resize(static_cast<std::size_t>(fitted.count));
+  for (const Verdict& verdict : verdicts) {
+    if (!verdict.converged) continue;
+    ++converged;
+    tally.on_bound += verdict.on_bound;
+    for (int i = 0; i < fitted.count; ++i) {
+      ParameterTally& parameter = tally.parameters[static_cast<std::size_t>(i)];
+      parameter.coverage += verdict.of[i].covered;
+      parameter.scatter += verdict.of[i].error * verdict.of[i].error;
+      parameter.stated += verdict.of[i].stated * verdict.of[i].stated;
+    }
+  }
+  const double count = std::max(1.0, converged);
+  tally.failures = 1 - converged / static_cast<double>(records);
+  tally.on_bound /= count;
+  for (int i = 0; i < fitted.count; ++i) {
+    ParameterTally& parameter = tally.parameters[static_cast<std::size_t>(i)];
+    parameter.name = fitted.name[i];
+    parameter.coverage /= count;
+    parameter.scatter = std::sqrt(parameter.scatter / count);
+    parameter.stated = std::sqrt(parameter.stated / count);
+    for (const Motion& motion : all)
+      parameter.strength += std::abs(motion.waveform.truth.of(parameter.name)) / motion.bound[i] / phases;
+  }
+  return tally;
+}
+
+Choices choose(const TrueLaw& truth, const Condition& condition, double strength, std::size_t records,
+               const Progress& progress) {
+  const Law law = *parse_law(truth.law);
+  const std::vector<Motion> all = motions(weakened(truth, law, condition, strength), law, condition);
+  std::vector<Law> chosen(records);
+  in_parallel(records, progress, [&](std::size_t i) {
+    const SimulatedRecord record =
+        simulate_record(all[i % phases].waveform, condition, seed_of(truth.law, condition.name, i));
+    chosen[i] = choose_law(record.record(), {}).chosen.law;
+  });
+  Choices choices{truth.law, condition.name, records, strength};
+  for (const Law& each : chosen) {
+    const double share = 1 / static_cast<double>(records);
+    choices.right += each == law ? share : 0;
+    choices.needless += lacks(law, each) ? share : 0;
+    choices.missed += lacks(each, law) ? share : 0;
+  }
+  return choices;
+}
+
+}  // namespace cromer::bench

@@ -1,0 +1,43 @@
+// How the records are made: a base condition, and one departure at a time from it.
+#pragma once
+
+namespace cromer::bench {
+
+/// What the intervals and the scatter must be there (issue "Identify", calibration).
+enum class Demand {
+  white,    ///< coverage 93 to 97 %, scatter at most 1.05 of the bound
+  rounded,  ///< noise at least 0.3 of the rounding step: coverage 93 to 97 %
+  honest,   ///< coverage at least 93 %
+};
+
+struct Condition {
+  const char* name;
+  Demand demand = Demand::white;
+  double cycles = 20;
+  double amplitude_to_noise = 50;
+  double correlation = 0;  ///< of the noise from sample to sample
+  double resolution = 0;   // [m]
+  double outliers = 0;     ///< share of samples that are off by up to the amplitude
+  double jitter = 0;       ///< of the times, which the record tells: uniform, share of a step either way
+  bool gaps = false;       ///< three gaps of a cycle or so, and one sample in ten missing
+};
+
+inline constexpr Condition conditions[] = {
+    {"base"},
+    {"2 cycles", Demand::white, 2},
+    {"5 cycles", Demand::white, 5},
+    {"60 cycles", Demand::white, 60},
+    {"200 cycles", Demand::white, 200},
+    {"amplitude 5 × noise", Demand::white, 20, 5},
+    {"amplitude 500 × noise", Demand::white, 20, 500},
+    {"jitter", Demand::white, 20, 50, 0, 0, 0, 0.4},
+    {"gaps", Demand::white, 20, 50, 0, 0, 0, 0, true},
+    {"1 mm steps, noise 1 mm", Demand::rounded, 20, 50, 0, 1e-3},
+    {"1 mm steps, noise 0.3 mm", Demand::rounded, 20, 166, 0, 1e-3},
+    {"1 mm steps, noise 0.1 mm", Demand::honest, 20, 500, 0, 1e-3},
+    {"correlated noise, 0.5", Demand::honest, 20, 50, 0.5},
+    {"correlated noise, 0.9", Demand::honest, 20, 50, 0.9},
+    {"5 % outliers", Demand::honest, 20, 50, 0, 0, 0.05},
+};
+
+}  // namespace cromer::bench

@@ -1,0 +1,42 @@
+#include "cromer/identify/criterion.h"
+
+#include <cmath>
+
+namespace cromer {
+namespace {
+
+bool excludes_zero(const std::optional<Estimate>& term) { return !term || term->low > 0 || term->high < 0; }
+
+// A lone damping term may be as small as it is; of two or more each must show.
+bool every_term_shows(const FreeDecay& fit) {
+  const int dampings = fit.law.viscous + fit.law.drag + fit.law.friction;
+  if (!excludes_zero(fit.cubic)) return false;
+  if (dampings < 2) return true;
+  return (!fit.law.viscous || fit.decay_rate.low > 0) && excludes_zero(fit.drag) &&
+         excludes_zero(fit.friction);
+}
+
+double information_criterion(const FreeDecay& fit, double independent_samples) {
+  return independent_samples * 2 * std::log(fit.residual.rms) +
+         static_cast<double>(fit.names.size()) * std::log(independent_samples);
+}
+
+}  // namespace
+
+std::size_t choose_candidate(std::vector<FreeDecay>& candidates) {
+  const FreeDecay* closest = &candidates.front();
+  for (const FreeDecay& fit : candidates)
+    if (fit.status == FitStatus::converged && fit.residual.rms < closest->residual.rms) closest = &fit;
+  const double independent = closest->independent_samples;
+  std::size_t best = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    FreeDecay& fit = candidates[i];
+    if (fit.residual.rms <= 0) continue;
+    fit.bic = information_criterion(fit, independent);
+    if (fit.status != FitStatus::converged || !every_term_shows(fit)) continue;
+    if (candidates[best].status != FitStatus::converged || fit.bic < candidates[best].bic) best = i;
+  }
+  return best;
+}
+
+}  // namespace cromer

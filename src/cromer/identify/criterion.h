@@ -1,0 +1,17 @@
+// Which of several fitted laws a record asks for.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cromer/identify/free_decay.h"
+
+namespace cromer {
+
+/// Place of the candidate of lowest BIC among those that converged and whose every extra term's 95 % interval
+/// excludes zero; 0 where none is. Sets the candidates' BIC, all of the number of samples which the closest
+/// candidate's residuals leave independent. Schwarz, Ann. Stat. 6, 461 (1978). `candidates` is not empty and
+/// begins with the simplest law.
+std::size_t choose_candidate(std::vector<FreeDecay>& candidates);
+
+}  // namespace cromer

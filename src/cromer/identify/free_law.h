@@ -1,0 +1,69 @@
+// A law of free motion as the model's own system, over any scalar.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "cromer/identify/law.h"
+#include "cromer/identify/phases.h"
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/model/pendulum.h"
+
+namespace cromer {
+
+/// The coefficients per unit mass and the state at the first time.
+template <class Real>
+struct FreeStart {
+  Oscillator<Real> per_mass;
+  State<Real> state;
+};
+
+/// Calls f.template operator()<law>() with the law as a constant, and returns what it returns. Viscous
+/// damping, which costs next to nothing, is always among its terms.
+template <class F>
+auto with_constant(const Law& law, F&& f) {
+  constexpr auto made_of = [](std::size_t bits) {
+    return Law{.viscous = true,
+               .drag = (bits & 1) != 0,
+               .friction = (bits & 2) != 0,
+               .cubic = (bits & 4) != 0,
+               .pendulum = (bits & 8) != 0};
+  };
+  const std::size_t wanted =
+      (law.drag ? 1U : 0U) + (law.friction ? 2U : 0U) + (law.cubic ? 4U : 0U) + (law.pendulum ? 8U : 0U);
+  decltype(f.template operator()<Law{}>()) returned{};
+  const auto call = [&]<std::size_t... bits>(std::index_sequence<bits...>) {
+    ((bits == wanted ? void(returned = f.template operator()<made_of(bits)>()) : void()), ...);
+  };
+  call(std::make_index_sequence<16>{});
+  return returned;
+}
+
+/// The smooth terms.
+template <Law law, class Real>
+auto smooth_system(const Oscillator<Real>& per_mass) {
+  constexpr Terms terms{.damping = true, .cubic = law.cubic, .drag = law.drag};
+  if constexpr (law.pendulum) {
+    Oscillator<Real> rest = per_mass;
+    rest.stiffness = Real(0);
+    return Pendulum(DrivenOscillator<Real, terms>(rest, {}), per_mass.stiffness);
+  } else {
+    return DrivenOscillator<Real, terms>(per_mass, {});
+  }
+}
+
+/// The motion of the law from a start over the scalar Real; `values` is the same start without derivatives.
+template <Law law, class Real>
+auto phases_of(const FreeStart<Real>& start, [[maybe_unused]] const FreeStart<double>& values) {
+  const auto smooth = smooth_system<law>(start.per_mass);
+  if constexpr (law.friction) {
+    const DryFriction system(smooth, start.per_mass.friction, start.per_mass.friction);
+    const DryFriction same(smooth_system<law>(values.per_mass), values.per_mass.friction,
+                           values.per_mass.friction);
+    return StickSlipPhases(system, same, start.state);
+  } else {
+    return SmoothPhases(smooth, start.state);
+  }
+}
+
+}  // namespace cromer

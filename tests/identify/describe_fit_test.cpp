@@ -1,0 +1,62 @@
+#include "cromer/identify/describe_fit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
+  const SyntheticRecord record = viscous_record({}, even_times(100, 0.01), 1e-3);
+  SquareMatrix singular{};
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 5; ++j) singular[i][j] = 1;
+  for (const SquareMatrix& matrix : {inverse(singular, 5), inverse({}, 5)}) {
+    FreeDecay fit;
+    describe_fit(fit, record.record(), {.angular_frequency = 8.8}, matrix, {}, record.y);
+    EXPECT_EQ(fit.status, FitStatus::iteration_limit);
+    EXPECT_THAT(fit.message, testing::HasSubstr("does not determine"));
+    for (const Estimate& estimate :
+         {fit.angular_frequency, fit.decay_rate, fit.equilibrium, fit.position, fit.velocity})
+      EXPECT_TRUE(std::isinf(estimate.standard_error));
+  }
+}
+
+TEST(DescribeFit, FewerSamplesThanParametersSayNothingOfThem) {
+  // Seven parameters and eight samples a period apart from rest: no law of three terms follows.
+  const SyntheticRecord record = viscous_record({}, even_times(9, 0.1));
+  const FreeDecay fit =
+      fit_free_decay(record.record(), {.law = {.viscous = true, .drag = true, .cubic = true}});
+  EXPECT_EQ(fit.status, FitStatus::too_short);
+  EXPECT_THAT(fit.message, testing::HasSubstr("9 samples are too few"));
+}
+
+// A decay rate of one standard error: in a sixth of the records the best one is negative, and 0 is reported.
+TEST(DescribeFit, IntervalsHoldAtABound) {
+  const Truth truth{.w0 = 6, .g = 0.00045, .position = 0.05, .velocity = 0};
+  constexpr int trials = 1000;
+  int on_bound = 0, covered = 0, covered_w = 0, touching = 0;
+  double stated = 0;
+  for (unsigned seed = 0; seed < trials; ++seed) {
+    const FreeDecay fit =
+        fit_free_decay(viscous_record(truth, even_times(500, 0.02), 1e-3, 0, seed).record(), {});
+    ASSERT_EQ(fit.status, FitStatus::converged);
+    on_bound += fit.decay_rate.value == 0;
+    touching += fit.decay_rate.low == 0;
+    covered += fit.decay_rate.low <= truth.g && truth.g <= fit.decay_rate.high;
+    covered_w += fit.angular_frequency.low <= truth.w0 && truth.w0 <= fit.angular_frequency.high;
+    EXPECT_GE(fit.decay_rate.low, 0);
+    EXPECT_LE(fit.decay_rate.value, fit.decay_rate.high);
+    stated += fit.decay_rate.standard_error / trials;
+  }
+  EXPECT_NEAR(truth.g / stated, 1, 0.5);
+  EXPECT_GT(on_bound, 50);
+  EXPECT_GT(touching, 500);
+  EXPECT_NEAR(covered, 0.95 * trials, 21);  // sd 7
+  EXPECT_NEAR(covered_w, 0.95 * trials, 21);
+}
+
+}  // namespace
+}  // namespace cromer
