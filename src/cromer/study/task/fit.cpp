@@ -12,6 +12,7 @@
 #include "cromer/identify/choose_law.h"
 #include "cromer/identify/doubts.h"
 #include "cromer/identify/drop_outs.h"
+#include "cromer/identify/free_part.h"
 #include "cromer/record/dialects/column_kind.h"
 
 namespace cromer {
@@ -280,7 +281,21 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.options = options;
   result.series = std::move(*used);
   set_drop_outs_aside(result.series);
-  const FittedSamples samples = without_outliers(result.series);
+  FittedSamples samples = without_outliers(result.series);
+  if (!options.from && !options.to) {
+    const auto part = find_free_part({samples.t, samples.y, result.series.resolution});
+    if (part) {
+      FitOptions later = options;
+      later.from = part->from;
+      const std::size_t before = result.series.t.size();
+      result.series = *used_part(result.series, later);
+      samples = without_outliers(result.series);
+      result.warnings.push_back(
+          fmt::format("{}: only what follows, {} of {} samples, is taken for a free motion; --from and --to "
+                      "choose another part",
+                      part->reason, result.series.t.size(), before));
+    }
+  }
   const Record record{samples.t, samples.y, result.series.resolution,
                       std::max(0, derivative_order(result.series.quantity))};
 
