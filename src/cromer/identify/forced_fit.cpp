@@ -59,7 +59,7 @@ Parameters grow(const MakeDrive& drive, ForcedTerms terms, const Parameters& sta
 }  // namespace
 
 ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, ForceBetween between,
-                             const std::optional<Parameters>& start, const Watch& watch) {
+                             const std::optional<ForcedStart>& start, const Watch& watch) {
   ForcedFit fit;
   fit.law.law = Law{true, terms.drag, false, terms.curved};
   fit.between = between;
@@ -89,7 +89,7 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   };
   Parameters first;
   if (start) {
-    first = *start;
+    first = start->parameters;
   } else {
     const Parameters found = forced_start(record.force.subspan(record.first, record.fitted), samples,
                                           record.spacing, terms.curved);
@@ -98,11 +98,14 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   if (!(first[at.stiffness] > 0))
     return refuse(FitStatus::no_oscillation, "no oscillation found: the force explains no resonance");
   if (!start) first = grow(drive, terms, first, samples, record.spacing, watch);
-  ForcedMinimum minimum = minimise_forced(drive, terms, first, samples, watch);
+  ForcedMinimum minimum =
+      minimise_forced(drive, terms, first, samples, start ? start->rms_to_beat : HUGE_VAL, watch);
   if (watch.interrupted()) return refuse(FitStatus::iteration_limit, "interrupted before the fit was done");
 
   fit.parameters = minimum.summary.parameters;
-  fit.motion = forced_motion(terms, fit.parameters, drive(fit.parameters, minimum.step), record.t, minimum.step);
+  fit.motion =
+      forced_motion(terms, fit.parameters, drive(fit.parameters, minimum.step), record.t, minimum.step);
+  find_rounding_bias(minimum, drive, terms, samples, fit.motion, record.resolution);
   for (double& value : fit.motion) value += level;
   const ForcedQuantities quantities =
       recorded_quantities(fit.parameters, terms, level, zero_is_amid(level, rms));

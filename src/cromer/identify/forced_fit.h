@@ -1,6 +1,7 @@
 // From the record of a forced motion to its law.
 //
-//   x'' = force_gain (u(t) + force_offset) - w0^2 x - 2 g x' - q x'|x'| - k2 x^2 - k3 x^3,   x = y - equilibrium
+//   x'' = force_gain (u(t) + force_offset) - w0^2 x - 2 g x' - q x'|x'| - k2 x^2 - k3 x^3,   x = y -
+//   equilibrium
 //
 // The whole waveform is fitted, beginning included; no start values are asked for.
 //
@@ -11,6 +12,7 @@
 // instead.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -37,9 +39,9 @@ struct ForcedFit {
   /// Status, law (its cubic with the quadratic term), estimates and residual over the fitted samples; names
   /// and covariance hold all quantities of the fit in the contract's order.
   FreeDecay law;
-  std::optional<Estimate> quadratic;     // k2/m [1/(unit s^2)]
-  std::optional<Estimate> force_gain;    // [unit/s^2 per unit of force]
-  std::optional<Estimate> force_offset;  // [unit of force]
+  std::optional<Estimate> quadratic;        // k2/m [1/(unit s^2)]
+  std::optional<Estimate> force_gain;       // [unit/s^2 per unit of force]
+  std::optional<Estimate> force_offset;     // [unit of force]
   std::optional<Estimate> drive_frequency;  // [rad/s]
   std::optional<Estimate> drive_amplitude;  // [unit/s^2] per unit mass
   std::optional<Estimate> drive_phase;      // [rad] at the first sample
@@ -48,9 +50,15 @@ struct ForcedFit {
   std::vector<double> motion;  ///< y of the law at every time of the record, unfitted ones included
 };
 
-/// One law under one reading of the force. `start` gives the parameters to begin with; found if not given.
-/// Never throws; what cannot be fitted is a status with a message.
+/// Where a fit begins, and what it is up against.
+struct ForcedStart {
+  Parameters parameters{};
+  double rms_to_beat = HUGE_VAL;  ///< a fit that leaves 1.2 times this is not refined any further
+};
+
+/// One law under one reading of the force. `start` is found if not given. Never throws; what cannot be fitted
+/// is a status with a message.
 ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, ForceBetween between,
-                             const std::optional<Parameters>& start = {}, const Watch& watch = {});
+                             const std::optional<ForcedStart>& start = {}, const Watch& watch = {});
 
 }  // namespace cromer

@@ -40,7 +40,8 @@ constexpr ForcedLayout forced_layout(int drive_parameters, ForcedTerms terms) {
 }
 
 /// The parameters of one law as those of another under the same drive; terms that only the other has are 0.
-inline Parameters adapt_forced(const Parameters& from, ForcedTerms had, ForcedTerms has, int drive_parameters) {
+inline Parameters adapt_forced(const Parameters& from, ForcedTerms had, ForcedTerms has,
+                               int drive_parameters) {
   const ForcedLayout a = forced_layout(drive_parameters, had), b = forced_layout(drive_parameters, has);
   Parameters result{};
   for (int i = 0; i < drive_parameters; ++i) result[i] = from[i];

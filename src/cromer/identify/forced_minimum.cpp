@@ -62,7 +62,10 @@ void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQ
   law.explained = 1 - sum_of_squares / norm;
 
   const double spacing = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
-  const double widening = correlation_factor(residuals, rho, quantities.values.front() * spacing);
+  double widening = 1;
+  for (std::size_t i = 0; i < quantities.names.size(); ++i)
+    if (quantities.names[i] == "angular_frequency" || quantities.names[i] == "drive_frequency")
+      widening = std::max(widening, correlation_factor(residuals, rho, quantities.values[i] * spacing));
   const double slow_widening = correlation_factor(residuals, rho, 0);
   law.independent_samples = n / widening;
   const double k = minimum.summary.equations.size;
@@ -86,6 +89,11 @@ void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQ
       };
       law.covariance[i * count + j] = variance * sum * std::sqrt(wide(i) * wide(j));
     }
+  std::vector<double> bias(count, 0.0);
+  for (std::size_t i = 0; i < count; ++i)
+    for (int a = 0; a < size; ++a) bias[i] += quantities.derivatives[i][a] * minimum.rounding_bias[a];
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j) law.covariance[i * count + j] += bias[i] * bias[j];
   const auto estimate = [&](std::string_view name) -> std::optional<Estimate> {
     const auto at = std::find(law.names.begin(), law.names.end(), name) - law.names.begin();
     if (at == static_cast<std::ptrdiff_t>(count)) return std::nullopt;

@@ -12,12 +12,14 @@
 #include "cromer/identify/forced_motion.h"
 #include "cromer/identify/forced_quantities.h"
 #include "cromer/identify/levenberg_marquardt.h"
+#include "cromer/identify/rounding_bias.h"
 
 namespace cromer {
 
 struct ForcedMinimum {
   LeastSquaresSummary summary;
-  double step = 0;  // [s] of the method
+  double step = 0;             // [s] of the method
+  Parameters rounding_bias{};  ///< by how much the rounding of the values may have moved the parameters
 };
 
 /// Rms of z over the samples that are there.
@@ -27,10 +29,11 @@ double rms_of(std::span<const double> z);
 std::size_t samples_of(std::span<const double> z);
 
 /// `drive(parameters, h)` makes the drive for steps of h. Coarse steps first, then halved until the method's
-/// error, measured by halving, could move no parameter by a tenth of its standard error.
+/// error, measured by halving, could move no parameter by a tenth of its standard error; only those if they
+/// leave 1.2 times `rms_to_beat`.
 template <class MakeDrive>
 ForcedMinimum minimise_forced(const MakeDrive& drive, ForcedTerms terms, const Parameters& start,
-                              const ForcedSamples& samples, const Watch& watch) {
+                              const ForcedSamples& samples, double rms_to_beat, const Watch& watch) {
   using Drive = decltype(drive(start, 1.0));
   const ForcedLayout at = forced_layout(Drive::parameters, terms);
   const auto n = static_cast<double>(samples_of(samples.z));
@@ -61,6 +64,7 @@ ForcedMinimum minimise_forced(const MakeDrive& drive, ForcedTerms terms, const P
   const double spacing = (samples.t.back() - samples.t.front()) / static_cast<double>(samples.t.size() - 1);
   h = std::min(spacing, 0.5 / std::sqrt(start[at.stiffness]));
   minimise_at(1e-2, 40);
+  if (summary.equations.sum_of_squares > 1.44 * rms_to_beat * rms_to_beat * n) return at_minimum;
   for (int halvings = 0; halvings < 6 && summary.reason == LeastSquaresReason::converged; ++halvings) {
     const Parameters& p = summary.parameters;
     const std::vector<double> z = forced_motion(terms, p, drive(p, h), samples.t, h);
@@ -76,7 +80,26 @@ ForcedMinimum minimise_forced(const MakeDrive& drive, ForcedTerms terms, const P
   return at_minimum;
 }
 
-/// Fills everything but the drive's own numbers of a fit from its minimum.
+/// Sets the minimum's rounding_bias; none where samples are missing. `motion` is the law's, from the same
+/// level as the samples.
+template <class MakeDrive>
+void find_rounding_bias(ForcedMinimum& minimum, const MakeDrive& drive, ForcedTerms terms,
+                        const ForcedSamples& samples, std::span<const double> motion, double resolution) {
+  if (samples_of(samples.z) != samples.t.size() || motion.size() < samples.t.size()) return;
+  std::vector<double> residuals(samples.z.size());
+  for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i] = samples.z[i] - motion[i];
+  const std::vector<double> rounded = rounded_motion({samples.t, samples.z, resolution}, residuals);
+  if (rounded.empty()) return;
+  const LeastSquaresSummary& summary = minimum.summary;
+  const Parameters& p = summary.parameters;
+  const NormalEquations pull =
+      forced_equations(terms, p, drive(p, minimum.step), {samples.t, rounded}, minimum.step);
+  const SquareMatrix inverse_matrix = inverse(summary.equations.matrix, pull.size);
+  for (int i = 0; i < pull.size; ++i)
+    for (int j = 0; j < pull.size; ++j) minimum.rounding_bias[i] += inverse_matrix[i][j] * pull.right[j];
+}
+
+/// Fills a fit from its minimum; its motion is there already, at all times `t` at least.
 void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQuantities& quantities,
                      std::span<const double> t, std::span<const double> y, double resolution);
 

@@ -64,8 +64,8 @@ std::vector<double> forced_motion(ForcedTerms terms, const Parameters& p, Drive 
   std::vector<double> z;
   z.reserve(t.size());
   with_forced_terms(terms, [&]<ForcedTerms present>() {
-    integrate_forced<present, 0>(p, drive, t, h,
-                                 [&](std::size_t, const Tangent<0>& position) { z.push_back(position.value); });
+    integrate_forced<present, 0>(
+        p, drive, t, h, [&](std::size_t, const Tangent<0>& position) { z.push_back(position.value); });
   });
   return z;
 }

@@ -26,8 +26,7 @@ struct Coefficients {
         velocity(of(p, at.velocity)) {}
 
   static Real of(const Parameters& p, int i) {
-    return i < 0 ? Real(0.0)
-                 : Real::variable(p[static_cast<std::size_t>(i)], static_cast<std::size_t>(i));
+    return i < 0 ? Real(0.0) : Real::variable(p[static_cast<std::size_t>(i)], static_cast<std::size_t>(i));
   }
 
   Real pull(const Real& z) const { return bias - z * (s1 + z * (s2 + z * s3)); }

@@ -114,8 +114,7 @@ NormalEquations linear_equations(const std::vector<Segment>& segments, double h,
       }
       for (int i = 0; i < size; ++i) {
         equations.right[i] += weight * (std::conj(row[i]) * target).real();
-        for (int j = 0; j < size; ++j)
-          equations.matrix[i][j] += weight * (std::conj(row[i]) * row[j]).real();
+        for (int j = 0; j < size; ++j) equations.matrix[i][j] += weight * (std::conj(row[i]) * row[j]).real();
       }
     }
   }
@@ -124,7 +123,8 @@ NormalEquations linear_equations(const std::vector<Segment>& segments, double h,
 
 // Slope of the straight line through the samples of the first 1/16 of a period, at least three.
 double first_slope(const std::vector<double>& z, double h, double w) {
-  const auto count = static_cast<std::size_t>(std::clamp(pi / (8 * w * h), 3.0, static_cast<double>(z.size())));
+  const auto count =
+      static_cast<std::size_t>(std::clamp(pi / (8 * w * h), 3.0, static_cast<double>(z.size())));
   double mean = 0, top = 0, bottom = 0;
   const double middle = 0.5 * static_cast<double>(count - 1);
   for (std::size_t i = 0; i < count; ++i) mean += z[i] / static_cast<double>(count);
@@ -147,8 +147,7 @@ Parameters forced_start(std::span<const double> force, const ForcedSamples& samp
     segments.push_back(
         transform(force.subspan(from, length), std::span(z).subspan(from, length), spacing, curved));
 
-  const auto line = strongest_line(
-      amplitude_spectrum(std::span(z).first(length), spacing));
+  const auto line = strongest_line(amplitude_spectrum(std::span(z).first(length), spacing));
   const double w_line = line ? line->angular_frequency : 2 * pi / (static_cast<double>(length) * spacing);
   double s1 = w_line * w_line, resistance_now = 0.2 * w_line;
   const int size = curved ? most_unknowns : stiffness + 1;

@@ -46,8 +46,7 @@ class ForcedSystem {
         term[at.quadratic] = -z * z;
         term[at.cubic] = -z * z * z;
       }
-      for (int i = 0; i < N; ++i)
-        term[i] += by_z * position.derivative[i] + by_v * velocity.derivative[i];
+      for (int i = 0; i < N; ++i) term[i] += by_z * position.derivative[i] + by_v * velocity.derivative[i];
     } else {
       drive_.add_to(p_, t, sum, nullptr);
     }
