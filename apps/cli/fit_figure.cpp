@@ -14,6 +14,11 @@ namespace {
 
 /// The fitted displacements at the measured times.
 std::vector<double> fitted_motion(const FittedRecording& fitted) {
+  if (fitted.forced) {
+    std::vector<double> x = fitted.forced->motion;
+    for (double& value : x) value -= fitted.fit.equilibrium.value;
+    return x;
+  }
   const FreeDecay& fit = fitted.fit;
   const MotionParameters motion{.angular_frequency = fit.angular_frequency.value,
                                 .decay_rate = fit.decay_rate.value,

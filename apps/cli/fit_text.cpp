@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "cromer/base/quantity.h"
 #include "text_table.h"
@@ -21,13 +22,30 @@ std::string quantity(const Estimate& estimate, std::string_view unit) {
   return format_quantity({estimate.value, estimate.standard_error}, unit == "1" ? "" : unit);
 }
 
+Estimate in_hertz(const Estimate& angular) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return {angular.value / turn, angular.standard_error / turn, angular.low / turn, angular.high / turn};
+}
+
+/// What drives it, and how the force was read.
+std::string drive_in_words(const FittedRecording& fitted) {
+  if (!fitted.forced) return "";
+  if (fitted.between_samples.empty())
+    return fmt::format("  the motion is driven, at {}\n",
+                       quantity(in_hertz(*fitted.forced->drive_frequency), "Hz"));
+  return fmt::format("  driven by \"{}\", taken as {} between its samples\n", fitted.options.force_column,
+                     fitted.between_samples);
+}
+
 std::string heading(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   std::string text =
       fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, name(fitted.fit.status));
   if (fitted.fit.status != FitStatus::converged) return text + ", " + fitted.fit.message + "\n";
-  return text + fmt::format(", {} of {} samples, {:.6g} to {:.6g} s, law {}\n", series.t.size(),
-                            fitted.samples, series.t.front(), series.t.back(), to_text(fitted.fit.law));
+  return text +
+         fmt::format(", {} of {} samples, {:.6g} to {:.6g} s, law {}\n", series.t.size(), fitted.samples,
+                     series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
+         drive_in_words(fitted);
 }
 
 // Of the column.
@@ -76,8 +94,20 @@ std::string one_fit(const FittedRecording& fitted) {
                     quantity(*fitted.reynolds_max, "")});
   if (!fitted.parameters.empty())
     rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, si_unit(fitted))});
+  if (fitted.held_out)
+    rows.push_back(
+        {fmt::format("  residual held out, {:.6g} to {:.6g} s", fitted.held_out->from, fitted.held_out->to),
+         format_quantity({fitted.held_out->rms, 0}, si_unit(fitted))});
   out += text_table(rows, 0, 0);
-  out += runner_up(fitted);
+  // What a recorded force did between its samples is chosen together with the law: all that was tried is told.
+  const bool forced = !fitted.candidates.empty() && !fitted.candidates.front().between_samples.empty();
+  if (!forced) out += runner_up(fitted);
+  const std::string unit = si_unit(fitted);
+  if (forced && fitted.candidates.size() > 1)
+    for (const auto& candidate : fitted.candidates)
+      out += fmt::format("  candidate {}, {}: residual {:.4g}{}, BIC {}\n", to_text(candidate.law),
+                         candidate.between_samples, candidate.rms, unit.empty() ? "" : " " + unit,
+                         with_true_minus(fmt::format("{:.6g}", candidate.bic)));
   if (!fitted.simulate.empty()) out += "  simulate it: " + fitted.simulate + "\n";
   return out;
 }

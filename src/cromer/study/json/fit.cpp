@@ -44,7 +44,8 @@ Json document(const FittedRecording& fitted) {
   object["status"] = name(fit.status);
   if (fit.status != FitStatus::converged) object["message"] = fit.message;
   object["iterations"] = fit.iterations;
-  object["between_samples"] = nullptr;  // only a recorded force has anything between its samples
+  // Only a recorded force has anything between its samples.
+  object["between_samples"] = fitted.between_samples.empty() ? Json(nullptr) : Json(fitted.between_samples);
   object["parameters"] = quantities(fitted.parameters);
   object["derived"] = quantities(fitted.derived);
   object["simulate"] = fitted.simulate.empty() ? Json(nullptr) : Json(fitted.simulate);
@@ -53,8 +54,15 @@ Json document(const FittedRecording& fitted) {
                         {"autocorrelation", fit.residual.autocorrelation},
                         {"white", fit.residual.white}};
   Json& candidates = object["candidates"] = Json::array();
-  for (const auto& candidate : fitted.candidates)
+  for (const auto& candidate : fitted.candidates) {
     candidates.push_back({{"law", to_text(candidate.law)}, {"rms", candidate.rms}, {"bic", candidate.bic}});
+    if (!candidate.between_samples.empty()) candidates.back()["between_samples"] = candidate.between_samples;
+  }
+  if (fitted.held_out)
+    object["held_out"] = {{"from", fitted.held_out->from},
+                          {"to", fitted.held_out->to},
+                          {"samples", fitted.held_out->samples},
+                          {"rms", fitted.held_out->rms}};
   object["decay_segments"] = decay_segments(fitted.segments);
   object["decay_rate_mean"] = fitted.decay_rate_mean ? Json(fitted.decay_rate_mean->value) : Json(nullptr);
   object["decay_rate_mean_standard_error"] =

@@ -11,6 +11,7 @@
 #include "cromer/identify/damped_phasor.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
+#include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/run_law.h"
 
 namespace cromer {
@@ -279,7 +280,12 @@ Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_v
                                            const CompareOptions& options, const Watch& watch) {
   if (const Result<void> known = check_method_name(options.method); !known)
     return Error{"--method: " + known.error().message};
-  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, options.fit, watch);
+  if (is_driven(options.fit))
+    return Error{
+        "--force-column and --drive-frequency are options of fit: compare lays free motions side by side"};
+  FitOptions free = options.fit;
+  free.recognise_drive = false;
+  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, free, watch);
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
   for (const FittedRecording& recording : *fits) {

@@ -14,6 +14,7 @@
 #include "cromer/identify/drop_outs.h"
 #include "cromer/identify/free_part.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/study/task/fit_forced.h"
 
 namespace cromer {
 namespace {
@@ -48,6 +49,7 @@ Result<void> check_options(const FitOptions& options) {
   const double rate = options.read.rate;
   if (rate != 0 && !(rate >= 1e-6 && rate <= 1e12)) return must("rate", rate, "between 1e-6 and 1e12 Hz");
   if (options.segments && *options.segments <= 0) return must("segments", *options.segments, "positive");
+  if (const Result<void> good = check_forced_options(options); !good) return good;
   if (options.from && options.to && !(*options.from < *options.to))
     return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
   return {};
@@ -268,6 +270,12 @@ Result<void> check_pauses(const Series& series) {
   return {};
 }
 
+Result<Series> samples_in_use(const Series& series, const FitOptions& options) {
+  Result<Series> used = used_part(series, options);
+  if (used) set_drop_outs_aside(*used);
+  return used;
+}
+
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch) {
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
@@ -345,6 +353,26 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   return result;
 }
 
+namespace {
+
+Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
+                                const FitOptions& options, const Watch& watch) {
+  const Result<Series> series = take_series(recording, options.column, run, options.read);
+  if (!series) return series.error();
+  if (!options.drive_frequency.empty()) return fit_driven(*series, file, options, watch);
+  if (options.force_column.empty()) {
+    Result<FittedRecording> free = fit_series(*series, file, options, watch);
+    if (!free) return free;
+    if (auto driven = recognise_drive(*free, *series, options, watch)) return *std::move(driven);
+    return free;
+  }
+  const Result<Series> force = take_series(recording, options.force_column, run, options.read);
+  if (!force) return Error{"--force-column: " + force.error().message};
+  return fit_forced(*series, *force, file, options, watch);
+}
+
+}  // namespace
+
 Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
                                          const FitOptions& options, const Watch& watch) {
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
@@ -353,11 +381,9 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(*recording);
   std::vector<FittedRecording> fits;
   for (int run : wanted) {
-    const Result<Series> series = take_series(*recording, options.column, run, options.read);
-    if (!series) return series.error();
-    Result<FittedRecording> one = fit_series(*series, file, options, watch);
+    Result<FittedRecording> one = fit_run(*recording, run, file, options, watch);
     if (!one) {
-      const bool option = one.error().message.starts_with("--");
+      const bool option = one.error().message.starts_with("--") || one.error().message.starts_with(file);
       return option ? one.error() : Error{std::string(file) + ": " + one.error().message};
     }
     one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());

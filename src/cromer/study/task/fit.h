@@ -9,6 +9,7 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
+#include "cromer/identify/forced_fit.h"
 #include "cromer/identify/free_decay.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/study/task/decay_segments.h"
@@ -28,6 +29,11 @@ struct FitOptions {
   std::optional<double> temperature{};      // [K]; 293.15 by default
   std::optional<double> segment{};          // [s] > 0
   std::optional<int> segments{};            ///< > 0
+  std::string force_column{};               ///< of a recorded force; "" where none drives
+  std::string between_samples{};            ///< linear, hold, band-limited or auto; "" is auto
+  std::string drive_frequency{};     ///< of a harmonic drive, with its unit, or auto; "" where none drives
+  bool recognise_drive = true;       ///< a motion that is no free one may be fitted as a driven one
+  std::optional<double> hold_out{};  ///< share of the samples, above 0: the last ones, kept from the fit
 };
 
 /// The largest Reynolds number within [t, t + 0.5 s).
@@ -40,6 +46,14 @@ struct Candidate {
   Law law;
   double rms;
   double bic;
+  std::string between_samples{};  ///< how a recorded force was read; "" without one
+};
+
+/// How the law, carried on beyond the samples it was fitted to, meets those held out.
+struct HeldOut {
+  double from, to;  // [s]
+  std::size_t samples;
+  double rms;  ///< in the SI unit of the column
 };
 
 struct FittedRecording {
@@ -56,14 +70,20 @@ struct FittedRecording {
   std::optional<Estimate> decay_rate_mean;
   std::vector<ReynoldsWindow> reynolds;
   std::optional<Estimate> reynolds_max;
-  double reynolds_max_t = 0;  // [s]
+  double reynolds_max_t = 0;          // [s]
+  std::optional<ForcedFit> forced{};  ///< of a forced or driven motion; its motion at the series' times
+  std::string between_samples{};      ///< how the recorded force is read; "" without one
+  std::optional<HeldOut> held_out{};
   std::vector<std::string> warnings;
 
   const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
 };
 
-/// One quantity of one run, of which --from and --to choose a part. Bad input (a law that cannot be fitted,
-/// no sample left) is an Error.
+/// The samples from --from to --to, drop-outs among their outliers. An Error where none is left.
+Result<Series> samples_in_use(const Series& series, const FitOptions& options);
+
+/// A free motion: one quantity of one run, of which --from and --to choose a part. Bad input (a law that
+/// cannot be fitted, no sample left) is an Error.
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 

@@ -28,6 +28,7 @@ std::vector<Option> options_of(ReadOptions& o) {
 std::vector<Option> options_of(FitOptions& o) {
   constexpr std::string_view samples = "Which samples";
   constexpr std::string_view model = "The law and what is known about the apparatus";
+  constexpr std::string_view driven = "What drives it";
   const std::vector<Option> own = {
       {"column", &o.column, "", Range::any, "column to fit",
        "a position, else angle, angular velocity, velocity, acceleration", samples},
@@ -44,6 +45,16 @@ std::vector<Option> options_of(FitOptions& o) {
       {"temperature", &o.temperature, "K", Range::air_temperature, "of the air", "20 °C", model},
       {"segment", &o.segment, "s", Range::positive, "decay rate per segment of this length", "none", model},
       {"segments", &o.segments, "", Range::positive, "at most so many segments", "all whole ones", model},
+      {"force-column", &o.force_column, "", Range::any, "column of a recorded force that drives it",
+       "the motion is free", driven},
+      {"between-samples", &o.between_samples, "", Range::any,
+       "what the force did there: linear, hold, band-limited, or auto for what the data prefer", "auto",
+       driven},
+      {"drive-frequency", &o.drive_frequency, "", Range::any,
+       "of a harmonic drive, about (\"1.2 Hz\"; refined by the fit), or auto to find it",
+       "the motion is free", driven},
+      {"hold-out", &o.hold_out, "1", Range::fraction,
+       "share of the samples, the last ones, on which the law is tested instead of fitted", "none", driven},
   };
   return joined(own, options_of(o.read));
 }

@@ -1,0 +1,106 @@
+// The least-squares minimum of a forced motion, as fine in time as its residuals ask for.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/identify/forced_fit.h"
+#include "cromer/identify/forced_motion.h"
+#include "cromer/identify/forced_quantities.h"
+#include "cromer/identify/levenberg_marquardt.h"
+#include "cromer/identify/rounding_bias.h"
+
+namespace cromer {
+
+struct ForcedMinimum {
+  LeastSquaresSummary summary;
+  double step = 0;             // [s] of the method
+  Parameters rounding_bias{};  ///< by how much the rounding of the values may have moved the parameters
+};
+
+/// Rms of z over the samples that are there.
+double rms_of(std::span<const double> z);
+
+/// How many samples are there.
+std::size_t samples_of(std::span<const double> z);
+
+/// `drive(parameters, h)` makes the drive for steps of h. Coarse steps first, then halved until the method's
+/// error, measured by halving, could move no parameter by a tenth of its standard error; only those if they
+/// leave 1.2 times `rms_to_beat`.
+template <class MakeDrive>
+ForcedMinimum minimise_forced(const MakeDrive& drive, ForcedTerms terms, const Parameters& start,
+                              const ForcedSamples& samples, double rms_to_beat, const Watch& watch) {
+  using Drive = decltype(drive(start, 1.0));
+  const ForcedLayout at = forced_layout(Drive::parameters, terms);
+  const auto n = static_cast<double>(samples_of(samples.z));
+  LeastSquaresOptions options;
+  options.scale = rms_of(samples.z) * std::sqrt(n);
+  options.residuals = static_cast<int>(n);
+  options.lower[at.decay] = 0;
+  if (at.drag >= 0) options.lower[at.drag] = 0;
+
+  ForcedMinimum at_minimum;
+  double& h = at_minimum.step;
+  LeastSquaresSummary& summary = at_minimum.summary;
+  summary.parameters = start;
+  const auto minimise_at = [&](double error_tolerance, int iteration_limit) {
+    options.error_tolerance = error_tolerance;
+    options.iteration_limit = iteration_limit;
+    const auto model = [&](const Parameters& p) {
+      NormalEquations nowhere;
+      nowhere.sum_of_squares = HUGE_VAL;
+      const bool possible = p[at.stiffness] > 0 && !watch.interrupted();
+      return possible ? forced_equations(terms, p, drive(p, h), samples, h) : nowhere;
+    };
+    const int before = summary.iterations;
+    summary = minimise(model, summary.parameters, options);
+    summary.iterations += before;
+  };
+
+  const double spacing = (samples.t.back() - samples.t.front()) / static_cast<double>(samples.t.size() - 1);
+  h = std::min(spacing, 0.5 / std::sqrt(start[at.stiffness]));
+  minimise_at(1e-2, 40);
+  if (summary.equations.sum_of_squares > 1.44 * rms_to_beat * rms_to_beat * n) return at_minimum;
+  for (int halvings = 0; halvings < 6 && summary.reason == LeastSquaresReason::converged; ++halvings) {
+    const Parameters& p = summary.parameters;
+    const std::vector<double> z = forced_motion(terms, p, drive(p, h), samples.t, h);
+    const std::vector<double> finer = forced_motion(terms, p, drive(p, h / 2), samples.t, h / 2);
+    double difference = 0;
+    for (std::size_t i = 0; i < std::min(z.size(), finer.size()); ++i)
+      difference += (z[i] - finer[i]) * (z[i] - finer[i]);
+    // A standard error moves the motion by one residual's rms in all.
+    if (difference <= 0.01 * summary.equations.sum_of_squares / n) break;
+    h /= 2;
+  }
+  minimise_at(1e-4, 40);
+  return at_minimum;
+}
+
+/// Sets the minimum's rounding_bias; none where samples are missing. `motion` is the law's, from the same
+/// level as the samples.
+template <class MakeDrive>
+void find_rounding_bias(ForcedMinimum& minimum, const MakeDrive& drive, ForcedTerms terms,
+                        const ForcedSamples& samples, std::span<const double> motion, double resolution) {
+  if (samples_of(samples.z) != samples.t.size() || motion.size() < samples.t.size()) return;
+  std::vector<double> residuals(samples.z.size());
+  for (std::size_t i = 0; i < residuals.size(); ++i) residuals[i] = samples.z[i] - motion[i];
+  const std::vector<double> rounded = rounded_motion({samples.t, samples.z, resolution}, residuals);
+  if (rounded.empty()) return;
+  const LeastSquaresSummary& summary = minimum.summary;
+  const Parameters& p = summary.parameters;
+  const NormalEquations pull =
+      forced_equations(terms, p, drive(p, minimum.step), {samples.t, rounded}, minimum.step);
+  const SquareMatrix inverse_matrix = inverse(summary.equations.matrix, pull.size);
+  for (int i = 0; i < pull.size; ++i)
+    for (int j = 0; j < pull.size; ++j) minimum.rounding_bias[i] += inverse_matrix[i][j] * pull.right[j];
+}
+
+/// Fills a fit from its minimum; its motion is there already, at all times `t` at least.
+void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQuantities& quantities,
+                     std::span<const double> t, std::span<const double> y, double resolution);
+
+}  // namespace cromer

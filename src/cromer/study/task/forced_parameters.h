@@ -1,0 +1,20 @@
+// The numbers of a forced or driven fit, named and with units.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "cromer/identify/forced_fit.h"
+#include "cromer/study/task/fitted_quantities.h"
+
+namespace cromer {
+
+/// In the contract's order, per unit mass and then, with a mass and a record of lengths, in SI. `unit` is
+/// that of the record, `force_unit` that of the force column; "" where there is none or it is not known.
+std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_view unit,
+                                             std::string_view force_unit, const Body& body);
+
+/// derived_quantities where the law oscillates; else damping_ratio and quality_factor alone.
+std::vector<NamedEstimate> forced_derived(const ForcedFit& fit);
+
+}  // namespace cromer
