@@ -23,8 +23,8 @@ std::string to_json(std::span<const MethodRow> methods);
 /// What is in the file; `with_values` adds the columns' numbers.
 std::string to_json(const Inspection& inspection, bool with_values);
 
-/// The fit's object; {"fits": [...]} unless there is exactly one.
-std::string to_json(std::span<const FittedRecording> fits);
+/// The fit's object; {"fits": [...]} unless there is exactly one and no list is wanted.
+std::string to_json(std::span<const FittedRecording> fits, bool as_list = false);
 
 /// The comparison's object; {"comparisons": [...]} unless there is exactly one.
 std::string to_json(std::span<const CompareResult> comparisons);

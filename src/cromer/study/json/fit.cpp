@@ -40,9 +40,10 @@ Json document(const FittedRecording& fitted) {
   const FreeDecay& fit = fitted.fit;
   Json object;
   object["recording"] = recording_object(fitted);
-  object["law"] = to_text(fit.law);
-  object["status"] = name(fit.status);
-  if (fit.status != FitStatus::converged) object["message"] = fit.message;
+  object["law"] = fitted.wrong_input ? Json(nullptr) : Json(to_text(fit.law));
+  object["status"] = fitted.status();
+  if (!fitted.succeeded()) object["message"] = fit.message;
+  if (fitted.wrong_input) return object;
   object["iterations"] = fit.iterations;
   object["between_samples"] = nullptr;  // only a recorded force has anything between its samples
   object["parameters"] = quantities(fitted.parameters);
@@ -84,14 +85,14 @@ Json recording_object(const FittedRecording& fitted) {
   return object;
 }
 
-std::string to_json(std::span<const FittedRecording> fits) {
-  if (fits.size() == 1) return to_text(document(fits.front()));
+std::string to_json(std::span<const FittedRecording> fits, bool as_list) {
+  if (fits.size() == 1 && !as_list) return to_text(document(fits.front()));
   Json all;
   Json& list = all["fits"] = Json::array();
   std::size_t failed = 0;
   for (const auto& fitted : fits) {
     list.push_back(document(fitted));
-    failed += fitted.fit.status != FitStatus::converged;
+    failed += !fitted.succeeded();
   }
   if (failed > 0)
     all["message"] = std::to_string(failed) + " of " + std::to_string(fits.size()) + " fits did not succeed";

@@ -266,6 +266,7 @@ Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_v
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
   for (const FittedRecording& recording : *fits) {
+    if (recording.wrong_input) return Error{std::string(file) + ": " + recording.fit.message};
     Result<CompareResult> one = compare_fitted(recording, options, watch);
     if (!one) return one.error();
     results.push_back(std::move(*one));

@@ -257,6 +257,25 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
   return nullptr;
 }
 
+Result<void> check_fit_options(const FitOptions& options) {
+  if (const Result<void> checked = check_options(options); !checked) return checked;
+  if (options.law.empty() || options.law == "auto") return {};
+  if (const Result<Law> law = parse_law(options.law); !law) return law.error();
+  return {};
+}
+
+FittedRecording not_fitted(std::string_view file, int run, std::string_view message) {
+  if (message.starts_with(file) && message.substr(file.size()).starts_with(": "))
+    message.remove_prefix(file.size() + 2);
+  FittedRecording row;
+  row.file = file;
+  row.series.run = run;
+  row.wrong_input = true;
+  row.fit.status = FitStatus::no_oscillation;
+  row.fit.message = message;
+  return row;
+}
+
 // A pause so long that the motion cannot be followed through it: a wrong time, or two recordings in one.
 Result<void> check_pauses(const Series& series) {
   constexpr double longest_pause = 1e6;  // [sample spacings]
@@ -335,17 +354,24 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   if (!recording) return recording.error();
   const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(*recording);
   std::vector<FittedRecording> fits;
+  std::optional<Error> first_error;
+  bool any_read = false;
   for (int run : wanted) {
     const Result<Series> series = take_series(*recording, options.column, run, options.read);
-    if (!series) return series.error();
-    Result<FittedRecording> one = fit_series(*series, file, options, watch);
-    if (!one) {
-      const bool option = one.error().message.starts_with("--");
-      return option ? one.error() : Error{std::string(file) + ": " + one.error().message};
+    Result<FittedRecording> one =
+        series ? fit_series(*series, file, options, watch) : Result<FittedRecording>(series.error());
+    if (one) {
+      any_read = true;
+      one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
+      fits.push_back(std::move(*one));
+      continue;
     }
-    one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
-    fits.push_back(std::move(*one));
+    std::string message = one.error().message;
+    if (series && !message.starts_with("--")) message = std::string(file) + ": " + message;
+    fits.push_back(not_fitted(file, run, message));
+    if (!first_error) first_error = Error{std::move(message)};
   }
+  if (!any_read && first_error) return *first_error;
   return fits;
 }
 

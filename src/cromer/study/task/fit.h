@@ -58,16 +58,27 @@ struct FittedRecording {
   std::optional<Estimate> reynolds_max;
   double reynolds_max_t = 0;  // [s]
   std::vector<std::string> warnings;
+  bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here
+
+  bool succeeded() const { return fit.status == FitStatus::converged; }
+  std::string_view status() const { return wrong_input ? "wrong_input" : name(fit.status); }
 
   const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
 };
+
+/// What is wrong with the options whatever the recording is.
+Result<void> check_fit_options(const FitOptions& options);
+
+/// The row of a recording that could not be read: its message without the file's name before it.
+FittedRecording not_fitted(std::string_view file, int run, std::string_view message);
 
 /// One quantity of one run, of which --from and --to choose a part. Bad input (a law that cannot be fitted,
 /// no sample left) is an Error.
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 
-/// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row.
+/// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row, and so is one of
+/// several runs that could not be read.
 Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
                                          const FitOptions& options, const Watch& watch = {});
 
