@@ -28,6 +28,7 @@ std::vector<NamedEstimate> numbers_of(const FittedRecording& fitted) {
   all.insert(all.end(), fitted.derived.begin(), fitted.derived.end());
   if (fitted.decay_rate_mean) all.push_back({"decay_rate_mean", *fitted.decay_rate_mean, "1/s"});
   if (fitted.reynolds_max) all.push_back({"reynolds_max", *fitted.reynolds_max, "1"});
+  if (fitted.keulegan_carpenter) all.push_back({"keulegan_carpenter_max", *fitted.keulegan_carpenter, "1"});
   return all;
 }
 

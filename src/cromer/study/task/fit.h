@@ -6,13 +6,17 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/analysis/textbook_damping.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
 #include "cromer/identify/free_decay.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/study/task/decay_by_amplitude.h"
 #include "cromer/study/task/decay_segments.h"
 #include "cromer/study/task/fitted_quantities.h"
+#include "cromer/study/task/plan_recording.h"
+#include "cromer/study/task/stiffness_budget.h"
 
 namespace cromer {
 
@@ -25,9 +29,19 @@ struct FitOptions {
   std::optional<Quantity> mass{};           // [kg] > 0
   std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
   std::optional<Quantity> disc_diameter{};  // [m] > 0
-  std::optional<double> temperature{};      // [K]; 293.15 by default
+  std::optional<Quantity> temperature{};    // [K] of the air; 293.15 by default
   std::optional<double> segment{};          // [s] > 0
   std::optional<int> segments{};            ///< > 0
+  std::string goal{};                       ///< "decay_rate 0.5 %": how long to record
+  std::optional<int> monte_carlo{};         ///< trials, 1000 to 1e7
+  unsigned long long seed = 1;              ///< of the trials
+  bool textbook = false;                    ///< decrement and bandwidth beside the fit
+};
+
+/// What textbooks would say of the damping; each empty where it cannot be had.
+struct TextbookDamping {
+  std::optional<PeakDecrement> decrement;
+  std::optional<HalfPowerBandwidth> bandwidth;
 };
 
 /// The largest Reynolds number within [t, t + 0.5 s).
@@ -56,7 +70,13 @@ struct FittedRecording {
   std::optional<Estimate> decay_rate_mean;
   std::vector<ReynoldsWindow> reynolds;
   std::optional<Estimate> reynolds_max;
-  double reynolds_max_t = 0;  // [s]
+  double reynolds_max_t = 0;                   // [s]
+  std::optional<Estimate> keulegan_carpenter;  ///< 2 pi A/D at the largest amplitude
+  std::vector<AmplitudeRate> decay_by_amplitude;
+  std::vector<Contribution> stiffness_budget;
+  std::optional<MonteCarlo> monte_carlo;
+  std::optional<RecordingPlan> plan;
+  std::optional<TextbookDamping> textbook;
   std::vector<std::string> warnings;
   bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here
 
@@ -77,8 +97,8 @@ FittedRecording not_fitted(std::string_view file, int run, std::string_view mess
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 
-/// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row, and so is one of
-/// several runs that could not be read.
+/// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row, and so is one
+/// of several runs that could not be read.
 Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
                                          const FitOptions& options, const Watch& watch = {});
 
