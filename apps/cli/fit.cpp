@@ -8,13 +8,16 @@
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
 #include "cromer/study/json/documents.h"
+#include "cromer/study/task/masses.h"
 #include "exit_status.h"
 #include "fit_csv.h"
 #include "fit_figure.h"
 #include "fit_files.h"
+#include "fit_spring.h"
 #include "fit_table.h"
 #include "fit_text.h"
 #include "message.h"
+#include "motion_csv.h"
 #include "output.h"
 #include "syntax.h"
 #include "watching.h"
@@ -37,12 +40,40 @@ std::size_t files_of(const std::vector<FittedRecording>& fits) {
   return files;
 }
 
-Result<void> write_files(const std::vector<FittedRecording>& fits, const OutputOptions& output, bool many) {
+/// What all fits have given, and the line through them where one was asked for.
+struct Answer {
+  std::vector<FittedRecording> fits;
+  bool many = false;
+  std::optional<MassLine> line{};
+
+  std::string json() const { return line ? to_json(fits, *line) : to_json(fits, many); }
+  std::string text() const {
+    const std::string of_fits = many || line ? fit_table(fits) : fit_text(fits);
+    return line ? of_fits + mass_line_text(*line) : of_fits;
+  }
+  Figure figure() const { return line ? mass_line_figure(*line) : fit_figure(fits); }
+};
+
+Result<void> write_files(const Answer& answer, const OutputOptions& output, const std::string& motion) {
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
-    if (auto good = write_file(output.output, csv ? fit_csv(fits) : to_json(fits, many)); !good) return good;
+    if (auto good = write_file(output.output, csv ? fit_csv(answer.fits) : answer.json()); !good) return good;
   }
-  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, fit_figure(fits));
+  if (!motion.empty())
+    if (auto good = write_file(motion, motion_csv(answer.fits)); !good) return good;
+  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, answer.figure());
+}
+
+/// That the file of --motion can be written and nothing is lost by it.
+Result<void> check_motion(const std::string& motion, const OutputOptions& output,
+                          const std::vector<std::string>& inputs) {
+  if (motion.empty()) return {};
+  if (!motion.ends_with(".csv"))
+    return Error{fmt::format("--motion: {}: the motion is written as .csv", motion)};
+  if (motion == output.output) return Error{fmt::format("-o and --motion both name {}", motion)};
+  OutputOptions same;
+  same.output = motion;
+  return check_outputs(same, inputs);
 }
 
 /// Warnings and failures on standard error; whether all fits succeeded.
@@ -73,31 +104,46 @@ int run_fit(const Arguments& arguments) {
                 .example =
                     "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
                     "s\" --plot fit.svg"};
+  SpringOptions spring;
+  const auto of_spring = options_of(spring);
+  syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());
   add_output_options(syntax.options, output, {},
                      "a table with a row for each recording as .csv, or the document as .json");
+  std::string motion;
+  syntax.options.push_back(
+      {"motion", &motion, "", Range::any,
+       "the motion sample by sample as .csv: t, measured, fitted x and v, energy, residual", "none",
+       "Output"});
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_fit_options(options); !good) return refuse(good.error().message);
+  if (auto good = check(spring); !good) return refuse(good.error().message);
   const auto found = recording_files(files);
   if (!found) return refuse(found.error().message);
   if (auto good = check_outputs(output, found->files); !good) return refuse(good.error().message);
+  if (auto good = check_motion(motion, output, found->files); !good) return refuse(good.error().message);
   warn(found->notes, output.quiet);
+  if (spring.held) return run_static(found->files, options, spring, output);
 
   const Watch watch = watching(output.quiet);
-  const auto fits = fit_all(*found, options, watch);
+  auto fits = fit_all(*found, options, watch);
   clear_progress();
   if (!fits) return refuse(fits.error().message);
   const bool interrupted = watch.interrupted();
   if (interrupted)
     complain(fmt::format("interrupted; what follows is what {} of {} files have given", files_of(*fits),
                          found->files.size()));
-  const bool good = say_what_is_wrong(*fits, found->many, output.quiet) && !interrupted;
-  if (auto written = write_files(*fits, output, found->many); !written)
-    return refuse(written.error().message);
-  const auto text = [&] {
-    return output.json ? to_json(*fits, found->many) : found->many ? fit_table(*fits) : fit_text(*fits);
-  };
-  if (output.output != "-" && !print(text())) return refuse("standard output cannot be written");
+  Answer answer{*std::move(fits), found->many};
+  const bool good = say_what_is_wrong(answer.fits, found->many, output.quiet) && !interrupted;
+  if (spring.mass_line && !interrupted) {
+    auto line = mass_line(answer.fits, *parse_masses(spring.masses));
+    if (!line) return refuse(line.error().message);
+    warn(line->warnings, output.quiet);
+    answer.line = *std::move(line);
+  }
+  if (auto written = write_files(answer, output, motion); !written) return refuse(written.error().message);
+  if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))
+    return refuse("standard output cannot be written");
   return good ? done : no_success;
 }
 
