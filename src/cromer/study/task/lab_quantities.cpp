@@ -53,8 +53,17 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   if (options.goal.empty()) return {};
   const Result<Goal> goal = parse_goal(options.goal);
   if (!goal) return goal.error();
-  const Result<RecordingPlan> plan =
-      plan_recording(*goal, result.fit, record, si_unit_of(result.series.quantity), body, has_forces);
+  const std::string_view unit = si_unit_of(result.series.quantity);
+  const auto quantities_of = [&](const FreeDecay& fit) {
+    std::vector<NamedEstimate> all = law_parameters(fit, unit);
+    const auto add = [&](const std::vector<NamedEstimate>& more) {
+      all.insert(all.end(), more.begin(), more.end());
+    };
+    if (has_forces) add(force_parameters(fit, body));
+    add(derived_quantities(fit));
+    return all;
+  };
+  const Result<RecordingPlan> plan = plan_recording(*goal, result.fit, record, quantities_of);
   if (!plan) return plan.error();
   result.plan = *plan;
   return {};

@@ -108,22 +108,6 @@ double end_of_the_swing(const FreeDecay& fit) {
   return std::min(t, most_periods * period);
 }
 
-struct Question {
-  const Goal& goal;
-  std::string_view unit;
-  const Body& body;
-  bool has_forces;
-
-  std::optional<NamedEstimate> look_up(const FreeDecay& fit) const {
-    for (const auto& list :
-         {law_parameters(fit, unit), has_forces ? force_parameters(fit, body) : std::vector<NamedEstimate>{},
-          derived_quantities(fit)})
-      for (const NamedEstimate& number : list)
-        if (number.name == goal.quantity) return number;
-    return std::nullopt;
-  }
-};
-
 std::string seconds(double t) { return format_quantity({std::stod(fmt::format("{:.3g}", t)), 0}, "s"); }
 
 std::string certainty(const RecordingPlan& plan, bool relative, double error) {
@@ -145,15 +129,12 @@ std::string sentence(const RecordingPlan& plan, bool relative, double present, d
   if (plan.noise_ratio == 0)
     return fmt::format(
         "a longer record does not reach {}: {} is known to {}, and what limits it are the values given, such "
-        "as the "
-        "mass",
+        "as the mass",
         goal, plan.quantity, now);
   return fmt::format(
       "a longer record does not reach {}: after {} the swing has died down, and {} is known to {} however "
-      "long "
-      "one records; it takes {:.2g} times less noise or a start {:.2g} times as large, or {:.2g} times the "
-      "samples "
-      "per second if their noise is white",
+      "long one records; it takes {:.2g} times less noise or a start {:.2g} times as large, or {:.2g} times "
+      "the samples per second if their noise is white",
       goal, seconds(plan.duration), plan.quantity, certainty(plan, relative, plan.best), plan.noise_ratio,
       plan.noise_ratio, plan.rate_ratio);
 }
@@ -184,12 +165,18 @@ Result<Goal> parse_goal(std::string_view text) {
 }
 
 Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, const Record& record,
-                                     std::string_view unit, const Body& body, bool has_forces) {
-  const Question question{goal, unit, body, has_forces};
-  const auto now = question.look_up(fit);
+                                     const QuantitiesOf& quantities_of) {
+  const auto look_up = [&](const FreeDecay& in) -> std::optional<NamedEstimate> {
+    for (const NamedEstimate& number : quantities_of(in))
+      if (number.name == goal.quantity) return number;
+    return std::nullopt;
+  };
+  const auto now = look_up(fit);
   if (!now)
-    return Error{fmt::format("--goal: there is no {} in this fit; its law is {}{}", goal.quantity,
-                             to_text(fit.law), body.mass ? "" : ", and no --mass is given")};
+    return Error{
+        fmt::format("--goal: there is no {} in this fit; its law is {}, and quantities of force need a "
+                    "position and --mass",
+                    goal.quantity, to_text(fit.law))};
   const bool plain = now->unit == "1";
   const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
   if (!wanted) return Error{"--goal: " + wanted.error().message};
@@ -205,7 +192,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
 
   const Prospect prospect(fit, record);
   const auto error_after = [&](double duration) {
-    const auto then = question.look_up(prospect.after(duration));
+    const auto then = look_up(prospect.after(duration));
     return then && std::isfinite(then->estimate.standard_error) ? then->estimate.standard_error : HUGE_VAL;
   };
   const double present = record.t.back() - record.t.front();
@@ -231,7 +218,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
     certain.angular_frequency.standard_error = certain.decay_rate.standard_error = 0;
     if (certain.drag) certain.drag->standard_error = 0;
     if (certain.cubic) certain.cubic->standard_error = 0;
-    const double given = question.look_up(certain)->estimate.standard_error;
+    const double given = look_up(certain)->estimate.standard_error;
     const double own = std::sqrt(std::max(0.0, plan.best * plan.best - given * given));
     const double room = plan.goal * plan.goal - given * given;
     plan.noise_ratio = room > 0 ? own / std::sqrt(room) : 0;

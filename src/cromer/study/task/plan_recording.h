@@ -5,8 +5,10 @@
 // record's errors exceed it by (noise that is correlated or rounded) is taken to stay as it is.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "cromer/study/task/fitted_quantities.h"
 
@@ -37,9 +39,12 @@ struct RecordingPlan {
   std::string text;       ///< all this in a sentence
 };
 
-/// `fit` has values; `record` is the one it came from, `unit` that of the record. A goal for what this law
-/// does not have, or in a wrong unit, is an Error.
+/// The named quantities of a fit, with the errors that its covariance gives them.
+using QuantitiesOf = std::function<std::vector<NamedEstimate>(const FreeDecay& fit)>;
+
+/// `fit` has values; `record` is the one it came from. A goal for what this law does not have, or in a wrong
+/// unit, is an Error.
 Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, const Record& record,
-                                     std::string_view unit, const Body& body, bool has_forces);
+                                     const QuantitiesOf& quantities_of);
 
 }  // namespace cromer
