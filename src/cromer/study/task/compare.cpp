@@ -199,6 +199,9 @@ Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& wa
     viscous.segment = std::nullopt;
     viscous.segments = std::nullopt;
     viscous.disc_diameter = std::nullopt;
+    viscous.monte_carlo = std::nullopt;
+    viscous.goal.clear();
+    viscous.textbook = false;
     const Result<FittedRecording> fitted = fit_series(recording.series, recording.file, viscous, watch);
     if (!fitted) return fitted.error();
     if (watch.interrupted()) return NamedLaw{};
