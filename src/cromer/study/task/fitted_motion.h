@@ -1,8 +1,8 @@
 // Velocity and energy of a recorded motion without the bias of finite differences.
 //
-// A difference of neighbouring samples multiplies their noise and shrinks an oscillation. The fitted law's own
-// velocity does neither. Beside it stands a check that uses the samples alone: in a window of about a period
-// around each, a sinusoid and a level are fitted, whose slope in the middle is the velocity.
+// A difference of neighbouring samples multiplies their noise and shrinks an oscillation. The fitted law's
+// own velocity does neither. Beside it stands a check that uses the samples alone: in a window of about a
+// period around each, a sinusoid and a level are fitted, whose slope in the middle is the velocity.
 #pragma once
 
 #include <vector>
@@ -23,8 +23,8 @@ struct FittedMotion {
 };
 
 /// `fitted` has values, of a position, an angle or one of their derivatives: x and v are those of the
-/// displacement whatever was recorded; local_velocity is empty unless it was a displacement. An angle's energy
-/// is per moment of inertia.
+/// displacement whatever was recorded; local_velocity is empty unless it was a displacement. An angle's
+/// energy is per moment of inertia.
 FittedMotion fitted_motion(const FittedRecording& fitted);
 
 }  // namespace cromer
