@@ -47,6 +47,7 @@ std::string table(const std::vector<CompareResult>& comparisons) {
                       number(curve.r_squared, 6), number(curve.amplitude_ratio_end, 4),
                       number(curve.phase_drift, 4), curve.method, curve.label});
     if (!comparison.curves.empty()) out += text_table(rows, 0, 4);
+    if (const std::string sentence = explanation(comparison); !sentence.empty()) out += sentence + "\n";
   }
   return out;
 }

@@ -8,11 +8,16 @@
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
 #include "cromer/study/json/documents.h"
+#include "cromer/study/task/masses.h"
 #include "exit_status.h"
 #include "fit_csv.h"
 #include "fit_figure.h"
+#include "fit_files.h"
+#include "fit_spring.h"
+#include "fit_table.h"
 #include "fit_text.h"
 #include "message.h"
+#include "motion_csv.h"
 #include "output.h"
 #include "syntax.h"
 #include "watching.h"
@@ -20,18 +25,13 @@
 namespace cromer::cli {
 namespace {
 
-Result<std::vector<FittedRecording>> fit_all(const std::vector<std::string>& files, const FitOptions& options,
+/// One file that cannot be read ends the command; of many it is a row.
+Result<std::vector<FittedRecording>> fit_all(const RecordingFiles& found, const FitOptions& options,
                                              const Watch& watch) {
-  std::vector<FittedRecording> fits;
-  for (const auto& file : files) {
-    if (watch.interrupted() && !fits.empty()) break;
-    auto bytes = read_file(file);
-    if (!bytes) return bytes.error();
-    auto of_file = fit(*bytes, file, options, watch);
-    if (!of_file) return of_file.error();
-    std::move(of_file->begin(), of_file->end(), std::back_inserter(fits));
-  }
-  return fits;
+  if (found.many) return fit_files(found.files, options, watch);
+  const auto bytes = read_file(found.files.front());
+  if (!bytes) return bytes.error();
+  return fit(*bytes, found.files.front(), options, watch);
 }
 
 std::size_t files_of(const std::vector<FittedRecording>& fits) {
@@ -40,12 +40,54 @@ std::size_t files_of(const std::vector<FittedRecording>& fits) {
   return files;
 }
 
-Result<void> write_files(const std::vector<FittedRecording>& fits, const OutputOptions& output) {
+/// What all fits have given, and the line through them where one was asked for.
+struct Answer {
+  std::vector<FittedRecording> fits;
+  bool many = false;
+  std::optional<MassLine> line{};
+
+  std::string json() const { return line ? to_json(fits, *line) : to_json(fits, many); }
+  std::string text() const {
+    const std::string of_fits = many || line ? fit_table(fits) : fit_text(fits);
+    return line ? of_fits + mass_line_text(*line) : of_fits;
+  }
+  Figure figure() const { return line ? mass_line_figure(*line) : fit_figure(fits); }
+};
+
+Result<void> write_files(const Answer& answer, const OutputOptions& output, const std::string& motion) {
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
-    if (auto good = write_file(output.output, csv ? fit_csv(fits) : to_json(fits)); !good) return good;
+    if (auto good = write_file(output.output, csv ? fit_csv(answer.fits) : answer.json()); !good) return good;
   }
-  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, fit_figure(fits));
+  if (!motion.empty())
+    if (auto good = write_file(motion, motion_csv(answer.fits)); !good) return good;
+  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, answer.figure());
+}
+
+/// That the file of --motion can be written and nothing is lost by it.
+Result<void> check_motion(const std::string& motion, const OutputOptions& output,
+                          const std::vector<std::string>& inputs) {
+  if (motion.empty()) return {};
+  if (!motion.ends_with(".csv"))
+    return Error{fmt::format("--motion: {}: the motion is written as .csv", motion)};
+  if (motion == output.output) return Error{fmt::format("-o and --motion both name {}", motion)};
+  OutputOptions same;
+  same.output = motion;
+  return check_outputs(same, inputs);
+}
+
+/// Warnings and failures on standard error; whether all fits succeeded.
+bool say_what_is_wrong(const std::vector<FittedRecording>& fits, bool many, bool quiet) {
+  bool good = true;
+  for (const auto& fitted : fits) {
+    for (const auto& warning : fitted.warnings)
+      warn({many ? fmt::format("{}: {}", fitted.file, warning) : warning}, quiet);
+    if (fitted.succeeded()) continue;
+    complain(fmt::format("{}: run {}: {}: {}", fitted.file, fitted.series.run, fitted.status(),
+                         fitted.fit.message));
+    good = false;
+  }
+  return good;
 }
 
 }  // namespace
@@ -57,35 +99,52 @@ int run_fit(const Arguments& arguments) {
                 .description =
                     "The law of motion of a free oscillation, with uncertainties, from its recording. No "
                     "start values are needed.",
-                .files = "FILE...",
+                .files = "FILE|FOLDER...",
                 .options = options_of(options),
                 .example =
                     "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
                     "s\" --plot fit.svg"};
-  add_output_options(syntax.options, output, {}, "the table of quantities as .csv, or the document as .json");
+  SpringOptions spring;
+  const auto of_spring = options_of(spring);
+  syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());
+  add_output_options(syntax.options, output, {},
+                     "a table with a row for each recording as .csv, or the document as .json");
+  std::string motion;
+  syntax.options.push_back(
+      {"motion", &motion, "", Range::any,
+       "the motion sample by sample as .csv: t, measured, fitted x and v, energy, residual", "none",
+       "Output"});
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output, files); !good) return refuse(good.error().message);
+  if (auto good = check_fit_options(options); !good) return refuse(good.error().message);
+  if (auto good = check(spring); !good) return refuse(good.error().message);
+  const auto found = recording_files(files);
+  if (!found) return refuse(found.error().message);
+  if (auto good = check_outputs(output, found->files); !good) return refuse(good.error().message);
+  if (auto good = check_motion(motion, output, found->files); !good) return refuse(good.error().message);
+  warn(found->notes, output.quiet);
+  if (spring.held) return run_static(found->files, options, spring, output);
 
   const Watch watch = watching(output.quiet);
-  auto fits = fit_all(files, options, watch);
+  auto fits = fit_all(*found, options, watch);
   clear_progress();
   if (!fits) return refuse(fits.error().message);
-  bool ok = !watch.interrupted();
-  if (!ok)
+  const bool interrupted = watch.interrupted();
+  if (interrupted)
     complain(fmt::format("interrupted; what follows is what {} of {} files have given", files_of(*fits),
-                         files.size()));
-  for (const auto& fitted : *fits) {
-    warn(fitted.warnings, output.quiet);
-    if (fitted.fit.status == FitStatus::converged) continue;
-    complain(fmt::format("{}: run {}: {}: {}", fitted.file, fitted.series.run, name(fitted.fit.status),
-                         fitted.fit.message));
-    ok = false;
+                         found->files.size()));
+  Answer answer{*std::move(fits), found->many};
+  const bool good = say_what_is_wrong(answer.fits, found->many, output.quiet) && !interrupted;
+  if (spring.mass_line && !interrupted) {
+    auto line = mass_line(answer.fits, *parse_masses(spring.masses));
+    if (!line) return refuse(line.error().message);
+    warn(line->warnings, output.quiet);
+    answer.line = *std::move(line);
   }
-  if (auto good = write_files(*fits, output); !good) return refuse(good.error().message);
-  if (output.output != "-" && !print(output.json ? to_json(*fits) : fit_text(*fits)))
+  if (auto written = write_files(answer, output, motion); !written) return refuse(written.error().message);
+  if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))
     return refuse("standard output cannot be written");
-  return ok ? done : no_success;
+  return good ? done : no_success;
 }
 
 }  // namespace cromer::cli

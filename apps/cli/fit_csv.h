@@ -8,7 +8,9 @@
 
 namespace cromer::cli {
 
-/// One row per quantity: "file,column,run,quantity,value,standard_error,low,high,unit".
+/// One row per recording and run: "file,run,column,law,status", then every quantity that any of them has,
+/// with its standard error beside it ("stiffness (N/m),stiffness standard error (N/m)"), the residual and the
+/// message. What a recording has not is an empty cell.
 std::string fit_csv(const std::vector<FittedRecording>& fits);
 
 }  // namespace cromer::cli

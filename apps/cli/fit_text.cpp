@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cromer/base/quantity.h"
+#include "percent.h"
 #include "text_table.h"
 
 namespace cromer::cli {
@@ -77,6 +78,53 @@ std::string runner_up(const FittedRecording& fitted) {
                      to_text(chosen->law));
 }
 
+/// "70 % of it from the mass" for each part of the spring constant's variance that counts.
+std::string budget(const std::vector<Contribution>& contributions) {
+  std::string out;
+  for (const auto& each : contributions)
+    out += fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
+                       in_words(each.quantity).substr(2), each.contribution, percent(each.share));
+  return out;
+}
+
+std::string checked(const FittedRecording& fitted) {
+  const MonteCarlo& trials = *fitted.monte_carlo;
+  const Estimate& propagated = *fitted.find("stiffness");
+  const Quantity drawn{trials.mean, trials.standard_deviation};
+  return fmt::format(
+      "  spring constant by {} trials: {}, 95 % between {:.7g} and {:.7g}; propagated {:.7g} to {:.7g}\n",
+      trials.trials, format_quantity(drawn, "N/m"), trials.low, trials.high, propagated.low, propagated.high);
+}
+
+/// Each with what is wrong about it.
+std::string textbook(const FittedRecording& fitted) {
+  std::string out;
+  if (const auto& peaks = fitted.textbook->decrement)
+    out +=
+        fmt::format("  textbook: logarithmic decrement {} from {} peaks (noise lifts small peaks: too low)\n",
+                    format_quantity({peaks->value, peaks->standard_error}, ""), peaks->peaks);
+  else
+    out += "  textbook: fewer than three peaks stand out of the noise\n";
+  if (const auto& line = fitted.textbook->bandwidth)
+    out += fmt::format(
+        "  textbook: half-power bandwidth {} rad/s, so a decay rate of {} 1/s (too wide: a record of this "
+        "length "
+        "shows no line narrower than {} rad/s)\n",
+        rounded(line->width, 4), rounded(line->width / 2, 4), rounded(line->narrowest, 4));
+  else
+    out += "  textbook: the spectrum's line does not fall to half its power on both sides\n";
+  return out;
+}
+
+/// What was asked for beyond the table.
+std::string more(const FittedRecording& fitted) {
+  std::string out = budget(fitted.stiffness_budget);
+  if (fitted.monte_carlo && fitted.find("stiffness")) out += checked(fitted);
+  if (fitted.textbook) out += textbook(fitted);
+  if (fitted.plan) out += "  to record: " + fitted.plan->text + "\n";
+  return out;
+}
+
 std::string one_fit(const FittedRecording& fitted) {
   std::string out = heading(fitted);
   std::vector<std::vector<std::string>> rows;
@@ -92,6 +140,8 @@ std::string one_fit(const FittedRecording& fitted) {
   if (fitted.reynolds_max)
     rows.push_back({fmt::format("  largest Reynolds number, at {:.6g} s", fitted.reynolds_max_t),
                     quantity(*fitted.reynolds_max, "")});
+  if (fitted.keulegan_carpenter)
+    rows.push_back({"  largest Keulegan-Carpenter number", quantity(*fitted.keulegan_carpenter, "")});
   if (!fitted.parameters.empty())
     rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, si_unit(fitted))});
   if (fitted.held_out)
@@ -107,7 +157,8 @@ std::string one_fit(const FittedRecording& fitted) {
     for (const auto& candidate : fitted.candidates)
       out += fmt::format("  candidate {}, {}: residual {:.4g}{}, BIC {}\n", to_text(candidate.law),
                          candidate.between_samples, candidate.rms, unit.empty() ? "" : " " + unit,
-                         with_true_minus(fmt::format("{:.6g}", candidate.bic)));
+                         rounded(candidate.bic, 6));
+  out += more(fitted);
   if (!fitted.simulate.empty()) out += "  simulate it: " + fitted.simulate + "\n";
   return out;
 }

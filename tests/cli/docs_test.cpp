@@ -1,6 +1,7 @@
 // Every command that the documentation shows, run as it stands there.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -46,10 +47,11 @@ std::vector<std::string> words_of(const std::string& command) {
   return words;
 }
 
-TEST(Docs, EveryCommandShownWorks) {
-  const auto commands = commands_in(std::string(CROMER_SOURCE_DIR) + "/docs/methods.md");
-  EXPECT_GE(commands.size(), 8u);
+void expect_all_work(const std::string& page, std::size_t at_least) {
+  const auto commands = commands_in(std::string(CROMER_SOURCE_DIR) + "/docs/" + page);
+  EXPECT_GE(commands.size(), at_least);
   const Folder folder;
+  std::filesystem::create_directory_symlink(CROMER_SOURCE_DIR "/data", folder.path("data"));
   for (const auto& command : commands) {
     auto words = words_of(command);
     words.erase(words.begin());
@@ -58,6 +60,10 @@ TEST(Docs, EveryCommandShownWorks) {
     EXPECT_FALSE(end.out.empty()) << command;
   }
 }
+
+TEST(Docs, EveryCommandOfMethodsWorks) { expect_all_work("methods.md", 8); }
+
+TEST(Docs, EveryCommandOfIdentifyWorks) { expect_all_work("identify.md", 6); }
 
 }  // namespace
 }  // namespace cromer::test

@@ -66,7 +66,7 @@ TEST(Report, OfTheSpringLabAnswersItsQuestions) {
   if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
   const Lab lab("spring_lab.toml");
   ASSERT_EQ(lab.end.status, 0) << lab.end.err;
-  expect_figures(lab, 14);
+  expect_figures(lab, 15);
   EXPECT_THAT(lab.folder.read("out/index.html"), HasSubstr("synthetic"));
   EXPECT_NEAR(lab.value("one.stiffness"), 16.6, 0.02);
   EXPECT_NEAR(lab.value("two.stiffness"), 17.04, 0.02);

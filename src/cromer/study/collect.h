@@ -19,11 +19,13 @@ namespace cromer {
 void collect(const std::string& id, const SimulateResult& result, Results& results);
 
 /// "id": every parameter and derived quantity (with .low and .high), mass, samples, rms, segment.N.rate,
-/// decay_rate_mean, reynolds_*. Columns t, measured, displacement, mean, window_t, reynolds.
+/// decay_rate_mean, reynolds_*, keulegan_carpenter, first_rate, last_rate, stretches. Columns t, measured,
+/// displacement, mean, window_t, reynolds; amplitude, rate, law_rate, and bar_amplitude, bar_rate (error
+/// bars).
 void collect(const std::string& id, const FittedRecording& fitted, Results& results);
 
-/// "id" as for its fit, with column displacement; "id.N" for curve N: label, rms, amplitude_error_end,
-/// phase_drift, excess_max. Columns t, x, top_t, top, bottom_t, bottom.
+/// "id" as for its fit, with column displacement and explanation (a sentence); "id.N" for curve N: label,
+/// rms, amplitude_error_end, phase_drift, excess_max. Columns t, x, top_t, top, bottom_t, bottom.
 void collect(const std::string& id, const CompareResult& compared, Results& results);
 
 /// "id.N" for curve N: label, damping_ratio, peak, peak_frequency, peak_transmissibility,

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "cromer/analysis/envelope.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/collect.h"
@@ -47,6 +49,30 @@ void collect_reynolds(const std::string& id, const FittedRecording& fitted, Resu
   results.set_column(id + ".reynolds", std::move(value), "", "Reynolds number Re");
 }
 
+/// Points, their error bars (one below the other, with gaps), and the law's rate there.
+void collect_decay(const std::string& id, const FittedRecording& fitted, Results& results) {
+  if (fitted.decay_by_amplitude.empty()) return;
+  const std::string_view unit = si_unit_of(fitted.series.quantity);
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> amplitude, rate, law, bar_at, bar;
+  for (const AmplitudeRate& each : fitted.decay_by_amplitude) {
+    amplitude.push_back(each.amplitude);
+    rate.push_back(each.rate.value);
+    law.push_back(each.law_rate);
+    bar_at.insert(bar_at.end(), {each.amplitude, each.amplitude, each.amplitude});
+    bar.insert(bar.end(),
+               {each.rate.value - each.rate.standard_error, each.rate.value + each.rate.standard_error, gap});
+  }
+  results.set(id + ".first_rate", law.front(), "1/s");
+  results.set(id + ".last_rate", law.back(), "1/s");
+  results.set(id + ".stretches", static_cast<double>(rate.size()));
+  results.set_column(id + ".amplitude", std::move(amplitude), unit, "amplitude");
+  results.set_column(id + ".rate", std::move(rate), "1/s", "decay rate");
+  results.set_column(id + ".law_rate", std::move(law), "1/s", "decay rate");
+  results.set_column(id + ".bar_amplitude", std::move(bar_at), unit, "amplitude");
+  results.set_column(id + ".bar_rate", std::move(bar), "1/s", "decay rate");
+}
+
 void collect_columns(const std::string& id, const FittedRecording& fitted, Results& results) {
   const double mean = fitted.fit.equilibrium.value;
   const std::string_view unit = si_unit_of(fitted.series.quantity);
@@ -88,11 +114,15 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
   collect_segments(id, fitted, results);
   collect_reynolds(id, fitted, results);
+  collect_decay(id, fitted, results);
+  if (fitted.keulegan_carpenter)
+    set_estimate(results, id + ".keulegan_carpenter", *fitted.keulegan_carpenter, "");
   collect_columns(id, fitted, results);
 }
 
 void collect(const std::string& id, const CompareResult& compared, Results& results) {
   collect(id, compared.recording, results);
+  results.set(id + ".explanation", explanation(compared));
   const std::string_view unit = si_unit_of(compared.recording.series.quantity);
   std::vector<Envelope> envelopes;
   for (const ComparedCurve& curve : compared.curves)

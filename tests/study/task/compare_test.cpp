@@ -19,6 +19,23 @@ CompareResult compared(const Series& series, const CompareOptions& options) {
   return result.ok() ? *result : CompareResult{};
 }
 
+TEST(CompareTask, ExplainsTheMisfitInASentence) {
+  CompareOptions options;
+  options.fit.segment = 30;
+  options.fit.segments = 3;
+  options.method = "rk4";
+  const std::string drag = explanation(compared(disc_recording(), options));
+  EXPECT_THAT(drag, HasSubstr("One decay rate is not enough. It falls from 0.014"));
+  EXPECT_THAT(drag, HasSubstr("% too small, with viscous+drag 0.00030"));
+  options.fit.goal = "drag 1 %";  // not of the constant rate beside it
+  EXPECT_EQ(explanation(compared(disc_recording(), options)), drag);
+  options.fit = FitOptions{};
+  options.fit.law = "viscous";
+  EXPECT_THAT(explanation(compared(disc_recording(), options)),
+              HasSubstr("One decay rate is enough: with one"));
+  EXPECT_EQ(explanation(CompareResult{}), "");
+}
+
 TEST(CompareTask, OneConstantRateEndsTenPerCentOff) {
   CompareOptions options;
   options.fit.segment = 30;

@@ -127,7 +127,7 @@ TEST(FitTable, KeepsUncertaintiesWhereTheyAreUsed) {
   ASSERT_TRUE(assign(find(table, "segment"), "30 s").ok());
   EXPECT_EQ(options.segment, 30);
   ASSERT_TRUE(assign(find(table, "temperature"), "20 °C").ok());
-  EXPECT_DOUBLE_EQ(*options.temperature, 293.15);
+  EXPECT_DOUBLE_EQ(options.temperature->value, 293.15);
   EXPECT_FALSE(assign(find(table, "temperature"), "20").ok());
 }
 

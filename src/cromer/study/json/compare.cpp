@@ -23,6 +23,8 @@ Json document(const CompareResult& comparison) {
                       {"r_squared", curve.r_squared},
                       {"amplitude_ratio_end", curve.amplitude_ratio_end},
                       {"phase_drift", curve.phase_drift}});
+  if (const std::string sentence = explanation(comparison); !sentence.empty())
+    object["explanation"] = sentence;
   object["warnings"] = comparison.warnings;
   return object;
 }

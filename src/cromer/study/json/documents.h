@@ -8,8 +8,10 @@
 #include "cromer/study/task/compare.h"
 #include "cromer/study/task/fit.h"
 #include "cromer/study/task/inspect.h"
+#include "cromer/study/task/mass_line.h"
 #include "cromer/study/task/methods.h"
 #include "cromer/study/task/simulate.h"
+#include "cromer/study/task/static_stiffness.h"
 
 namespace cromer {
 
@@ -23,8 +25,14 @@ std::string to_json(std::span<const MethodRow> methods);
 /// What is in the file; `with_values` adds the columns' numbers.
 std::string to_json(const Inspection& inspection, bool with_values);
 
-/// The fit's object; {"fits": [...]} unless there is exactly one.
-std::string to_json(std::span<const FittedRecording> fits);
+/// The fit's object; {"fits": [...]} unless there is exactly one and no list is wanted.
+std::string to_json(std::span<const FittedRecording> fits, bool as_list = false);
+
+/// The spring constant by held extensions: parameters{stiffness}, line, holds.
+std::string to_json(const StaticStiffness& found);
+
+/// {"fits": [...], "mass_line": {...}}
+std::string to_json(std::span<const FittedRecording> fits, const MassLine& line);
 
 /// The comparison's object; {"comparisons": [...]} unless there is exactly one.
 std::string to_json(std::span<const CompareResult> comparisons);

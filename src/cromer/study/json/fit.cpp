@@ -36,13 +36,95 @@ Json reynolds(const FittedRecording& fitted) {
   return object;
 }
 
+Json keulegan_carpenter(const FittedRecording& fitted) {
+  if (!fitted.keulegan_carpenter) return nullptr;
+  const Estimate& number = *fitted.keulegan_carpenter;
+  return {{"max", number.value},
+          {"standard_error", number.standard_error},
+          {"confidence_95", {number.low, number.high}}};
+}
+
+Json decay_by_amplitude(const std::vector<AmplitudeRate>& rates) {
+  Json list = Json::array();
+  for (const auto& each : rates)
+    list.push_back({{"amplitude", each.amplitude},
+                    {"rate", each.rate.value},
+                    {"standard_error", each.rate.standard_error},
+                    {"law_rate", each.law_rate},
+                    {"from", each.from},
+                    {"to", each.to}});
+  return list;
+}
+
+Json stiffness_budget(const std::vector<Contribution>& budget) {
+  Json list = Json::array();
+  for (const auto& each : budget)
+    list.push_back({{"quantity", each.quantity},
+                    {"value", each.value},
+                    {"standard_uncertainty", each.standard_uncertainty},
+                    {"unit", each.unit},
+                    {"sensitivity", each.sensitivity},
+                    {"contribution", each.contribution},
+                    {"share", each.share}});
+  return list;
+}
+
+Json monte_carlo(const FittedRecording& fitted) {
+  const Estimate* stiffness = fitted.find("stiffness");
+  if (!fitted.monte_carlo || !stiffness) return nullptr;
+  const MonteCarlo& trials = *fitted.monte_carlo;
+  return {{"quantity", "stiffness"},
+          {"trials", trials.trials},
+          {"seed", trials.seed},
+          {"mean", trials.mean},
+          {"standard_deviation", trials.standard_deviation},
+          {"interval_95", {trials.low, trials.high}},
+          {"propagated",
+           {{"value", stiffness->value},
+            {"standard_error", stiffness->standard_error},
+            {"confidence_95", {stiffness->low, stiffness->high}}}},
+          {"unit", "N/m"}};
+}
+
+Json plan(const std::optional<RecordingPlan>& planned) {
+  if (!planned) return nullptr;
+  return {{"quantity", planned->quantity}, {"unit", planned->unit},
+          {"goal", planned->goal},         {"now", planned->now},
+          {"met", planned->met},           {"possible", planned->possible},
+          {"duration", planned->duration}, {"best", planned->possible ? Json(nullptr) : Json(planned->best)},
+          {"text", planned->text}};
+}
+
+Json textbook(const FittedRecording& fitted) {
+  if (!fitted.textbook) return nullptr;
+  Json object;
+  object["logarithmic_decrement"] = nullptr;
+  if (const auto& peaks = fitted.textbook->decrement)
+    object["logarithmic_decrement"] = {
+        {"value", peaks->value},
+        {"standard_error", peaks->standard_error},
+        {"peaks", peaks->peaks},
+        {"bias", "noise lifts small peaks: too low; a mean where the damping changes with amplitude"}};
+  object["half_power_bandwidth"] = nullptr;
+  if (const auto& line = fitted.textbook->bandwidth)
+    object["half_power_bandwidth"] = {
+        {"value", line->width},
+        {"unit", "rad/s"},
+        {"decay_rate", line->width / 2},
+        {"damping_ratio", line->width / (2 * line->angular_frequency)},
+        {"narrowest", line->narrowest},
+        {"bias", "too wide unless the record lasts until the swing has died down"}};
+  return object;
+}
+
 Json document(const FittedRecording& fitted) {
   const FreeDecay& fit = fitted.fit;
   Json object;
   object["recording"] = recording_object(fitted);
-  object["law"] = to_text(fit.law);
-  object["status"] = name(fit.status);
-  if (fit.status != FitStatus::converged) object["message"] = fit.message;
+  object["law"] = fitted.wrong_input ? Json(nullptr) : Json(to_text(fit.law));
+  object["status"] = fitted.status();
+  if (!fitted.succeeded()) object["message"] = fit.message;
+  if (fitted.wrong_input) return object;
   object["iterations"] = fit.iterations;
   // Only a recorded force has anything between its samples.
   object["between_samples"] = fitted.between_samples.empty() ? Json(nullptr) : Json(fitted.between_samples);
@@ -67,7 +149,13 @@ Json document(const FittedRecording& fitted) {
   object["decay_rate_mean"] = fitted.decay_rate_mean ? Json(fitted.decay_rate_mean->value) : Json(nullptr);
   object["decay_rate_mean_standard_error"] =
       fitted.decay_rate_mean ? Json(fitted.decay_rate_mean->standard_error) : Json(nullptr);
+  object["decay_by_amplitude"] = decay_by_amplitude(fitted.decay_by_amplitude);
   object["reynolds"] = reynolds(fitted);
+  object["keulegan_carpenter"] = keulegan_carpenter(fitted);
+  object["stiffness_budget"] = stiffness_budget(fitted.stiffness_budget);
+  object["monte_carlo"] = monte_carlo(fitted);
+  object["plan"] = plan(fitted.plan);
+  object["textbook"] = textbook(fitted);
   object["warnings"] = fitted.warnings;
   return object;
 }
@@ -92,14 +180,14 @@ Json recording_object(const FittedRecording& fitted) {
   return object;
 }
 
-std::string to_json(std::span<const FittedRecording> fits) {
-  if (fits.size() == 1) return to_text(document(fits.front()));
+std::string to_json(std::span<const FittedRecording> fits, bool as_list) {
+  if (fits.size() == 1 && !as_list) return to_text(document(fits.front()));
   Json all;
   Json& list = all["fits"] = Json::array();
   std::size_t failed = 0;
   for (const auto& fitted : fits) {
     list.push_back(document(fitted));
-    failed += fitted.fit.status != FitStatus::converged;
+    failed += !fitted.succeeded();
   }
   if (failed > 0)
     all["message"] = std::to_string(failed) + " of " + std::to_string(fits.size()) + " fits did not succeed";

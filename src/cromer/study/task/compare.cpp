@@ -198,6 +198,9 @@ Result<FittedRecording> with_law(const FittedRecording& recording, const Law& la
   options.segment = std::nullopt;
   options.segments = std::nullopt;
   options.disc_diameter = std::nullopt;
+  options.monte_carlo = std::nullopt;
+  options.goal.clear();
+  options.textbook = false;
   return fit_series(recording.series, recording.file, options, watch);
 }
 
@@ -289,6 +292,7 @@ Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_v
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
   for (const FittedRecording& recording : *fits) {
+    if (recording.wrong_input) return Error{std::string(file) + ": " + recording.fit.message};
     Result<CompareResult> one = compare_fitted(recording, options, watch);
     if (!one) return one.error();
     results.push_back(std::move(*one));

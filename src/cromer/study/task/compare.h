@@ -40,6 +40,10 @@ struct CompareResult {
   std::vector<std::string> warnings;
 };
 
+/// Whether one decay rate is enough, with its numbers, for people; empty where nothing was simulated to the
+/// end.
+std::string explanation(const CompareResult& comparison);
+
 /// The simulations beside one fitted recording; of a run that ended early (diverged, interrupted) the figures
 /// are NaN and a warning says when; one that grows tenfold is said to be unstable. A method that does not
 /// exist, or cannot integrate the law, and a step that is not positive or that no run could be made of, are

@@ -15,6 +15,7 @@
 #include "cromer/identify/free_part.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/lab_quantities.h"
 
 namespace cromer {
 namespace {
@@ -43,8 +44,14 @@ Result<void> check_options(const FitOptions& options) {
   if (options.spring_mass && !options.mass) return Error{"--spring-mass needs --mass as well"};
   if (options.disc_diameter && !(options.disc_diameter->value > 0))
     return must("disc-diameter", options.disc_diameter->value, "positive");
-  if (options.temperature && !(*options.temperature > 0))
-    return must("temperature", *options.temperature, "above 0 K");
+  if (options.temperature && !(options.temperature->value > 0))
+    return must("temperature", options.temperature->value, "above 0 K");
+  if (options.monte_carlo && !(*options.monte_carlo >= 1000 && *options.monte_carlo <= 10'000'000))
+    return must("monte-carlo", *options.monte_carlo, "between 1000 and 10000000 trials");
+  if (options.monte_carlo && !options.mass)
+    return Error{"--monte-carlo needs --mass: it checks the uncertainty of the spring constant"};
+  if (!options.goal.empty())
+    if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
   if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");
   const double rate = options.read.rate;
   if (rate != 0 && !(rate >= 1e-6 && rate <= 1e12)) return must("rate", rate, "between 1e-6 and 1e12 Hz");
@@ -170,7 +177,8 @@ std::string simulate_line(const FreeDecay& fit, const Series& series, double mas
   return line;
 }
 
-void add_reynolds(FittedRecording& result, const Quantity& diameter, double temperature, const Watch& watch) {
+void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quantity& temperature,
+                  const Watch& watch) {
   const int order = derivative_order(result.series.quantity);
   const bool length = is_linear_quantity(result.series.quantity) && order < 2;
   if (!length) {
@@ -195,7 +203,7 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, double temp
   if (watch.interrupted()) return;
   const Trajectory motion = motion_of(fit, t);
   const auto windows = speed_windows(motion.t, motion.v, window);
-  const double nu = air_kinematic_viscosity(temperature);
+  const double nu = air_kinematic_viscosity(temperature.value);
   const SpeedWindow* top = nullptr;
   for (const SpeedWindow& w : windows) {
     result.reynolds.push_back({w.t, reynolds_number(w.speed, diameter.value, nu)});
@@ -211,8 +219,10 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, double temp
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       variance += gradient.derivative[i] * fit.covariance[i * n + j] * gradient.derivative[j];
-  const double relative =
-      std::hypot(std::sqrt(std::max(0.0, variance)) / top->speed, diameter.uncertainty / diameter.value);
+  // The viscosity's change with temperature as a difference over its uncertainty, which is exact enough.
+  const double warmer = air_kinematic_viscosity(temperature.value + temperature.uncertainty);
+  const double relative = std::hypot(std::sqrt(std::max(0.0, variance)) / top->speed,
+                                     diameter.uncertainty / diameter.value, warmer / nu - 1);
   const double value = reynolds_number(top->speed, diameter.value, nu);
   result.reynolds_max = make_estimate(value, relative * value, fit.student);
   result.reynolds_max_t = top->at;
@@ -257,6 +267,25 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
     for (const NamedEstimate& number : *list)
       if (number.name == wanted) return &number.estimate;
   return nullptr;
+}
+
+Result<void> check_fit_options(const FitOptions& options) {
+  if (const Result<void> checked = check_options(options); !checked) return checked;
+  if (options.law.empty() || options.law == "auto") return {};
+  if (const Result<Law> law = parse_law(options.law); !law) return law.error();
+  return {};
+}
+
+FittedRecording not_fitted(std::string_view file, int run, std::string_view message) {
+  if (message.starts_with(file) && message.substr(file.size()).starts_with(": "))
+    message.remove_prefix(file.size() + 2);
+  FittedRecording row;
+  row.file = file;
+  row.series.run = run;
+  row.wrong_input = true;
+  row.fit.status = FitStatus::no_oscillation;
+  row.fit.message = message;
+  return row;
 }
 
 // A pause so long that the motion cannot be followed through it: a wrong time, or two recordings in one.
@@ -319,7 +348,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic});
   if (!has_values(result.fit)) return result;
 
-  const double temperature = options.temperature.value_or(293.15);
+  const Quantity temperature = options.temperature.value_or(Quantity{293.15, 0});
   const Body body{options.mass, options.spring_mass, options.disc_diameter, temperature};
   result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity), record.derivative);
   if (is_linear_quantity(result.series.quantity)) {
@@ -338,6 +367,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.decay_rate_mean = segments.mean;
   result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, temperature, watch);
+  if (const Result<void> asked = add_lab_quantities(result, record, body, watch); !asked)
+    return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
     result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
@@ -380,15 +411,22 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   if (!recording) return recording.error();
   const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(*recording);
   std::vector<FittedRecording> fits;
+  std::optional<Error> first_error;
+  bool any_read = false;
   for (int run : wanted) {
     Result<FittedRecording> one = fit_run(*recording, run, file, options, watch);
-    if (!one) {
-      const bool option = one.error().message.starts_with("--") || one.error().message.starts_with(file);
-      return option ? one.error() : Error{std::string(file) + ": " + one.error().message};
+    if (one) {
+      any_read = true;
+      one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
+      fits.push_back(std::move(*one));
+      continue;
     }
-    one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
-    fits.push_back(std::move(*one));
+    std::string message = one.error().message;
+    if (!message.starts_with("--") && !message.starts_with(file)) message = std::string(file) + ": " + message;
+    fits.push_back(not_fitted(file, run, message));
+    if (!first_error) first_error = Error{std::move(message)};
   }
+  if (!any_read && first_error) return *first_error;
   return fits;
 }
 

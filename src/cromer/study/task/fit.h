@@ -6,14 +6,18 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/analysis/textbook_damping.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
 #include "cromer/identify/forced_fit.h"
 #include "cromer/identify/free_decay.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/study/task/decay_by_amplitude.h"
 #include "cromer/study/task/decay_segments.h"
 #include "cromer/study/task/fitted_quantities.h"
+#include "cromer/study/task/plan_recording.h"
+#include "cromer/study/task/stiffness_budget.h"
 
 namespace cromer {
 
@@ -26,7 +30,7 @@ struct FitOptions {
   std::optional<Quantity> mass{};           // [kg] > 0
   std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
   std::optional<Quantity> disc_diameter{};  // [m] > 0
-  std::optional<double> temperature{};      // [K]; 293.15 by default
+  std::optional<Quantity> temperature{};    // [K] of the air; 293.15 by default
   std::optional<double> segment{};          // [s] > 0
   std::optional<int> segments{};            ///< > 0
   std::string force_column{};               ///< of a recorded force; "" where none drives
@@ -34,6 +38,16 @@ struct FitOptions {
   std::string drive_frequency{};     ///< of a harmonic drive, with its unit, or auto; "" where none drives
   bool recognise_drive = true;       ///< a motion that is no free one may be fitted as a driven one
   std::optional<double> hold_out{};  ///< share of the samples, above 0: the last ones, kept from the fit
+  std::string goal{};                       ///< "decay_rate 0.5 %": how long to record
+  std::optional<int> monte_carlo{};         ///< trials, 1000 to 1e7
+  unsigned long long seed = 1;              ///< of the trials
+  bool textbook = false;                    ///< decrement and bandwidth beside the fit
+};
+
+/// What textbooks would say of the damping; each empty where it cannot be had.
+struct TextbookDamping {
+  std::optional<PeakDecrement> decrement;
+  std::optional<HalfPowerBandwidth> bandwidth;
 };
 
 /// The largest Reynolds number within [t, t + 0.5 s).
@@ -70,14 +84,30 @@ struct FittedRecording {
   std::optional<Estimate> decay_rate_mean;
   std::vector<ReynoldsWindow> reynolds;
   std::optional<Estimate> reynolds_max;
-  double reynolds_max_t = 0;          // [s]
+  double reynolds_max_t = 0;                   // [s]
+  std::optional<Estimate> keulegan_carpenter;  ///< 2 pi A/D at the largest amplitude
+  std::vector<AmplitudeRate> decay_by_amplitude;
+  std::vector<Contribution> stiffness_budget;
+  std::optional<MonteCarlo> monte_carlo;
+  std::optional<RecordingPlan> plan;
+  std::optional<TextbookDamping> textbook;
   std::optional<ForcedFit> forced{};  ///< of a forced or driven motion; its motion at the series' times
   std::string between_samples{};      ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
   std::vector<std::string> warnings;
+  bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here
+
+  bool succeeded() const { return fit.status == FitStatus::converged; }
+  std::string_view status() const { return wrong_input ? "wrong_input" : name(fit.status); }
 
   const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
 };
+
+/// What is wrong with the options whatever the recording is.
+Result<void> check_fit_options(const FitOptions& options);
+
+/// The row of a recording that could not be read: its message without the file's name before it.
+FittedRecording not_fitted(std::string_view file, int run, std::string_view message);
 
 /// The samples from --from to --to, drop-outs among their outliers. An Error where none is left.
 Result<Series> samples_in_use(const Series& series, const FitOptions& options);
@@ -87,7 +117,8 @@ Result<Series> samples_in_use(const Series& series, const FitOptions& options);
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 
-/// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row.
+/// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row, and so is one
+/// of several runs that could not be read.
 Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
                                          const FitOptions& options, const Watch& watch = {});
 

@@ -154,7 +154,7 @@ void describe(FittedRecording& result, ForcedChoice&& choice, std::string_view f
   if (!has_values(result.fit) || !(result.fit.angular_frequency.value > 0)) return;
   const FitOptions& options = result.options;
   const Body body{options.mass, options.spring_mass, options.disc_diameter,
-                  options.temperature.value_or(293.15)};
+                  options.temperature.value_or(Quantity{293.15, 0})};
   const std::string_view unit = si_unit_of(result.series.quantity);
   result.parameters = forced_parameters(*result.forced, unit, force_unit, body);
   if (options.mass && unit != "m" && !unit.empty())

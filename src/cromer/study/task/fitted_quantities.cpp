@@ -86,11 +86,12 @@ std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& bo
     result.push_back({"friction_force", scaled(*fit.friction, m.value, u_m, fit.student), "N"});
   if (fit.cubic) result.push_back({"cubic_stiffness", scaled(*fit.cubic, m.value, u_m, fit.student), "N/m³"});
   if (fit.drag && body.disc_diameter) {
-    // d = rho S C_d / 2 with S = pi D²/4.
+    // d = rho S C_d / 2 with S = pi D²/4; rho goes as 1/T.
     const Quantity D = *body.disc_diameter;
     const double area = pi / 4 * D.value * D.value;
-    const double factor = 2 * m.value / (air_density(body.temperature) * area);
-    const double relative = std::hypot(u_m, 2 * D.uncertainty / D.value);
+    const double factor = 2 * m.value / (air_density(body.temperature.value) * area);
+    const double relative =
+        std::hypot(u_m, 2 * D.uncertainty / D.value, body.temperature.uncertainty / body.temperature.value);
     result.push_back({"drag_coefficient", scaled(*fit.drag, factor, relative, fit.student), "1"});
   }
   return result;

@@ -24,7 +24,7 @@ struct Body {
   std::optional<Quantity> mass{};           // [kg] > 0
   std::optional<Quantity> spring_mass{};    // [kg] >= 0
   std::optional<Quantity> disc_diameter{};  // [m] > 0
-  double temperature = 293.15;              // [K] > 0, of the air
+  Quantity temperature{293.15, 0};          // [K] > 0, of the air
 
   /// mass + spring_mass/3, [kg]; only with a mass.
   Quantity effective_mass() const;
@@ -35,7 +35,9 @@ struct Body {
 std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view observed, int derivative);
 
 /// With a mass and a record of lengths or its derivatives: stiffness, damping, drag_constant,
-/// friction_force, cubic_stiffness, and with a disc drag_coefficient.
+/// friction_force, cubic_stiffness, and with a disc drag_coefficient: C_d = 2 d/(rho S), where S = pi D^2/4
+/// and rho is dry air's density at the temperature. Averaged over a cycle that is 3 pi m q/(2 rho S w), q the slope of the
+/// decay rate against amplitude.
 std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& body);
 
 /// frequency (damped), period, damping_ratio, quality_factor, logarithmic_decrement. Infinite where there is

@@ -1,0 +1,134 @@
+#include "fit_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <mutex>
+#include <new>
+#include <string_view>
+#include <thread>
+
+#include "cromer/report/read_file.h"
+
+namespace cromer::cli {
+namespace {
+
+bool is_recording(const std::filesystem::path& path) {
+  constexpr std::string_view endings[] = {".csv", ".txt", ".tsv", ".dat", ".lvm", ".asc",
+                                          ".zip", ".at2", ".vt2", ".dt2", ".uff", ".unv"};
+  std::string ending = path.extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const bool hidden = path.filename().string().starts_with('.');
+  return !hidden && std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
+}
+
+Result<void> open_folder(const std::string& folder, RecordingFiles& found) {
+  std::error_code problem;
+  std::vector<std::string> names;
+  std::size_t left_aside = 0;
+  for (std::filesystem::directory_iterator at(folder, problem), end; !problem && at != end;
+       at.increment(problem)) {
+    std::error_code none;
+    if (at->is_regular_file(none) && is_recording(at->path()))
+      names.push_back(at->path().string());
+    else
+      ++left_aside;
+  }
+  if (problem) return Error{fmt::format("{}: cannot be read: {}", folder, problem.message())};
+  if (names.empty())
+    return Error{
+        fmt::format("{}: the folder holds no recording (a file ending in .csv, .txt, .tsv, .dat, .lvm or "
+                    ".zip; folders in "
+                    "it are not searched)",
+                    folder)};
+  if (left_aside > 0)
+    found.notes.push_back(
+        fmt::format("{}: {} of {} entries are no recordings by their ending and are left aside", folder,
+                    left_aside, left_aside + names.size()));
+  std::sort(names.begin(), names.end());
+  found.files.insert(found.files.end(), names.begin(), names.end());
+  return {};
+}
+
+/// How far all files together are, told to one listener from several threads.
+class SharedProgress {
+ public:
+  SharedProgress(const Watch& watch, std::size_t files) : watch_(watch), parts_(files, 0.0) {}
+
+  Watch of(std::size_t file) {
+    Watch part{watch_.interrupt, {}};
+    if (watch_.progress) part.progress = [this, file](double fraction) { tell(file, fraction); };
+    return part;
+  }
+
+  void tell(std::size_t file, double fraction) {
+    if (!watch_.progress) return;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    sum_ += fraction - parts_[file];
+    parts_[file] = fraction;
+    watch_.progress(sum_ / static_cast<double>(parts_.size()));
+  }
+
+ private:
+  const Watch& watch_;
+  std::mutex mutex_;
+  std::vector<double> parts_;
+  double sum_ = 0;
+};
+
+std::vector<FittedRecording> fit_file(const std::string& file, const FitOptions& options,
+                                      const Watch& watch) {
+  try {
+    const auto bytes = read_file(file);
+    if (!bytes) return {not_fitted(file, 1, bytes.error().message)};
+    auto fits = fit(*bytes, file, options, watch);
+    if (!fits) return {not_fitted(file, options.run.value_or(1), fits.error().message)};
+    return *std::move(fits);
+  } catch (const std::bad_alloc&) {
+    return {not_fitted(file, 1, "not enough memory for this file")};
+  }
+}
+
+}  // namespace
+
+Result<RecordingFiles> recording_files(const std::vector<std::string>& named) {
+  RecordingFiles found;
+  found.many = named.size() > 1;
+  for (const auto& name : named) {
+    std::error_code none;
+    if (!std::filesystem::is_directory(name, none)) {
+      found.files.push_back(name);
+      continue;
+    }
+    found.many = true;
+    if (auto good = open_folder(name, found); !good) return good.error();
+  }
+  return found;
+}
+
+std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, const FitOptions& options,
+                                       const Watch& watch) {
+  std::vector<std::vector<FittedRecording>> of_file(files.size());
+  SharedProgress progress(watch, files.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t i = next++; i < files.size() && !watch.interrupted(); i = next++) {
+      of_file[i] = fit_file(files[i], options, progress.of(i));
+      progress.tell(i, 1);
+    }
+  };
+  const std::size_t threads =
+      std::min<std::size_t>(files.size(), std::max(1u, std::thread::hardware_concurrency()));
+  std::vector<std::thread> others;
+  for (std::size_t i = 1; i < threads; ++i) others.emplace_back(work);
+  work();
+  for (auto& thread : others) thread.join();
+
+  std::vector<FittedRecording> fits;
+  for (auto& each : of_file) std::move(each.begin(), each.end(), std::back_inserter(fits));
+  return fits;
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,36 @@
+// The spring constant from several masses: by held extensions, or by their periods.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cromer/study/task/fit.h"
+#include "cromer/study/task/mass_line.h"
+#include "output.h"
+
+namespace cromer::cli {
+
+/// What `cromer fit` is asked instead of, or beyond, the law.
+struct SpringOptions {
+  bool held = false;       ///< --static
+  bool mass_line = false;  ///< --mass-line
+  std::string masses;
+  std::optional<Quantity> gravity;  // [m/s²]
+};
+
+std::vector<Option> options_of(SpringOptions& options);
+
+/// That the options go together, and the masses can be read.
+Result<void> check(const SpringOptions& options);
+
+/// `cromer fit --static`, from the files to the exit status.
+int run_static(const std::vector<std::string>& files, const FitOptions& fit, const SpringOptions& options,
+               const OutputOptions& output);
+
+/// The line's results in words, under the table of the fits.
+std::string mass_line_text(const MassLine& line);
+
+/// Period squared against mass.
+Figure mass_line_figure(const MassLine& line);
+
+}  // namespace cromer::cli

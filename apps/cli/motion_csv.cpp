@@ -1,0 +1,48 @@
+#include "motion_csv.h"
+
+#include <fmt/format.h>
+
+#include "cromer/record/dialects/column_kind.h"
+#include "cromer/report/csv.h"
+#include "cromer/study/task/fitted_motion.h"
+
+namespace cromer::cli {
+namespace {
+
+std::string heading(std::string_view name, std::string_view unit) {
+  return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
+}
+
+/// The unit of the displacement behind a column; of an unknown quantity none is known.
+std::string_view displacement_unit(const std::string& quantity) {
+  if (quantity.empty() || quantity == "voltage") return "";
+  return quantity.starts_with("ang") ? "rad" : "m";
+}
+
+}  // namespace
+
+std::string motion_csv(const std::vector<FittedRecording>& fits) {
+  std::string out;
+  for (const auto& fitted : fits) {
+    if (fitted.parameters.empty()) continue;
+    const FittedMotion motion = fitted_motion(fitted);
+    const std::string_view measured = si_unit_of(fitted.series.quantity),
+                           x = displacement_unit(fitted.series.quantity);
+    const std::string v = x.empty() ? "" : fmt::format("{}/s", x);
+    const std::string energy = motion.per_mass ? (x == "m" ? "J/kg" : x == "rad" ? "J/(kg m²)" : "") : "J";
+    std::vector<CsvColumn> columns{{"file", fitted.file},
+                                   {"run", fmt::format("{}", fitted.series.run)},
+                                   {"t (s)", std::span<const double>(motion.t)},
+                                   {heading("measured", measured), std::span<const double>(motion.measured)},
+                                   {heading("x", x), std::span<const double>(motion.x)},
+                                   {heading("v", v), std::span<const double>(motion.v)},
+                                   {heading("energy", energy), std::span<const double>(motion.energy)},
+                                   {heading("residual", measured), std::span<const double>(motion.residual)}};
+    if (!motion.local_velocity.empty())
+      columns.push_back({heading("v from the samples", v), std::span<const double>(motion.local_velocity)});
+    append_csv(out, columns, {}, out.empty());
+  }
+  return out;
+}
+
+}  // namespace cromer::cli

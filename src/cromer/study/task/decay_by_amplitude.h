@@ -1,0 +1,32 @@
+// The decay rate against the amplitude: measured on stretches of the record, each by itself, beside what the
+// law says there.
+#pragma once
+
+#include <vector>
+
+#include "cromer/analysis/amplitude_decay.h"
+#include "cromer/identify/free_decay.h"
+
+namespace cromer {
+
+struct AmplitudeRate {
+  double from, to;   // [s] the stretch
+  double amplitude;  ///< in its middle, unit of the record
+  Estimate rate;     // [1/s] of one decaying sinusoid fitted to the stretch alone
+  double law_rate;   // [1/s] the law's at that amplitude, averaged over a cycle
+};
+
+/// What the law's damping does to the amplitude.
+AmplitudeDecay amplitude_decay(const FreeDecay& fit);
+
+/// The largest swing that the law has from the first sample on: [unit of the record].
+double first_amplitude(const FreeDecay& fit);
+
+/// Stretches of at least two periods and twelve samples, as long as a rate takes to be known to a twentieth
+/// and no longer than a sixth of the record; at most 60 of them. A stretch whose rate is less certain than
+/// its size is left out. `fit` has values. Errors are widened for the correlation of the stretch's own
+/// residuals.
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDecay& fit,
+                                              const Watch& watch = {});
+
+}  // namespace cromer

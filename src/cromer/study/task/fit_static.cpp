@@ -1,0 +1,75 @@
+#include "cromer/study/task/fit_static.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/study/task/masses.h"
+
+namespace cromer {
+namespace {
+
+/// The samples from --from to --to.
+Result<Series> used(const Series& series, const FitOptions& options) {
+  Series part = series;
+  part.t.clear();
+  part.y.clear();
+  for (std::size_t i = 0; i < series.t.size(); ++i) {
+    if (series.t[i] < options.from.value_or(-HUGE_VAL) || series.t[i] > options.to.value_or(HUGE_VAL))
+      continue;
+    part.t.push_back(series.t[i]);
+    part.y.push_back(series.y[i]);
+  }
+  if (part.t.empty()) return Error{fmt::format("--from, --to: no sample of run {} is left", series.run)};
+  return part;
+}
+
+Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& options) {
+  const auto recording = read_recording(file.second, file.first, options.read);
+  if (!recording) return recording.error();
+  // How fast the samples came does not matter to a mass at rest.
+  ReadOptions read = options.read;
+  const auto& columns = recording->table.columns;
+  const bool timed =
+      std::any_of(columns.begin(), columns.end(), [](const Column& c) { return c.quantity == "time"; });
+  if (!timed && read.rate == 0) read.rate = 1;
+  std::vector<Series> found;
+  for (const int run : options.run ? std::vector<int>{*options.run} : runs(*recording)) {
+    const auto series = take_series(*recording, options.column, run, read);
+    if (!series) return series.error();
+    auto part = used(*series, options);
+    if (!part) return part.error();
+    found.push_back(*std::move(part));
+  }
+  return found;
+}
+
+}  // namespace
+
+Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options) {
+  const auto masses = parse_masses(options.masses);
+  if (!masses) return masses.error();
+  std::vector<Hold> holds;
+  std::size_t next = 0;
+  for (const NamedBytes& file : files) {
+    const auto series = runs_of(file, options.fit);
+    if (!series) return series.error();
+    const bool plateaus = files.size() == 1 && series->size() == 1;
+    const std::size_t count = plateaus ? masses->size() : series->size();
+    if (next + count > masses->size())
+      return Error{fmt::format("--masses: {} masses are given, and there are more holds: {} has {} run{}",
+                               masses->size(), file.first, series->size(), series->size() == 1 ? "" : "s")};
+    const auto first = masses->begin() + static_cast<std::ptrdiff_t>(next);
+    const auto found = find_holds(*series, file.first, {first, first + static_cast<std::ptrdiff_t>(count)});
+    if (!found) return found.error();
+    holds.insert(holds.end(), found->begin(), found->end());
+    next += count;
+  }
+  if (next < masses->size())
+    return Error{fmt::format("--masses: {} masses are given for {} hold{}", masses->size(), next,
+                             next == 1 ? "" : "s")};
+  return static_stiffness(std::move(holds), options.gravity);
+}
+
+}  // namespace cromer

@@ -1,0 +1,87 @@
+#include "cromer/study/task/fitted_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace cromer {
+namespace {
+
+int derivative_order(std::string_view quantity) {
+  if (quantity.find("velocity") != std::string_view::npos) return 1;
+  return quantity.find("acceleration") != std::string_view::npos ? 2 : 0;
+}
+
+/// The slope at `at` of E + A cos(w s) + B sin(w s), s = t - at, fitted to samples [first, last).
+double local_slope(const Series& series, std::size_t first, std::size_t last, double at, double w) {
+  Parameters right{};
+  SquareMatrix matrix{};
+  for (std::size_t i = first; i < last; ++i) {
+    const double phase = w * (series.t[i] - at);
+    const double row[] = {1, std::cos(phase), std::sin(phase)};
+    for (int j = 0; j < 3; ++j) {
+      right[j] += row[j] * series.y[i];
+      for (int k = 0; k < 3; ++k) matrix[j][k] += row[j] * row[k];
+    }
+  }
+  std::array<bool, max_parameters> all{};
+  all.fill(true);
+  const ScaledCholesky factor(matrix, 3, 0, all);
+  return factor.ok() ? w * factor.solve(right)[2] : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<double> local_velocities(const Series& series, double w) {
+  const double half = std::numbers::pi / w;
+  std::vector<double> v(series.t.size(), std::numeric_limits<double>::quiet_NaN());
+  std::size_t first = 0, last = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    while (series.t[first] < series.t[i] - half) ++first;
+    while (last < v.size() && series.t[last] <= series.t[i] + half) ++last;
+    // A window that is cut at the record's end would lean on one side.
+    const bool whole = series.t[i] - half >= series.t.front() && series.t[i] + half <= series.t.back();
+    if (whole && last - first >= 8) v[i] = local_slope(series, first, last, series.t[i], w);
+  }
+  return v;
+}
+
+}  // namespace
+
+FittedMotion fitted_motion(const FittedRecording& fitted) {
+  const Series& series = fitted.series;
+  const FreeDecay& fit = fitted.fit;
+  const MotionParameters p = fit.motion();
+  const Trajectory law = motion_of(fit, series.t);
+  FittedMotion motion;
+  motion.t.assign(law.t.begin(), law.t.end());
+  const std::size_t n = motion.t.size();
+  motion.measured.assign(series.y.begin(), series.y.begin() + static_cast<std::ptrdiff_t>(n));
+  for (std::size_t i = 0; i < n; ++i) motion.residual.push_back(series.y[i] - p.equilibrium - law.x[i]);
+  motion.x = law.x;
+  motion.v = law.v;
+  // A recorded velocity obeys the same linear law; what it is the derivative of follows from that law.
+  const double w2 = p.angular_frequency * p.angular_frequency;
+  for (int order = derivative_order(series.quantity); order > 0; --order)
+    for (std::size_t i = 0; i < n; ++i) {
+      const double v = motion.x[i];
+      motion.x[i] = -(motion.v[i] + 2 * p.decay_rate * v) / w2;
+      motion.v[i] = v;
+    }
+  double mass = 1;
+  if (const Estimate* stiffness = fitted.find("stiffness")) {
+    mass = stiffness->value / w2;
+    motion.per_mass = false;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double x2 = motion.x[i] * motion.x[i];
+    motion.energy.push_back(mass *
+                            (0.5 * motion.v[i] * motion.v[i] + 0.5 * w2 * x2 + 0.25 * p.cubic * x2 * x2));
+  }
+  if (derivative_order(series.quantity) == 0) {
+    motion.local_velocity = local_velocities(series, p.angular_frequency);
+    motion.local_velocity.resize(n);
+  }
+  return motion;
+}
+
+}  // namespace cromer

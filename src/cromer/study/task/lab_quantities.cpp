@@ -1,0 +1,72 @@
+#include "cromer/study/task/lab_quantities.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/record/dialects/column_kind.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+// KC = 2 pi A/D. The amplitude's error from those of the displacement and velocity at the first sample.
+void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
+  const FreeDecay& fit = result.fit;
+  const std::string& quantity = result.series.quantity;
+  if (quantity != "position" && quantity != "velocity" && !quantity.empty()) return;
+  const double w = fit.angular_frequency.value;
+  const double to_metres = quantity == "velocity" ? 1 / w : 1;
+  const double A = first_amplitude(fit);
+  if (!(A > 0)) return;
+  const double by_x = fit.position.value / A, by_v = fit.velocity.value / (w * w * A);
+  const double variance = by_x * by_x * fit.covariance_of("position", "position") +
+                          by_v * by_v * fit.covariance_of("velocity", "velocity") +
+                          2 * by_x * by_v * fit.covariance_of("position", "velocity");
+  const double value = two_pi * A * to_metres / diameter.value;
+  const double relative =
+      std::hypot(std::sqrt(std::max(0.0, variance)) / A, diameter.uncertainty / diameter.value);
+  result.keulegan_carpenter = make_estimate(value, relative * value, fit.student);
+}
+
+void add_textbook(FittedRecording& result, const Record& record) {
+  const double w0 = result.fit.angular_frequency.value, g = result.fit.decay_rate.value;
+  const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
+  std::vector<double> y(record.y.begin(), record.y.end());
+  for (double& each : y) each -= result.fit.equilibrium.value;
+  result.textbook = TextbookDamping{peak_decrement(record.t, y, two_pi / w, result.fit.residual.rms),
+                                    half_power_bandwidth(record.t, y, w)};
+}
+
+}  // namespace
+
+Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
+                                const Watch& watch) {
+  const FitOptions& options = result.options;
+  const bool has_forces = result.find("stiffness") != nullptr;
+  result.decay_by_amplitude = decay_by_amplitude(record, result.fit, watch);
+  if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
+  if (has_forces) result.stiffness_budget = stiffness_budget(result.fit, body);
+  if (has_forces && options.monte_carlo)
+    result.monte_carlo = stiffness_monte_carlo(result.fit, body, *options.monte_carlo, options.seed);
+  if (options.textbook) add_textbook(result, record);
+  if (options.goal.empty()) return {};
+  const Result<Goal> goal = parse_goal(options.goal);
+  if (!goal) return goal.error();
+  const std::string_view unit = si_unit_of(result.series.quantity);
+  const auto quantities_of = [&](const FreeDecay& fit) {
+    std::vector<NamedEstimate> all = law_parameters(fit, unit, record.derivative);
+    const auto add = [&](const std::vector<NamedEstimate>& more) {
+      all.insert(all.end(), more.begin(), more.end());
+    };
+    if (has_forces) add(force_parameters(fit, body));
+    add(derived_quantities(fit));
+    return all;
+  };
+  const Result<RecordingPlan> plan = plan_recording(*goal, result.fit, record, quantities_of);
+  if (!plan) return plan.error();
+  result.plan = *plan;
+  return {};
+}
+
+}  // namespace cromer

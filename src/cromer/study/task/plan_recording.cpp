@@ -1,0 +1,237 @@
+#include "cromer/study/task/plan_recording.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "cromer/base/nearest.h"
+#include "cromer/study/task/decay_by_amplitude.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::array<std::string_view, 19> known_quantities{"angular_frequency",
+                                                            "decay_rate",
+                                                            "drag",
+                                                            "friction",
+                                                            "cubic",
+                                                            "equilibrium",
+                                                            "position",
+                                                            "velocity",
+                                                            "stiffness",
+                                                            "damping",
+                                                            "drag_constant",
+                                                            "friction_force",
+                                                            "cubic_stiffness",
+                                                            "drag_coefficient",
+                                                            "frequency",
+                                                            "period",
+                                                            "damping_ratio",
+                                                            "quality_factor",
+                                                            "logarithmic_decrement"};
+constexpr double most_periods = 20'000;
+
+/// The covariance that records of other lengths would have.
+class Prospect {
+ public:
+  Prospect(const FreeDecay& fit, const Record& record) : fit_(fit), fitted_(fitted_parameters(fit.law)) {
+    const double duration = record.t.back() - record.t.front();
+    rate_ = static_cast<double>(record.t.size() - 1) / duration;
+    const SquareMatrix now = white(duration);
+    const std::size_t n = fit.names.size();
+    for (std::size_t i = 0; i < n; ++i) excess_.push_back(std::sqrt(fit.covariance[i * n + i] / now[i][i]));
+  }
+
+  double rate() const { return rate_; }
+
+  /// The fit as a record of this length would give it: the same values, its own covariance.
+  FreeDecay after(double duration) const {
+    FreeDecay fit = fit_;
+    const SquareMatrix covariance = white(duration);
+    const std::size_t n = fit.names.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        fit.covariance[i * n + j] = covariance[i][j] * excess_[i] * excess_[j];
+    const auto again = [&](std::string_view name, Estimate& estimate) {
+      estimate.standard_error = std::sqrt(std::max(0.0, fit.covariance_of(name, name)));
+    };
+    again("angular_frequency", fit.angular_frequency);
+    again("decay_rate", fit.decay_rate);
+    if (fit.drag) again("drag", *fit.drag);
+    if (fit.cubic) again("cubic", *fit.cubic);
+    again("equilibrium", fit.equilibrium);
+    again("position", fit.position);
+    again("velocity", fit.velocity);
+    return fit;
+  }
+
+ private:
+  /// The bound of white noise of the residual's size. Twenty points in a period stand for all samples.
+  SquareMatrix white(double duration) const {
+    const double period = 2 * std::numbers::pi / fit_.angular_frequency.value;
+    const double points = std::max(24.0, std::ceil(20 * duration / period));
+    std::vector<double> t(static_cast<std::size_t>(points)), y(t.size());
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = duration * (static_cast<double>(i) + 0.5) / points;
+    t.front() = 0;  // where the motion's start is
+    NormalEquations equations =
+        motion_equations(fit_.law, pack(fitted_, fit_.motion()), {t, y, 0}, period / 40);
+    const double samples_per_point = rate_ * duration / points;
+    const double variance = fit_.residual.rms * fit_.residual.rms;
+    for (int i = 0; i < fitted_.count; ++i)
+      for (int j = 0; j < fitted_.count; ++j) equations.matrix[i][j] *= samples_per_point / variance;
+    return inverse(equations.matrix, fitted_.count);
+  }
+
+  const FreeDecay& fit_;
+  FittedParameters fitted_;
+  double rate_ = 0;
+  std::vector<double> excess_;
+};
+
+/// When the swing has become too small to tell anything, or the counting of periods too long.
+double end_of_the_swing(const FreeDecay& fit) {
+  const AmplitudeDecay decay = amplitude_decay(fit);
+  const double period = 2 * std::numbers::pi / decay.angular_frequency;
+  const double first = first_amplitude(fit);
+  double A = first, t = 0;
+  while (A > 1e-3 * first && t < most_periods * period) {
+    // A step changes the amplitude by a twentieth at most.
+    const double step = std::min(0.05 / std::max(decay.rate(A), 1e-300), 0.01 * most_periods * period);
+    A *= std::exp(-decay.rate(A) * step);
+    t += step;
+  }
+  return std::min(t, most_periods * period);
+}
+
+std::string seconds(double t) { return format_quantity({std::stod(fmt::format("{:.3g}", t)), 0}, "s"); }
+
+std::string certainty(const RecordingPlan& plan, bool relative, double error) {
+  if (relative) return fmt::format("{:.2g} %", 100 * error / std::abs(plan.value));
+  return fmt::format("{:.2g}{}{}", error, plan.unit == "1" || plan.unit.empty() ? "" : " ",
+                     plan.unit == "1" ? "" : plan.unit);
+}
+
+std::string sentence(const RecordingPlan& plan, bool relative, double present, double rate) {
+  const std::string goal = certainty(plan, relative, plan.goal), now = certainty(plan, relative, plan.now);
+  if (plan.met)
+    return fmt::format("the goal is met: {} is known to {}, and {} were wanted; the first {} would do",
+                       plan.quantity, now, goal, seconds(plan.duration));
+  if (plan.possible)
+    return fmt::format(
+        "{} is known to {} from {}; for {} record {} from such a start ({:.0f} samples at {:.6g} a second)",
+        plan.quantity, now, seconds(present), goal, seconds(plan.duration), std::ceil(plan.duration * rate),
+        rate);
+  if (plan.noise_ratio == 0)
+    return fmt::format(
+        "a longer record does not reach {}: {} is known to {}, and what limits it are the values given, such "
+        "as the mass",
+        goal, plan.quantity, now);
+  return fmt::format(
+      "a longer record does not reach {}: after {} the swing has died down, and {} is known to {} however "
+      "long one records; it takes {:.2g} times less noise or a start {:.2g} times as large, or {:.2g} times "
+      "the samples per second if their noise is white",
+      goal, seconds(plan.duration), plan.quantity, certainty(plan, relative, plan.best), plan.noise_ratio,
+      plan.noise_ratio, plan.rate_ratio);
+}
+
+}  // namespace
+
+Result<Goal> parse_goal(std::string_view text) {
+  const auto blank = text.find(' ');
+  Goal goal{std::string(text.substr(0, blank)), false, ""};
+  if (std::find(known_quantities.begin(), known_quantities.end(), goal.quantity) == known_quantities.end()) {
+    const std::string near = nearest(goal.quantity, known_quantities);
+    return Error{
+        fmt::format("--goal: \"{}\" is no quantity of a fit{} Give a name and its standard "
+                    "uncertainty, for instance \"decay_rate 0.5 %\"",
+                    goal.quantity, near.empty() ? "." : "; did you mean " + near + "?")};
+  }
+  if (blank == std::string_view::npos)
+    return Error{fmt::format("--goal: how well is {} to be known? For instance \"{} 0.5 %\"", goal.quantity,
+                             goal.quantity)};
+  goal.text = text.substr(blank + 1);
+  goal.relative = goal.text.find('%') != std::string::npos;
+  if (goal.relative) {
+    const auto part = parse_quantity(goal.text, "");
+    if (!part) return Error{"--goal: " + part.error().message};
+    if (!(part->value > 0)) return Error{fmt::format("--goal: {} must be positive", goal.text)};
+  }
+  return goal;
+}
+
+Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, const Record& record,
+                                     const QuantitiesOf& quantities_of) {
+  const auto look_up = [&](const FreeDecay& in) -> std::optional<NamedEstimate> {
+    for (const NamedEstimate& number : quantities_of(in))
+      if (number.name == goal.quantity) return number;
+    return std::nullopt;
+  };
+  const auto now = look_up(fit);
+  if (!now)
+    return Error{
+        fmt::format("--goal: there is no {} in this fit; its law is {}, and quantities of force need a "
+                    "position and --mass",
+                    goal.quantity, to_text(fit.law))};
+  const bool plain = now->unit == "1";
+  const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
+  if (!wanted) return Error{"--goal: " + wanted.error().message};
+  if (!(wanted->value > 0)) return Error{fmt::format("--goal: {} must be positive", goal.text)};
+
+  RecordingPlan plan;
+  plan.quantity = goal.quantity;
+  plan.unit = now->unit;
+  plan.value = now->estimate.value;
+  plan.now = now->estimate.standard_error;
+  plan.goal = goal.relative ? wanted->value * std::abs(plan.value) : wanted->value;
+  plan.met = plan.now <= plan.goal;
+
+  const Prospect prospect(fit, record);
+  const auto error_after = [&](double duration) {
+    const auto then = look_up(prospect.after(duration));
+    return then && std::isfinite(then->estimate.standard_error) ? then->estimate.standard_error : HUGE_VAL;
+  };
+  const double present = record.t.back() - record.t.front();
+  const double last = std::max(present, end_of_the_swing(fit));
+  const double period = 2 * std::numbers::pi / fit.angular_frequency.value;
+  double low = std::min(present, 1.5 * period), high = present;
+  if (!plan.met) {
+    low = present;
+    while (high < last && error_after(high) > plan.goal) high = std::min(2 * high, last);
+    plan.best = error_after(high);
+    plan.possible = plan.best <= plan.goal;
+  }
+  if (plan.possible) {
+    for (int i = 0; i < 24 && high > 1.002 * low; ++i) {
+      const double middle = std::sqrt(low * high);
+      (error_after(middle) > plan.goal ? low : high) = middle;
+    }
+    plan.duration = high;
+  } else {
+    // What is left when the record says all: the mass's part.
+    FreeDecay certain = prospect.after(last);
+    for (double& c : certain.covariance) c = 0;
+    certain.angular_frequency.standard_error = certain.decay_rate.standard_error = 0;
+    if (certain.drag) certain.drag->standard_error = 0;
+    if (certain.cubic) certain.cubic->standard_error = 0;
+    const double given = look_up(certain)->estimate.standard_error;
+    const double own = std::sqrt(std::max(0.0, plan.best * plan.best - given * given));
+    const double room = plan.goal * plan.goal - given * given;
+    plan.noise_ratio = room > 0 ? own / std::sqrt(room) : 0;
+    plan.rate_ratio = plan.noise_ratio * plan.noise_ratio;
+    double useful_low = present, useful_high = last;  // within a hundredth of the best
+    for (int i = 0; i < 16 && useful_high > 1.01 * useful_low; ++i) {
+      const double middle = std::sqrt(useful_low * useful_high);
+      (error_after(middle) > 1.01 * plan.best ? useful_low : useful_high) = middle;
+    }
+    plan.duration = useful_high;
+  }
+  plan.text = sentence(plan, goal.relative, present, prospect.rate());
+  return plan;
+}
+
+}  // namespace cromer

@@ -1,0 +1,124 @@
+// What fit says beyond the law: the motion, the static way, the line of T² against mass, goals and budgets.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string disc = CROMER_SOURCE_DIR "/data/recording2.csv";
+const std::string shared = CROMER_SOURCE_DIR "/../shared/data/";
+
+TEST(FitLab, TellsBudgetTrialsAndPlan) {
+  const Finished end =
+      Folder().run({"fit", disc, "--mass", "217.6 ± 0.3 g", "--disc-diameter", "12 ± 0.1 cm", "--temperature",
+                    "20 ± 2 °C", "--monte-carlo", "20000", "--goal", "decay_rate 1 %", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto fit = end.json();
+  const auto& k = fit["parameters"]["stiffness"];
+  ASSERT_EQ(fit["stiffness_budget"].size(), 2u);
+  EXPECT_EQ(fit["stiffness_budget"][0]["quantity"], "mass");
+  EXPECT_GT(fit["stiffness_budget"][0]["share"], 0.999);
+  EXPECT_NEAR(fit["monte_carlo"]["standard_deviation"].get<double>() / k["standard_error"].get<double>(), 1,
+              0.03);
+  EXPECT_EQ(fit["monte_carlo"]["propagated"]["value"], k["value"]);
+  EXPECT_FALSE(fit["plan"]["met"]);
+  EXPECT_GT(fit["plan"]["duration"], 150);
+  EXPECT_NEAR(fit["keulegan_carpenter"]["max"].get<double>(), 2 * M_PI * 0.036 / 0.12, 0.003);
+  EXPECT_GE(fit["decay_by_amplitude"].size(), 10u);
+  EXPECT_TRUE(fit["textbook"].is_null());
+}
+
+TEST(FitLab, WritesTheMotionSampleBySample) {
+  Folder folder;
+  folder.write("lab.csv", recording(2000));
+  const Finished end =
+      folder.run({"fit", "lab.csv", "--law", "viscous", "--motion", "motion.csv", "--quiet"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const std::string csv = folder.read("motion.csv");
+  EXPECT_TRUE(csv.starts_with("file,run,t (s),measured (m),x (m),v (m/s),energy (J/kg),residual (m),"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 2001);
+  EXPECT_EQ(folder.run({"fit", "lab.csv", "--motion", "lab.csv"}).status, 2);
+  EXPECT_EQ(folder.run({"fit", "lab.csv", "--motion", "motion.txt"}).status, 2);
+}
+
+TEST(FitLab, FindsTheSpringOfTheCapstoneLabTheStaticWay) {
+  const std::string file = shared + "spring-disc-capstone-mm/Misure k statiche non_pretensionata.csv";
+  if (!std::ifstream(file)) GTEST_SKIP() << "no " << file;
+  const Finished end = Folder().run({"fit", "--static", "--masses", "48.4 g, 67.95 g, 87.96 g", "--gravity",
+                                     "9.805 m/s^2", file, "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto k = end.json()["parameters"]["stiffness"];
+  EXPECT_NEAR(k["value"].get<double>(), 3.226, 0.0015);
+  EXPECT_NEAR(k["standard_error"].get<double>(), 0.021, 0.001);
+}
+
+/// A swing of frequency w, 20 s at 100 a second, with a little noise.
+std::string swing(double w, unsigned seed) {
+  std::string text = "Time (s),Position (m)\n";
+  char row[64];
+  for (int i = 0; i < 2000; ++i) {
+    seed = seed * 1664525u + 1013904223u;
+    const double t = i / 100.0, noise = 1e-3 * (seed / 4294967296.0 - 0.5);
+    std::snprintf(row, sizeof row, "%.2f,%.6f\n", t, 0.05 * std::exp(-0.02 * t) * std::cos(w * t) + noise);
+    text += row;
+  }
+  return text;
+}
+
+TEST(FitLab, DrawsTheLineOfPeriodsSquaredAgainstMass) {
+  Folder folder;
+  const double k = 16, spring = 0.03;
+  int number = 0;
+  std::vector<std::string> words{"fit",         "--law",    "viscous",        "--quiet",
+                                 "--mass-line", "--masses", "100, 150, 200 g"};
+  for (const double m : {0.1, 0.15, 0.2}) {
+    const std::string name = std::to_string(++number) + ".csv";
+    folder.write(name, swing(std::sqrt(k / (m + spring / 3)), static_cast<unsigned>(number)));
+    words.push_back(name);
+  }
+  Finished end = folder.run(words);
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("T² against mass, 3 recordings: stiffness 1"));
+  words.push_back("--json");
+  const auto line = folder.run(words).json()["mass_line"];
+  const auto near = [](const auto& object, double truth, double relative) {
+    EXPECT_NEAR(object["value"].template get<double>(), truth,
+                4 * object["standard_error"].template get<double>());
+    EXPECT_NEAR(object["value"].template get<double>(), truth, relative * truth);
+  };
+  near(line["stiffness"], k, 1e-3);
+  near(line["spring_mass"], spring, 0.02);
+}
+
+TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
+  Folder folder;
+  folder.write("lab.csv", recording(2000));
+  const auto refused = [&](std::vector<std::string> words, const char* says) {
+    words.insert(words.begin(), {"fit", "lab.csv"});
+    const Finished end = folder.run(words);
+    EXPECT_EQ(end.status, 2) << says;
+    EXPECT_THAT(end.err, HasSubstr(says));
+  };
+  refused({"--static"}, "--static needs --masses");
+  refused({"--static", "--mass-line", "--masses", "1 g, 2 g"}, "two ways");
+  refused({"--masses", "1 g, 2 g"}, "--masses goes with");
+  refused({"--static", "--masses", "1 g"}, "at least two masses");
+  refused({"--static", "--masses", "1 g, 2 m"}, "--masses");
+  refused({"--static", "--masses", "1 g, 2 g, 3 g"}, "plateau");
+  refused({"--gravity", "9.8"}, "--gravity is for --static");
+  refused({"--mass-line", "--masses", "1 g, 2 g"}, "2 masses are given for 1");
+  refused({"--monte-carlo", "20000"}, "--monte-carlo needs --mass");
+  refused({"--monte-carlo", "10", "--mass", "1"}, "between 1000 and");
+  refused({"--goal", "decy_rate 1 %"}, "did you mean decay_rate?");
+}
+
+}  // namespace
+}  // namespace cromer::test

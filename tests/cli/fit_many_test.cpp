@@ -1,0 +1,105 @@
+// Many recordings and whole folders in one call.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// Five recordings with decay rates of their own, one that is none, and a file that is no recording's.
+void fill(const Folder& folder) {
+  std::filesystem::create_directory(folder.path("runs"));
+  for (int i = 1; i <= 5; ++i)
+    folder.write("runs/" + std::to_string(i) + ".csv", recording(1000 + 100 * i, 0.02 * i));
+  folder.write("runs/notes.md", "what we did");
+  folder.write("runs/words.csv", "Time (s),Position (m)\n0.00,here\n0.01,there\n");
+}
+
+TEST(FitMany, AFoldersRowsStandInItsNamesOrder) {
+  Folder folder;
+  fill(folder);
+  const Finished end = folder.run({"fit", "runs", "--law", "viscous", "--json"});
+  EXPECT_EQ(end.status, 1);  // words.csv
+  const auto document = end.json();
+  ASSERT_EQ(document["fits"].size(), 6u);
+  for (int i = 0; i < 5; ++i) {
+    const auto& fit = document["fits"][i];
+    EXPECT_EQ(fit["recording"]["file"], "runs/" + std::to_string(i + 1) + ".csv");
+    EXPECT_NEAR(fit["parameters"]["decay_rate"]["value"].get<double>(), 0.02 * (i + 1), 1e-5);
+  }
+  const auto& failed = document["fits"][5];
+  EXPECT_EQ(failed["status"], "wrong_input");
+  EXPECT_THAT(failed["message"].get<std::string>(), HasSubstr("no rows of numbers"));
+  EXPECT_EQ(document["message"], "1 of 6 fits did not succeed");
+  EXPECT_THAT(end.err, HasSubstr("1 of 7 entries"));
+}
+
+TEST(FitMany, EachIsFittedAsIfItWereAlone) {
+  Folder folder;
+  fill(folder);
+  const auto together = folder.run({"fit", "runs", "--json", "--quiet"}).json();
+  for (int i = 0; i < 5; ++i) {
+    const auto alone =
+        folder.run({"fit", "runs/" + std::to_string(i + 1) + ".csv", "--json", "--quiet"}).json();
+    EXPECT_EQ(together["fits"][i], alone);
+  }
+}
+
+TEST(FitMany, OneTableHasARowForEach) {
+  Folder folder;
+  fill(folder);
+  const Finished end = folder.run({"fit", "runs/1.csv", "runs/words.csv", "runs/2.csv", "-o", "all.csv"});
+  EXPECT_EQ(end.status, 1);
+  const std::string csv = folder.read("all.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 4);
+  EXPECT_TRUE(
+      csv.starts_with("file,run,column,law,status,angular_frequency (rad/s),angular_frequency standard"));
+  EXPECT_THAT(csv, HasSubstr("runs/words.csv,1,,,wrong_input,"));
+  EXPECT_THAT(csv, HasSubstr("no rows of numbers"));  // why
+  EXPECT_THAT(end.out, HasSubstr("wrong_input"));
+  EXPECT_THAT(end.out, HasSubstr("2 of 3 fits succeeded"));
+  EXPECT_LT(end.out.find("1.csv"), end.out.find("words.csv"));
+  EXPECT_LT(end.out.find("words.csv"), end.out.find("2.csv"));
+}
+
+TEST(FitMany, AnEmptyFolderOrAWrongOptionEndsItAll) {
+  Folder folder;
+  fill(folder);
+  std::filesystem::create_directory(folder.path("empty"));
+  Finished end = folder.run({"fit", "empty", "-o", "all.csv"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("empty: the folder holds no recording"));
+  EXPECT_FALSE(folder.has("all.csv"));
+  end = folder.run({"fit", "runs", "--law", "drg"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("did you mean drag?"));
+}
+
+TEST(FitMany, OneRunThatCannotBeReadLeavesTheOthers) {
+  Folder folder;
+  std::string text = "Time (s) Run #1,Position (m) Run #1,Time (s) Run #2,Position (m) Run #2\n";
+  const std::string rows = recording(1000);
+  std::size_t at = rows.find('\n') + 1;
+  for (int i = 0; i < 1000; ++i) {
+    const std::size_t end = rows.find('\n', at);
+    text += rows.substr(at, end - at) + ",,\n";
+    at = end + 1;
+  }
+  folder.write("two.csv", text);
+  const Finished end = folder.run({"fit", "two.csv", "--law", "viscous", "--json"});
+  EXPECT_EQ(end.status, 1) << end.out << end.err;
+  const auto document = end.json();
+  ASSERT_EQ(document["fits"].size(), 2u);
+  EXPECT_EQ(document["fits"][0]["status"], "converged");
+  EXPECT_EQ(document["fits"][1]["status"], "wrong_input");
+  EXPECT_EQ(document["fits"][1]["recording"]["run"], 2);
+}
+
+}  // namespace
+}  // namespace cromer::test
