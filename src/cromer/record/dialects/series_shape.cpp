@@ -22,6 +22,16 @@ double decimal_step(std::span<const double> values) {
   return 0;
 }
 
+/// All values of a short series, else as many of a long one as tell its rounding, evenly chosen.
+std::vector<double> even_choice(std::span<const double> values) {
+  constexpr std::size_t enough = 100'000;
+  const std::size_t stride = (values.size() + enough - 1) / enough;
+  std::vector<double> chosen;
+  chosen.reserve(values.size() / stride + 1);
+  for (std::size_t i = 0; i < values.size(); i += stride) chosen.push_back(values[i]);
+  return chosen;
+}
+
 /// The lower quartile of the changes from sample to sample, those that are none left out: the flicker of a
 /// signal at rest.
 double usual_small_change(std::span<const double> y) {
@@ -67,9 +77,10 @@ double median(std::vector<double> values) {
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
 }
 
-double rounding_step(std::span<const double> values) {
-  if (values.size() < 3) return 0;
-  std::vector<double> distinct(values.begin(), values.end());
+double rounding_step(std::span<const double> all) {
+  if (all.size() < 3) return 0;
+  const std::vector<double> values = even_choice(all);
+  std::vector<double> distinct = values;
   std::sort(distinct.begin(), distinct.end());
   const double range = distinct.back() - distinct.front();
   const double noise =

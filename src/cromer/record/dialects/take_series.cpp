@@ -169,6 +169,8 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
 
   std::vector<double> t, y, as_written;
   std::vector<long> lines;
+  for (auto* values : {&t, &y, &as_written}) values->reserve(value.values.size());
+  lines.reserve(value.values.size());
   for (std::size_t i = 0; i < value.values.size(); ++i) {
     const double at = time ? columns[*time].values[i] * seconds : static_cast<double>(i) / options.rate;
     const double y_si = value.values[i] * factor;
@@ -183,6 +185,8 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   const auto rising = dialects::keep_rising(t, lines);
   if (!rising) return refuse(concat({"column \"", series.time_column, "\": ", rising.error().message}));
   series.warnings.insert(series.warnings.end(), rising->warnings.begin(), rising->warnings.end());
+  for (auto* values : {&series.t, &series.y}) values->reserve(rising->kept.size());
+  series.lines.reserve(rising->kept.size());
   for (const std::size_t i : rising->kept) {
     series.t.push_back(t[i]);
     series.y.push_back(y[i]);
