@@ -48,13 +48,15 @@ std::string runner_up(const FittedRecording& fitted) {
       second = &candidate;
   if (!chosen || !second) return "";
   const std::string unit = si_unit(fitted);
-  return fmt::format(
-      "  chosen of {} laws; next is {}: residual {:.4g}{}, BIC {} than that of {}\n",
-      fitted.candidates.size(), to_text(second->law), second->rms, unit.empty() ? "" : " " + unit,
-      second->bic >= chosen->bic
-          ? fmt::format("{:.3g} higher", second->bic - chosen->bic)
-          : fmt::format("{:.3g} lower, but not all of its terms are sure,", chosen->bic - second->bic),
-      to_text(chosen->law));
+  return fmt::format("  chosen of {} laws; next is {}: residual {:.4g}{}, BIC {} than that of {}\n",
+                     fitted.candidates.size(), to_text(second->law), second->rms,
+                     unit.empty() ? "" : " " + unit,
+                     second->bic >= chosen->bic
+                         ? fmt::format("{:.3g} higher", second->bic - chosen->bic)
+                         : fmt::format("{:.3g} lower, {},", chosen->bic - second->bic,
+                                       chosen->bic - second->bic < 2 ? "too little to tell"
+                                                                     : "but with terms that are not sure"),
+                     to_text(chosen->law));
 }
 
 std::string one_fit(const FittedRecording& fitted) {

@@ -12,6 +12,8 @@
 #include "cromer/identify/choose_law.h"
 #include "cromer/identify/doubts.h"
 #include "cromer/identify/drop_outs.h"
+#include "cromer/identify/free_part.h"
+#include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
 
 namespace cromer {
@@ -120,7 +122,8 @@ void set_drop_outs_aside(Series& series) {
 }
 
 // Samples that the fit itself set aside join the outliers too.
-void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside) {
+void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
+                   std::vector<std::string>& warnings) {
   if (aside.empty()) return;
   for (const std::size_t i : aside) {
     const auto at = static_cast<std::size_t>(
@@ -129,7 +132,7 @@ void list_outliers(Series& series, const FittedSamples& samples, const std::vect
   }
   std::sort(series.outliers.begin(), series.outliers.end(),
             [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  series.warnings.push_back(fmt::format(
+  warnings.push_back(fmt::format(
       "{} {} far from the fitted motion and from {} neighbours, the first at {:.6g} s, and {} set "
       "aside",
       aside.size() == 1 ? "one sample" : fmt::format("{} samples", aside.size()),
@@ -280,16 +283,29 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.options = options;
   result.series = std::move(*used);
   set_drop_outs_aside(result.series);
-  const FittedSamples samples = without_outliers(result.series);
+  result.warnings = result.series.warnings;
+  FittedSamples samples = without_outliers(result.series);
+  if (!options.from && !options.to) {
+    const auto part = find_free_part({samples.t, samples.y, result.series.resolution});
+    if (part) {
+      FitOptions later = options;
+      later.from = part->from;
+      const std::size_t before = result.series.t.size();
+      result.series = *used_part(result.series, later);
+      samples = without_outliers(result.series);
+      result.warnings.push_back(
+          fmt::format("{}: only what follows, {} of {} samples, is taken for a free motion; --from and --to "
+                      "choose another part",
+                      part->reason, result.series.t.size(), before));
+    }
+  }
   const Record record{samples.t, samples.y, result.series.resolution,
                       std::max(0, derivative_order(result.series.quantity))};
 
   Result<LawChoice> choice = fit_law(record, result.series, options, result.warnings, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;
-  list_outliers(result.series, samples, result.fit.outliers);
-  result.warnings.insert(result.warnings.begin(), result.series.warnings.begin(),
-                         result.series.warnings.end());
+  list_outliers(result.series, samples, result.fit.outliers, result.warnings);
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const FreeDecay& candidate : choice->candidates)
     if (has_values(candidate))
@@ -322,6 +338,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   }
   const std::vector<std::string> doubtful = doubts(record, result.fit);
   result.warnings.insert(result.warnings.end(), doubtful.begin(), doubtful.end());
+  const std::vector<std::string> modes = second_modes(record, result.fit, si_unit_of(result.series.quantity));
+  result.warnings.insert(result.warnings.end(), modes.begin(), modes.end());
   if (!result.fit.residual.white)
     result.warnings.push_back(fmt::format(
         "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "

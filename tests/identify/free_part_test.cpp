@@ -1,0 +1,96 @@
+#include "cromer/identify/free_part.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/identify/free_motion.h"
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A motion with noise at 50 Hz.
+template <class Motion>
+SyntheticRecord recorded(double duration, double noise, const Motion& motion) {
+  SyntheticRecord record{even_times(static_cast<std::size_t>(duration * 50), 0.02), {}, 0};
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal(0, noise);
+  for (const double t : record.t) record.y.push_back(motion(t) + normal(engine));
+  return record;
+}
+
+// Amplitude 1 where free, from t on.
+double decay(double t, double rate = 0.05) { return t < 0 ? 1 : std::exp(-rate * t); }
+
+TEST(FreePart, ADriveThatStops) {
+  for (const double rate : {0.02, 0.05, 0.2}) {
+    const auto record = recorded(150, 0.01, [&](double t) {
+      return (1 - std::exp(-rate * t)) * decay(t - 90, rate) * std::cos(6 * t) + 0.3;
+    });
+    const auto part = find_free_part(record.record());
+    ASSERT_TRUE(part.has_value()) << rate;
+    EXPECT_GE(part->from, 89.9) << rate;
+    EXPECT_LE(part->from, 93) << rate;
+    EXPECT_NE(part->reason.find("drive"), std::string::npos);
+  }
+}
+
+TEST(FreePart, HeldDisplacedAndLetGo) {
+  for (const double release : {0.8, 3.0, 20.0}) {
+    const auto record = recorded(80, 0.005, [&](double t) {
+      return t < release ? 1.0 : decay(t - release) * std::cos(6 * (t - release));
+    });
+    const auto part = find_free_part(record.record());
+    ASSERT_TRUE(part.has_value()) << release;
+    EXPECT_NEAR(part->from, release, 0.1);
+  }
+}
+
+TEST(FreePart, AtRestAndSetGoing) {
+  const auto record = recorded(80, 0.005, [](double t) {
+    return t < 5 ? 0 : t < 6 ? 0.5 * (1 - std::cos(pi * (t - 5))) : decay(t - 6) * std::cos(6 * (t - 6));
+  });
+  const auto part = find_free_part(record.record());
+  ASSERT_TRUE(part.has_value());
+  EXPECT_GE(part->from, 6);
+  EXPECT_LE(part->from, 7);
+}
+
+TEST(FreePart, NoneWhereItIsFreeFromTheStart) {
+  for (const double noise : {1e-4, 0.02, 0.1})
+    for (const double phase : {0.0, 0.7, pi / 2, pi})
+      for (const double rate : {0.0, 0.002, 0.01, 0.05, 0.3}) {
+        const auto record =
+            recorded(120, noise, [&](double t) { return decay(t, rate) * std::cos(6 * t + phase); });
+        EXPECT_FALSE(find_free_part(record.record()).has_value()) << noise << " " << phase << " " << rate;
+      }
+  // Friction, drag, and all the frequency does in a large swing.
+  const MotionParameters motions[] = {
+      {.angular_frequency = 6, .friction = 0.3, .position = 1},
+      {.angular_frequency = 6, .friction = 0.3, .position = -1, .velocity = 1},
+      {.angular_frequency = 6, .drag = 0.1, .position = 1},
+      {.angular_frequency = 4, .decay_rate = 0.03, .position = 2.5, .pendulum = true}};
+  for (const MotionParameters& motion : motions) {
+    SyntheticRecord record{even_times(6000, 0.02), {}, 0};
+    record.y = free_motion(motion, record.t, 5e-3).x;
+    EXPECT_FALSE(find_free_part(record.record()).has_value());
+  }
+}
+
+TEST(FreePart, BeatsAreNotADriveThatStops) {
+  for (const double beat : {0.05, 0.1, 0.3})
+    for (const double share : {0.3, 0.8, 1.0})
+      for (const double phase : {0.0, 1.5, 3.0}) {
+        const auto record = recorded(100, 0.01, [&](double t) {
+          return decay(t, 0.005) * (std::cos(6 * t) + share * std::cos((6 + beat) * t + phase));
+        });
+        EXPECT_FALSE(find_free_part(record.record()).has_value()) << beat << " " << share << " " << phase;
+      }
+}
+
+}  // namespace
+}  // namespace cromer
