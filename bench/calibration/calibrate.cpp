@@ -62,6 +62,7 @@ const Estimate* estimate_of(const FreeDecay& fit, std::string_view name) {
   if (name == "angular_frequency") return &fit.angular_frequency;
   if (name == "decay_rate") return &fit.decay_rate;
   if (name == "drag") return fit.drag ? &*fit.drag : nullptr;
+  if (name == "friction") return fit.friction ? &*fit.friction : nullptr;
   if (name == "cubic") return fit.cubic ? &*fit.cubic : nullptr;
   if (name == "equilibrium") return &fit.equilibrium;
   if (name == "position") return &fit.position;
@@ -182,14 +183,24 @@ Tally calibrate(const TrueLaw& truth, const Condition& condition, std::size_t re
 Choices choose(const TrueLaw& truth, const Condition& condition, double strength, std::size_t records,
                const Progress& progress) {
   const Law law = *parse_law(truth.law);
-  const std::vector<Motion> all = motions(weakened(truth, law, condition, strength), law, condition);
+  const std::vector<Motion> all =
+      motions(strength > 0 ? weakened(truth, law, condition, strength) : truth.oscillator, law, condition);
   std::vector<Law> chosen(records);
   in_parallel(records, progress, [&](std::size_t i) {
     const SimulatedRecord record =
         simulate_record(all[i % phases].waveform, condition, seed_of(truth.law, condition.name, i));
     chosen[i] = choose_law(record.record(), {}).chosen.law;
   });
-  Choices choices{truth.law, condition.name, records, strength};
+  Choices choices{truth.law, condition.name, records, HUGE_VAL};
+  const FittedParameters fitted = fitted_parameters(law);
+  for (int i = 0; i < fitted.count; ++i) {
+    const std::string_view name = fitted.name[i];
+    if (name != "decay_rate" && name != "drag" && name != "friction" && name != "cubic") continue;
+    double mean = 0;
+    for (const Motion& motion : all)
+      mean += std::abs(motion.waveform.truth.of(name)) / motion.bound[i] / phases;
+    choices.strength = std::min(choices.strength, mean);
+  }
   for (const Law& each : chosen) {
     const double share = 1 / static_cast<double>(records);
     choices.right += each == law ? share : 0;

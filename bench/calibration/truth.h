@@ -27,6 +27,9 @@ inline constexpr TrueLaw true_laws[] = {
     {"viscous+drag", {.stiffness = stiffness, .damping = 0.08, .drag = 0.8}},
     {"viscous+cubic", {.stiffness = stiffness, .damping = 0.14, .cubic = -400}},
     {"viscous+drag+cubic", {.stiffness = stiffness, .damping = 0.08, .drag = 0.8, .cubic = -400}},
+    {"friction", {.stiffness = stiffness, .friction = 0.012}},
+    {"viscous+friction", {.stiffness = stiffness, .damping = 0.08, .friction = 0.006}},
+    {"viscous+friction+cubic", {.stiffness = stiffness, .damping = 0.08, .friction = 0.006, .cubic = -400}},
 };
 
 /// A law, where its motion begins, and about which value the sensor sees it.

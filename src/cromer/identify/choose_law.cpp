@@ -97,6 +97,7 @@ LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const
   FreeDecayOptions one = options;
   for (std::size_t i = 1; i < laws.size(); ++i) {
     one.law = laws[i];
+    if (refuse_record(record, one.law)) continue;  // too few samples for its parameters
     FreeDecay fit = fit_motion(record, one, beginning.known(one.law, record.t.front()), watch, true);
     if (watch.interrupted()) break;
     candidates.push_back(std::move(fit));

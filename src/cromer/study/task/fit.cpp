@@ -13,6 +13,7 @@
 #include "cromer/identify/doubts.h"
 #include "cromer/identify/drop_outs.h"
 #include "cromer/identify/free_part.h"
+#include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/lab_quantities.h"
@@ -130,7 +131,8 @@ void set_drop_outs_aside(Series& series) {
 }
 
 // Samples that the fit itself set aside join the outliers too.
-void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside) {
+void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
+                   std::vector<std::string>& warnings) {
   if (aside.empty()) return;
   for (const std::size_t i : aside) {
     const auto at = static_cast<std::size_t>(
@@ -139,7 +141,7 @@ void list_outliers(Series& series, const FittedSamples& samples, const std::vect
   }
   std::sort(series.outliers.begin(), series.outliers.end(),
             [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  series.warnings.push_back(fmt::format(
+  warnings.push_back(fmt::format(
       "{} {} far from the fitted motion and from {} neighbours, the first at {:.6g} s, and {} set "
       "aside",
       aside.size() == 1 ? "one sample" : fmt::format("{} samples", aside.size()),
@@ -339,9 +341,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   Result<LawChoice> choice = fit_law(record, result.series, options, result.warnings, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;
-  list_outliers(result.series, samples, result.fit.outliers);
-  result.warnings.insert(result.warnings.begin(), result.series.warnings.begin(),
-                         result.series.warnings.end());
+  list_outliers(result.series, samples, result.fit.outliers, result.warnings);
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const FreeDecay& candidate : choice->candidates)
     if (has_values(candidate))
@@ -376,6 +376,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   }
   const std::vector<std::string> doubtful = doubts(record, result.fit);
   result.warnings.insert(result.warnings.end(), doubtful.begin(), doubtful.end());
+  const std::vector<std::string> modes = second_modes(record, result.fit, si_unit_of(result.series.quantity));
+  result.warnings.insert(result.warnings.end(), modes.begin(), modes.end());
   if (!result.fit.residual.white)
     result.warnings.push_back(fmt::format(
         "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "
