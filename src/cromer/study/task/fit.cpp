@@ -13,6 +13,7 @@
 #include "cromer/identify/doubts.h"
 #include "cromer/identify/drop_outs.h"
 #include "cromer/identify/free_part.h"
+#include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
 
 namespace cromer {
@@ -317,6 +318,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   }
   const std::vector<std::string> doubtful = doubts(record, result.fit);
   result.warnings.insert(result.warnings.end(), doubtful.begin(), doubtful.end());
+  const std::vector<std::string> modes = second_modes(record, result.fit, si_unit_of(result.series.quantity));
+  result.warnings.insert(result.warnings.end(), modes.begin(), modes.end());
   if (!result.fit.residual.white)
     result.warnings.push_back(fmt::format(
         "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "

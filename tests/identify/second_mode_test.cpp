@@ -1,0 +1,75 @@
+#include "cromer/identify/second_mode.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cromer/identify/choose_law.h"
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+using testing::HasSubstr;
+
+// A decaying swing of amplitude 0.036 at 8.849 rad/s and something else, with noise.
+template <class Other>
+std::vector<ResidualLine> lines_beside(const Other& other, std::vector<std::string>* sentences = nullptr,
+                                       unsigned seed = 1) {
+  SyntheticRecord record = viscous_record({.g = 0.02, .velocity = 0}, even_times(4000, 0.01), 3e-4, 0, seed);
+  for (std::size_t i = 0; i < record.t.size(); ++i) record.y[i] += other(record.t[i]);
+  const FreeDecay fit = fit_free_decay(record.record(), {.law = {}});
+  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
+  if (sentences) *sentences = second_modes(record.record(), fit, "m");
+  return residual_lines(record.record(), fit);
+}
+
+TEST(SecondMode, NoneInWhiteNoise) {
+  for (unsigned seed = 1; seed <= 50; ++seed)
+    EXPECT_TRUE(lines_beside([](double) { return 0.0; }, nullptr, seed).empty()) << seed;
+}
+
+TEST(SecondMode, NoneWhereTheLawIsWrongButTheSwingIsOne) {
+  // Drag and a cubic spring seen by the viscous law: what is left lies about the swing's own line, and at
+  // its third harmonic at most.
+  const MotionParameters motion{.angular_frequency = 8.849, .drag = 0.5, .cubic = 3000, .position = 0.036};
+  SyntheticRecord record{even_times(4000, 0.01), {}, 0};
+  record.y = free_motion(motion, record.t, 1e-3).x;
+  const FreeDecay fit = fit_free_decay(record.record(), {.law = {}});
+  for (const ResidualLine& line : residual_lines(record.record(), fit)) EXPECT_EQ(line.harmonic, 3);
+}
+
+TEST(SecondMode, ASecondModeHasItsFrequencyAndAmplitude) {
+  for (const double w : {5.3, 10.1, 13.7, 31.0}) {
+    std::vector<std::string> sentences;
+    const auto lines =
+        lines_beside([&](double t) { return 0.002 * std::exp(-0.03 * t) * std::cos(w * t + 1); }, &sentences);
+    ASSERT_EQ(lines.size(), 1u) << w;
+    EXPECT_NEAR(lines[0].angular_frequency, w, 0.02);
+    EXPECT_NEAR(lines[0].amplitude, 0.002, 0.0004);
+    EXPECT_EQ(lines[0].harmonic, 0);
+    ASSERT_EQ(sentences.size(), 1u);
+    EXPECT_THAT(sentences[0], HasSubstr("a second mode"));
+  }
+}
+
+TEST(SecondMode, TheModesOfCoupledPendulums) {
+  const auto lines = lines_beside([](double t) { return 0.03 * std::exp(-0.02 * t) * std::cos(9.9 * t); });
+  ASSERT_FALSE(lines.empty());
+  EXPECT_NEAR(lines[0].angular_frequency, 9.9, 0.02);
+  EXPECT_NEAR(lines[0].amplitude, 0.03, 0.004);
+}
+
+TEST(SecondMode, HarmonicsAreCalledThat) {
+  for (const int multiple : {2, 3}) {
+    std::vector<std::string> sentences;
+    const auto lines = lines_beside(
+        [&](double t) { return 0.001 * std::exp(-multiple * 0.02 * t) * std::cos(multiple * 8.849 * t); },
+        &sentences);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].harmonic, multiple);
+    EXPECT_THAT(sentences[0], HasSubstr("harmonic"));
+  }
+}
+
+}  // namespace
+}  // namespace cromer
