@@ -19,9 +19,9 @@
 #include "bench/cases.h"
 #include "bench/stopwatch.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/driven_oscillator.h"
+#include "cromer/model/terms.h"
 #include "cromer/report/csv.h"
-#include "cromer/run/solve.h"
+#include "cromer/study/task/run_law.h"
 
 namespace {
 
@@ -41,10 +41,13 @@ struct Kept {
 
 void ours(const ForcedRun& run, std::string_view method, KeepEvery& keep) {
   keep.clear();
-  with_terms(run.oscillator, run.drive, [&](const auto& system) {
-    return visit_method(
-        method, {}, [&](const auto& m) { return solve(system, m, run.interval, run.start, run.step, keep); });
-  });
+  run_law({.oscillator = run.oscillator,
+           .drive = run.drive,
+           .method = method,
+           .interval = run.interval,
+           .start = run.start,
+           .control = run.step},
+          keep);
 }
 
 using OdeintState = std::array<double, 2>;

@@ -55,13 +55,14 @@ int run_fit(const Arguments& arguments) {
   OutputOptions output;
   Syntax syntax{.command = "fit",
                 .description =
-                    "The law of motion of a free oscillation, with uncertainties, from its recording. No "
-                    "start values are needed.",
+                    "The law of motion of a free or a driven oscillation, with uncertainties, from its "
+                    "recording. No start values are needed.",
                 .files = "FILE...",
                 .options = options_of(options),
                 .example =
                     "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
-                    "s\" --plot fit.svg"};
+                    "s\" --plot fit.svg\n"
+                    "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
   add_output_options(syntax.options, output, {}, "the table of quantities as .csv, or the document as .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;

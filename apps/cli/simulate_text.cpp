@@ -12,6 +12,7 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/study/task/run_effect.h"
+#include "cromer/study/task/run_invariants.h"
 #include "percent.h"
 #include "text_table.h"
 
@@ -120,7 +121,7 @@ std::string steady_tables(const SimulateResult& result) {
                      text_table(through, 0, 7));
 }
 
-/// What each method made of the law: once for all its runs where they say the same.
+/// What each method made of the law, and what it conserves: once for all its runs where they say the same.
 std::string effects(const SimulateResult& result) {
   std::vector<std::pair<const SimulatedRun*, std::string>> said;
   for (const auto& run : result.runs)
@@ -135,6 +136,8 @@ std::string effects(const SimulateResult& result) {
   }
   std::string text;
   for (const auto& line : lines) text += line;
+  for (const auto& run : result.runs)
+    if (auto words = modified_energy_in_words(run); !words.empty()) text += words + "\n";
   return text.empty() ? text : "\n" + text;
 }
 

@@ -69,7 +69,8 @@ TEST(Dual, MayBeDividedAndMultipliedByItself) {
   x *= x;
   EXPECT_EQ(x.value, 9);
   EXPECT_EQ(x.derivative[0], 6);
-  x /= x;
+  const auto& itself = x;
+  x /= itself;
   EXPECT_EQ(x.value, 1);
   EXPECT_EQ(x.derivative[0], 0);
 }

@@ -169,6 +169,32 @@ TEST(Simulate, ASensorWritesWhatALoggerWould) {
   }
 }
 
+TEST(Simulate, SaysWhatEulerCromerConserves) {
+  const Folder folder;
+  const std::vector<std::string> arguments{"simulate", "--stiffness", "36",      "--step", "0.01",
+                                           "--until",  "1e3",         "--every", "100",    "--compensated"};
+  const Finished words = folder.run(arguments);
+  ASSERT_EQ(words.status, 0) << words.err;
+  EXPECT_THAT(words.out, HasSubstr("conserves a modified energy"));
+  EXPECT_THAT(words.out, HasSubstr("(compensated sums)"));
+  auto with_json = arguments;
+  with_json.emplace_back("--json");
+  const auto run = folder.run(with_json).json()["runs"].at(0);
+  EXPECT_EQ(run["compensated"], true);
+  EXPECT_EQ(run["modified_energy"]["start"], 18.0);
+  EXPECT_EQ(run["modified_energy"]["states"], 1001);
+  EXPECT_LT(run["modified_energy"]["drift"].get<double>(), 1e-13);
+  EXPECT_NEAR(run["modified_energy"]["energy_swing"].get<double>(), 0.03, 1e-4);
+  // A study may ask for it too.
+  folder.write("long.toml",
+               "summary = \"{long.1.modified_energy_drift}\"\n[[task]]\nsimulate = \"long\"\nstiffness = 36\n"
+               "step = 0.01\nuntil = 100\ncompensated = true\n");
+  const Finished report = folder.run({"report", "long.toml", "-o", "out"});
+  ASSERT_EQ(report.status, 0) << report.err;
+  const auto results = nlohmann::json::parse(folder.read("out/results.json"), nullptr, false);
+  EXPECT_EQ(results["long.1.modified_energy"]["value"], 18.0);
+}
+
 TEST(Simulate, StandardOutputTakesCsv) {
   const Folder folder;
   const Finished end = folder.run({"simulate", "--step", "0.1", "--until", "1", "-o", "-"});

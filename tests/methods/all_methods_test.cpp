@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <type_traits>
-#include <vector>
 
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
-#include "tests/support/problems.h"
+#include "tests/support/every_method.h"
 
 namespace cromer {
 namespace {
@@ -22,69 +19,7 @@ using Free = DrivenOscillator<double, Terms{}>;
 const Oscillating damped_and_driven({1, 9, 0.4, 0, 0, 0}, {1.0, 2.0, 0.3});
 const Free undamped({1, 9, 0, 0, 0, 0}, {});
 
-class EveryMethod : public testing::TestWithParam<std::string_view> {
- protected:
-  const MethodInfo& info() const { return *find_method(GetParam()); }
-
-  template <class F>
-  auto with_method(F&& f) const {
-    return visit_method(GetParam(), MethodSettings{.newton = {.tolerance = 1e-14}}, f);
-  }
-
-  /// The end of a run in steps of one length, also for methods that would choose their own.
-  template <class S, class Real>
-  State<Real> end(const S& system, State<Real> start, double until, double step) const {
-    return with_method([&](const auto& method) {
-      State<Real> y = start;
-      using M = std::decay_t<decltype(method)>;
-      if constexpr (AdaptiveMethod<M, S, Real>) {
-        const Steps steps = count_steps({0, until}, step);
-        auto memory = method.start(system, 0.0, y);
-        for (long long n = 0; n < steps.whole; ++n)
-          y = method.step(system, static_cast<double>(n) * step, step, y, memory).y;
-        if (steps.last > 0) y = method.step(system, until - steps.last, steps.last, y, memory).y;
-      } else {
-        const Outcome outcome = solve(system, method, {0, until}, start, step,
-                                      [&](double, const State<Real>& reached) { y = reached; });
-        EXPECT_EQ(outcome.status, Status::reached_end);
-      }
-      return y;
-    });
-  }
-
-  template <class S>
-  State<double> end(const S& system, State<double> start, double until, double step) const {
-    return end<S, double>(system, start, until, step);
-  }
-};
-
-INSTANTIATE_TEST_SUITE_P(Registry, EveryMethod, testing::ValuesIn(method_names), [](const auto& test) {
-  std::string name(test.param);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
-
-TEST_P(EveryMethod, MeetsThePublishedStates) {
-  const auto truth_file = problems::read("discrete.json");
-  int compared = 0;
-  for (const auto& [name, problem] : truth_file.items()) {
-    const auto& methods = problem.at("methods");
-    if (!methods.contains(std::string(GetParam()))) continue;
-    const problems::Problem p(problem.at("parameters"));
-    const double h = problems::number(problem, "step");
-    for (const auto& entry : methods.at(std::string(GetParam()))) {
-      const double until = entry.at("steps").get<double>() * h;
-      const State<double> y = with_terms(p.oscillator, p.drive,
-                                         [&](const auto& system) { return end(system, p.start, until, h); });
-      const double x = problems::number(entry, "x"), v = problems::number(entry, "v");
-      EXPECT_NEAR(y.x, x, 1e-11 * std::max(1.0, std::abs(x))) << name << " after " << entry.at("steps");
-      EXPECT_NEAR(y.v, v, 1e-11 * std::max(1.0, std::abs(v))) << name << " after " << entry.at("steps");
-      ++compared;
-    }
-  }
-  if (compared == 0) GTEST_SKIP() << "not in the file";
-  EXPECT_EQ(compared, 20);
-}
+INSTANTIATE_TEST_SUITE_P(Registry, EveryMethod, testing::ValuesIn(method_names), name_of_test);
 
 TEST_P(EveryMethod, HasTheDeclaredOrder) {
   const State<double> start{0.5, -0.3};
@@ -247,44 +182,6 @@ TEST_P(EveryMethod, TabulatedDriveIsTheDrive) {
   const State<double> without = end(Untabulated{}, {1, 0}, 1000.0337, 0.01);
   EXPECT_NEAR(with_table.x, without.x, 1e-13);
   EXPECT_NEAR(with_table.v, without.v, 1e-13);
-}
-
-TEST(Registry, NamesAreUniqueAndFound) {
-  for (const auto name : method_names) {
-    EXPECT_EQ(std::count(method_names.begin(), method_names.end(), name), 1);
-    ASSERT_NE(find_method(name), nullptr);
-    EXPECT_EQ(find_method(name)->name, name);
-    EXPECT_EQ(visit_method(name, {}, [](const auto& method) { return method.info.name; }), name);
-    EXPECT_FALSE(find_method(name)->source.empty());
-  }
-  EXPECT_EQ(find_method("leapfrog"), nullptr);
-}
-
-TEST(Registry, HasEveryMethodOfThePublishedStates) {
-  const auto truth_file = problems::read("discrete.json");
-  for (const auto& [name, problem] : truth_file.items())
-    for (const auto& [method, states] : problem.at("methods").items())
-      EXPECT_NE(find_method(method), nullptr) << method << " in " << name;
-}
-
-TEST(Registry, SuggestsTheNearestName) {
-  EXPECT_TRUE(check_method_name("verlet").ok());
-  const auto wrong = check_method_name("euler-kromer");
-  ASSERT_FALSE(wrong.ok());
-  EXPECT_NE(wrong.error().message.find("did you mean euler-cromer"), std::string::npos)
-      << wrong.error().message;
-}
-
-TEST(Registry, SettingsReachTheMethod) {
-  const MethodSettings settings{
-      .newton = {.tolerance = 1e-5, .iteration_limit = 3}, .beta = 0.2, .gamma = 0.6, .rho_inf = 0.4};
-  EXPECT_EQ(make_method<ImplicitEuler>(settings).newton, settings.newton);
-  EXPECT_EQ(make_method<Newmark>(settings).beta, 0.2);
-  EXPECT_EQ(make_method<Newmark>(settings).gamma, 0.6);
-  EXPECT_EQ(make_method<GeneralizedAlpha>(settings).rho_inf, 0.4);
-  int methods = 0;
-  for_each_method(settings, [&](const auto&) { ++methods; });
-  EXPECT_EQ(methods, static_cast<int>(method_names.size()));
 }
 
 }  // namespace

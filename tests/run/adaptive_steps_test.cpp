@@ -46,12 +46,18 @@ TEST(AdaptiveSteps, TheErrorFollowsTheTolerance) {
     const problems::Problem p(entry.at("parameters"));
     const double t = problems::number(entry, "t"), x = problems::number(entry, "x"),
                  v = problems::number(entry, "v");
+    // Along the whole run, where errors of one moment that happen to cancel do not count.
+    const auto fine = run(p.oscillator, p.drive, t, {0.01, 1e-15}, p.start);
+    ASSERT_LT(std::hypot(fine.outcome.y.x - x, fine.outcome.y.v - v), 1e-13);
     // The slope of log(error) over log(tolerance), by least squares.
     double n = 0, sum_a = 0, sum_b = 0, sum_aa = 0, sum_ab = 0;
     for (double exponent = -6; exponent >= -12; exponent -= 0.5) {
       const double tolerance = std::pow(10, exponent);
-      const State<double> y = run(p.oscillator, p.drive, t, {0.01, tolerance}, p.start).outcome.y;
-      const double error = std::hypot(y.x - x, y.v - v);
+      const Trajectory kept = run(p.oscillator, p.drive, t, {0.01, tolerance}, p.start).trajectory;
+      double error = 0;
+      for (std::size_t i = 0; i < kept.size(); ++i)
+        error =
+            std::max(error, std::hypot(kept.x[i] - fine.trajectory.x[i], kept.v[i] - fine.trajectory.v[i]));
       EXPECT_LT(error, 25 * tolerance) << tolerance;
       EXPECT_GT(error, tolerance / 50) << tolerance << ": steps wasted";
       n += 1, sum_a += exponent, sum_b += std::log10(error);
@@ -111,12 +117,6 @@ TEST(AdaptiveSteps, WakeUpFromRest) {
   // x'' + 4 x = sin 3t from rest: (sin 2t 3/2 - sin 3t)/5.
   EXPECT_NEAR(y.y.x, (1.5 * std::sin(20.0) - std::sin(30.0)) / 5, 1e-7);
   EXPECT_LT(y.counts.accepted, 2000);
-}
-
-TEST(AdaptiveSteps, AreNoLongerThanAsked) {
-  const auto outcome = run({.mass = 1, .stiffness = 9}, {}, 10, {0.5, 1e-3, 0.01}, {1, 0}).outcome;
-  EXPECT_GE(outcome.counts.accepted, 1000);
-  EXPECT_LT(outcome.counts.accepted, 1010);
 }
 
 TEST(AdaptiveSteps, ARestThatIsOnlyRoundingIsCheap) {

@@ -26,11 +26,9 @@ EventLog watch_for(std::vector<Event> events, std::string_view method, StepContr
                    State<double> start = {1, 0}) {
   EventLog log{.events = std::move(events)};
   KeepEvery keep(1, count_steps({0, until}, control.step));
-  const Oscillator<double> spring{.mass = 1, .stiffness = 9};
-  const Outcome end = with_terms(spring, HarmonicDrive<double>{}, [&](const auto& system) {
-    return visit_method(method, {}, [&](const auto& m) {
-      return solve(system, m, {0, until}, start, control, keep, {}, {}, &log);
-    });
+  const DrivenOscillator<double, Terms{}> spring({.mass = 1, .stiffness = 9}, {});
+  const Outcome end = visit_method(method, {}, [&](const auto& m) {
+    return solve(spring, m, {0, until}, start, control, keep, {}, {}, &log);
   });
   if (outcome) *outcome = end;
   if (trajectory) *trajectory = keep.take();

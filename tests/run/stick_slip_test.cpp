@@ -28,7 +28,7 @@ struct Run {
 Run run(const Oscillator<double>& oscillator, const HarmonicDrive<double>& drive, std::string_view name,
         double until, StepControl control, State<double> start, EventLog* events = nullptr) {
   KeepEvery keep(1, count_steps({0, until}, control.step));
-  const Outcome outcome = with_terms(oscillator, drive, [&](const auto& system) {
+  const Outcome outcome = with_dry_friction(oscillator, drive, [&](const auto& system) {
     return visit_method(name, {}, [&](const auto& method) {
       return solve(system, method, {0, until}, start, control, keep, {}, {}, events);
     });

@@ -16,6 +16,7 @@
 #include "cromer/run/course.h"
 #include "cromer/run/fixed_steps.h"
 #include "cromer/run/keep.h"
+#include "cromer/run/stepper.h"
 #include "cromer/run/stick_slip.h"
 
 namespace cromer {
@@ -55,10 +56,13 @@ requires(ExactSystem<SlidingSystem<S>, double>) EnergyBalance
   Course<double> course{0, start};
   KeepNone keep_none;
   Power work{};
-  const auto slide = [&](const auto& arc, int direction) {
+  const Exact exact;
+  const auto slide = [&](int direction) {
+    const auto arc = system.sliding(direction);
     const double from = course.t;
     const State<double> y0 = course.y;
-    take_fixed_steps(arc, Exact{}, rows, {direction, nullptr}, course, keep_none, {}, {});
+    StepperOf stepper(arc, exact, from, y0);
+    take_fixed_steps(stepper, rows, {direction, nullptr}, course, keep_none, {}, {});
     work.distance += std::abs(course.y.x - y0.x);
     if (law.decay_rate > 0) work.square += square_over_arc(arc, law, y0, from, course.t);
   };

@@ -18,6 +18,14 @@ constexpr Real modified_energy(const Oscillator<Real>& oscillator, double h, con
   return (oscillator.mass * (y.v * y.v) + oscillator.stiffness * (y.x * y.x - h * (y.x * y.v))) / Real(2);
 }
 
+/// What became of the modified energy over the kept states of a run, and of the energy itself.
+struct ModifiedEnergy {
+  double start = 0, end = 0;  // [J]
+  double drift = 0;           ///< the largest change over the start
+  double energy_swing = 0;  ///< of the energy itself: half of what lies between its extremes, over their mean
+  long long states = 0;     ///< looked at
+};
+
 /// Follows a quantity that should not change.
 class Drift {
  public:

@@ -30,9 +30,8 @@ struct Compensated {
   friend constexpr Compensated operator+(const Compensated& a, const Compensated& b) {
     const double sum = a.value + b.value, from_b = sum - a.value;
     const double error = (a.value - (sum - from_b)) + (b.value - from_b);
-    const double rest = error + (a.rest + b.rest);
-    const double value = sum + rest;
-    return {value, rest - (value - sum)};
+    const double lost = error + (a.rest + b.rest), rounded = sum + lost;
+    return {rounded, lost - (rounded - sum)};
   }
   friend constexpr Compensated operator-(const Compensated& a, const Compensated& b) { return a + -b; }
   friend constexpr Compensated operator*(const Compensated& a, const Compensated& b) {

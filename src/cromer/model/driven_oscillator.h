@@ -85,6 +85,25 @@ class DrivenOscillator {
   /// The closed form has many pieces: best asked from state to state, not from the start of the run.
   static constexpr bool has_many_pieces = requires { Force::has_many_pieces; };
 
+  /// The first time after t [s] at which the drive is not smooth.
+  double next_break(double t) const requires(terms.drive&& requires(const Force& f) { f.next_break(0.0); }) {
+    return force_.next_break(t);
+  }
+
+  /// The law with what the drive is at t, at all times: smooth, and the same until the next break.
+  DrivenOscillator within(double t) const
+      requires(terms.drive&& requires(const Force& f) { f.within(0.0); }) {
+    DrivenOscillator smooth = *this;
+    smooth.force_ = force_.within(t);
+    return smooth;
+  }
+
+  /// No step of this length [s], taken from t = 0 on, has a break inside, or a jump at its end.
+  bool is_smooth_in_steps(double step) const {
+    if constexpr (requires { force_.is_smooth_in_steps(step); }) return force_.is_smooth_in_steps(step);
+    return false;
+  }
+
   /// The first time after t at which the drive may turn or jump.
   double next_turn(double t) const requires(terms.drive) { return force_.next_turn(t); }
 
@@ -132,40 +151,62 @@ class DrivenOscillator {
   Force force_;
 };
 
-/// Calls f with the DrivenOscillator that has the terms with a coefficient other than zero, and returns what
-/// it returns. Of the resistances a higher one brings the lower along (damping < drag < friction), but for
-/// the linear law with friction, which has a closed form.
+/// The drive per unit mass.
+template <class Real>
+HarmonicForce<Real> force_of(const HarmonicDrive<Real>& drive, const Real& mass) {
+  return {drive.amplitude / mass, drive.frequency, drive.phase};
+}
+
+/// Calls f with the smooth law that has the terms with a coefficient other than zero, and returns what it
+/// returns; the friction is left out. Drag brings damping along. `driven`: under the force, else without it.
+template <bool driven, class Real, class F>
+decltype(auto) with_smooth_terms(const Oscillator<Real>& oscillator, const HarmonicForce<Real>& force,
+                                 F&& f) {
+  const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
+  const Oscillator<Real> per_mass = divided_by_mass(oscillator);
+  const auto with_resistance = [&]<bool cubic>() -> decltype(auto) {
+    constexpr Terms bare{.drive = driven, .cubic = cubic};
+    constexpr Terms damped{.drive = driven, .damping = true, .cubic = cubic};
+    constexpr Terms dragged{.drive = driven, .damping = true, .cubic = cubic, .drag = true};
+    if (present.drag) return std::forward<F>(f)(DrivenOscillator<Real, dragged>(per_mass, force));
+    if (present.damping) return std::forward<F>(f)(DrivenOscillator<Real, damped>(per_mass, force));
+    return std::forward<F>(f)(DrivenOscillator<Real, bare>(per_mass, force));
+  };
+  return present.cubic ? with_resistance.template operator()<true>()
+                       : with_resistance.template operator()<false>();
+}
+
+/// Calls f with the DryFriction around the law. It brings damping and drag along, but for the linear law
+/// without a drive, which has a closed form.
+template <class Real, class F>
+decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive,
+                                 F&& f) {
+  const Terms present = terms_of(oscillator, drive);
+  const Oscillator<Real> per_mass = divided_by_mass(oscillator);
+  const HarmonicForce<Real> force = force_of(drive, oscillator.mass);
+  const auto rub = [&]<Terms terms>() -> decltype(auto) {
+    return std::forward<F>(f)(DryFriction(DrivenOscillator<Real, terms>(per_mass, force), per_mass.friction,
+                                          per_mass.static_friction));
+  };
+  const auto with_drag = [&]<bool driven>() -> decltype(auto) {
+    constexpr Terms linear{.drive = driven, .damping = true, .drag = true};
+    constexpr Terms cubic{.drive = driven, .damping = true, .cubic = true, .drag = true};
+    return present.cubic ? rub.template operator()<cubic>() : rub.template operator()<linear>();
+  };
+  if (present.drive) return with_drag.template operator()<true>();
+  if (present.cubic || present.drag) return with_drag.template operator()<false>();
+  return rub.template operator()<Terms{.damping = true}>();
+}
+
+/// Calls f with the DrivenOscillator that has the terms with a coefficient other than zero, with friction the
+/// DryFriction around it, and returns what it returns.
 template <class Real, class F>
 decltype(auto) with_terms(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive, F&& f) {
   const Terms present = terms_of(oscillator, drive);
-  const Real& m = oscillator.mass;
-  const Oscillator<Real> per_mass = divided_by_mass(oscillator);
-  const HarmonicForce<Real> force{drive.amplitude / m, drive.frequency, drive.phase};
-
-  const auto call = [&]<Terms terms>() -> decltype(auto) {
-    return std::forward<F>(f)(DrivenOscillator<Real, terms>(per_mass, force));
-  };
-  const auto with_resistance = [&]<Terms terms>() -> decltype(auto) {
-    constexpr Terms damped{.drive = terms.drive, .damping = true, .cubic = terms.cubic};
-    constexpr Terms dragged{.drive = terms.drive, .damping = true, .cubic = terms.cubic, .drag = true};
-    if (present.friction) {
-      const auto rub = [&](const auto& smooth) -> decltype(auto) {
-        return std::forward<F>(f)(
-            DryFriction(smooth, Real(oscillator.friction / m), Real(oscillator.static_friction / m)));
-      };
-      if constexpr (is_linear(terms) && !terms.drive)
-        if (!present.drag) return rub(DrivenOscillator<Real, damped>(per_mass, force));
-      return rub(DrivenOscillator<Real, dragged>(per_mass, force));
-    }
-    if (present.drag) return call.template operator()<dragged>();
-    if (present.damping) return call.template operator()<damped>();
-    return call.template operator()<terms>();
-  };
-  if (present.drive && present.cubic)
-    return with_resistance.template operator()<Terms{.drive = true, .cubic = true}>();
-  if (present.drive) return with_resistance.template operator()<Terms{.drive = true}>();
-  if (present.cubic) return with_resistance.template operator()<Terms{.cubic = true}>();
-  return with_resistance.template operator()<Terms{}>();
+  const HarmonicForce<Real> force = force_of(drive, oscillator.mass);
+  if (present.friction) return with_dry_friction(oscillator, drive, std::forward<F>(f));
+  if (present.drive) return with_smooth_terms<true>(oscillator, force, std::forward<F>(f));
+  return with_smooth_terms<false>(oscillator, force, std::forward<F>(f));
 }
 
 }  // namespace cromer

@@ -28,25 +28,28 @@ SampledForce<Real> force_of(const SampledDrive& drive, const Real& mass) {
   return {drive, mass};
 }
 
-/// As with_terms of a harmonic drive, with three sets of terms only (linear, all but friction, all): each
+/// As with_terms, of one of these drives, with three sets of terms only (linear, all but friction, all): each
 /// force would multiply the instantiations.
-template <class Real, class F>
-decltype(auto) with_terms(const Oscillator<Real>& oscillator, const GeneralDrive<Real>& drive, F&& f) {
+template <class Real, class Drive, class F>
+decltype(auto) with_terms_under(const Oscillator<Real>& oscillator, const Drive& drive, F&& f) {
   constexpr Terms linear{.drive = true, .damping = true};
   constexpr Terms smooth{.drive = true, .damping = true, .cubic = true, .drag = true};
   const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
-  return std::visit(
-      [&](const auto& one) -> decltype(auto) {
-        const auto force = force_of(one, oscillator.mass);
-        using Force = std::remove_const_t<decltype(force)>;
-        const DrivenOscillator<Real, smooth, Force> system(per_mass, force);
-        if (present.friction)
-          return std::forward<F>(f)(DryFriction(system, per_mass.friction, per_mass.static_friction));
-        if (present.cubic || present.drag) return std::forward<F>(f)(system);
-        return std::forward<F>(f)(DrivenOscillator<Real, linear, Force>(per_mass, force));
-      },
-      drive);
+  const auto force = force_of(drive, oscillator.mass);
+  using Force = std::remove_const_t<decltype(force)>;
+  const DrivenOscillator<Real, smooth, Force> system(per_mass, force);
+  if (present.friction)
+    return std::forward<F>(f)(DryFriction(system, per_mass.friction, per_mass.static_friction));
+  if (present.cubic || present.drag) return std::forward<F>(f)(system);
+  return std::forward<F>(f)(DrivenOscillator<Real, linear, Force>(per_mass, force));
+}
+
+/// The same, whichever it is.
+template <class Real, class F>
+decltype(auto) with_terms(const Oscillator<Real>& oscillator, const GeneralDrive<Real>& drive, F&& f) {
+  return std::visit([&](const auto& one) -> decltype(auto) { return with_terms_under(oscillator, one, f); },
+                    drive);
 }
 
 }  // namespace cromer

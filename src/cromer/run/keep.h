@@ -2,25 +2,41 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <utility>
 
+#include "cromer/base/function_ref.h"
 #include "cromer/base/state.h"
 #include "cromer/run/steps.h"
 #include "cromer/run/trajectory.h"
 
 namespace cromer {
 
+/// Any recorder of states in doubles, its type forgotten: for loops in which a call for every state does not
+/// count.
+using AnyRecorder = FunctionRef<void(double t, const State<double>& y)>;
+
+/// Gives a recorder that works in blocks time to do so: between blocks of steps, out of the way of the fast
+/// loop. To be called after at most `KeepEvery::most_between_pauses` states, and at the end.
+template <class Recorder>
+void pause(Recorder& record) {
+  if constexpr (requires { record.pause(); }) record.pause();
+}
+
 /// Keeps the first and every Nth state after it. Memory is taken once, at the start; check
-/// number_of_kept_states before.
+/// number_of_kept_states before. Or hands every state to a function: the same type, so that laws and methods
+/// are compiled once for both.
 class KeepEvery {
  public:
+  static constexpr std::size_t most_between_pauses = 256;
+
   /// every > 0
   KeepEvery(long long every, Steps steps) : every_(every) {
-    const auto size = static_cast<std::size_t>(number_of_kept_states(steps, every));
-    kept_.t.resize(size);
-    kept_.x.resize(size);
-    kept_.v.resize(size);
+    resize(static_cast<std::size_t>(number_of_kept_states(steps, every)));
   }
+
+  /// The function outlives it; it sees all states, in order, some steps late.
+  explicit KeepEvery(AnyRecorder each) : every_(1), each_(each) { resize(most_between_pauses); }
 
   void operator()(double t, const State<double>& y) {
     if (--until_next_ > 0) return;
@@ -31,6 +47,12 @@ class KeepEvery {
     ++size_;
   }
 
+  void pause() {
+    if (!each_) return;
+    for (std::size_t i = 0; i < size_; ++i) (*each_)(kept_.t[i], {kept_.x[i], kept_.v[i]});
+    size_ = 0;
+  }
+
   /// Forgets the states but keeps the memory, for the next run of as many steps.
   void clear() {
     size_ = 0;
@@ -39,17 +61,22 @@ class KeepEvery {
 
   /// The states so far; the recorder is then empty.
   Trajectory take() {
-    kept_.t.resize(size_);
-    kept_.x.resize(size_);
-    kept_.v.resize(size_);
+    resize(size_);
     size_ = 0;
     return std::move(kept_);
   }
 
  private:
+  void resize(std::size_t size) {
+    kept_.t.resize(size);
+    kept_.x.resize(size);
+    kept_.v.resize(size);
+  }
+
   long long every_, until_next_ = 1;
   std::size_t size_ = 0;
   Trajectory kept_;
+  std::optional<AnyRecorder> each_{};
 };
 
 /// Keeps nothing: the outcome has the final state.

@@ -1,6 +1,6 @@
 // The loop: a method, step by step, from the start to the end of an interval.
 //
-// A task joins law, method and loop in two lines; the names are looked up once, inside there are direct
+// Law, method and loop are joined in two lines; the names are looked up once, inside there are direct
 // calls:
 //
 //   KeepEvery keep(every, count_steps(interval, step));
@@ -10,6 +10,9 @@
 //   });
 //   Trajectory trajectory = keep.take();
 //
+// The tasks do not: they call run_law (study/task/run_law.h), which has these lines compiled for all laws and
+// methods once.
+//
 // Which loop that is, is decided here: uniform steps (the fast one), steps that are looked into for events,
 // steps that the error estimate chooses; and with dry friction phases of either.
 //
@@ -18,6 +21,8 @@
 #pragma once
 
 #include <cassert>
+#include <concepts>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -32,6 +37,7 @@
 #include "cromer/run/keep.h"
 #include "cromer/run/outcome.h"
 #include "cromer/run/step_control.h"
+#include "cromer/run/stepper.h"
 #include "cromer/run/steps.h"
 #include "cromer/run/stick_slip.h"
 #include "cromer/run/uniform_steps.h"
@@ -44,6 +50,43 @@ struct CanRun : std::bool_constant<Method<M, S, Real>> {};
 template <class M, FrictionSystem S>
 struct CanRun<M, S, double> : std::bool_constant<Method<M, SlidingSystem<S>, double>> {};
 
+/// A system whose drive jumps or bends: next_break(t) is the first time after t at which it does, within(t)
+/// the smooth system that holds from t until then (of a drive that ends, itself without one).
+template <class S>
+concept SystemWithBreaks = requires(const S& system, double t) {
+  { system.next_break(t) } -> std::convertible_to<double>;
+  { system.within(t) } -> std::same_as<S>;
+};
+
+/// M is a closed form, which knows the breaks.
+template <class M>
+constexpr bool is_exact = M::info.order == 0;
+
+/// Whether a run by M in steps of this length meets breaks that its steps do not begin and end at.
+template <class M, class S>
+bool has_breaks_within_steps(const S& system, Interval interval, double step) {
+  if constexpr (SystemWithBreaks<S> && !is_exact<M>)
+    return !(interval.from == 0 && system.is_smooth_in_steps(step)) &&
+           system.next_break(interval.from - step) < interval.until;
+  return false;
+}
+
+/// Calls piece(smooth, end) for each smooth stretch of the system from where the course stands: methods and
+/// their error estimates expect a smooth law, so that every step ends at a break at the latest. A system
+/// without breaks is one stretch.
+template <class S, class Real, class Piece>
+void for_each_stretch(const S& system, const Rows& rows, Course<Real>& course, const Piece& piece) {
+  if constexpr (SystemWithBreaks<S>) {
+    const double ahead = 2 * same_time * rows.step;  // a row that is a break but for rounding
+    while (course.goes_on(rows)) {
+      const S smooth = system.within(course.t + ahead);
+      piece(smooth, system.next_break(course.t + ahead));
+    }
+  } else {
+    piece(system, std::numeric_limits<double>::infinity());
+  }
+}
+
 /// Runs method on system over the interval (until >= from) from the start state. The recorder is called with
 /// (t, state) of the start and of every row, all finite: rows are `step` apart, row n at from + n step, the
 /// last one at the end. A fixed-step method steps from row to row; an adaptive one chooses its own steps, by
@@ -54,21 +97,34 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
           Recorder&& record, const Watch& watch = {}, const Limits& limits = {},
           std::type_identity_t<EventLog*> events = nullptr) {
   const Lookout look{0, events};
+  const auto one_by_one = [&](double t, const State<Real>& y) {
+    record(t, y);
+    pause(record);
+  };
   if constexpr (AdaptiveMethod<M, S, Real>) {
     assert((std::is_same_v<Real, double> || !look.anything()) && "events are for doubles");
     const Rows rows{interval, control.step};
     Course<Real> course{interval.from, start};
     MotionScale scale;
-    record(course.t, start);
-    take_adaptive_steps(system, method, rows, control, look, scale, course, record, watch, limits);
+    one_by_one(course.t, start);
+    for_each_stretch(system, rows, course, [&](const S& smooth, double end) {
+      take_adaptive_steps(smooth, method, rows, control, look, scale, course, one_by_one, watch, limits, end);
+    });
     return course.outcome(rows, watch);
   } else {
     if constexpr (std::is_same_v<Real, double>) {
-      if (look.anything()) {
+      if (look.anything() || has_breaks_within_steps<M>(system, interval, control.step)) {
         const Rows rows{interval, control.step};
         Course<double> course{interval.from, start};
-        record(course.t, start);
-        take_fixed_steps(system, method, rows, look, course, record, watch, limits);
+        one_by_one(course.t, start);
+        const auto run = [&](const S& smooth, double end) {
+          StepperOf stepper(smooth, method, course.t, course.y);
+          take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
+        };
+        if constexpr (is_exact<M>)
+          run(system, std::numeric_limits<double>::infinity());
+        else
+          for_each_stretch(system, rows, course, run);
         return course.outcome(rows, watch);
       }
     }
@@ -87,15 +143,31 @@ requires(CanRun<M, S, double>::value) Outcome
   const Rows rows{interval, control.step};
   Course<double> course{interval.from, start};
   MotionScale scale;
-  record(course.t, start);
-  const auto slide = [&](const auto& smooth, int direction) {
-    const Lookout look{direction, events};
-    if constexpr (AdaptiveMethod<M, SlidingSystem<S>, double>)
-      take_adaptive_steps(smooth, method, rows, control, look, scale, course, record, watch, limits);
-    else
-      take_fixed_steps(smooth, method, rows, look, course, record, watch, limits);
+  const auto one_by_one = [&](double t, const State<double>& y) {
+    record(t, y);
+    pause(record);
   };
-  stick_and_slip(system, rows, course, slide, record, watch);
+  one_by_one(course.t, start);
+  // From break to break: a slide that one of them ends goes on in the next.
+  const auto slide_within = [&](const S& piece, int direction, double end) {
+    const SlidingSystem<S> smooth = piece.sliding(direction);
+    const Lookout look{direction, events};
+    if constexpr (AdaptiveMethod<M, SlidingSystem<S>, double>) {
+      take_adaptive_steps(smooth, method, rows, control, look, scale, course, one_by_one, watch, limits, end);
+    } else {
+      StepperOf stepper(smooth, method, course.t, course.y);
+      take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
+    }
+  };
+  const auto slide = [&](int direction) {
+    if constexpr (SystemWithBreaks<S>) {
+      const double ahead = course.t + 2 * same_time * rows.step;
+      slide_within(system.within(ahead), direction, system.next_break(ahead));
+    } else {
+      slide_within(system, direction, std::numeric_limits<double>::infinity());
+    }
+  };
+  stick_and_slip(system, rows, course, slide, one_by_one, watch);
   return course.outcome(rows, watch);
 }
 

@@ -7,9 +7,11 @@
 #include <concepts>
 #include <utility>
 
+#include "cromer/base/function_ref.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
 #include "cromer/run/course.h"
+#include "cromer/run/keep.h"
 #include "cromer/run/root.h"
 
 namespace cromer {
@@ -38,8 +40,8 @@ int direction_from_rest(const S& system, double t, double x) {
 /// The mass sticks: records rows until the pull exceeds what friction holds, a moment found to rounding, and
 /// returns the direction of the slide that begins; 0 at the end of the run. The pull is looked at wherever it
 /// may turn or jump, on either side, so that none is missed. Without a drive nothing is computed.
-template <FrictionSystem S, class Recorder>
-int stick(const S& system, const Rows& rows, Course<double>& course, Recorder& record, const Watch& watch) {
+template <FrictionSystem S>
+int stick(const S& system, const Rows& rows, Course<double>& course, AnyRecorder record, const Watch& watch) {
   course.y.v = 0;
   const double x = course.y.x;
   while (course.goes_on(rows)) {
@@ -69,18 +71,18 @@ int stick(const S& system, const Rows& rows, Course<double>& course, Recorder& r
   return 0;
 }
 
-/// Runs phase by phase: slide(system, direction) goes on with the smooth system of a phase until the velocity
+/// Runs phase by phase: slide(direction) goes on with the smooth system of a phase until the velocity
 /// vanishes (course.at_rest) or the run ends.
-template <FrictionSystem S, class Slide, class Recorder>
-void stick_and_slip(const S& system, const Rows& rows, Course<double>& course, const Slide& slide,
-                    Recorder& record, const Watch& watch) {
+template <FrictionSystem S>
+void stick_and_slip(const S& system, const Rows& rows, Course<double>& course,
+                    FunctionRef<void(int direction)> slide, AnyRecorder record, const Watch& watch) {
   int direction =
       course.y.v != 0 ? (course.y.v > 0 ? 1 : -1) : direction_from_rest(system, course.t, course.y.x);
   while (course.goes_on(rows)) {
     if (direction == 0) {
       direction = stick(system, rows, course, record, watch);
     } else {
-      slide(system.sliding(direction), direction);
+      slide(direction);
       if (course.at_rest) direction = direction_from_rest(system, course.t, course.y.x);
     }
   }

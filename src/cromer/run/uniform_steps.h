@@ -6,11 +6,14 @@
 #include <utility>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/function_ref.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
 #include "cromer/run/course.h"
+#include "cromer/run/keep.h"
 #include "cromer/run/outcome.h"
+#include "cromer/run/stepper.h"
 #include "cromer/run/steps.h"
 
 namespace cromer {
@@ -49,6 +52,12 @@ class OnGrid<S> {
   decltype(std::declval<const S&>().on_grid(1.0)) tabulated_;
 };
 
+/// What a run has taken.
+struct Tally {
+  long long accepted = 0;  ///< steps
+  long long newton_iterations = 0;
+};
+
 /// Where a run stands. x and v lie apart on purpose: side by side, GCC keeps them in one vector register
 /// through the whole loop, and its shuffles lengthen the way x -> v -> x that limits the speed (W1 took 57 us
 /// instead of 45).
@@ -56,8 +65,7 @@ template <class Real, class Memory>
 struct Progress {
   Real x;
   Memory memory;
-  long long accepted = 0;
-  long long newton_iterations = 0;
+  Tally tally;
   Real v;
 };
 
@@ -87,10 +95,20 @@ template <class S, class M, class Real, class Memory, class Recorder>
     t = from + static_cast<double>(n) * h;
     record(t, y);
   }
-  progress = {y.x, memory, progress.accepted + (n - first), progress.newton_iterations + newton_iterations,
+  progress = {y.x,
+              memory,
+              {progress.tally.accepted + (n - first), progress.tally.newton_iterations + newton_iterations},
               y.v};
   return status;
 }
+
+/// Walks through the steps of a run in blocks: steps(first, last) takes steps first to last - 1 of the grid,
+/// last_step(t, h) the shorter one from t that ends the run. Compiled once; y and evaluations of the outcome
+/// are left to the caller.
+Outcome walk_in_blocks(Interval interval, double step, int block, const Tally& tally,
+                       FunctionRef<Status(long long first, long long last)> steps,
+                       FunctionRef<Status(double t, double h)> last_step, const Watch& watch,
+                       const Limits& limits);
 
 /// Runs method on system over the interval in steps of `step` > 0 [s]; state n is at from + n step, never
 /// accumulated. Allocates nothing. Interrupt and progress are looked at every hundred steps or so.
@@ -102,48 +120,37 @@ requires Method<M, S, Real> Outcome take_uniform_steps(const S& system, const M&
   // A method that asks at other times than a grid's gets the system as it is.
   using Grid = std::conditional_t<(M::info.divisions > 0), OnGrid<S>, OffGrid<S>>;
   constexpr int divisions = std::max(M::info.divisions, 1);
-  constexpr int block = Grid::block / divisions;
+  static_assert(Grid::block < KeepEvery::most_between_pauses);
   Grid grid(system, step / divisions);
 
-  const Steps steps = count_steps(interval, step);
-  const long long whole = std::min(steps.whole, limits.steps);
-  const auto time = [&](long long n) { return interval.from + static_cast<double>(n) * step; };
-
   auto memory = method.start(system, interval.from, start);
-  Progress<Real, decltype(memory)> progress{start.x, memory, 0, 0, start.v};
+  Progress<Real, decltype(memory)> progress{start.x, memory, {}, start.v};
   record(interval.from, start);
 
-  Outcome outcome;
-  Status& status = outcome.status;
-  for (long long n = 0; n < whole && status == Status::reached_end; n += block) {
-    if (watch.interrupted()) {
-      outcome.interrupted = true;
-      status = Status::stopped_by_event;
-      break;
-    }
-    if (watch.progress && n % (64 * block) == 0)
-      watch.progress(static_cast<double>(n) / static_cast<double>(steps.count()));
-    status = advance(grid.from(time(n)), method, interval.from, step, n, std::min(n + block, whole), progress,
-                     record);
-  }
-  outcome.t = time(progress.accepted);
-  if (status == Status::reached_end && whole < steps.count()) {
-    if (whole == limits.steps) {
-      status = Status::step_limit;
-    } else if (status = advance(system, method, outcome.t, steps.last, 0, 1, progress, record);
-               status == Status::reached_end) {
-      outcome.last_step = steps.last;
-      outcome.t += steps.last;
-    }
-  }
-  if (status == Status::reached_end && watch.progress) watch.progress(1.0);
-
+  const auto steps = [&](long long first, long long last) {
+    const Status status = advance(grid.from(interval.from + static_cast<double>(first) * step), method,
+                                  interval.from, step, first, last, progress, record);
+    pause(record);
+    return status;
+  };
+  const auto last_step = [&](double t, double h) {
+    const Trial<Real> trial =
+        one_step(system, method, t, h, State<Real>{progress.x, progress.v}, progress.memory);
+    progress.tally.newton_iterations += trial.newton_iterations;
+    if (!trial.converged) return Status::no_convergence;
+    if (!is_finite(trial.y)) return Status::not_finite;
+    progress.x = trial.y.x;
+    progress.v = trial.y.v;
+    ++progress.tally.accepted;
+    record(t + h, trial.y);
+    pause(record);
+    return Status::reached_end;
+  };
+  Outcome outcome = walk_in_blocks(interval, step, Grid::block / divisions, progress.tally, steps, last_step,
+                                   watch, limits);
   outcome.y = {value_of(progress.x), value_of(progress.v)};
-  outcome.step = progress.accepted;
-  outcome.counts = {.accepted = progress.accepted,
-                    .rejected = 0,
-                    .evaluations = M::info.evaluations_of(progress.accepted, progress.newton_iterations),
-                    .newton_iterations = progress.newton_iterations};
+  outcome.counts.evaluations =
+      M::info.evaluations_of(progress.tally.accepted, progress.tally.newton_iterations);
   return outcome;
 }
 

@@ -47,6 +47,10 @@ void collect_energy(const std::string& name, const SimulatedRun& run, const std:
   results.set(name + ".energy_doubling_time", growth.doubling_time(), "s");
   results.set(name + ".energy_swing", (*most - *least) / (*most + *least));
   results.set(name + ".energy_drift", std::expm1(growth.rate * run.outcome.t));
+  if (run.modified_energy) {
+    results.set(name + ".modified_energy", run.modified_energy->start, "J");
+    results.set(name + ".modified_energy_drift", run.modified_energy->drift);
+  }
 }
 
 /// What a driven motion settles at, measured and exact.

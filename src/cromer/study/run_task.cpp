@@ -39,7 +39,7 @@ Result<TaskReport> run_simulate(const Work& work) {
   const auto result = simulate(options, work.watch);
   if (!result) return work.error(result.error());
   for (const SimulatedRun& run : result->runs)
-    if (run.outcome.status != Status::reached_end)
+    if (!run.done())
       return TaskReport{result->warnings, run.label + ": " + run.message};
   collect(work.task.id, *result, work.results);
   return TaskReport{result->warnings, ""};

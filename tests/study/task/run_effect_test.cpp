@@ -1,10 +1,16 @@
 #include "cromer/study/task/run_effect.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "cromer/analysis/effective_oscillator.h"
+#include "cromer/methods/all.h"
 #include "cromer/study/task/simulate.h"
 
 namespace cromer {
@@ -12,6 +18,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 SimulateResult run(SimulateOptions options) {
   auto result = simulate(options);
@@ -68,6 +75,74 @@ TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
               testing::IsEmpty());
   EXPECT_THAT(run({.stiffness = 36, .method = {"forward-euler"}, .step = 0.01, .until = 1}).warnings,
               Contains(HasSubstr("forward-euler is unstable for this law whatever the step")));
+}
+
+/// What is said before a run up to three steps.
+std::vector<std::string> warnings(SimulateOptions options, double step) {
+  options.step = step;
+  options.until = 3 * step;
+  return run(std::move(options)).warnings;
+}
+
+TEST(RunEffect, AHardeningSpringIsWarnedOfWhereTheMotionBegins) {
+  // At 1 m the stiffness is 9 + 3 * 1000 N/m: Verlet is stable up to 2/sqrt(3009) s.
+  const SimulateOptions stiff{.stiffness = 9, .cubic = 1000, .position = 1, .method = {"verlet"}};
+  EXPECT_THAT(
+      warnings(stiff, 0.05),
+      Contains(HasSubstr("stability limit of verlet for motions as wide as at the start under this law, "
+                         "0.0364604 s")));
+  EXPECT_THAT(warnings(stiff, 0.03), testing::IsEmpty());
+}
+
+TEST(RunEffect, EveryMethodIsWarnedOfAtItsLimit) {
+  // k = 36 N/m, c = 0.3 kg/s: as the method itself says.
+  const LinearLaw<double> law{.decay_rate = 0.15, .stiffness = 36};
+  for (const double beta : {0.25, 0.0})
+    for (const MethodInfo& info : method_infos) {
+      if (info.error_order > 0 || (beta == 0 && info.name != "newmark")) continue;
+      SimulateOptions options{.stiffness = 36, .damping = 0.3, .method = {std::string(info.name)}};
+      if (beta == 0) options.beta = 0;
+      const auto limit = visit_method(info.name, MethodSettings{.newton = {}, .beta = beta},
+                                      [&](const auto& method) { return stability_limit(method, law); });
+      EXPECT_EQ(limit.has_value(), !info.a_stable || beta == 0) << info.name;
+      if (!limit) {
+        EXPECT_THAT(warnings(options, 1e3), IsEmpty()) << info.name;
+        continue;
+      }
+      ASSERT_GT(*limit, 0) << info.name;
+      const std::string said = fmt::format("stability limit of {} for this law, {:.6g} s", info.name, *limit);
+      EXPECT_THAT(warnings(options, 1.001 * *limit), Contains(HasSubstr(said)));
+      EXPECT_THAT(warnings(options, 0.999 * *limit), IsEmpty()) << info.name;
+      // A drive changes nothing about it.
+      options.drive_amplitude = 1;
+      options.drive_frequency = {3};
+      EXPECT_THAT(warnings(options, 1.001 * *limit), Contains(HasSubstr(said)));
+      options.drive = "step";
+      options.drive_frequency.clear();
+      EXPECT_THAT(warnings(options, 1.001 * *limit), Contains(HasSubstr(said)));
+    }
+}
+
+TEST(RunEffect, LawsThatAreNotLinearAreWarnedOfBySmallMotions) {
+  const auto limit = HasSubstr("stability limit of verlet for small motions under this law, 0.333333 s");
+  SimulateOptions law{.stiffness = 36, .method = {"verlet"}};
+  law.friction = 0.1;
+  EXPECT_THAT(warnings(law, 0.34), Contains(limit));
+  EXPECT_THAT(warnings(law, 0.33), IsEmpty());
+  law.friction = 0;
+  law.cubic = 0.1;
+  EXPECT_THAT(warnings(law, 0.34), Contains(limit));
+  EXPECT_THAT(warnings(law, 0.33), IsEmpty());
+  law.drag = 0.1;
+  EXPECT_THAT(warnings(law, 0.34), Contains(limit));
+  // At the bottom of a double well k = -18 N/m counts twice.
+  EXPECT_THAT(warnings({.stiffness = -18, .cubic = 1, .method = {"verlet"}}, 0.34), Contains(limit));
+  // Friction outweighs what forward Euler adds to small swings, if the step is short; cubic stiffness does
+  // not.
+  law = {.friction = 0.1, .method = {"forward-euler"}};
+  EXPECT_THAT(warnings(law, 0.001), IsEmpty());
+  law = {.cubic = 0.1, .method = {"forward-euler"}};
+  EXPECT_THAT(warnings(law, 0.001), Contains(HasSubstr("forward-euler is unstable for small motions")));
 }
 
 TEST(RunEffect, NonlinearLawsHaveNone) {

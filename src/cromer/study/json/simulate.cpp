@@ -46,6 +46,14 @@ Json energy_balance(const EnergyBalance& balance) {
           {"method", balance.method()}};
 }
 
+Json modified_energy(const ModifiedEnergy& found) {
+  return {{"start", found.start},
+          {"end", found.end},
+          {"drift", found.drift},
+          {"states", found.states},
+          {"energy_swing", found.energy_swing}};
+}
+
 Json measured(const MeasuredOscillator& found) {
   return {{"angular_frequency", found.angular_frequency},
           {"decay_rate", found.decay_rate},
@@ -112,6 +120,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
   object["until"] = run.until;
   object["tolerance"] = run.tolerance;
   object["every"] = options.every;
+  object["compensated"] = run.compensated;
   object["status"] = name(outcome.status);
   if (!run.message.empty()) object["message"] = run.message;
   object["interrupted"] = outcome.interrupted;
@@ -127,6 +136,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
   object["events"] = events(run, options);
   if (run.accuracy) object["accuracy"] = accuracy(*run.accuracy);
   object["energy_balance"] = run.energy_balance ? energy_balance(*run.energy_balance) : Json(nullptr);
+  if (run.modified_energy) object["modified_energy"] = modified_energy(*run.modified_energy);
   if (run.measured) object["measured"] = measured(*run.measured);
   add_effect(object, run);
   if (run.transmission) object["transmissibility"] = transmissibility(*run.transmission);

@@ -10,9 +10,9 @@
 
 #include "cromer/identify/damped_phasor.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/driven_oscillator.h"
-#include "cromer/run/solve.h"
-#include "cromer/study/task/fit_forced.h"
+#include "cromer/model/terms.h"
+#include "cromer/study/task/forced_options.h"
+#include "cromer/study/task/run_law.h"
 
 namespace cromer {
 namespace {
@@ -137,12 +137,13 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   const double t0 = series.t.front(), duration = series.t.back() - t0;
   const Interval interval{t0, t0 + std::ceil(duration / step - 1e-9) * step};
   KeepAt keep(series.t, 1e-6 * step);
-  const Outcome outcome = with_terms(law.oscillator, HarmonicDrive<double>{}, [&](const auto& system) {
-    return visit_method(options.method, MethodSettings{}, [&](const auto& method) {
-      return solve(system, method, interval, State<double>{fit.position.value, fit.velocity.value}, step,
-                   keep, watch);
-    });
-  });
+  KeepEvery each{AnyRecorder(keep)};
+  const Outcome outcome = run_law({.oscillator = law.oscillator,
+                                   .method = options.method,
+                                   .interval = interval,
+                                   .start = {fit.position.value, fit.velocity.value},
+                                   .control = step},
+                                  each, watch);
 
   ComparedCurve curve;
   curve.label = law.label;

@@ -61,11 +61,11 @@ Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view f
                               quantity == "force" ? "a force (N)" : "an acceleration (m/s^2 or g)"));
   if (series->t.size() < 2) return refuse("a drive needs at least two samples");
   if (!series->gaps.empty())
-    return refuse(
-        fmt::format("the samples have {}, the first {:.6g} s long at {:.6g} s: a value is missing "
-                    "there; fill it in, or cut the recording",
-                    series->gaps.size() == 1 ? "a gap" : fmt::format("{} gaps", series->gaps.size()),
-                    series->gaps.front().length, series->gaps.front().t));
+    return refuse(fmt::format(
+        "the samples have {} of {:.6g} s after t = {:.6g} s; a drive needs even samples without "
+        "gaps: fill in what is missing, or cut or resample the recording",
+        series->gaps.size() == 1 ? "a gap" : fmt::format("{} gaps, the first", series->gaps.size()),
+        series->gaps.front().length, series->gaps.front().t));
   DriveRecord record;
   record.spacing = (series->t.back() - series->t.front()) / static_cast<double>(series->t.size() - 1);
   if (const auto even = check_even(*series, record.spacing); !even) return refuse(even.error().message);

@@ -14,6 +14,8 @@
 #include "cromer/identify/drop_outs.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/forced_options.h"
+#include "cromer/study/task/recognise_drive.h"
 
 namespace cromer {
 namespace {

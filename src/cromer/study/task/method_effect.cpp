@@ -95,13 +95,15 @@ std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law) {
          frequency_in_words(*effective.angular_frequency, *frequency);
 }
 
-std::string instability_warning(std::string_view method, const MethodEffect& effect, double h) {
+std::string instability_warning(std::string_view method, const MethodEffect& effect, double h,
+                                std::string_view motions) {
   if (effect.stable || !effect.stability_limit) return "";
+  const std::string what = motions.empty() ? "this law" : fmt::format("{} under this law", motions);
+  const char* end = motions.empty() ? "the motion will grow" : "the motion may grow";
   if (*effect.stability_limit == 0)
-    return fmt::format("{} is unstable for this law whatever the step: the motion will grow", method);
-  return fmt::format(
-      "--step: {} s is beyond the stability limit of {} for this law, {:.6g} s: the motion will grow",
-      shortest(h), method, *effect.stability_limit);
+    return fmt::format("{} is unstable for {} whatever the step: {}", method, what, end);
+  return fmt::format("--step: {} s is beyond the stability limit of {} for {}, {:.6g} s: {}", shortest(h),
+                     method, what, *effect.stability_limit, end);
 }
 
 }  // namespace cromer

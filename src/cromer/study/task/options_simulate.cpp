@@ -75,11 +75,13 @@ std::vector<Option> options_of(SimulateOptions& o) {
        "relative to the motion's scale, of Newton's last update or an adaptive method's step; 1e-15 to 1e-2",
        "1e-12; adaptive 1e-9", integration},
       {"accuracy", &o.accuracy, "", Range::accuracy,
-       "in place of step: the largest that keeps frequency, decay and amplitude within this part of themselves; "
+       "in place of step: the largest that keeps frequency, decay and amplitude within this part of "
+       "themselves; "
        "1e-9 to 0.5 (\"0.1 %\")",
        "", integration},
       {"event", &o.event, "", Range::any,
-       "report when it happens: position=VALUE, velocity=VALUE or turning-point, then any of :rising, :falling, "
+       "report when it happens: position=VALUE, velocity=VALUE or turning-point, then any of :rising, "
+       ":falling, "
        ":stop; may be given several times",
        "none", integration},
       {"beta", &o.beta, "", Range::fraction,
@@ -88,8 +90,12 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"gamma", &o.gamma, "", Range::fraction, "of newmark: above 1/2 it damps, below it grows", "0.5",
        integration},
       {"rho-inf", &o.rho_inf, "", Range::fraction,
-       "of generalized-alpha: what is left of motions far faster than the step, each step", "0.8", integration},
+       "of generalized-alpha: what is left of motions far faster than the step, each step", "0.8",
+       integration},
       {"every", &o.every, "", Range::positive, "keep every Nth state", "1", integration},
+      {"compensated", &o.compensated, "", Range::any,
+       "carry along what the sums of a fixed-step method round off, for runs of millions of steps", "",
+       integration},
       {"sensor-noise", &o.sensor.noise, "m", Range::not_negative, "standard deviation of the noise", "0",
        sensor, &o.sensor.used},
       {"sensor-resolution", &o.sensor.resolution, "m", Range::not_negative, "rounding step", "0: not rounded",

@@ -14,6 +14,10 @@ struct SimulatedRun;
 /// harmonic drive with the steady motion. Empty otherwise.
 std::optional<MethodEffect> effect_of(const SimulatedRun& run);
 
+/// Warning of a step beyond the method's stability limit, which it names: of the linear law, else of small
+/// motions about the rest position; empty where there is nothing to warn of.
+std::string step_warning(const SimulatedRun& run);
+
 /// What the method makes of the law: of a linear one "turns your damping of ..."; of others, once run, what
 /// was measured and where the energy went: "swung at ...; had 0.5 J, of which drag took ...". Empty where
 /// neither is known.

@@ -8,14 +8,13 @@
 #include <variant>
 
 #include "cromer/analysis/energy.h"
-#include "cromer/methods/all.h"
 #include "cromer/model/sensor.h"
 #include "cromer/run/keep.h"
-#include "cromer/run/solve.h"
 #include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/run_energy.h"
+#include "cromer/study/task/run_invariants.h"
+#include "cromer/study/task/run_law.h"
 #include "cromer/study/task/simulate_setup.h"
-#include "cromer/study/task/with_system.h"
 
 namespace cromer {
 namespace {
@@ -31,9 +30,10 @@ std::string message_of(const Outcome& outcome) {
     case Status::step_limit:
       return "the step limit was reached at " + place;
     case Status::step_too_small:
-      return "the step became too small at " + place;
+      return "the step became too small to go on at " + place +
+             ": the motion runs away there, or --tolerance asks for too much";
     case Status::no_convergence:
-      return "no convergence in Newton's iteration after " + place;
+      return "no convergence in Newton's iteration after " + place + "; take a shorter --step";
     case Status::not_finite:
       return "diverged: not finite after " + place;
   }
@@ -58,21 +58,20 @@ void end_before_overflow(SimulatedRun& run, long long every) {
   run.outcome.last_step = 0;
 }
 
-/// How long a step may be that is not to leap over a pulse or a sample [s]; a harmonic drive shows in any.
-double longest_step(const SimulatedRun& run) {
-  if (!run.general) return std::numeric_limits<double>::infinity();
-  const auto* sampled = std::get_if<SampledDrive>(&*run.general);
-  return sampled ? std::min(run.step, sampled->spacing) : run.step;
-}
-
 void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const Interval interval{0, run.until};
   KeepEvery keep(every, count_steps(interval, run.step));
-  run.outcome = with_system(run, [&](const auto& system) {
-    return visit_method(run.method, run.settings, [&](const auto& method) {
-      return solve(system, method, interval, run.start, {run.step, run.tolerance, longest_step(run)}, keep, watch, {}, &run.events);
-    });
-  });
+  run.outcome = run_law({.oscillator = run.oscillator,
+                         .drive = run.drive,
+                         .general = run.general ? &*run.general : nullptr,
+                         .method = run.method,
+                         .settings = run.settings,
+                         .interval = interval,
+                         .start = run.start,
+                         .control = {run.step, run.tolerance},
+                         .events = &run.events,
+                         .compensated = run.compensated},
+                        keep, watch);
   run.trajectory = keep.take();
   end_before_overflow(run, every);
   run.message = message_of(run.outcome);
@@ -129,6 +128,7 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
       result.warnings.push_back(fmt::format("{}: only the first {} of {} events are listed", run.label,
                                             EventLog::most, EventLog::most + run.events.missed));
     run.energy_balance = energy_balance_of(run);
+    run.modified_energy = modified_energy_of(run);
     run.measured = measured_oscillator_of(run);
     if (options.sensor.used) run.sensor = readings(run.trajectory, options.sensor);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cromer/analysis/energy_balance.h"
+#include "cromer/analysis/invariants.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
@@ -67,11 +68,12 @@ struct SimulateOptions {
   std::optional<double> step{};               // [s] > 0; 1/200 of the shorter of natural and drive period
   std::optional<double> until{};              // [s] > 0; 20 natural periods
   std::optional<double> tolerance{};  // 1e-15 to 1e-2; Newton's last update relative to the motion's scale
-  std::optional<double> beta{}, gamma{};      // of newmark, 0 to 1; 1/4 and 1/2 by default
-  std::optional<double> rho_inf{};            // of generalized-alpha, 0 to 1; 0.8 by default
-  std::optional<double> accuracy{};   ///< 1e-9 to 0.5, in place of step: the largest that keeps to it
-  std::vector<std::string> event{};   ///< as event_option.h reads them
-  long long every = 1;                ///< keep every Nth state, > 0
+  std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2 by default
+  std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8 by default
+  std::optional<double> accuracy{};       ///< 1e-9 to 0.5, in place of step: the largest that keeps to it
+  std::vector<std::string> event{};       ///< as event_option.h reads them
+  long long every = 1;                    ///< keep every Nth state, > 0
+  bool compensated = false;               ///< states in compensated sums, for very long runs
   SensorOptions sensor{};
   double memory =
       0;  // [bytes] most that the kept states may take; 0: no limit. Set by the caller, not an option
@@ -88,17 +90,19 @@ struct SimulatedRun {
   double step = 0;   // [s]
   double until = 0;  // [s]
   double tolerance = 0;
-  MethodSettings settings{};  ///< what the method takes besides
+  MethodSettings settings{};             ///< what the method takes besides
+  bool compensated = false;              ///< states in compensated sums
   std::optional<MethodEffect> effect{};  ///< what it really simulates, of linear laws
   std::optional<RunTransmission> transmission{};  ///< what gets through, of driven linear laws
   Outcome outcome;
   Trajectory trajectory;
-  std::vector<double> sensor{};  ///< one sample per kept state; empty without a sensor
-  std::string message;           ///< why it ended early, with time and step
-  EventLog events{};             ///< what was watched for and found
-  std::optional<Accuracy> accuracy{};             ///< where it was asked for
-  std::optional<MeasuredOscillator> measured{};   ///< of a free motion that is not the linear law's
-  std::optional<EnergyBalance> energy_balance{};  ///< where the kept states are dense enough for it
+  std::vector<double> sensor{};                     ///< one sample per kept state; empty without a sensor
+  std::string message;                              ///< why it ended early, with time and step
+  EventLog events{};                                ///< what was watched for and found
+  std::optional<Accuracy> accuracy{};               ///< where it was asked for
+  std::optional<MeasuredOscillator> measured{};     ///< of a free motion that is not the linear law's
+  std::optional<EnergyBalance> energy_balance{};    ///< where the kept states are dense enough for it
+  std::optional<ModifiedEnergy> modified_energy{};  ///< where the method conserves one
 
   /// It reached its end, or an event that was to stop it.
   bool done() const {

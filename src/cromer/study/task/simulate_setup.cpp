@@ -11,9 +11,11 @@
 #include "cromer/model/terms.h"
 #include "cromer/run/step_control.h"
 #include "cromer/run/steps.h"
-#include "cromer/study/task/event_option.h"
 #include "cromer/study/task/drive_setup.h"
+#include "cromer/study/task/event_option.h"
 #include "cromer/study/task/option.h"
+#include "cromer/study/task/run_effect.h"
+#include "cromer/study/task/run_law.h"
 
 namespace cromer {
 namespace {
@@ -21,6 +23,8 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double steps_per_period = 200;
 constexpr double periods_per_run = 20;
+
+bool is_adaptive(std::string_view name) { return find_method(name)->error_order > 0; }
 
 Result<void> check_ranges(SimulateOptions options) {
   for (const auto& option : options_of(options))
@@ -37,8 +41,7 @@ Result<void> check_alternatives(const SimulateOptions& o) {
                              shortest(o.friction), shortest(*o.static_friction))};
   if (o.damping.has_value() + o.damping_ratio.has_value() + o.quality_factor.has_value() > 1)
     return Error{"--damping, --damping-ratio and --quality-factor all set the damping; give one of them"};
-  if (o.step && o.accuracy)
-    return Error{"--step and --accuracy both set the step; give one of them"};
+  if (o.step && o.accuracy) return Error{"--step and --accuracy both set the step; give one of them"};
   return {};
 }
 
@@ -56,9 +59,13 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   if (!std::isfinite(k) || !std::isfinite(c))
     return Error{
         "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
-  return Oscillator<double>{
-      .mass = m, .stiffness = k, .damping = c, .drag = o.drag, .friction = o.friction, .cubic = o.cubic,
-      .static_friction = o.static_friction.value_or(0)};
+  return Oscillator<double>{.mass = m,
+                            .stiffness = k,
+                            .damping = c,
+                            .drag = o.drag,
+                            .friction = o.friction,
+                            .cubic = o.cubic,
+                            .static_friction = o.static_friction.value_or(0)};
 }
 
 State<double> start_of(const SimulateOptions& o) {
@@ -103,10 +110,10 @@ Result<void> check_exact(const SimulatedRun& run) {
   if (run.method != "exact" || term.empty()) return {};
   if (term == "friction") {
     if (run.drive.amplitude == 0 && !run.general) return {};
-    return Error{
-        fmt::format("--method exact: with friction ({} N) there is no closed form under a drive; leave one of them "
-                    "out or choose another method, for instance dormand-prince",
-                    shortest(law.friction))};
+    return Error{fmt::format(
+        "--method exact: with friction ({} N) there is no closed form under a drive; leave one of them "
+        "out or choose another method, for instance dormand-prince",
+        shortest(law.friction))};
   }
   const double value = term == "cubic" ? law.cubic : law.drag;
   const std::string_view unit = term == "cubic" ? "N/m^3" : "kg/m";
@@ -114,6 +121,28 @@ Result<void> check_exact(const SimulatedRun& run) {
       "--method exact: there is no closed form with {} ({} {}); leave it out or choose another method, "
       "for instance rk4 with a short step",
       term, shortest(value), unit)};
+}
+
+/// Compensated sums are for states that grow by increments, in steps that nothing cuts short.
+Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run) {
+  if (!o.compensated) return {};
+  if (!takes_compensated_sums(*find_method(run.method)))
+    return Error{fmt::format(
+        "--compensated: {} {}; leave it out or choose another method, for instance "
+        "euler-cromer",
+        run.method,
+        is_adaptive(run.method) ? "chooses its own steps, whose errors are larger than those of the sums"
+                                : "adds nothing up, it takes each state from the closed form")};
+  if (run.oscillator.friction != 0 || run.oscillator.static_friction != 0)
+    return Error{
+        fmt::format("--compensated: with --friction ({} N) steps end where the mass stops; leave one of them "
+                    "out",
+                    shortest(std::max(run.oscillator.friction, run.oscillator.static_friction)))};
+  if (!o.event.empty())
+    return Error{
+        fmt::format("--compensated: --event \"{}\" is looked for in ordinary sums; leave one of them out",
+                    o.event.front())};
+  return {};
 }
 
 std::string bytes_in_words(double bytes) {
@@ -142,8 +171,6 @@ Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedR
       "shorter --until, or keep every Nth state with --every N",
       states, bytes_in_words(bytes), bytes_in_words(memory))};
 }
-
-bool is_adaptive(std::string_view name) { return find_method(name)->error_order > 0; }
 
 /// Methods that choose their steps, or solve an equation in every step or where the force depends on the
 /// velocity.
@@ -208,11 +235,13 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
                       .beta = options.beta.value_or(run.settings.beta),
                       .gamma = options.gamma.value_or(run.settings.gamma),
                       .rho_inf = options.rho_inf.value_or(run.settings.rho_inf)};
+      run.compensated = options.compensated;
       run.label = label_of(options, run);
       if (auto good = check_start(run); !good) return good.error();
       if (auto good = set_times(options, run); !good) return good.error();
       if (auto good = end_drive(options, run); !good) return good.error();
       if (auto good = check_exact(run); !good) return good.error();
+      if (auto good = check_compensated(options, run); !good) return good.error();
       runs.push_back(std::move(run));
     }
   }
@@ -238,9 +267,10 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
       add_once(fmt::format("--{} has no effect on {}", options.beta ? "beta" : "gamma", run.method));
     if (options.rho_inf && run.method != GeneralizedAlpha::info.name)
       add_once(fmt::format("--rho-inf has no effect on {}", run.method));
-    if (run.effect)
-      if (auto warning = instability_warning(run.method, *run.effect, run.step); !warning.empty())
-        add_once(std::move(warning));
+    if (auto warning = step_warning(run); !warning.empty()) add_once(std::move(warning));
+    if (const double begin = drive_begin(run); begin >= run.until)
+      add_once(fmt::format("--drive-start: the drive begins at {} s, and the run ends at {} s",
+                           shortest(begin), shortest(run.until)));
     const Steps steps = count_steps({0, run.until}, run.step);
     if (steps.last > 0)
       add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {:.6g} s",

@@ -22,6 +22,7 @@ struct Truth {
 
 Result<Truth> truth_of(const SimulateOptions& options, const SimulatedRun& run) {
   SimulateOptions reference = options;
+  reference.compensated = false;
   reference.step = run.step;
   const bool closed = std::string_view(why_not_exact(run.oscillator)).empty() && !run.general;
   reference.method = {closed ? "exact" : "dormand-prince"};

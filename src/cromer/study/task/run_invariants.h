@@ -1,0 +1,20 @@
+// What a run conserves, and how well.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cromer/analysis/invariants.h"
+
+namespace cromer {
+
+struct SimulatedRun;
+
+/// Of a free undamped linear motion by euler-cromer with steps below the stability limit, from the kept
+/// states that whole steps reached; empty otherwise, and where nothing moves.
+std::optional<ModifiedEnergy> modified_energy_of(const SimulatedRun& run);
+
+/// "euler-cromer conserves ..."; empty where there is none.
+std::string modified_energy_in_words(const SimulatedRun& run);
+
+}  // namespace cromer

@@ -1,0 +1,45 @@
+// A law, a method and a drive, by their values and names: what every task runs.
+#pragma once
+
+#include <string_view>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/base/state.h"
+#include "cromer/methods/method.h"
+#include "cromer/methods/method_settings.h"
+#include "cromer/model/drive.h"
+#include "cromer/model/general_drive.h"
+#include "cromer/model/oscillator.h"
+#include "cromer/run/event.h"
+#include "cromer/run/keep.h"
+#include "cromer/run/outcome.h"
+#include "cromer/run/step_control.h"
+#include "cromer/run/steps.h"
+
+namespace cromer {
+
+/// What to run.
+struct LawRun {
+  Oscillator<double> oscillator;
+  HarmonicDrive<double> drive{};                  ///< not looked at where there is a general one
+  const GeneralDrive<double>* general = nullptr;  ///< outlives the run
+  std::string_view method;                        ///< in the list of methods; it can integrate the law
+  MethodSettings settings{};
+  Interval interval{};
+  State<double> start{};
+  StepControl control;
+  EventLog* events = nullptr;  ///< watched for and found; nullptr: none
+  bool compensated = false;    ///< states in compensated sums: without friction and events, by a method that
+                               ///< takes_compensated_sums
+};
+
+/// Methods that add increments to a state in steps of fixed length.
+constexpr bool takes_compensated_sums(const MethodInfo& info) {
+  return info.error_order == 0 && info.order > 0;
+}
+
+/// Runs it as solve does. Every law is compiled with every method here, once for all tasks, in a unit for
+/// each kind of drive: a task that called solve by itself would compile them again.
+Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch = {});
+
+}  // namespace cromer
