@@ -97,13 +97,14 @@ int run_fit(const Arguments& arguments) {
   OutputOptions output;
   Syntax syntax{.command = "fit",
                 .description =
-                    "The law of motion of a free oscillation, with uncertainties, from its recording. No "
-                    "start values are needed.",
+                    "The law of motion of a free or a driven oscillation, with uncertainties, from its "
+                    "recording. No start values are needed.",
                 .files = "FILE|FOLDER...",
                 .options = options_of(options),
                 .example =
                     "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
-                    "s\" --plot fit.svg"};
+                    "s\" --plot fit.svg\n"
+                    "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
   SpringOptions spring;
   const auto of_spring = options_of(spring);
   syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());

@@ -29,7 +29,8 @@ ForcedFit fit_driven(const Record& record, ForcedTerms terms, std::optional<doub
   for (double y : record.y) level += y / static_cast<double>(record.y.size());
   std::vector<double> z(record.y.begin(), record.y.end());
   for (double& value : z) value -= level;
-  if (!(rms_of(z) > 0)) return refuse(FitStatus::no_oscillation, "nothing moves: all values are equal");
+  if (!(rms_of(z) > 1e-14 * std::abs(level)))
+    return refuse(FitStatus::no_oscillation, "nothing moves: all values are equal");
 
   std::optional<Parameters> first = start;
   if (!first) {

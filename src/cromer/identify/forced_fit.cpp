@@ -23,7 +23,7 @@ template <class MakeDrive>
 Parameters grow(const MakeDrive& drive, ForcedTerms terms, const Parameters& start,
                 const ForcedSamples& samples, double spacing, const Watch& watch) {
   const ForcedLayout at = forced_layout(RecordedForce::parameters, terms);
-  const double h = std::min(spacing, 0.5 / std::sqrt(start[at.stiffness]));
+  const double h = coarse_step(drive, terms, start, samples);
   const auto misfit = [&](const Parameters& p) {
     return forced_equations(terms, p, drive(p, h), samples, h).sum_of_squares;
   };
@@ -80,7 +80,8 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   std::vector<double> z(seen.begin(), seen.end());
   for (double& value : z) value -= level;
   const double rms = rms_of(z);
-  if (!(rms > 0)) return refuse(FitStatus::no_oscillation, "nothing moves: all values are equal");
+  if (!(rms > 1e-14 * std::abs(level)))
+    return refuse(FitStatus::no_oscillation, "nothing moves: all values are equal");
   const ForcedSamples samples{record.t.first(record.fitted), z};
 
   const auto drive = [&](const Parameters&, double h) {
@@ -112,7 +113,7 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   if (!(quantities.values.front() > 0))
     return refuse(FitStatus::no_oscillation, "no oscillation found: the law has no stiffness where it rests");
   describe_forced(fit, minimum, quantities, samples.t, seen, record.resolution);
-  constexpr double least = 0.1;
+  constexpr double least = 0.3;
   if (fit.law.status == FitStatus::converged && fit.law.explained < least)
     return refuse(FitStatus::too_noisy,
                   fmt::format("the force accounts for {:.1f} % of the motion's variance only",

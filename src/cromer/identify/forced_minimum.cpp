@@ -104,6 +104,9 @@ void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQ
   law.angular_frequency = *estimate("angular_frequency");
   law.decay_rate = *estimate("decay_rate");
   law.drag = estimate("drag");
+  // Neither can be negative.
+  law.decay_rate.low = std::max(0.0, law.decay_rate.low);
+  if (law.drag) law.drag->low = std::max(0.0, law.drag->low);
   law.cubic = estimate("cubic");
   law.equilibrium = *estimate("equilibrium");
   law.position = *estimate("position");

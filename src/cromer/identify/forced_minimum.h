@@ -28,6 +28,33 @@ double rms_of(std::span<const double> z);
 /// How many samples are there.
 std::size_t samples_of(std::span<const double> z);
 
+/// The rms difference between the motions at steps of h and of h/2.
+template <class MakeDrive>
+double method_error(const MakeDrive& drive, ForcedTerms terms, const Parameters& p, std::span<const double> t,
+                    double h) {
+  const std::vector<double> z = forced_motion(terms, p, drive(p, h), t, h);
+  const std::vector<double> finer = forced_motion(terms, p, drive(p, h / 2), t, h / 2);
+  double sum = 0;
+  const std::size_t n = std::min(z.size(), finer.size());
+  for (std::size_t i = 0; i < n; ++i) sum += (z[i] - finer[i]) * (z[i] - finer[i]);
+  return std::sqrt(sum / static_cast<double>(n));
+}
+
+/// Steps fine enough to begin with: the method is off by less than a two-hundredth of the motion in the
+/// beginning of the record.
+template <class MakeDrive>
+double coarse_step(const MakeDrive& drive, ForcedTerms terms, const Parameters& start,
+                   const ForcedSamples& samples) {
+  const ForcedLayout at = forced_layout(decltype(drive(start, 1.0))::parameters, terms);
+  const double spacing = (samples.t.back() - samples.t.front()) / static_cast<double>(samples.t.size() - 1);
+  double h = std::min(spacing, 0.5 / std::sqrt(start[at.stiffness]));
+  const auto beginning = samples.t.first(std::min<std::size_t>(samples.t.size(), 1000));
+  const double enough = 0.005 * rms_of(samples.z);
+  for (int halvings = 0; halvings < 4; ++halvings, h /= 2)
+    if (method_error(drive, terms, start, beginning, h) < enough) break;
+  return h;
+}
+
 /// `drive(parameters, h)` makes the drive for steps of h. Coarse steps first, then halved until the method's
 /// error, measured by halving, could move no parameter by a tenth of its standard error; only those if they
 /// leave 1.2 times `rms_to_beat`.
@@ -61,22 +88,16 @@ ForcedMinimum minimise_forced(const MakeDrive& drive, ForcedTerms terms, const P
     summary.iterations += before;
   };
 
-  const double spacing = (samples.t.back() - samples.t.front()) / static_cast<double>(samples.t.size() - 1);
-  h = std::min(spacing, 0.5 / std::sqrt(start[at.stiffness]));
+  h = coarse_step(drive, terms, start, samples);
   minimise_at(1e-2, 40);
   if (summary.equations.sum_of_squares > 1.44 * rms_to_beat * rms_to_beat * n) return at_minimum;
   for (int halvings = 0; halvings < 6 && summary.reason == LeastSquaresReason::converged; ++halvings) {
-    const Parameters& p = summary.parameters;
-    const std::vector<double> z = forced_motion(terms, p, drive(p, h), samples.t, h);
-    const std::vector<double> finer = forced_motion(terms, p, drive(p, h / 2), samples.t, h / 2);
-    double difference = 0;
-    for (std::size_t i = 0; i < std::min(z.size(), finer.size()); ++i)
-      difference += (z[i] - finer[i]) * (z[i] - finer[i]);
+    const double error = method_error(drive, terms, summary.parameters, samples.t, h);
     // A standard error moves the motion by one residual's rms in all.
-    if (difference <= 0.01 * summary.equations.sum_of_squares / n) break;
+    if (error * error * n <= 0.01 * summary.equations.sum_of_squares / n) break;
     h /= 2;
   }
-  minimise_at(1e-4, 40);
+  minimise_at(1e-3, 40);
   return at_minimum;
 }
 

@@ -16,7 +16,9 @@
 #include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
+#include "cromer/study/task/recognise_drive.h"
 
 namespace cromer {
 namespace {

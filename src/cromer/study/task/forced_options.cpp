@@ -1,0 +1,75 @@
+#include "cromer/study/task/forced_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace cromer {
+namespace {
+
+constexpr std::array<std::string_view, 4> readings{"auto", "linear", "hold", "band-limited"};
+
+}  // namespace
+
+std::optional<ForceBetween> reading_of(const FitOptions& options) {
+  for (const ForceBetween reading : {ForceBetween::linear, ForceBetween::hold, ForceBetween::band_limited})
+    if (options.between_samples == name(reading)) return reading;
+  return std::nullopt;
+}
+
+Result<std::optional<ForcedTerms>> terms_of(const FitOptions& options) {
+  if (options.law.empty() || options.law == "auto") return std::optional<ForcedTerms>{};
+  const Result<Law> law = parse_law(options.law);
+  if (!law) return law.error();
+  const Law known{true, law->drag, false, law->cubic};
+  if (*law != known)
+    return Error{fmt::format(
+        "--law {}: a driven motion is fitted with viscous damping, and drag and cubic if they are asked for",
+        options.law)};
+  return std::optional<ForcedTerms>{{.drag = law->drag, .curved = law->cubic}};
+}
+
+Result<std::optional<double>> drive_of(const FitOptions& options) {
+  if (options.drive_frequency == "auto") return std::optional<double>{};
+  const Result<Quantity> frequency = parse_quantity(options.drive_frequency, "rad/s");
+  if (!frequency)
+    return Error{"--drive-frequency: " + frequency.error().message + "; or auto, to find it in the record"};
+  if (!(frequency->value > 0) || !std::isfinite(frequency->value))
+    return Error{fmt::format("--drive-frequency {}: it must be positive", options.drive_frequency)};
+  return std::optional<double>{frequency->value};
+}
+
+bool is_driven(const FitOptions& options) {
+  return !options.force_column.empty() || !options.drive_frequency.empty();
+}
+
+Result<void> check_forced_options(const FitOptions& options) {
+  if (!options.force_column.empty() && !options.drive_frequency.empty())
+    return Error{
+        "--force-column and --drive-frequency exclude each other: the drive is recorded, or it is "
+        "harmonic"};
+  if (!options.between_samples.empty()) {
+    if (options.force_column.empty())
+      return Error{
+          "--between-samples needs --force-column: only a recorded force has anything between its "
+          "samples"};
+    if (std::find(readings.begin(), readings.end(), options.between_samples) == readings.end())
+      return Error{fmt::format("--between-samples: \"{}\" is none of linear, hold, band-limited and auto",
+                               options.between_samples)};
+  }
+  if (options.hold_out) {
+    if (options.force_column.empty())
+      return Error{"--hold-out needs --force-column: only a motion whose force is known can be foretold"};
+    if (!(*options.hold_out > 0 && *options.hold_out <= 0.9))
+      return Error{fmt::format("--hold-out {}: it must lie above 0 and at most at 90 %", *options.hold_out)};
+  }
+  if (!is_driven(options)) return {};
+  if (const auto terms = terms_of(options); !terms) return terms.error();
+  if (!options.drive_frequency.empty())
+    if (const auto drive = drive_of(options); !drive) return drive.error();
+  return {};
+}
+
+}  // namespace cromer

@@ -1,0 +1,27 @@
+// What the options of a forced or driven fit say.
+#pragma once
+
+#include <optional>
+
+#include "cromer/identify/forced_law.h"
+#include "cromer/identify/recorded_force.h"
+#include "cromer/study/task/fit.h"
+
+namespace cromer {
+
+/// Whether a fit of something driven is asked for.
+bool is_driven(const FitOptions& options);
+
+/// That each option of a forced or driven fit stands where it has a meaning and has one of its values.
+Result<void> check_forced_options(const FitOptions& options);
+
+/// How --between-samples reads the force; nothing for auto.
+std::optional<ForceBetween> reading_of(const FitOptions& options);
+
+/// The terms of --law; nothing for auto. A term that a driven motion is not fitted with is an Error.
+Result<std::optional<ForcedTerms>> terms_of(const FitOptions& options);
+
+/// The [rad/s] of --drive-frequency; nothing for auto.
+Result<std::optional<double>> drive_of(const FitOptions& options);
+
+}  // namespace cromer

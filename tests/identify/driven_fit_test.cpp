@@ -1,0 +1,144 @@
+#include "cromer/identify/driven_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <random>
+
+#include "tests/identify/forced_truth.h"
+
+namespace cromer {
+namespace {
+
+struct DrivenTruth {
+  double w0 = 7.2, g = 0.04, drive = 7.58, amplitude = 0.25, phase = 1.1, equilibrium = 0.3, position = 0.02,
+         velocity = 0.1;
+};
+
+struct Driven {
+  std::vector<double> t, y;
+  double resolution = 0;
+  Record record() const { return {t, y, resolution}; }
+};
+
+// The closed form.
+Driven driven(const DrivenTruth& p, std::size_t n, double h, double noise, unsigned seed,
+              double resolution = 0) {
+  using namespace std::complex_literals;
+  const std::complex<double> steady =
+      std::polar(p.amplitude, p.phase) / (p.w0 * p.w0 - p.drive * p.drive + 2i * p.g * p.drive);
+  const double w = std::sqrt(p.w0 * p.w0 - p.g * p.g);
+  const double x = p.position - steady.real(), v = p.velocity - (1i * p.drive * steady).real();
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  Driven record;
+  record.resolution = resolution;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double s = static_cast<double>(i) * h;
+    double y = p.equilibrium + (steady * std::exp(1i * p.drive * s)).real() +
+               std::exp(-p.g * s) * (x * std::cos(w * s) + (v + p.g * x) / w * std::sin(w * s)) +
+               noise * normal(engine);
+    if (resolution > 0) y = resolution * std::round(y / resolution);
+    record.t.push_back(5 + s);
+    record.y.push_back(y);
+  }
+  return record;
+}
+
+void expect_truth(const ForcedFit& fit, const DrivenTruth& p) {
+  ASSERT_EQ(fit.law.status, FitStatus::converged) << fit.law.message;
+  const auto near = [](const char* name, const Estimate& e, double truth) {
+    EXPECT_NEAR(e.value, truth, 4 * e.standard_error) << name;
+    EXPECT_GT(e.standard_error, 0) << name;
+  };
+  near("w0", fit.law.angular_frequency, p.w0);
+  near("g", fit.law.decay_rate, p.g);
+  near("frequency", *fit.drive_frequency, p.drive);
+  near("amplitude", *fit.drive_amplitude, p.amplitude);
+  near("phase", *fit.drive_phase, p.phase);
+  near("equilibrium", fit.law.equilibrium, p.equilibrium);
+  near("position", fit.law.position, p.position);
+  near("velocity", fit.law.velocity, p.velocity);
+}
+
+TEST(DrivenFit, BeatsTellSpringAndDrive) {
+  const DrivenTruth truth;
+  const Driven record = driven(truth, 8000, 0.01, 1e-3, 1);
+  for (const std::optional<double> known : {std::optional<double>{}, std::optional<double>{7.58}}) {
+    const ForcedChoice choice = choose_driven(record.record(), {}, known);
+    expect_truth(choice.chosen, truth);
+    EXPECT_EQ(to_text(choice.chosen.law.law), "viscous");
+    EXPECT_NEAR(choice.chosen.law.residual.rms, 1e-3, 3e-5);
+    EXPECT_LT(choice.chosen.drive_frequency->standard_error, 2e-4);
+  }
+}
+
+TEST(DrivenFit, AFrequencyReadOffAGeneratorIsRefined) {
+  // Three digits: out of step by half a turn at the end.
+  const DrivenTruth truth{.drive = 7.5837};
+  const Driven record = driven(truth, 20000, 0.02, 1e-3, 2);
+  expect_truth(fit_driven(record.record(), {}, 7.58), truth);
+}
+
+TEST(DrivenFit, FarFromResonanceAndAtIt) {
+  for (const double w : {2.0, 6.9, 7.2, 7.25, 15.0, 40.0}) {
+    const DrivenTruth truth{.g = 0.1, .drive = w, .amplitude = w > 10 ? 5.0 : 0.5};
+    const Driven record = driven(truth, 6000, 0.02, 1e-3, 3);
+    expect_truth(fit_driven(record.record(), {}, w), truth);
+  }
+}
+
+TEST(DrivenFit, RoundingToCoarseStepsAddsNoTerms) {
+  const DrivenTruth truth{.amplitude = 0.2};
+  const Driven record = driven(truth, 20000, 0.01, 0, 4, 0.01);
+  const ForcedChoice choice = choose_driven(record.record(), {}, {});
+  EXPECT_EQ(to_text(choice.chosen.law.law), "viscous");
+  expect_truth(choice.chosen, truth);
+}
+
+TEST(DrivenFit, FindsDragAndASofteningSpring) {
+  const ForcedTruth truth{
+      .w0 = 7.2, .g = 0.03, .drag = 0.6, .cubic = -60, .gain = 1, .position = 0.2, .velocity = 0};
+  const auto force = [](double t) { return 0.5 * std::cos(7.9 * t + 0.5); };
+  const auto record = forced_synthetic(truth, force, 6000, 0.02, 5e-4, 5);
+  const ForcedChoice choice = choose_driven({record.t, record.y, 0}, {}, {});
+  const ForcedFit& fit = choice.chosen;
+  ASSERT_EQ(to_text(fit.law.law), "viscous+drag+cubic");
+  EXPECT_NEAR(fit.law.drag->value, 0.6, 4 * fit.law.drag->standard_error);
+  EXPECT_NEAR(fit.law.cubic->value, -60, 4 * fit.law.cubic->standard_error);
+  EXPECT_NEAR(fit.drive_frequency->value, 7.9, 4 * fit.drive_frequency->standard_error);
+  EXPECT_NEAR(fit.drive_amplitude->value, 0.5, 4 * fit.drive_amplitude->standard_error);
+}
+
+// Of 60 records, each interval misses 0 to 9 (probability beyond, 1e-3).
+TEST(DrivenFit, IntervalsHoldTheTruth) {
+  const DrivenTruth truth{.g = 0.08};
+  int w0 = 0, g = 0, frequency = 0, amplitude = 0;
+  const auto misses = [](const Estimate& e, double value) { return value < e.low || value > e.high; };
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Driven record = driven(truth, 1500, 0.03, 2e-3, 50 + seed);
+    const ForcedFit fit = fit_driven(record.record(), {}, {});
+    ASSERT_EQ(fit.law.status, FitStatus::converged) << seed << fit.law.message;
+    w0 += misses(fit.law.angular_frequency, truth.w0);
+    g += misses(fit.law.decay_rate, truth.g);
+    frequency += misses(*fit.drive_frequency, truth.drive);
+    amplitude += misses(*fit.drive_amplitude, truth.amplitude);
+  }
+  for (const int missed : {w0, g, frequency, amplitude}) EXPECT_LE(missed, 9);
+  EXPECT_GE(w0 + g + frequency + amplitude, 2);
+}
+
+TEST(DrivenFit, RefusesNoise) {
+  std::mt19937_64 engine(6);
+  std::normal_distribution<double> normal;
+  Driven record;
+  for (int i = 0; i < 2000; ++i) {
+    record.t.push_back(0.01 * i);
+    record.y.push_back(normal(engine));
+  }
+  EXPECT_NE(choose_driven(record.record(), {}, {}).chosen.law.status, FitStatus::converged);
+}
+
+}  // namespace
+}  // namespace cromer

@@ -1,0 +1,88 @@
+// Forced motions whose law and force are known: integrated finely, force and position recorded as samples.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "cromer/identify/forced_fit.h"
+#include "cromer/methods/dormand_prince.h"
+
+namespace cromer {
+
+struct ForcedTruth {
+  double w0 = 12, g = 0.35, drag = 0, quadratic = 0, cubic = 0, gain = 2.5, offset = 0;
+  double equilibrium = 0, position = 0.1, velocity = -0.4;
+};
+
+/// A force of many sinusoids, none above the given frequency [rad/s]: band-limited and known at all times.
+inline std::function<double(double)> multisine(double highest, unsigned seed, int lines = 60) {
+  struct Line {
+    double w, phase;
+  };
+  std::vector<Line> all;
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<double> part(0, 1);
+  for (int i = 0; i < lines; ++i)
+    all.push_back({highest * (i + part(engine)) / lines, 2 * 3.141592653589793 * part(engine)});
+  return [all](double t) {
+    double sum = 0;
+    for (const Line& line : all) sum += std::cos(line.w * t + line.phase);
+    return sum * std::sqrt(2.0 / static_cast<double>(all.size()));
+  };
+}
+
+/// What a recorder makes of a force, taken back to all times.
+inline std::function<double(double)> read_between(const std::vector<double>& samples, double h, bool hold) {
+  return [samples, h, hold](double t) {
+    const double u = t / h + 1e-9;
+    const auto i = std::min(static_cast<std::size_t>(std::max(0.0, u)), samples.size() - 2);
+    return hold ? samples[i] : samples[i] + (u - static_cast<double>(i)) * (samples[i + 1] - samples[i]);
+  };
+}
+
+struct ForcedSynthetic {
+  std::vector<double> t, force, y;
+  double spacing = 0;
+
+  ForcedRecord record() const {
+    return {
+        .force = force, .spacing = spacing, .first = 0, .t = t, .y = y, .fitted = y.size(), .resolution = 0};
+  }
+};
+
+/// Samples of the motion; `force` acts and is recorded. The integration starts anew at each sample and ends a
+/// hair before the next, so that a force may jump there.
+inline ForcedSynthetic forced_synthetic(const ForcedTruth& truth, const std::function<double(double)>& force,
+                                        std::size_t n, double spacing, double noise, unsigned seed) {
+  struct System {
+    const ForcedTruth& p;
+    const std::function<double(double)>& u;
+    double end = 0;
+    double acceleration(double t, double x, double v) const {
+      return p.gain * (u(std::min(t, end)) + p.offset) - p.w0 * p.w0 * x - 2 * p.g * v -
+             p.drag * v * std::abs(v) - p.quadratic * x * x - p.cubic * x * x * x;
+    }
+  };
+  ForcedSynthetic record;
+  record.spacing = spacing;
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal;
+  State<double> y{truth.position, truth.velocity};
+  const DormandPrince method;
+  constexpr int steps = 24;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = static_cast<double>(i) * spacing;
+    record.t.push_back(t);
+    record.force.push_back(force(t));
+    record.y.push_back(truth.equilibrium + y.x + noise * normal(engine));
+    const System system{truth, force, t + spacing * (1 - 1e-7)};
+    auto memory = method.start(system, t, y);
+    for (int k = 0; k < steps; ++k)
+      y = method.step(system, t + k * spacing / steps, spacing / steps, y, memory).y;
+  }
+  return record;
+}
+
+}  // namespace cromer
