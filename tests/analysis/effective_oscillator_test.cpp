@@ -140,6 +140,17 @@ TEST(EffectiveOscillator, SaysWhatTheTheorySays) {
   EXPECT_NEAR(*effective("euler-cromer", law, 0.01).decay_rate, -std::log(1 - 2 * 0.15 * 0.01) / 0.02, 1e-13);
 }
 
+TEST(EffectiveOscillator, CriticalDampingDoesNotSwing) {
+  // One double eigenvalue, whose rounding must not pass for an oscillation; Euler-Cromer's own is no longer
+  // critical.
+  const LinearLaw<double> law = law_of(3, 1);
+  for (const double h : {0.003, 0.1, 0.37})
+    for (const char* method :
+         {"implicit-euler", "implicit-midpoint", "newmark", "heun", "rk4", "gauss-legendre4", "exact"})
+      EXPECT_FALSE(effective(method, law, h).angular_frequency) << method << ' ' << h;
+  EXPECT_TRUE(effective("implicit-euler", law_of(3, 1 - 1e-9), 0.1).angular_frequency);
+}
+
 TEST(EffectiveOscillator, ExactIsItsOwn) {
   const auto found = effective("exact", law_of(6, 0.1), 0.02);
   EXPECT_NEAR(*found.decay_rate, 0.6, 1e-12);

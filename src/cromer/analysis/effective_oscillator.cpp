@@ -19,7 +19,10 @@ T determinant(const Entry& m) {
 /// Eigenvalues of ((a, b), (c, d)), with the discriminant as a sum: tr^2/4 - det would lose five digits.
 Pair eigenvalues(Precise a, Precise b, Precise c, Precise d) {
   const Precise mean = 0.5 * (a + d), half_difference = 0.5 * (a - d);
-  const Precise discriminant = half_difference * half_difference + b * c;
+  Precise discriminant = half_difference * half_difference + b * c;
+  // What is left of two terms that cancel to rounding is none: at critical damping both eigenvalues are one.
+  const Precise size = half_difference * half_difference + std::abs(b * c);
+  if (std::abs(discriminant) <= 64 * std::numeric_limits<Precise>::epsilon() * size) discriminant = 0;
   if (discriminant < 0) {
     const Precise im = std::sqrt(-discriminant);
     return {Complex<Precise>{mean, im}, Complex<Precise>{mean, -im}};

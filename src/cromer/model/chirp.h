@@ -39,8 +39,24 @@ class ChirpForce {
   Real operator()(const Time& t) const {
     using std::cos;
     const Real u = t - drive_.start;
-    if (value_of(u) < 0 || value_of(u) >= value_of(drive_.duration)) return Real(0);
+    const bool on = everywhere_ ? on_ : value_of(u) >= 0 && value_of(u) < value_of(drive_.duration);
+    if (!on) return Real(0);
     return amplitude_ * cos(angle(u));
+  }
+
+  /// The first time after t at which it begins or ends.
+  double next_break(double t) const {
+    const double start = value_of(drive_.start), end = start + value_of(drive_.duration);
+    return t < start ? start : t < end ? end : std::numeric_limits<double>::infinity();
+  }
+
+  /// What it is at t, sweep or silence, at all times.
+  ChirpForce within(double t) const {
+    ChirpForce one = *this;
+    const double start = value_of(drive_.start);
+    one.everywhere_ = true;
+    one.on_ = t >= start && t < start + value_of(drive_.duration);
+    return one;
   }
 
   /// The first time after t at which it begins, turns or ends.
@@ -78,6 +94,7 @@ class ChirpForce {
   }
 
   ChirpDrive<Real> drive_;
+  bool everywhere_ = false, on_ = false;  ///< the same at all times
   Real amplitude_, log_ratio_ = Real(0);
 };
 

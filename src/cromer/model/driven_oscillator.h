@@ -85,6 +85,25 @@ class DrivenOscillator {
   /// The closed form has many pieces: best asked from state to state, not from the start of the run.
   static constexpr bool has_many_pieces = requires { Force::has_many_pieces; };
 
+  /// The first time after t [s] at which the drive is not smooth.
+  double next_break(double t) const requires(terms.drive&& requires(const Force& f) { f.next_break(0.0); }) {
+    return force_.next_break(t);
+  }
+
+  /// The law with what the drive is at t, at all times: smooth, and the same until the next break.
+  DrivenOscillator within(double t) const
+      requires(terms.drive&& requires(const Force& f) { f.within(0.0); }) {
+    DrivenOscillator smooth = *this;
+    smooth.force_ = force_.within(t);
+    return smooth;
+  }
+
+  /// No step of this length [s], taken from t = 0 on, has a break inside, or a jump at its end.
+  bool is_smooth_in_steps(double step) const {
+    if constexpr (requires { force_.is_smooth_in_steps(step); }) return force_.is_smooth_in_steps(step);
+    return false;
+  }
+
   /// The first time after t at which the drive may turn or jump.
   double next_turn(double t) const requires(terms.drive) { return force_.next_turn(t); }
 

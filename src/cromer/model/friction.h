@@ -88,6 +88,18 @@ class DryFriction {
   /// What friction must balance to hold the mass at x [m/s^2].
   Real pull(double t, const Real& x) const { return smooth_.acceleration(t, x, Real(0)); }
 
+  /// The first time after t [s] at which the smooth system's drive is not smooth.
+  double next_break(double t) const requires(requires(const S& s) { s.next_break(0.0); }) {
+    return smooth_.next_break(t);
+  }
+
+  /// The same with what the drive is at t, at all times.
+  DryFriction within(double t) const requires(requires(const S& s) { s.within(0.0); }) {
+    DryFriction same = *this;
+    same.smooth_ = smooth_.within(t);
+    return same;
+  }
+
   /// The first time after t at which the pull on a mass at rest may turn or jump [s]: until then it only
   /// rises or only falls.
   double next_turn(double t) const requires(depends_on_time) { return smooth_.next_turn(t); }

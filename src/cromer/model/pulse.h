@@ -83,6 +83,23 @@ class PulseForce {
     return std::numeric_limits<double>::infinity();
   }
 
+  /// The first time after t at which a piece begins.
+  double next_break(double t) const {
+    for (std::size_t i = 0; i < size_; ++i)
+      if (const double begin = value_of(pieces_[i].begin); begin > t * nearly) return begin;
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// The piece that holds at t, at all times: smooth, and the same until the next break.
+  PulseForce within(double t) const {
+    PulseForce one = *this;
+    const ForcePiece<Real>* piece = at(t);
+    one.pieces_[0] = piece ? *piece : ForcePiece<Real>{};
+    one.size_ = 1;
+    one.everywhere_ = true;
+    return one;
+  }
+
   /// The state at t >= t0 of the motion through y0 at t0.
   State<Real> propagate(const LinearLaw<Real>& law, const Real& t0, const Real& t,
                         const State<Real>& y0) const {
@@ -118,7 +135,7 @@ class PulseForce {
 
   /// The piece that holds at t; nullptr before the first. A time that is a start to rounding is one.
   const ForcePiece<Real>* at(double t) const {
-    constexpr double nearly = 1 + 4 * std::numeric_limits<double>::epsilon();
+    if (everywhere_) return &pieces_[0];
     const ForcePiece<Real>* found = nullptr;
     for (std::size_t i = 0; i < size_ && value_of(pieces_[i].begin) <= t * nearly; ++i) found = &pieces_[i];
     return found;
@@ -126,8 +143,11 @@ class PulseForce {
 
   void add(const ForcePiece<Real>& piece) { pieces_[size_++] = piece; }
 
+  static constexpr double nearly = 1 + 4 * std::numeric_limits<double>::epsilon();
+
   std::array<ForcePiece<Real>, 3> pieces_{};
   std::size_t size_ = 0;
+  bool everywhere_ = false;  ///< the first piece holds at all times
 };
 
 }  // namespace cromer

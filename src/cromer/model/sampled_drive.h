@@ -48,6 +48,7 @@ class SampledForce {
   template <class Time>
   Real operator()(const Time& t) const {
     const double u = value_of(t) * per_spacing_;
+    if (pinned_) return pinned_value(u);
     if (hold_) return per_mass_ * samples_[interval(u)];
     const std::size_t i = std::min(interval(u), last_ - 1);
     const double part = std::clamp(u - static_cast<double>(i), 0.0, 1.0);
@@ -59,6 +60,23 @@ class SampledForce {
     const double u = t * per_spacing_;
     if (!(u + rounding < static_cast<double>(last_))) return std::numeric_limits<double>::infinity();
     return static_cast<double>(interval(u) + 1) * spacing_;
+  }
+
+  /// The next sample after t, where it jumps or bends.
+  double next_break(double t) const { return next_turn(t); }
+
+  /// What it does at t, a constant or a ramp, at all times.
+  SampledForce within(double t) const {
+    SampledForce one = *this;
+    one.pinned_ = true;
+    one.pin_ = interval(t * per_spacing_);
+    return one;
+  }
+
+  /// Steps of this length [s] from a sample on never pass one but at their ends, and nothing jumps there.
+  bool is_smooth_in_steps(double step) const {
+    const double steps = spacing_ / step;
+    return !hold_ && std::abs(steps - std::round(steps)) < 1e-9 * steps;
   }
 
   /// Goes from sample to sample: best asked step by step.
@@ -87,6 +105,12 @@ class SampledForce {
  private:
   static constexpr double rounding = 1e-6;  ///< of a spacing: times t0 + n h fall on samples only nearly
 
+  Real pinned_value(double u) const {
+    const double here = samples_[pin_];
+    if (hold_ || pin_ >= last_) return per_mass_ * here;
+    return per_mass_ * (here + (u - static_cast<double>(pin_)) * (samples_[pin_ + 1] - here));
+  }
+
   /// The interval that u spacings lie in, at most the last sample.
   std::size_t interval(double u) const {
     const double shifted = u + rounding;
@@ -100,6 +124,8 @@ class SampledForce {
   double spacing_, per_spacing_;
   Real per_mass_;
   bool hold_;
+  bool pinned_ = false;
+  std::size_t pin_ = 0;  ///< the interval that holds at all times
 };
 
 }  // namespace cromer

@@ -29,32 +29,35 @@ bool is_rounding(const S& system, const Trial<Real>& trial, double h) {
   return false;
 }
 
-/// Goes on from where the course stands until the last row, the end of the phase, or an early end. The error
-/// of each step is at most the tolerance, relative to the motion's own scale (MotionScale). Status
-/// step_too_small where that would take steps that time cannot resolve.
+/// Goes on from where the course stands until the last row, the end of the phase (rest, or phase_end [s]), or
+/// an early end. The error of each step is at most the tolerance, relative to the motion's own scale
+/// (MotionScale). Status step_too_small where that would take steps that time cannot resolve.
 template <class S, class M, class Real, class Recorder>
 requires AdaptiveMethod<M, S, Real>
 void take_adaptive_steps(const S& system, const M& method, const Rows& rows, const StepControl& control,
                          const Lookout& look, MotionScale& scale, Course<Real>& course,
-                         const Recorder& record, const Watch& watch, const Limits& limits) {
+                         const Recorder& record, const Watch& watch, const Limits& limits,
+                         double phase_end = std::numeric_limits<double>::infinity()) {
   constexpr int parts = 8;  // a long step may pass a threshold more than once
   auto memory = method.start(system, course.t, course.y);
   course.at_rest = false;
   course.counts.evaluations += 2;  // at the start, and for the first step
   scale.include(course.y);
-  const double end = rows.time(rows.last());
+  const double end = std::min(rows.time(rows.last()), phase_end);
   PiController controller(M::info.error_order);
-  double h = first_step(course.y, system.acceleration(course.t, course.y.x, course.y.v), control.tolerance,
-                        M::info.error_order, rows.step);
+  double h = course.last_step;
+  if (!(h > 0))
+    h = first_step(course.y, system.acceleration(course.t, course.y.x, course.y.v), control.tolerance,
+                   M::info.error_order, rows.step);
+  course.last_step = 0;
   ReadyForSteps<S, M> ready(system);
   // Equal steps would round the same way each time: the rest is kept.
   Compensated now(course.t);
-  while (course.goes_on(rows) && !course.at_rest) {
+  while (course.goes_on(rows) && !course.at_rest && course.t < end) {
     course.look_up(rows, watch, limits);
     if (course.status != Status::reached_end) return;
     // What would be left for one more step is shared between two.
-    const double left = end - course.t;
-    h = std::min(h, control.longest);
+    const double left = end - course.t, wanted = h;
     const bool last = h >= left * (1 - 1e-12);
     if (last)
       h = left;
@@ -120,6 +123,7 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
     // Where nothing has moved, a long step could leap over what will set it going.
     const double factor = controller.after_accepted(error);
     if (factor != 1) h = error > 0 ? h * factor : std::max(h, std::min(h * factor, rows.step));
+    if (last && !course.at_rest) course.last_step = std::max(h, wanted);
   }
 }
 

@@ -11,6 +11,9 @@
 
 namespace cromer {
 
+/// Times no further apart than this part of a step are the same.
+inline constexpr double same_time = 1e-9;
+
 /// When to give up.
 struct Limits {
   long long steps = std::numeric_limits<long long>::max();  ///< > 0; where more are needed the run ends with
@@ -41,6 +44,7 @@ struct Course {
   Status status = Status::reached_end;
   bool interrupted = false;
   bool at_rest = false;  ///< a sliding mass has stopped: the next phase begins
+  double last_step = 0;  // [s] of the controller, where a phase ended in full swing; else 0
   Counts counts{};
 
   /// Not at the end, nor ended early.

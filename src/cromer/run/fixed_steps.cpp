@@ -15,18 +15,21 @@ long long parts_of_step(const Stepper& stepper, double h) {
 }  // namespace
 
 void take_fixed_steps(Stepper& stepper, const Rows& rows, const Lookout& look, Course<double>& course,
-                      AnyRecorder record, const Watch& watch, const Limits& limits) {
+                      AnyRecorder record, const Watch& watch, const Limits& limits, double phase_end) {
   const auto count = [&](const Trial<double>& trial) {
     course.counts.newton_iterations += trial.newton_iterations;
     course.counts.evaluations += stepper.info().evaluations_of(1, trial.newton_iterations);
     return trial;
   };
   course.at_rest = false;
-  while (course.goes_on(rows) && !course.at_rest) {
+  // An end that is a row but for rounding is that row.
+  const double soon = phase_end - same_time * rows.step;
+  while (course.goes_on(rows) && !course.at_rest && course.t < soon) {
     course.look_up(rows, watch, limits);
     if (course.status != Status::reached_end) return;
-    const double next = rows.time(course.row + 1);
-    const double h = course.t == rows.time(course.row) ? rows.spacing(course.row) : next - course.t;
+    const bool to_row = rows.time(course.row + 1) <= phase_end + same_time * rows.step;
+    const double next = to_row ? rows.time(course.row + 1) : phase_end;
+    const double h = to_row && course.t == rows.time(course.row) ? rows.spacing(course.row) : next - course.t;
     if (!(h > 0)) {  // a phase ended just on the row
       ++course.row;
       record(course.t, course.y);
@@ -50,8 +53,8 @@ void take_fixed_steps(Stepper& stepper, const Rows& rows, const Lookout& look, C
     course.y = cut.y;
     course.at_rest = cut.at_rest;
     if (cut.stopped) course.status = Status::stopped_by_event;
-    if (whole) ++course.row;
-    if (whole || cut.stopped) record(course.t, course.y);
+    if (whole && to_row) ++course.row;
+    if ((whole && to_row) || cut.stopped) record(course.t, course.y);
   }
 }
 

@@ -21,6 +21,8 @@
 #pragma once
 
 #include <cassert>
+#include <concepts>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -48,6 +50,43 @@ struct CanRun : std::bool_constant<Method<M, S, Real>> {};
 template <class M, FrictionSystem S>
 struct CanRun<M, S, double> : std::bool_constant<Method<M, SlidingSystem<S>, double>> {};
 
+/// A system whose drive jumps or bends: next_break(t) is the first time after t at which it does, within(t)
+/// the smooth system that holds from t until then (of a drive that ends, itself without one).
+template <class S>
+concept SystemWithBreaks = requires(const S& system, double t) {
+  { system.next_break(t) } -> std::convertible_to<double>;
+  { system.within(t) } -> std::same_as<S>;
+};
+
+/// M is a closed form, which knows the breaks.
+template <class M>
+constexpr bool is_exact = M::info.order == 0;
+
+/// Whether a run by M in steps of this length meets breaks that its steps do not begin and end at.
+template <class M, class S>
+bool has_breaks_within_steps(const S& system, Interval interval, double step) {
+  if constexpr (SystemWithBreaks<S> && !is_exact<M>)
+    return !(interval.from == 0 && system.is_smooth_in_steps(step)) &&
+           system.next_break(interval.from - step) < interval.until;
+  return false;
+}
+
+/// Calls piece(smooth, end) for each smooth stretch of the system from where the course stands: methods and
+/// their error estimates expect a smooth law, so that every step ends at a break at the latest. A system
+/// without breaks is one stretch.
+template <class S, class Real, class Piece>
+void for_each_stretch(const S& system, const Rows& rows, Course<Real>& course, const Piece& piece) {
+  if constexpr (SystemWithBreaks<S>) {
+    const double ahead = 2 * same_time * rows.step;  // a row that is a break but for rounding
+    while (course.goes_on(rows)) {
+      const S smooth = system.within(course.t + ahead);
+      piece(smooth, system.next_break(course.t + ahead));
+    }
+  } else {
+    piece(system, std::numeric_limits<double>::infinity());
+  }
+}
+
 /// Runs method on system over the interval (until >= from) from the start state. The recorder is called with
 /// (t, state) of the start and of every row, all finite: rows are `step` apart, row n at from + n step, the
 /// last one at the end. A fixed-step method steps from row to row; an adaptive one chooses its own steps, by
@@ -68,16 +107,24 @@ requires(CanRun<M, S, Real>::value && !FrictionSystem<S>) Outcome
     Course<Real> course{interval.from, start};
     MotionScale scale;
     one_by_one(course.t, start);
-    take_adaptive_steps(system, method, rows, control, look, scale, course, one_by_one, watch, limits);
+    for_each_stretch(system, rows, course, [&](const S& smooth, double end) {
+      take_adaptive_steps(smooth, method, rows, control, look, scale, course, one_by_one, watch, limits, end);
+    });
     return course.outcome(rows, watch);
   } else {
     if constexpr (std::is_same_v<Real, double>) {
-      if (look.anything()) {
+      if (look.anything() || has_breaks_within_steps<M>(system, interval, control.step)) {
         const Rows rows{interval, control.step};
         Course<double> course{interval.from, start};
         one_by_one(course.t, start);
-        StepperOf stepper(system, method, course.t, course.y);
-        take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits);
+        const auto run = [&](const S& smooth, double end) {
+          StepperOf stepper(smooth, method, course.t, course.y);
+          take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
+        };
+        if constexpr (is_exact<M>)
+          run(system, std::numeric_limits<double>::infinity());
+        else
+          for_each_stretch(system, rows, course, run);
         return course.outcome(rows, watch);
       }
     }
@@ -101,14 +148,23 @@ requires(CanRun<M, S, double>::value) Outcome
     pause(record);
   };
   one_by_one(course.t, start);
-  const auto slide = [&](int direction) {
-    const SlidingSystem<S> smooth = system.sliding(direction);
+  // From break to break: a slide that one of them ends goes on in the next.
+  const auto slide_within = [&](const S& piece, int direction, double end) {
+    const SlidingSystem<S> smooth = piece.sliding(direction);
     const Lookout look{direction, events};
     if constexpr (AdaptiveMethod<M, SlidingSystem<S>, double>) {
-      take_adaptive_steps(smooth, method, rows, control, look, scale, course, one_by_one, watch, limits);
+      take_adaptive_steps(smooth, method, rows, control, look, scale, course, one_by_one, watch, limits, end);
     } else {
       StepperOf stepper(smooth, method, course.t, course.y);
-      take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits);
+      take_fixed_steps(stepper, rows, look, course, one_by_one, watch, limits, end);
+    }
+  };
+  const auto slide = [&](int direction) {
+    if constexpr (SystemWithBreaks<S>) {
+      const double ahead = course.t + 2 * same_time * rows.step;
+      slide_within(system.within(ahead), direction, system.next_break(ahead));
+    } else {
+      slide_within(system, direction, std::numeric_limits<double>::infinity());
     }
   };
   stick_and_slip(system, rows, course, slide, one_by_one, watch);

@@ -19,13 +19,9 @@ struct StepControl {
   double step;  // [s] > 0; of adaptive methods the spacing of the rows
   /// Of adaptive methods, 1e-15 to 1e-2: error of a step over the motion's scale.
   double tolerance = default_tolerance;
-  /// [s] > 0, of adaptive methods: no longer steps, where a force acts so briefly that one could leap over
-  /// it.
-  double longest = std::numeric_limits<double>::infinity();
 
-  StepControl(double step_, double tolerance_ = default_tolerance,  // NOLINT: a number is a step
-              double longest_ = std::numeric_limits<double>::infinity())
-      : step(step_), tolerance(tolerance_), longest(longest_) {}
+  StepControl(double step_, double tolerance_ = default_tolerance)  // NOLINT: a number is a step
+      : step(step_), tolerance(tolerance_) {}
 };
 
 /// The largest position and velocity of the motion so far: errors are measured by them.

@@ -108,6 +108,24 @@ TEST(Accuracy, DuffingIsMeasuredAgainstAFineReference) {
   EXPECT_GT(run.measured->half_cycles, 15);
 }
 
+TEST(Accuracy, AnyDriveCanBeMeasured) {
+  for (const char* drive : {"step", "half-sine", "chirp"}) {
+    SimulateOptions options = lightly_damped("rk4", 0.01);
+    options.drive = drive;
+    options.drive_amplitude = 1;
+    options.drive_start = 1;
+    if (std::string_view(drive) == "half-sine") options.drive_duration = 0.5;
+    if (std::string_view(drive) == "chirp") {
+      options.drive_frequency = {1};
+      options.drive_to = 8;
+    }
+    const SimulatedRun run = run_of(options);
+    ASSERT_TRUE(run.accuracy) << drive;
+    EXPECT_LE(run.accuracy->amplitude_error, 0.01) << drive;
+    EXPECT_GT(run.accuracy->step, 0.02) << drive;
+  }
+}
+
 TEST(Accuracy, ExactNeedsNone) {
   const SimulatedRun run = run_of(lightly_damped("exact", 1e-3));
   EXPECT_FALSE(run.accuracy);

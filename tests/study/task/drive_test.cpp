@@ -211,7 +211,25 @@ TEST(Drive, AnUnbalancePushesWithTheSquareOfItsFrequency) {
   EXPECT_DOUBLE_EQ(run(options).drive.amplitude, 0.02 * 0.1 * 900);
 }
 
+TEST(Drive, OneThatBeginsAfterTheEndIsWarnedOf) {
+  SimulateOptions late;
+  late.drive = "step";
+  late.drive_amplitude = 1;
+  late.drive_start = 30;
+  late.until = 10;
+  const auto result = simulate(late);
+  ASSERT_TRUE(result.ok());
+  EXPECT_THAT(result->warnings,
+              testing::Contains(HasSubstr("the drive begins at 30 s, and the run ends at 10 s")));
+}
+
 TEST(Drive, RefusesWhatDoesNotFitTogether) {
+  SimulateOptions heavy;
+  heavy.drive = "unbalance";
+  heavy.unbalance_mass = 2;
+  heavy.eccentricity = 0.1;
+  heavy.drive_frequency = {30};
+  EXPECT_THAT(refusal(heavy), HasSubstr("--unbalance-mass: it is part of --mass (1 kg), and cannot be 2 kg"));
   SimulateOptions step;
   step.drive = "step";
   EXPECT_THAT(refusal(step), HasSubstr("--drive step needs --drive-amplitude"));
@@ -281,7 +299,8 @@ TEST(Drive, AFileMustBeEvenAndWhole) {
   EXPECT_EQ(file_refusal(file_of("Time (s),Force (N)")), "");
   EXPECT_EQ(file_refusal(file_of("Time (s),Force (N)", "", 0.0001)), "");
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "", 0.001)), HasSubstr("not evenly spaced"));
-  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,")), HasSubstr("a gap of 0.02 s after t = 0.19 s"));
+  EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,")),
+              HasSubstr("a gap of 0.02 s after t = 0.19 s"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,NaN")), HasSubstr("fill in what is missing"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Force (N)", "0.2,many")), HasSubstr("many"));
   EXPECT_THAT(file_refusal(file_of("Time (s),Position (m)")), HasSubstr("holds position, not a force"));

@@ -84,6 +84,16 @@ std::vector<std::string> warnings(SimulateOptions options, double step) {
   return run(std::move(options)).warnings;
 }
 
+TEST(RunEffect, AHardeningSpringIsWarnedOfWhereTheMotionBegins) {
+  // At 1 m the stiffness is 9 + 3 * 1000 N/m: Verlet is stable up to 2/sqrt(3009) s.
+  const SimulateOptions stiff{.stiffness = 9, .cubic = 1000, .position = 1, .method = {"verlet"}};
+  EXPECT_THAT(
+      warnings(stiff, 0.05),
+      Contains(HasSubstr("stability limit of verlet for motions as wide as at the start under this law, "
+                         "0.0364604 s")));
+  EXPECT_THAT(warnings(stiff, 0.03), testing::IsEmpty());
+}
+
 TEST(RunEffect, EveryMethodIsWarnedOfAtItsLimit) {
   // k = 36 N/m, c = 0.3 kg/s: as the method itself says.
   const LinearLaw<double> law{.decay_rate = 0.15, .stiffness = 36};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "cromer/analysis/energy.h"
 
@@ -44,6 +45,29 @@ TEST(RunEnergy, ClosesForExactUnderAPulse) {
   ASSERT_TRUE(balance);
   EXPECT_GT(std::abs(balance->drive), 0.01);
   EXPECT_LT(std::abs(balance->method()), 1e-11 * (balance->start + std::abs(balance->drive)));
+}
+
+TEST(RunEnergy, AJumpIsNotTakenForTheMethodsDoing) {
+  for (const char* drive : {"step", "rectangular", "half-sine", "chirp"}) {
+    SimulateOptions options = at_resonance("gauss-legendre4");
+    options.drive = drive;
+    options.drive_frequency.clear();
+    options.drive_start = 0.7;
+    if (std::string_view(drive) != "step") options.drive_duration = 1.1;
+    if (std::string_view(drive) == "chirp") {
+      options.drive_frequency = {1};
+      options.drive_to = 8;
+    }
+    options.step = 0.01;
+    options.until = 5;
+    const auto balance = run_of(options).energy_balance;
+    ASSERT_TRUE(balance) << drive;
+    EXPECT_GT(std::abs(balance->drive), 1e-3) << drive;
+    EXPECT_LT(std::abs(balance->method()), 1e-7 * (balance->start + std::abs(balance->drive))) << drive;
+    // Between two states nothing is known of it.
+    options.drive_start = 0.7053;
+    EXPECT_FALSE(run_of(options).energy_balance) << drive;
+  }
 }
 
 TEST(RunEnergy, ImplicitEulerLosesWhatNobodyAskedFor) {

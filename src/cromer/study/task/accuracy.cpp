@@ -165,7 +165,8 @@ Result<double> largest_step(const Attempt& trial, double asked, double longest, 
   int kept = 0;
   for (double h = longest; kept < in_a_row; h *= ratio) {
     if (watch.interrupted()) return Error{"interrupted"};
-    if (until / h > most_steps) return none(asked, h, until);
+    // Steps that only confirm the branch below are predicted, not run.
+    if (until / (kept > 0 ? low : h) > most_steps) return none(asked, h, until);
     if (good(h)) {
       if (kept++ == 0) low = h;
     } else {

@@ -178,6 +178,9 @@ Result<void> set_drive(const SimulateOptions& o, double w, SimulatedRun& run) {
   if (reads_file(o)) {
     run.general = sampled_drive(o);
   } else if (kind == "unbalance") {
+    if (*o.unbalance_mass > o.mass)
+      return Error{fmt::format("--unbalance-mass: it is part of --mass ({} kg), and cannot be {} kg",
+                               shortest(o.mass), shortest(*o.unbalance_mass))};
     run.drive = {*o.unbalance_mass * *o.eccentricity * (w * w), w, o.drive_phase};
   } else if (kind == "base") {
     // -m y'' of y = Y cos(w t + phi)
@@ -213,6 +216,13 @@ double drive_period(const SimulatedRun& run) {
     const double highest = std::max(chirp->from, chirp->to);
     return highest > 0 ? two_pi / highest : 0;
   }
+  return 0;
+}
+
+double drive_begin(const SimulatedRun& run) {
+  if (!run.general) return 0;
+  if (const auto* pulse = std::get_if<PulseDrive<double>>(&*run.general)) return pulse->start;
+  if (const auto* chirp = std::get_if<ChirpDrive<double>>(&*run.general)) return chirp->start;
   return 0;
 }
 

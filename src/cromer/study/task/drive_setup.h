@@ -23,6 +23,9 @@ Result<void> set_drive(const SimulateOptions& options, double frequency, Simulat
 /// duration of a pulse; 0 where there is none.
 double drive_period(const SimulatedRun& run);
 
+/// When the drive sets in [s]; 0 where it acts from the start, or none does.
+double drive_begin(const SimulatedRun& run);
+
 /// Where the drive itself ends [s]; 0 where it does not.
 double drive_end(const SimulatedRun& run);
 

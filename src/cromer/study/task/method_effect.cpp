@@ -95,10 +95,11 @@ std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law) {
          frequency_in_words(*effective.angular_frequency, *frequency);
 }
 
-std::string instability_warning(std::string_view method, const MethodEffect& effect, double h, bool linear) {
+std::string instability_warning(std::string_view method, const MethodEffect& effect, double h,
+                                std::string_view motions) {
   if (effect.stable || !effect.stability_limit) return "";
-  const char* what = linear ? "this law" : "small motions under this law";
-  const char* end = linear ? "the motion will grow" : "the motion may grow";
+  const std::string what = motions.empty() ? "this law" : fmt::format("{} under this law", motions);
+  const char* end = motions.empty() ? "the motion will grow" : "the motion may grow";
   if (*effect.stability_limit == 0)
     return fmt::format("{} is unstable for {} whatever the step: {}", method, what, end);
   return fmt::format("--step: {} s is beyond the stability limit of {} for {}, {:.6g} s: {}", shortest(h),

@@ -32,8 +32,9 @@ std::optional<MethodEffect> effect_at_step(std::string_view method, const Method
 /// swings at 5.98 rad/s, 0.3 % too slow".
 std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law);
 
-/// Warning of a step beyond the limit, which it names; empty if there is none. The law is linear, or the
-/// effect that of small motions under one that is not.
-std::string instability_warning(std::string_view method, const MethodEffect& effect, double h, bool linear);
+/// Warning of a step beyond the limit, which it names; empty if there is none. Of a law that is not linear
+/// the effect is that of some motions only, which are named: "small motions".
+std::string instability_warning(std::string_view method, const MethodEffect& effect, double h,
+                                std::string_view motions);
 
 }  // namespace cromer

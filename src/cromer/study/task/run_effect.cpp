@@ -82,18 +82,24 @@ std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
 }
 
 std::string step_warning(const SimulatedRun& run) {
-  if (run.effect) return instability_warning(run.method, *run.effect, run.step, true);
-  // Of a law that is not linear the small motions about the rest position tell, as long as they swing.
+  if (run.effect) return instability_warning(run.method, *run.effect, run.step, "");
+  // Of a law that is not linear the small motions about the rest position tell, as long as they swing; of a
+  // spring that hardens also its stiffness where the motion begins.
   const Oscillator<double>& o = run.oscillator;
   const double period = natural_period(o);
   if (!(period > 0)) return "";
   const double w = 2 * std::numbers::pi / period;
-  const LinearLaw<double> small{.decay_rate = o.damping / (2 * o.mass), .stiffness = w * w};
-  const auto effect = method_effect(run.method, run.settings, small, run.step, false);
   // What drag and friction take may outweigh a growth that only vanishes with the step.
   const bool braked = o.drag > 0 || o.friction > 0 || o.static_friction > 0;
-  if (!effect || (braked && effect->stability_limit == 0)) return "";
-  return instability_warning(run.method, *effect, run.step, false);
+  const auto warning = [&](double stiffness, std::string_view motions) -> std::string {
+    const LinearLaw<double> tangent{.decay_rate = o.damping / (2 * o.mass), .stiffness = stiffness};
+    const auto effect = method_effect(run.method, run.settings, tangent, run.step, false);
+    if (!effect || (braked && effect->stability_limit == 0)) return "";
+    return instability_warning(run.method, *effect, run.step, motions);
+  };
+  if (auto small = warning(w * w, "small motions"); !small.empty()) return small;
+  const double there = (o.stiffness + 3 * o.cubic * run.start.x * run.start.x) / o.mass;
+  return there > w * w ? warning(there, "motions as wide as at the start") : "";
 }
 
 std::string effect_in_words(const SimulatedRun& run) {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <optional>
+#include <type_traits>
 #include <variant>
+#include <vector>
 
 #include "cromer/analysis/energy_ledger.h"
 #include "cromer/analysis/exact_energy_balance.h"
@@ -29,28 +31,83 @@ bool dense_enough(const SimulatedRun& run, double period, double states) {
          (period == 0 || spacing_of(run.trajectory) * states <= period * (1 + 1e-9));
 }
 
+/// Of the kept states from one index to another, both included, and of the last one where that is meant.
+/// force per mass.
 template <class F>
-EnergyBalance from_states(const SimulatedRun& run, const F& force) {
+EnergyBalance from_states(const SimulatedRun& run, const F& force, std::size_t first, std::size_t last) {
   const Trajectory& kept = run.trajectory;
-  EnergyLedger ledger(force, run.oscillator, spacing_of(kept));
-  for (std::size_t i = 0; i < kept.size(); ++i) ledger(kept.t[i], {kept.x[i], kept.v[i]});
-  if (run.outcome.t > kept.t.back()) ledger(run.outcome.t, run.outcome.y);
+  const auto newtons = [&](double t) { return run.oscillator.mass * force(t); };
+  EnergyLedger ledger(newtons, run.oscillator, spacing_of(kept));
+  for (std::size_t i = first; i <= last; ++i) ledger(kept.t[i], {kept.x[i], kept.v[i]});
+  if (last + 1 == kept.size() && run.outcome.t > kept.t.back()) ledger(run.outcome.t, run.outcome.y);
   return ledger.balance();
 }
 
-/// The force must know the closed form of its own motion.
+/// Where the kept states at the breaks of the force are; empty where one falls between two states, whose
+/// quadrature would go wrong.
+template <class F>
+std::optional<std::vector<std::size_t>> states_at_breaks(const SimulatedRun& run, const F& force) {
+  constexpr double same = 1e-6;  // of a spacing
+  const double spacing = spacing_of(run.trajectory), end = run.trajectory.t.back();
+  std::vector<std::size_t> found;
+  for (double at = force.next_break(-spacing); at < end; at = force.next_break(at)) {
+    const double index = std::round(at / spacing);
+    if (std::abs(at - index * spacing) > same * spacing) return std::nullopt;
+    if (index > 0) found.push_back(static_cast<std::size_t>(index));
+  }
+  return found;
+}
+
+/// From break to break of a force that has few.
+template <class F>
+std::optional<EnergyBalance> from_stretches(const SimulatedRun& run, const F& force) {
+  const auto breaks = states_at_breaks(run, force);
+  if (!breaks) return std::nullopt;
+  const Trajectory& kept = run.trajectory;
+  EnergyBalance sum;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i <= breaks->size(); ++i) {
+    const std::size_t last = i < breaks->size() ? (*breaks)[i] : kept.size() - 1;
+    if (last == first) continue;
+    const auto smooth = force.within(0.5 * (kept.t[first] + kept.t[first + 1]));
+    const EnergyBalance part = from_states(run, smooth, first, last);
+    if (first == 0) sum.start = part.start;
+    sum.end = part.end;
+    sum.drive += part.drive;
+    sum.damping += part.damping;
+    sum.drag += part.drag;
+    sum.friction += part.friction;
+    first = last;
+  }
+  return sum;
+}
+
+/// The force must know the closed form of its own motion; from break to break where it has any.
 template <class F>
 EnergyBalance from_closed_form(const SimulatedRun& run, const F& force, double panel) {
   const Oscillator<double>& o = run.oscillator;
   const LinearLaw<double> law{.decay_rate = o.damping / (2 * o.mass), .stiffness = o.stiffness / o.mass};
   const Trajectory& kept = run.trajectory;
-  const auto per_mass = [&](double t) { return o.mass * force(t); };
   const auto motion = [&](double t) {
     const auto after = std::upper_bound(kept.t.begin(), kept.t.end(), t);
     const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - kept.t.begin() - 1, 0));
     return force.propagate(law, kept.t[i], t, State<double>{kept.x[i], kept.v[i]});
   };
-  return exact_energy_balance(per_mass, o, motion, run.outcome.t, panel);
+  const auto newtons = [&](const F& smooth) { return [&](double t) { return o.mass * smooth(t); }; };
+  const double end = run.outcome.t;
+  Power work{};
+  if constexpr (requires { force.within(0.0); }) {
+    double from = 0;
+    while (from < end) {
+      const double until = std::min(force.next_break(from), end);
+      const F smooth = force.within(0.5 * (from + until));
+      work = work + exact_work(newtons(smooth), motion, from, until, panel);
+      from = until;
+    }
+  } else {
+    work = exact_work(newtons(force), motion, 0, end, panel);
+  }
+  return energy_balance(o, run.start, motion(end), work);
 }
 
 /// With dry friction, which `exact` takes without a drive only.
@@ -75,15 +132,19 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
   if (!run.general) {
     const HarmonicForce<double> force{run.drive.amplitude / m, run.drive.frequency, run.drive.phase};
     if (closed) return from_closed_form(run, force, period > 0 ? period / 4 : spacing);
-    return from_states(run, [&](double t) { return m * force(t); });
+    return from_states(run, force, 0, run.trajectory.size() - 1);
   }
   return std::visit(
-      [&](const auto& drive) {
+      [&](const auto& drive) -> std::optional<EnergyBalance> {
         const auto force = force_of(drive, m);
         if constexpr (HasClosedForm<std::remove_const_t<decltype(force)>, double>)
           if (closed)
             return from_closed_form(run, force, period > 0 ? std::min(period / 4, spacing) : spacing);
-        return from_states(run, [&](double t) { return m * force(t); });
+        // Of a recording the breaks are as many as its samples, and hardly jumps.
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(drive)>, SampledDrive>)
+          return from_states(run, force, 0, run.trajectory.size() - 1);
+        else
+          return from_stretches(run, force);
       },
       *run.general);
 }

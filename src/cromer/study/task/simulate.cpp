@@ -58,13 +58,6 @@ void end_before_overflow(SimulatedRun& run, long long every) {
   run.outcome.last_step = 0;
 }
 
-/// How long a step may be that is not to leap over a pulse or a sample [s]; a harmonic drive shows in any.
-double longest_step(const SimulatedRun& run) {
-  if (!run.general) return std::numeric_limits<double>::infinity();
-  const auto* sampled = std::get_if<SampledDrive>(&*run.general);
-  return sampled ? std::min(run.step, sampled->spacing) : run.step;
-}
-
 void integrate(SimulatedRun& run, long long every, const Watch& watch) {
   const Interval interval{0, run.until};
   KeepEvery keep(every, count_steps(interval, run.step));
@@ -75,7 +68,7 @@ void integrate(SimulatedRun& run, long long every, const Watch& watch) {
                          .settings = run.settings,
                          .interval = interval,
                          .start = run.start,
-                         .control = {run.step, run.tolerance, longest_step(run)},
+                         .control = {run.step, run.tolerance},
                          .events = &run.events,
                          .compensated = run.compensated},
                         keep, watch);

@@ -268,6 +268,9 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
     if (options.rho_inf && run.method != GeneralizedAlpha::info.name)
       add_once(fmt::format("--rho-inf has no effect on {}", run.method));
     if (auto warning = step_warning(run); !warning.empty()) add_once(std::move(warning));
+    if (const double begin = drive_begin(run); begin >= run.until)
+      add_once(fmt::format("--drive-start: the drive begins at {} s, and the run ends at {} s",
+                           shortest(begin), shortest(run.until)));
     const Steps steps = count_steps({0, run.until}, run.step);
     if (steps.last > 0)
       add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {:.6g} s",
