@@ -14,11 +14,7 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double wanted_certainty = 0.05;  // of each rate
 constexpr std::size_t most_stretches = 60;
-
-/// Where stretches begin and end, as samples.
-struct Span {
-  std::size_t first, last;  // one past the end
-};
+constexpr std::size_t fewest_samples = 12;  // of a stretch
 
 /// The amplitude after `duration`: the averaged law in small steps.
 double carried_on(const AmplitudeDecay& decay, double amplitude, double duration) {
@@ -28,51 +24,30 @@ double carried_on(const AmplitudeDecay& decay, double amplitude, double duration
   return amplitude;
 }
 
-class Spans {
+/// How long the stretches are: each as long as the one before has shown to be needed, for
+/// sd(b) = sqrt(24 h/T^3) sigma/A of a short one.
+class StretchLength {
  public:
-  Spans(const Record& record, const FreeDecay& fit)
-      : t_(record.t), decay_(amplitude_decay(fit)), amplitude_(first_amplitude(fit)) {
-    const double n = static_cast<double>(t_.size());
-    duration_ = t_.back() - t_.front();
-    spacing_ = duration_ / (n - 1);
-    const double widening = std::max(1.0, n / std::max(1.0, fit.independent_samples));
-    noise_ = fit.residual.rms * std::sqrt(widening);
-    const double least = duration_ / static_cast<double>(most_stretches);
-    shortest_ = std::max({2 * two_pi / decay_.angular_frequency, 12 * spacing_, least});
-    longest_ = std::max(duration_ / 6, shortest_);
+  StretchLength(const Record& record, double angular_frequency) {
+    const double duration = record.t.back() - record.t.front();
+    const double spacing = duration / static_cast<double>(record.t.size() - 1);
+    shortest_ = std::max({2 * two_pi / angular_frequency, fewest_samples * spacing,
+                          duration / static_cast<double>(most_stretches)});
+    longest_ = std::max(duration / 6, shortest_);
+    length_ = std::clamp(duration / 20, shortest_, longest_);
   }
 
-  std::vector<Span> all() {
-    std::vector<Span> result;
-    double t = t_.front();
-    std::size_t first = 0;
-    while (t_.back() - t > 0.75 * shortest_) {
-      double length = length_at(amplitude_);
-      if (t_.back() - t < 1.5 * length) length = t_.back() - t;  // the rest is no stretch of its own
-      const bool ends = t + length > t_.back() - 0.5 * spacing_;
-      const std::size_t last =
-          ends ? t_.size()
-               : static_cast<std::size_t>(std::lower_bound(t_.begin(), t_.end(), t + length) - t_.begin());
-      if (last >= first + 12) result.push_back({first, last});
-      if (ends) break;
-      amplitude_ = carried_on(decay_, amplitude_, length);
-      first = last;
-      t += length;
-    }
-    return result;
+  double length() const { return length_; }
+  double shortest() const { return shortest_; }
+
+  /// After a stretch whose rate had this error for each of what was wanted; not a number where it had none.
+  void learn(double error_over_wanted) {
+    const double change = std::pow(error_over_wanted, 2.0 / 3);
+    length_ = std::clamp(length_ * (change >= 0 ? std::clamp(change, 0.5, 2.0) : 2.0), shortest_, longest_);
   }
 
  private:
-  /// sd(b) = sqrt(24 h / T^3) sigma/A of a short stretch.
-  double length_at(double amplitude) const {
-    const double error = wanted_certainty * decay_.rate(amplitude) * amplitude / noise_;
-    const double length = std::cbrt(24 * spacing_ / (error * error));
-    return std::isfinite(length) ? std::clamp(length, shortest_, longest_) : longest_;
-  }
-
-  std::span<const double> t_;
-  AmplitudeDecay decay_;
-  double amplitude_, duration_ = 0, spacing_ = 0, noise_ = 0, shortest_ = 0, longest_ = 0;
+  double length_ = 0, shortest_ = 0, longest_ = 0;
 };
 
 /// One decaying sinusoid through the samples; its frequency is near `w`, which becomes its own.
@@ -149,17 +124,28 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDe
       std::sqrt(std::max(0.25 * p.angular_frequency * p.angular_frequency,
                          p.angular_frequency * p.angular_frequency + 0.75 * p.cubic * amplitude * amplitude));
   double at = amplitude;
-  for (const Span& stretch : Spans(record, fit).all()) {
-    if (watch.interrupted()) break;
-    const std::size_t n = stretch.last - stretch.first;
-    const Record part{record.t.subspan(stretch.first, n), record.y.subspan(stretch.first, n),
-                      record.resolution};
-    auto found = fit_stretch(part, w, decay.rate(at));
-    at = carried_on(decay, at, part.t.back() - part.t.front());
-    if (!found) continue;
-    found->law_rate = decay.rate(found->amplitude);
-    if (found->rate.standard_error > std::max(std::abs(found->rate.value), found->law_rate)) continue;
-    result.push_back(*found);
+  StretchLength stretch(record, w);
+  const auto t = record.t;
+  for (std::size_t first = 0; t.back() - t[first] > 0.75 * stretch.shortest() && !watch.interrupted();) {
+    // What would be left and too short for a stretch of its own belongs to this one.
+    const double end = t[first] + stretch.length();
+    const bool last = t.back() - end < 0.5 * stretch.length();
+    const auto next =
+        last ? t.size() : static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), end) - t.begin());
+    const std::size_t n = next - first;
+    if (n >= fewest_samples) {
+      const Record part{t.subspan(first, n), record.y.subspan(first, n), record.resolution};
+      auto found = fit_stretch(part, w, decay.rate(at));
+      at = carried_on(decay, at, part.t.back() - part.t.front());
+      stretch.learn(found ? found->rate.standard_error / (wanted_certainty * decay.rate(at)) : HUGE_VAL);
+      if (found) {
+        found->law_rate = decay.rate(found->amplitude);
+        if (found->rate.standard_error < std::max(std::abs(found->rate.value), found->law_rate))
+          result.push_back(*found);
+      }
+    }
+    if (last) break;
+    first = next;
   }
   return result;
 }
