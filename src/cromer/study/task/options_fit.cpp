@@ -28,11 +28,8 @@ std::vector<Option> options_of(ReadOptions& o) {
 std::vector<Option> options_of(FitOptions& o) {
   constexpr std::string_view samples = "Which samples";
   constexpr std::string_view model = "The law and what is known about the apparatus";
-<<<<<<< HEAD
   constexpr std::string_view driven = "What drives it";
-=======
   constexpr std::string_view more = "What else to say";
->>>>>>> work
   const std::vector<Option> own = {
       {"column", &o.column, "", Range::any, "column to fit",
        "a position, else angle, angular velocity, velocity, acceleration", samples},
@@ -50,7 +47,6 @@ std::vector<Option> options_of(FitOptions& o) {
        "of the air, for its density and viscosity", "20 °C", model},
       {"segment", &o.segment, "s", Range::positive, "decay rate per segment of this length", "none", model},
       {"segments", &o.segments, "", Range::positive, "at most so many segments", "all whole ones", model},
-<<<<<<< HEAD
       {"force-column", &o.force_column, "", Range::any, "column of a recorded force that drives it",
        "the motion is free", driven},
       {"between-samples", &o.between_samples, "", Range::any,
@@ -61,7 +57,6 @@ std::vector<Option> options_of(FitOptions& o) {
        "the motion is free", driven},
       {"hold-out", &o.hold_out, "1", Range::fraction,
        "share of the samples, the last ones, on which the law is tested instead of fitted", "none", driven},
-=======
       {"goal", &o.goal, "", Range::any,
        "a quantity and how well it is to be known, \"decay_rate 0.5 %\": how long to record", "none", more},
       {"monte-carlo", &o.monte_carlo, "", Range::positive,
@@ -69,7 +64,6 @@ std::vector<Option> options_of(FitOptions& o) {
       {"seed", &o.seed, "", Range::any, "of the trials", "1", more},
       {"textbook", &o.textbook, "", Range::any,
        "logarithmic decrement from peaks and half-power bandwidth beside the fit", "not shown", more},
->>>>>>> work
   };
   return joined(own, options_of(o.read));
 }
