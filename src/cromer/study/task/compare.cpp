@@ -12,6 +12,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
 #include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/run_law.h"
 
 namespace cromer {
