@@ -1,10 +1,37 @@
-// Any bytes must end in a recording or an Error: no crash, no hang, no memory without bound.
+// Any bytes must end in a recording or an Error: no crash, no hang, no memory without bound, no nonsense.
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 
 #include "cromer/record/dialects/clean_table.h"
 #include "cromer/study/task/inspect.h"
+
+namespace {
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+void check_table(const cromer::Table& table) {
+  for (const cromer::Column& column : table.columns) {
+    require(column.values.size() == table.rows());
+    require(column.run >= 1);
+    for (const double value : column.values) require(!std::isinf(value));
+  }
+}
+
+void check_series(const cromer::Series& series) {
+  require(series.t.size() == series.y.size() && series.t.size() == series.lines.size());
+  for (std::size_t i = 0; i < series.t.size(); ++i) {
+    require(std::isfinite(series.t[i]) && std::isfinite(series.y[i]));
+    require(i == 0 || series.t[i] > series.t[i - 1]);
+    require(series.lines[i] > 0);
+  }
+}
+
+}  // namespace
 
 /// The first byte chooses the options, the rest is the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -18,10 +45,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (choice & 4u) options.decimal = ",";
   if (choice & 8u) options.delimiter = ",";
   if (choice & 16u) options.time_column = "t";
-  const auto inspection = inspect(bytes, "fuzz.csv", options);
+  const auto inspection = inspect(bytes, choice & 32u ? "fuzz.AT2" : "fuzz.csv", options);
   if (!inspection) return 0;
-  (void)clean_table(inspection->recording, options);
+  check_table(inspection->recording.table);
+  for (const Series& series : inspection->series) check_series(series);
+  if (const auto clean = clean_table(inspection->recording, options)) check_table(*clean);
   for (const int run : runs(inspection->recording))
-    (void)take_series(inspection->recording, "x", run, options);
+    if (const auto series = take_series(inspection->recording, "x", run, options)) check_series(*series);
   return 0;
 }

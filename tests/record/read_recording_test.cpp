@@ -185,7 +185,7 @@ TEST(ReadRecording, WhatIsNoRecordingIsRefusedClearly) {
                                   "t\0",
                                   4)),
               HasSubstr("UTF-16"));
-  EXPECT_THAT(refusal("LabVIEW Measurement\t\n1\t2\n"), HasSubstr("LabVIEW"));
+  EXPECT_THAT(refusal("LabVIEW Measurement\t\n1\t2\n"), HasSubstr("no segment with rows"));
   EXPECT_THAT(refusal("1 2\n3 4\n", {.delimiter = "|", .decimal = {}, .time_column = {}}),
               HasSubstr("--delimiter"));
   EXPECT_THAT(refusal("1 2\n3 4\n", {.delimiter = {}, .decimal = "'", .time_column = {}}),
@@ -213,14 +213,19 @@ TEST(ReadRecording, RunsBelowEachOtherAreSplit) {
   EXPECT_THAT(column(r, 1).values, ElementsAre(1, 2, 3));
   EXPECT_THAT(column(r, 3).values, ElementsAre(4, 5, testing::IsNan()));
   EXPECT_EQ(line_of(r, 1, 2), 5);
-  EXPECT_EQ(line_of(r, 2, 1), 7);
+  EXPECT_EQ(line_of(r, 3, 1), 7);
   EXPECT_THAT(r.warnings, ElementsAre());
 }
 
 TEST(ReadRecording, ALineOfNumbersNamesNothing) {
-  const Recording r = read("A title\n3 0.01\n0.5\n0.25\n-0.5\n");
+  const Recording r = read("A title\n7 0.01\n0.5\n0.25\n-0.5\n");
   EXPECT_EQ(column(r, 0).name, "A title");
   EXPECT_THAT(column(r, 0).values, ElementsAre(0.5, 0.25, -0.5));
+  // But their number and a step make a time.
+  const Recording counted = read("A title\n3 0.5\n0.5\n0.25\n-0.5\n");
+  EXPECT_EQ(column(counted, 0).quantity, "time");
+  EXPECT_THAT(column(counted, 0).values, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(counted.warnings, ElementsAre(HasSubstr("0.5 s is taken as their step")));
 }
 
 TEST(ReadRecording, ManyShortRowsCostNoMemory) {

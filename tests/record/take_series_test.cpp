@@ -163,13 +163,27 @@ TEST(TakeSeries, ATimeThatNeverRisesIsRefused) {
   EXPECT_THAT(refusal("t,x\n3,1\n3,2\n3,3\n"), HasSubstr("the time stands still"));
 }
 
-TEST(TakeSeries, ARestartEndsTheSeries) {
+TEST(TakeSeries, ARestartBeginsTheNextRun) {
   std::string text = "t,x\n";
   for (int run = 0; run < 2; ++run)
-    for (int i = 0; i < 20; ++i) text += concat({shortest(0.1 * i), ",", std::to_string(i % 5), "\n"});
-  const Series s = series(text);
-  EXPECT_EQ(s.t.size(), 20u);
-  EXPECT_THAT(s.warnings, Contains(HasSubstr("the time starts again in line 22")));
+    for (int i = 0; i < 20 - 5 * run; ++i)
+      text += concat({shortest(0.1 * i), ",", std::to_string(i % 5 + run), "\n"});
+  const auto recording = read_recording(text, "lab.csv", none);
+  ASSERT_TRUE(recording.ok());
+  EXPECT_THAT(runs(*recording), ElementsAre(1, 2));
+  EXPECT_THAT(recording->warnings,
+              ElementsAre("the time starts again in line 22: the file is read as 2 runs"));
+  EXPECT_EQ(series(text).t.size(), 20u);
+  const Series second = series(text, "", 2);
+  EXPECT_EQ(second.t.size(), 15u);
+  EXPECT_EQ(second.y[3], 4);
+  EXPECT_EQ(second.lines[3], 25);
+  // One backward time is a glitch.
+  std::string glitch = "t,x\n";
+  for (int i = 0; i < 40; ++i)
+    glitch += concat({i == 30 ? "0" : shortest(0.1 * i), ",", std::to_string(i), "\n"});
+  EXPECT_THAT(series(glitch).warnings, Contains("1 row with a backward time left out, the first in line 32"));
+  EXPECT_EQ(series(glitch).t.size(), 39u);
 }
 
 TEST(TakeSeries, TheStepIsTheMedianOfAll) {

@@ -29,11 +29,14 @@ bool is_missing_mark(std::string_view cell) {
 
 }  // namespace
 
+bool commas_pair_up(std::string_view line, const Layout& layout) {
+  if (!layout.paired) return true;
+  const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
+  return commas % 2 == 1 && (layout.columns <= 1 || commas + 1 == 2 * layout.columns);
+}
+
 CellReader::CellReader(std::string_view line, const Layout& layout)
-    : rest_(line),
-      separator_(layout.separator),
-      decimal_(layout.decimal),
-      paired_(layout.separator == ',' && layout.decimal == ',') {
+    : rest_(line), separator_(layout.separator), decimal_(layout.decimal), paired_(layout.paired) {
   if (separator_ == ' ') rest_ = trimmed(rest_);
 }
 

@@ -12,7 +12,13 @@ struct Layout {
   char separator = ',';  // , ; \t ' ' or 0
   char decimal = '.';    // . or ,
   std::size_t columns = 1;
+  /// Commas separate and mark decimals, without quotes to tell them apart: each value has one of its own.
+  bool paired = false;
 };
+
+/// Whether the commas of a line can be told apart under this layout: where they are paired, a whole number
+/// without a fraction shifts all that follows.
+bool commas_pair_up(std::string_view line, const Layout& layout);
 
 /// Takes the cells of a line one by one. Quotes are taken off; blanks around a cell too.
 class CellReader {
@@ -32,7 +38,7 @@ class CellReader {
   std::string_view rest_;
   char separator_;
   char decimal_;
-  bool paired_;  ///< comma both as separator and as decimal mark: two pieces make one cell
+  bool paired_;  ///< two pieces make one cell
   bool more_ = true;
 };
 

@@ -31,6 +31,7 @@ Result<Table> clean_table(const Recording& recording, const ReadOptions& options
   std::size_t longest = 0;
   for (const int run : runs(recording)) {
     // Columns follow their own time: two sensors sampled in turn keep two time columns.
+    const std::size_t rows_of_run = length_of(table, run);
     std::vector<bool> done(table.columns.size(), false);
     for (std::size_t j = 0; j < table.columns.size(); ++j) {
       if (done[j] || table.columns[j].run != run || table.columns[j].quantity == "time") continue;
@@ -39,13 +40,13 @@ Result<Table> clean_table(const Recording& recording, const ReadOptions& options
       const double factor = time ? to_si(table.columns[*time]).factor : 1;
       std::vector<std::size_t> rows;
       std::vector<long> lines;
-      for (std::size_t i = 0; i < length_of(table, run); ++i) {
+      for (std::size_t i = 0; i < rows_of_run; ++i) {
         const double t =
             time ? table.columns[*time].values[i] * factor
                  : (options.rate > 0 ? static_cast<double>(i) / options.rate : static_cast<double>(i));
         if (!std::isfinite(t)) continue;
         rows.push_back(i);
-        lines.push_back(line_of(recording, run, i));
+        lines.push_back(line_of(recording, j, i));
         seconds.values.push_back(t);
       }
       const auto rising = dialects::keep_rising(seconds.values, lines);

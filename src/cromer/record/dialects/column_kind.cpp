@@ -129,8 +129,12 @@ std::vector<std::string> words_of(std::string_view name) {
 
 std::string_view quantity_of_name(std::string_view name) {
   const std::vector<std::string> found = words_of(name);
+  // A logger may cut a long name off: "Acceleratio".
+  constexpr std::size_t long_enough = 9;
   const auto has = [&](std::string_view word) {
-    return std::find(found.begin(), found.end(), word) != found.end();
+    return std::any_of(found.begin(), found.end(), [&](const std::string& own) {
+      return own == word || (own.size() >= long_enough && word.starts_with(own));
+    });
   };
   const bool angular = has("angular") || has("angolare") || has("angulaire");
   for (const Word& word : words) {

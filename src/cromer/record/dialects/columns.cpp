@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "cromer/base/concat.h"
 #include "cromer/base/nearest.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/record/dialects/set.h"
 
 namespace cromer {
 namespace {
@@ -47,6 +50,46 @@ bool counts_rows(const Column& column) {
                                                   "frame",  "n",       "no",    "#"};
   const std::string name = plain_name(column.name);
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A spectrum's or a pendulum's: in seconds, but no time.
+bool is_period(const std::string& name) {
+  constexpr std::array<std::string_view, 6> words{"period", "periodo", "période", "periode", "tn", "lag"};
+  std::string small = plain_name(name);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return small.starts_with(word); });
+}
+
+/// The label of each column's run as the header has it; a column without one belongs to its neighbours: a
+/// time to what follows, anything else to what stands before it.
+std::vector<std::string> column_labels(const std::vector<Column>& columns, const dialects::Header& header) {
+  const std::size_t count = columns.size();
+  std::vector<std::string> own(count), before(count), behind(count);
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j < header.headings.size()) own[j] = header.headings[j].run;
+    before[j] = own[j].empty() && j > 0 ? before[j - 1] : own[j];
+  }
+  for (std::size_t j = count; j-- > 0;) behind[j] = own[j].empty() && j + 1 < count ? behind[j + 1] : own[j];
+  for (std::size_t j = 0; j < count; ++j) {
+    const bool to_the_right = before[j].empty() || (columns[j].quantity == "time" && !behind[j].empty());
+    if (own[j].empty()) own[j] = to_the_right ? behind[j] : before[j];
+  }
+  return own;
+}
+
+/// How many rows apart the values stand, if evenly: sensors sampled in turn, or more slowly than others. 1
+/// where they do not.
+std::size_t stride_of(const std::vector<double>& values) {
+  constexpr std::size_t fewest = 4;
+  std::size_t count = 0, last = 0, stride = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) continue;
+    if (count == 1) stride = i - last;
+    if (count > 1 && i - last != stride) return 1;
+    last = i;
+    ++count;
+  }
+  return count >= fewest ? stride : 1;
 }
 
 /// A time is never scaled by guess: a unit that is unknown or measures something else is an Error, unless
@@ -146,31 +189,35 @@ void drop_unnamed_empty(Recording& recording) {
 
 void number_runs(Recording& recording, const Header& header) {
   auto& columns = recording.table.columns;
-  std::vector<std::string> labels;
-  for (std::size_t j = 0; j < columns.size() && j < header.headings.size(); ++j) {
-    const std::string& label = header.headings[j].run;
-    if (label.empty()) continue;
-    auto known = std::find(labels.begin(), labels.end(), label);
-    if (known == labels.end()) known = labels.insert(labels.end(), label);
-    columns[j].run = static_cast<int>(known - labels.begin()) + 1;
+  const std::size_t named = std::min(columns.size(), header.headings.size());
+  const auto is_time = [&](std::size_t j) { return columns[j].quantity == "time"; };
+  const std::vector<std::string> label = column_labels(columns, header);
+  std::vector<std::string> labels;          // of the runs
+  std::set<std::string> seen;               // labels and titles of the runs at work
+  std::map<std::string, int> run_of_label;  // the last of that label
+  for (std::size_t from = 0, to; from < columns.size(); from = to) {
+    // A group of columns goes together: a time and what was measured at it.
+    const std::string& group = label[from];
+    std::set<std::string> titles;
+    for (to = from; to < columns.size() && label[to] == group; ++to) {
+      if (to > from && is_time(to) && is_time(from)) break;
+      if (to < named && !titles.insert(column_title(columns[to])).second) break;
+    }
+    if (is_time(from)) titles.erase(column_title(columns[from]));
+    // A name that repeats begins the next run; a time that repeats, with other names behind it, does not.
+    const auto title_in_label = [&](const std::string& title) { return concat({group, "\n", title}); };
+    const bool repeated = std::any_of(titles.begin(), titles.end(), [&](const std::string& title) {
+      return seen.count(title_in_label(title)) > 0;
+    });
+    if (repeated || run_of_label.count(group) == 0) {
+      labels.push_back(group);
+      run_of_label[group] = static_cast<int>(labels.size());
+      for (const std::string& title : titles) seen.erase(title_in_label(title));
+    }
+    for (const std::string& title : titles) seen.insert(title_in_label(title));
+    for (std::size_t j = from; j < to; ++j) columns[j].run = run_of_label[group];
   }
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    const std::string own = std::to_string(i + 1);
-    const std::size_t digits = labels[i].find_last_not_of("0123456789") + 1;
-    if (digits < labels[i].size() && labels[i].substr(digits) != own)
-      recording.warnings.push_back(concat({"run ", own, " is called \"", labels[i], "\" in the file"}));
-  }
-  if (!labels.empty()) return;
-  // Without labels a repeated name begins the next run.
-  int run = 1;
-  for (std::size_t j = 0; j < columns.size() && j < header.headings.size(); ++j) {
-    for (std::size_t i = 0; i < j; ++i)
-      if (columns[i].run == run && columns[i].name == columns[j].name && columns[i].unit == columns[j].unit) {
-        ++run;
-        break;
-      }
-    columns[j].run = run;
-  }
+  say_labels(labels, recording.warnings);
 }
 
 Result<void> mark_time(Recording& recording, const ReadOptions& options, bool has_header) {
@@ -187,20 +234,21 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
     }
     return check_time_units(columns, true);
   }
-  // A period in seconds is no time if another column is so named.
+  // A period in seconds is no time, and other seconds are none if another column is so named.
   const auto named = [](const Column& column) { return quantity_of(column.name, "") == "time"; };
   const bool any_named = std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
     return column.quantity == "time" && named(column);
   });
   for (Column& column : columns)
-    if (any_named && column.quantity == "time" && !named(column)) column.quantity.clear();
+    if (column.quantity == "time" && (is_period(column.name) || (any_named && !named(column))))
+      column.quantity.clear();
   if (const auto checked = check_time_units(columns, false); !checked) return checked;
   const bool any = std::any_of(columns.begin(), columns.end(),
                                [](const Column& column) { return column.quantity == "time"; });
   Column& first = columns.front();
   for (Column& column : columns)
     if (column.quantity.empty() && counts_rows(column)) column.quantity = "index";
-  const bool may_be_time = !any && columns.size() > 1 && first.quantity.empty();
+  const bool may_be_time = !any && columns.size() > 1 && first.quantity.empty() && !is_period(first.name);
   if (may_be_time && options.rate > 0 && counts_by_one(first.values)) {
     first.quantity = "index";
   } else if (may_be_time && runs_evenly_upward(first.values)) {
@@ -214,9 +262,8 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
 
 void count_missing(Recording& recording) {
   auto& columns = recording.table.columns;
-  const std::size_t rows = recording.table.rows();
   const auto length_of = [&](const std::vector<double>& values) {
-    std::size_t length = rows;
+    std::size_t length = values.size();
     while (length > 0 && std::isnan(values[length - 1])) --length;
     return length;
   };
@@ -227,16 +274,25 @@ void count_missing(Recording& recording) {
     length_of_run[run] = std::max(length_of_run[run], length_of(column.values));
   }
   const bool several = length_of_run.size() > 2;
-  for (const Column& column : columns) {
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const Column& column = columns[j];
     std::size_t missing = 0;
     long first = 0;
     for (std::size_t i = 0; i < length_of_run[static_cast<std::size_t>(column.run)]; ++i)
-      if (std::isnan(column.values[i]) && missing++ == 0) first = line_of(recording, column.run, i);
+      if (std::isnan(column.values[i]) && missing++ == 0) first = line_of(recording, j, i);
     if (missing == 0) continue;
-    const std::string run = several ? concat({" of run ", std::to_string(column.run)}) : "";
-    recording.warnings.push_back(
-        concat({"column \"", column_title(column), "\"", run, ": ", counted(missing, "missing value"),
-                ", the first in line ", std::to_string(first)}));
+    const std::string name =
+        concat({"column \"", column_title(column), "\"",
+                several ? concat({" of run ", std::to_string(column.run)}) : std::string{}});
+    if (const std::size_t stride = stride_of(column.values); stride > 1)
+      recording.warnings.push_back(concat({name, " is measured in every ", std::to_string(stride),
+                                           stride == 2   ? "nd"
+                                           : stride == 3 ? "rd"
+                                                         : "th",
+                                           " row only"}));
+    else
+      recording.warnings.push_back(concat(
+          {name, ": ", counted(missing, "missing value"), ", the first in line ", std::to_string(first)}));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/record/dialects/tracker.h"
 
 namespace cromer::dialects {
 namespace {
@@ -22,14 +23,6 @@ bool is_capstone(const Header& header) {
 bool has_prefix(const Header& header, std::string_view beginning) {
   return std::any_of(header.headings.begin(), header.headings.end(),
                      [&](const Heading& heading) { return heading.prefix.starts_with(beginning); });
-}
-
-bool is_tracker(const Header& header) {
-  const auto& columns = header.headings;
-  const bool bare =
-      std::all_of(columns.begin(), columns.end(), [](const Heading& column) { return column.unit.empty(); });
-  if (columns.size() < 2 || !bare || columns[0].name != "t" || columns[1].name != "x") return false;
-  return header.separator == '\t' || (columns.size() > 2 && columns[2].name == "y");
 }
 
 bool is_phyphox(const Header& header) {
@@ -58,16 +51,6 @@ std::string_view dialect_name(const Header& header) {
   if (is_tracker(header)) return "Tracker";
   if (is_phyphox(header)) return "phyphox";
   return "plain";
-}
-
-std::string_view foreign_format(std::string_view text) {
-  const std::string_view head = text.substr(0, 1000);
-  if (head.starts_with("LabVIEW Measurement"))
-    return "LabVIEW measurement files (.lvm) are not read yet: export the table as CSV";
-  if (head.find("NPTS") != std::string_view::npos && head.find("DT") != std::string_view::npos)
-    return "PEER ground motion files (.AT2) are not read yet: write time and acceleration as CSV";
-  if (head.starts_with("    -1")) return "universal files (UFF 58) are not read yet: export the table as CSV";
-  return {};
 }
 
 }  // namespace cromer::dialects

@@ -10,7 +10,4 @@ namespace cromer::dialects {
 /// "PASCO Capstone", "DataStudio", "Tracker", "Logger Pro", "Graphical Analysis", "phyphox", or "plain".
 std::string_view dialect_name(const Header& header);
 
-/// Formats that are recognised but not read: an Error that names the format and the cure; nothing otherwise.
-std::string_view foreign_format(std::string_view text);
-
 }  // namespace cromer::dialects

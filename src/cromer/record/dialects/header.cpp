@@ -219,7 +219,7 @@ Header find_header(const std::vector<std::string_view>& lines, std::size_t data,
     if (std::any_of(words.begin(), words.end(),
                     [](auto cell) { return read_cell(cell, '.').kind == CellKind::word; }))
       break;
-    header.titles.emplace_back(trimmed(above.back()));
+    header.titles.emplace_back(above.back());
     above.pop_back();
   }
   if (above.empty()) return header;
@@ -237,7 +237,7 @@ Header find_header(const std::vector<std::string_view>& lines, std::size_t data,
       above.pop_back();
     }
   }
-  for (const std::string_view title : above) header.titles.emplace_back(trimmed(title));
+  for (const std::string_view title : above) header.titles.emplace_back(title);
   for (std::size_t j = 0; j < names.size() && j < layout.columns; ++j) {
     header.quoted = header.quoted || (names[j].data() > lines[0].data() && names[j].data()[-1] == '"');
     header.headings.push_back(parse_heading(names[j]));

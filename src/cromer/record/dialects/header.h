@@ -20,7 +20,7 @@ Heading parse_heading(std::string_view cell);
 
 struct Header {
   std::vector<Heading> headings;    ///< one for each column, or none where the file has no header
-  std::vector<std::string> titles;  ///< lines above the header
+  std::vector<std::string> titles;  ///< lines above the header, as they stand
   bool quoted = false;              ///< the names stood in quotes
   char separator = 0;               ///< of the header; may differ from the rows'
 };

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "cromer/base/concat.h"
+#include "cromer/base/number.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/header.h"
 #include "cromer/record/dialects/lines.h"
@@ -35,6 +36,17 @@ bool is_row(const std::vector<std::string_view>& cells, char decimal) {
   return number;
 }
 
+/// "1,5" in quotes: how spreadsheets keep a decimal comma apart from the separator.
+bool has_quoted_decimal(std::string_view line) {
+  for (std::size_t at = line.find('"'); at != std::string_view::npos; at = line.find('"', at + 1)) {
+    const auto number = leading_number(line.substr(at + 1), ',');
+    if (number && line.substr(at + 1, number->length).find(',') != std::string_view::npos &&
+        line.substr(at + 1 + number->length).starts_with('"'))
+      return true;
+  }
+  return false;
+}
+
 struct Candidate {
   Layout layout;
   std::size_t rows = 0;  ///< of the sample, with the most frequent number of cells
@@ -43,7 +55,10 @@ struct Candidate {
 Candidate judge(const std::vector<std::string_view>& chosen, Layout layout) {
   std::map<std::size_t, std::size_t> rows_of_width;
   std::vector<std::string_view> cells;
+  layout.paired = layout.separator == ',' && layout.decimal == ',' &&
+                  std::none_of(chosen.begin(), chosen.end(), has_quoted_decimal);
   for (const std::string_view line : chosen) {
+    if (!commas_pair_up(line, layout)) continue;
     split_cells(line, layout, cells);
     if (is_row(cells, layout.decimal)) ++rows_of_width[cells.size()];
   }
@@ -122,6 +137,7 @@ Result<Layout> find_layout(const std::vector<std::string_view>& lines, const Rea
     return Error{concat({"there are more than ", std::to_string(most_columns), " columns"})};
   if (decimal_open) best.layout.decimal = decimal_of(lines);
   if (best.layout.columns == 1 && options.delimiter.empty()) best.layout.separator = 0;
+  if (best.layout.separator == 0) best.layout.paired = false;
   return best.layout;
 }
 
@@ -175,7 +191,7 @@ Result<Layout> settle_commas(const std::vector<std::string_view>& lines, const L
         return !heading.unit.empty() || !quantity_of(heading.name, "").empty();
       };
       if (half && std::all_of(cells.begin(), cells.end(), speaks))
-        return Layout{layout.columns == 2 ? '\0' : ',', ',', layout.columns / 2};
+        return Layout{layout.columns == 2 ? '\0' : ',', ',', layout.columns / 2, layout.columns > 2};
     }
     break;
   }

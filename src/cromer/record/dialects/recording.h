@@ -46,9 +46,11 @@ struct Recording {
   Dialect dialect;
   Table table;              ///< without bad rows; ragged runs padded with NaN
   bool named = false;       ///< the file itself names its columns
-  std::vector<long> lines;  ///< line number of each row of the file
-  std::vector<std::vector<long>>
-      lines_of_run;  ///< the same for each run, where runs stand below each other in the file; else empty
+  std::vector<long> lines;  ///< line number in the file of each row
+  /// Where tables stand below each other in the file or in an archive: the lines of each, and which of them a
+  /// column stands in; `lines` is empty then, else these are.
+  std::vector<std::vector<long>> lines_of_set;
+  std::vector<std::size_t> set_of_column;
   std::vector<std::string> warnings;
 };
 
@@ -56,10 +58,11 @@ struct Recording {
 /// is not a number; ...`.
 Result<Recording> read_recording(std::string_view bytes, std::string_view file, const ReadOptions& options);
 
-/// The line of the file that holds a row of the table.
-inline long line_of(const Recording& recording, int run, std::size_t row) {
-  if (recording.lines_of_run.empty()) return recording.lines[row];
-  return recording.lines_of_run[static_cast<std::size_t>(run) - 1][row];
+/// The line of the file that holds a column's value in a row of the table.
+inline long line_of(const Recording& recording, std::size_t column, std::size_t row) {
+  if (recording.lines_of_set.empty()) return recording.lines[row];
+  const std::vector<long>& lines = recording.lines_of_set[recording.set_of_column[column]];
+  return row < lines.size() ? lines[row] : 0;
 }
 
 /// One quantity of one run with its times, missing values left out, times made strictly increasing;

@@ -19,27 +19,31 @@ std::string complaint(std::string_view cell, const std::string& name, char decim
 
 }  // namespace
 
-Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t data, const Layout& layout,
-                       const std::vector<std::string>& names, bool skip_bad_rows) {
+Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
+                       const std::vector<std::string>& names, const RowRules& rules) {
+  const std::size_t count_of_lines = rules.to - rules.from;
   // Rows much shorter than the table is wide would cost memory that the file's size does not announce.
   std::size_t bytes = 0;
-  for (std::size_t i = data; i < lines.size(); ++i) bytes += lines[i].size() + 1;
-  if (layout.columns > 16 && (lines.size() - data) > 16 * bytes / layout.columns + 64)
+  for (std::size_t i = rules.from; i < rules.to; ++i) bytes += lines[i].size() + 1;
+  if (layout.columns > 16 && count_of_lines > 16 * bytes / layout.columns + 64)
     return Error{concat(
         {": most rows are far shorter than the widest of ", std::to_string(layout.columns), " columns"})};
 
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Rows rows;
   rows.columns.resize(layout.columns);
-  for (auto& column : rows.columns) column.reserve(lines.size() - data);
-  rows.lines.reserve(lines.size() - data);
+  for (auto& column : rows.columns) column.reserve(count_of_lines);
+  rows.lines.reserve(count_of_lines);
   std::vector<double> row(layout.columns);
-  for (std::size_t i = data; i < lines.size(); ++i) {
+  for (std::size_t i = rules.from; i < rules.to; ++i) {
     const std::string_view line = lines[i];
     if (is_blank(line) || is_comment(line)) continue;
     CellReader reader(line, layout);
     std::size_t count = 0;
     std::string bad;
+    if (!commas_pair_up(line, layout))
+      bad = concat({quoted(line), ": it is open which commas are decimal marks; write the file with ",
+                    "another separator, or with points", cure});
     for (std::string_view text; bad.empty();) {
       if (count < layout.columns && reader.next_number(row[count])) {
         ++count;
@@ -47,6 +51,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t d
       }
       if (!reader.next(text)) break;
       if (count >= layout.columns) {
+        if (rules.ignore_beyond) break;
         if (text.empty()) continue;
         bad = concat({"there are more values than the ", std::to_string(layout.columns), " columns", cure});
         break;
@@ -55,9 +60,9 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t d
       if (cell.kind == CellKind::word) bad = complaint(text, names[count], layout.decimal);
       row[count++] = cell.value;
     }
-    const long number = static_cast<long>(i) + 1;
+    const long number = static_cast<long>(rules.lines_before + i) + 1;
     if (!bad.empty()) {
-      if (!skip_bad_rows) return Error{concat({":", std::to_string(number), ": ", bad})};
+      if (!rules.skip_bad_rows) return Error{concat({":", std::to_string(number), ": ", bad})};
       if (rows.bad_rows++ == 0) {
         rows.first_bad_line = number;
         rows.first_complaint = bad.substr(0, bad.size() - cure.size());
@@ -71,7 +76,8 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t d
   return rows;
 }
 
-std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason) {
+std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason,
+                    std::size_t lines_before) {
   std::vector<std::string_view> cells;
   const bool about_cells = reason.starts_with("no rows");  // and not about a wrong option
   for (std::size_t i = 0; about_cells && i < lines.size(); ++i) {
@@ -95,8 +101,8 @@ std::string no_rows(const std::vector<std::string_view>& lines, std::string_view
       }
     }
     if (!bad.empty())
-      return concat({":", std::to_string(i + 1), ": no rows of numbers are found: ", quoted(bad),
-                     " is not a number; ", seen});
+      return concat({":", std::to_string(lines_before + i + 1),
+                     ": no rows of numbers are found: ", quoted(bad), " is not a number; ", seen});
   }
   return concat({": ", reason});
 }

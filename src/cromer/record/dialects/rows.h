@@ -18,14 +18,23 @@ struct Rows {
   std::string first_complaint;  ///< what is wrong in that line
 };
 
-/// Reads the lines from index `data` on. `names` are the columns' for messages. A word, or more values than
-/// columns, is an Error that begins with
-/// ":LINE: " (the caller puts the file's name in front), unless `skip_bad_rows`.
-Result<Rows> read_rows(const std::vector<std::string_view>& lines, std::size_t data, const Layout& layout,
-                       const std::vector<std::string>& names, bool skip_bad_rows);
+/// Which lines of the file hold rows, and what to make of those that are none.
+struct RowRules {
+  std::size_t from = 0, to = 0;  ///< indices of the first line and of the one behind the last
+  bool skip_bad_rows = false;
+  bool ignore_beyond = false;    ///< cells behind the last column are remarks, not values
+  std::size_t lines_before = 0;  ///< lines of the file above the first of those given
+};
+
+/// Reads rows of numbers. `names` are the columns' for messages. A word, more values than columns, or commas
+/// that cannot be told apart, are an Error that begins with ":LINE: " (the caller puts the file's name in
+/// front), unless `skip_bad_rows`.
+Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
+                       const std::vector<std::string>& names, const RowRules& rules);
 
 /// The message where no line is a row: ":LINE: ..." with the first cell that begins as a number does and is
 /// none (a clock time, thousands separators, ...), else ": REASON".
-std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason);
+std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason,
+                    std::size_t lines_before);
 
 }  // namespace cromer::dialects

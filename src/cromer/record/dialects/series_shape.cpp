@@ -39,6 +39,24 @@ double distance_from_cubic(std::span<const double> y, std::size_t i) {
   return y[i] - (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
 }
 
+/// The first and last two samples have no neighbours on one side: they stick out where the cubic through the
+/// next four misses them by far, and the four fit the one behind them.
+std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span<const double> y, double step,
+                                            std::span<const double> size, double floor) {
+  std::vector<std::size_t> found;
+  const std::size_t n = y.size();
+  for (const bool front : {true, false})
+    for (const std::size_t from_end : {std::size_t{1}, std::size_t{0}}) {
+      const auto at = [&](std::size_t k) { return front ? from_end + k : n - 1 - from_end - k; };
+      const double missed = y[at(0)] - 4 * y[at(1)] + 6 * y[at(2)] - 4 * y[at(3)] + y[at(4)];
+      const bool even = std::fabs(t[at(4)] - t[at(0)]) < 4 * 1.25 * step;
+      if (!even || size[at(3)] > floor || std::fabs(missed) <= 6 * floor) continue;
+      found.push_back(at(0));
+      break;
+    }
+  return found;
+}
+
 }  // namespace
 
 double median(std::vector<double> values) {
@@ -104,8 +122,14 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   const double everywhere = robust * median(size);
   const double floor =
       std::max({limit * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
+  // A spike at an end spoils the distances next to it.
+  found = spikes_at_the_ends(t, y, step, size, floor);
+  const auto spoilt = [&, at_ends = found](std::size_t i) {
+    return std::any_of(at_ends.begin(), at_ends.end(),
+                       [&](std::size_t end) { return (end > i ? end - i : i - end) <= 2; });
+  };
   for (std::size_t i = 2; i + 2 < n; ++i) {
-    if (size[i] <= floor) continue;
+    if (size[i] <= floor || spoilt(i)) continue;
     const bool alone = (y[i] - y[i - 1]) * (y[i + 1] - y[i]) < 0 &&
                        size[i] > 1.2 * std::max(size[i - 1], size[i + 1]) &&
                        size[i] > 2 * std::max(size[i - 2], size[i + 2]);
@@ -118,6 +142,7 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
     if (to - i > 5) usual = std::max(usual, median({at(i + 3), at(to)}));
     if (size[i] > limit * robust * usual) found.push_back(i);
   }
+  std::sort(found.begin(), found.end());
   return found;
 }
 

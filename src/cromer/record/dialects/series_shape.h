@@ -17,7 +17,8 @@ double rounding_step(std::span<const double> values);
 
 /// Samples that stick out alone: their distance from the cubic through the four neighbours is more than 12
 /// robust standard deviations (1.4826 MAD) of such distances, near by and overall, more than 6 rounding steps
-/// and more than 6 usual small changes. Conservative: steps, kinks, flicker and clean oscillations give none.
+/// and more than 6 usual small changes; at either end, from the cubic through the next four samples and more
+/// than 6 times that. Conservative: steps, kinks, flicker and clean oscillations give none.
 std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
                                 double resolution);
 

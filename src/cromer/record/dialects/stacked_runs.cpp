@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "cromer/base/concat.h"
+#include "cromer/record/dialects/columns.h"
+#include "cromer/record/dialects/set.h"
+#include "cromer/record/dialects/time.h"
 
 namespace cromer::dialects {
 namespace {
@@ -21,36 +25,55 @@ std::vector<std::size_t> run_starts(const std::vector<double>& numbers) {
   return starts;
 }
 
+/// The rows between the starts as sets, without the first `skipped` columns. False, and nothing done, where
+/// one long run among many short ones would cost memory that the file's size does not announce.
+bool lay_runs(Recording& recording, const std::vector<std::size_t>& starts, std::size_t skipped) {
+  const auto& columns = recording.table.columns;
+  std::size_t longest = 0;
+  for (std::size_t k = 0; k + 1 < starts.size(); ++k) longest = std::max(longest, starts[k + 1] - starts[k]);
+  const std::size_t count = starts.size() - 1;
+  if (count > most_runs || longest * count > 16 * recording.table.rows() + 1000) return false;
+  std::vector<Set> sets(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto from = static_cast<std::ptrdiff_t>(starts[k]), to = static_cast<std::ptrdiff_t>(starts[k + 1]);
+    for (std::size_t j = skipped; j < columns.size(); ++j) {
+      const auto& values = columns[j].values;
+      sets[k].columns.push_back({columns[j].name,
+                                 columns[j].quantity,
+                                 columns[j].unit,
+                                 1,
+                                 {values.begin() + from, values.begin() + to}});
+    }
+    sets[k].lines.assign(recording.lines.begin() + from, recording.lines.begin() + to);
+  }
+  return lay_side_by_side(std::move(sets), recording).ok();
+}
+
 }  // namespace
 
 bool split_stacked_runs(Recording& recording) {
-  auto& columns = recording.table.columns;
+  const auto& columns = recording.table.columns;
   if (columns.size() < 3 || columns[0].name != "run" || !columns[0].unit.empty()) return false;
   const auto starts = run_starts(columns[0].values);
-  if (starts.size() < 2) return false;
-  std::size_t longest = 0;
-  for (std::size_t k = 0; k + 1 < starts.size(); ++k) longest = std::max(longest, starts[k + 1] - starts[k]);
-  // One long run among many short ones would cost memory that the file's size does not announce.
-  const std::size_t count = starts.size() - 1;
-  if (count > most_runs || longest * count > 16 * columns[0].values.size() + 1000) return false;
+  return starts.size() >= 2 && lay_runs(recording, starts, 1);
+}
 
-  std::vector<Column> side_by_side;
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto from = static_cast<std::ptrdiff_t>(starts[k]), to = static_cast<std::ptrdiff_t>(starts[k + 1]);
-    for (std::size_t j = 1; j < columns.size(); ++j) {
-      const auto& values = columns[j].values;
-      Column column{columns[j].name,
-                    columns[j].quantity,
-                    columns[j].unit,
-                    static_cast<int>(k) + 1,
-                    {values.begin() + from, values.begin() + to}};
-      column.values.resize(longest, std::numeric_limits<double>::quiet_NaN());
-      side_by_side.push_back(std::move(column));
-    }
-    recording.lines_of_run.emplace_back(recording.lines.begin() + from, recording.lines.begin() + to);
-  }
-  columns = std::move(side_by_side);
-  return true;
+void split_at_restarts(Recording& recording) {
+  const auto& columns = recording.table.columns;
+  const auto is_time = [](const Column& column) { return column.quantity == "time"; };
+  const auto time = std::find_if(columns.begin(), columns.end(), is_time);
+  if (time == columns.end() || std::count_if(columns.begin(), columns.end(), is_time) != 1) return;
+  if (std::any_of(columns.begin(), columns.end(), [](const Column& column) { return column.run != 1; }))
+    return;
+  std::vector<std::size_t> starts{0};
+  for (const std::size_t again : restarts(time->values)) starts.push_back(again);
+  starts.push_back(time->values.size());
+  if (starts.size() == 2) return;
+  std::string warning =
+      concat({"the time starts again in line ", std::to_string(recording.lines[starts[1]]),
+              starts.size() > 3 ? concat({" and ", counted(starts.size() - 3, "more time")}) : std::string{},
+              ": the file is read as ", std::to_string(starts.size() - 1), " runs"});
+  if (lay_runs(recording, starts, 0)) recording.warnings.push_back(std::move(warning));
 }
 
 }  // namespace cromer::dialects

@@ -1,4 +1,5 @@
-// Runs written below each other, told apart by a first column "run": the form of Cromer's own CSV files.
+// Runs written below each other: told apart by a first column "run", the form of Cromer's own CSV files, or
+// by a time that starts again.
 #pragma once
 
 #include "cromer/record/dialects/recording.h"
@@ -6,8 +7,10 @@
 namespace cromer::dialects {
 
 /// Puts the runs side by side and drops the column of run numbers, if the table is of that form; else does
-/// nothing. True if it was. Line numbers are kept in lines_of_run. Where runs share a row of the new table,
-/// its line number is that of the longest run.
+/// nothing. True if it was.
 bool split_stacked_runs(Recording& recording);
+
+/// Puts the runs side by side where the one time column starts again, and says so.
+void split_at_restarts(Recording& recording);
 
 }  // namespace cromer::dialects

@@ -8,6 +8,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/columns.h"
+#include "cromer/record/dialects/drop_outs.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/record/dialects/series_shape.h"
 #include "cromer/record/dialects/steps.h"
@@ -83,15 +84,39 @@ void describe_times(Series& series, double rate) {
                                     rounded(longest->length, 3), " s at ", rounded(longest->t, 6), " s"}));
 }
 
+/// What a motion sensor drops is a stretch of its own; of other columns (a force's pulses) only single
+/// samples are doubted.
+bool is_motion(const Series& series) {
+  constexpr std::array<std::string_view, 4> motions{"position", "angle", "velocity", "angular velocity"};
+  return std::find(motions.begin(), motions.end(), series.quantity) != motions.end();
+}
+
+/// Spikes and drop-outs: listed, counted and said, not changed.
+void set_aside(Series& series) {
+  const double step = 1 / series.rate;
+  std::set<std::size_t> found;
+  std::vector<dialects::DropOut> stretches;
+  if (is_motion(series)) stretches = dialects::drop_outs(series.t, series.y, step, series.resolution);
+  for (const dialects::DropOut& stretch : stretches)
+    for (std::size_t i = stretch.first; i < stretch.end; ++i) found.insert(i);
+  const std::size_t dropped = found.size();
+  std::size_t alone = 0, first_alone = 0;
+  for (const std::size_t i : dialects::spikes(series.t, series.y, step, series.resolution))
+    if (found.insert(i).second && alone++ == 0) first_alone = i;
+  for (const std::size_t i : found) series.outliers.push_back({series.t[i], series.y[i], series.lines[i]});
+  const auto say = [&](std::string_view what, std::size_t first) {
+    series.warnings.push_back(concat({what, ", the first in line ", std::to_string(series.lines[first])}));
+  };
+  if (alone > 0)
+    say(concat({counted(alone, "sample"), alone == 1 ? " sticks" : " stick", " out alone"}), first_alone);
+  if (dropped > 0)
+    say(concat({counted(dropped, "sample"), " in ", counted(stretches.size(), "drop-out"), " of the sensor"}),
+        stretches.front().first);
+}
+
 void describe_values(Series& series, const std::vector<double>& as_written) {
   series.resolution = dialects::rounding_step(as_written) * series.to_si;
-  if (series.rate > 0)
-    for (const std::size_t i : dialects::spikes(series.t, series.y, 1 / series.rate, series.resolution))
-      series.outliers.push_back({series.t[i], series.y[i], series.lines[i]});
-  if (!series.outliers.empty())
-    series.warnings.push_back(
-        concat({counted(series.outliers.size(), "sample"), series.outliers.size() == 1 ? " sticks" : " stick",
-                " out alone, the first in line ", std::to_string(series.outliers.front().line)}));
+  if (series.rate > 0) set_aside(series);
   const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
   if (!series.y.empty() && *low == *high)
     series.warnings.push_back(concat({"column \"", series.column, "\" never changes"}));
@@ -151,7 +176,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     t.push_back(at);
     y.push_back(y_si);
     as_written.push_back(value.values[i]);
-    lines.push_back(line_of(recording, run, i));
+    lines.push_back(line_of(recording, *chosen, i));
   }
   if (t.empty())
     return refuse(concat({"column \"", series.column, "\" of run ", std::to_string(run), " has no values"}));

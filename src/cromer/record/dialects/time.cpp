@@ -18,7 +18,47 @@ struct LeftOut {
   }
 };
 
+/// Whether the times from row i on rise towards `last` for some rows, or to their end: a new start, where a
+/// single backward time is a glitch.
+bool rises_from(const std::vector<double>& t, std::size_t i, double last) {
+  constexpr std::size_t rows = 5;
+  double before = t[i];
+  std::size_t seen = 0;
+  for (std::size_t k = i + 1; k < t.size() && seen < rows; ++k) {
+    if (!std::isfinite(t[k])) continue;
+    if (t[k] <= before || t[k] >= last) return false;
+    before = t[k];
+    ++seen;
+  }
+  return seen > 0;
+}
+
+/// Rises from `first` to `last` in `count` rows, and starts again in row i.
+bool starts_again(const std::vector<double>& t, std::size_t i, double first, double last, std::size_t count) {
+  constexpr std::size_t fewest = 10;
+  return count > fewest && t[i] < last && t[i] - first <= 0.1 * (last - first) && rises_from(t, i, last);
+}
+
 }  // namespace
+
+std::vector<std::size_t> restarts(const std::vector<double>& t) {
+  std::vector<std::size_t> found;
+  std::size_t count = 0;
+  double first = 0, last = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (!std::isfinite(t[i])) continue;
+    const bool again = count > 0 && starts_again(t, i, first, last, count);
+    if (again) found.push_back(i);
+    if (again || count == 0) {
+      first = last = t[i];
+      count = 1;
+    } else if (t[i] > last) {
+      last = t[i];
+      ++count;
+    }
+  }
+  return found;
+}
 
 std::optional<std::size_t> time_column_of(const Table& table, std::size_t j) {
   const auto& columns = table.columns;
@@ -56,9 +96,7 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
     } else if (t[i] == last) {
       repeated.add(lines[i]);
     } else {
-      const bool again = result.kept.size() > 10 && t[i] - first <= 0.1 * (last - first) &&
-                         i + 1 < t.size() && t[i + 1] > t[i] && t[i + 1] < last;
-      if (again) {
+      if (starts_again(t, i, first, last, result.kept.size())) {
         result.warnings.push_back(
             concat({"the time starts again in line ", std::to_string(lines[i]), ": the ",
                     counted(t.size() - i, "row"), " from there on are left out"}));

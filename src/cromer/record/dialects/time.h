@@ -15,6 +15,10 @@ namespace cromer::dialects {
 /// else the first of all.
 std::optional<std::size_t> time_column_of(const Table& table, std::size_t j);
 
+/// Rows where the times start again from near their beginning and go on from there. Missing times are passed
+/// over.
+std::vector<std::size_t> restarts(const std::vector<double>& t);
+
 /// Which rows stay so that their times rise strictly, and what was left out.
 struct RisingTimes {
   std::vector<std::size_t> kept;      ///< indices into the times given

@@ -10,17 +10,25 @@ namespace cromer {
 namespace {
 
 /// The column a fit would take; where several are alike, the first of them, since a description need not
-/// choose.
+/// choose: that is said.
 Result<Series> main_series(const Recording& recording, int run, const ReadOptions& options) {
   auto series = take_series(recording, "", run, options);
   if (series) return series;
+  const auto first_of_several = [&](const Column& column) {
+    auto first = take_series(recording, column_title(column), run, options);
+    if (first)
+      first->warnings.push_back(
+          "several columns may be meant: what is said of times and outliers is that of \"" +
+          column_title(column) + "\"; a fit needs --column");
+    return first;
+  };
   for (const std::string_view quantity :
        {"position", "angle", "angular velocity", "velocity", "acceleration", "any other"})
     for (const Column& column : recording.table.columns)
       if (column.run == run &&
           (column.quantity == quantity ||
            (quantity == "any other" && column.quantity != "time" && column.quantity != "index")))
-        return take_series(recording, column_title(column), run, options);
+        return first_of_several(column);
   return series;
 }
 

@@ -1,0 +1,66 @@
+#include "cromer/record/dialects/text_file.h"
+
+#include <array>
+
+#include "cromer/base/concat.h"
+#include "cromer/record/dialects/encoding.h"
+#include "cromer/record/dialects/labview.h"
+#include "cromer/record/dialects/layout.h"
+#include "cromer/record/dialects/lines.h"
+#include "cromer/record/dialects/peer.h"
+#include "cromer/record/dialects/plain.h"
+#include "cromer/record/dialects/set.h"
+#include "cromer/record/dialects/sets_below.h"
+#include "cromer/record/dialects/uff.h"
+#include "cromer/record/dialects/vernier_format.h"
+
+namespace cromer::dialects {
+namespace {
+
+/// Dialects with a structure of their own; all others are tables that the common stages read.
+struct OwnStructure {
+  bool (*recognised)(const Source& source);
+  Result<Sets> (*read)(const Source& source);
+};
+constexpr std::array own_structures{
+    OwnStructure{is_vernier_format, read_vernier_format},
+    OwnStructure{is_labview, read_labview},
+    OwnStructure{is_peer, read_peer},
+};
+
+Result<Recording> recording_of(Result<Sets> sets) {
+  if (!sets) return sets.error();
+  Recording recording;
+  recording.dialect.name = std::move(sets->dialect);
+  recording.dialect.separator = separator_name(sets->separator);
+  recording.dialect.decimal = sets->decimal == ',' ? "comma" : "point";
+  recording.named = true;
+  recording.warnings = std::move(sets->warnings);
+  if (const auto laid = lay_side_by_side(std::move(sets->sets), recording); !laid) return laid.error();
+  return recording;
+}
+
+}  // namespace
+
+Result<Recording> read_text_file(std::string_view bytes, std::string_view file, const ReadOptions& options) {
+  const auto decoded = decode(bytes);
+  if (is_uff(bytes)) {
+    auto recording = recording_of(read_uff(bytes));
+    if (recording) recording->dialect.encoding = decoded ? decoded->encoding : "binary";
+    return recording;
+  }
+  if (!decoded) return Error{concat({": ", decoded.error().message})};
+  const auto lines = split_lines(decoded->text());
+  const Source source{decoded->text(), lines, file, options};
+  const auto read = [&]() -> Result<Recording> {
+    for (const OwnStructure& own : own_structures)
+      if (own.recognised(source)) return recording_of(own.read(source));
+    const auto tables = find_tables(lines);
+    return tables.size() > 1 ? read_tables(lines, tables, options) : read_plain(lines, options);
+  };
+  auto recording = read();
+  if (recording) recording->dialect.encoding = decoded->encoding;
+  return recording;
+}
+
+}  // namespace cromer::dialects

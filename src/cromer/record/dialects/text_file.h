@@ -1,0 +1,14 @@
+// A file that is text: its dialect is found and its table read.
+#pragma once
+
+#include <string_view>
+
+#include "cromer/base/result.h"
+#include "cromer/record/dialects/recording.h"
+
+namespace cromer::dialects {
+
+/// All stages but those of time, which see the whole recording. An Error begins with ": " or ":LINE: ".
+Result<Recording> read_text_file(std::string_view bytes, std::string_view file, const ReadOptions& options);
+
+}  // namespace cromer::dialects
