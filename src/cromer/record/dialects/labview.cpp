@@ -85,7 +85,7 @@ char decimal_of(const std::vector<std::string_view>& rows, char separator, const
 /// Times of rows that carry none.
 Result<void> compute_times(Set& set, const LabviewSegment& segment) {
   const double x0 = number_of(segment["X0"], 0), delta = number_of(segment["Delta_X"], 0);
-  if (!(delta > 0))
+  if (!is_step(delta))
     return Error{": the rows carry no X_Value and the header no Delta_X above 0: the times are not known"};
   Column& time = set.columns.front();
   for (std::size_t i = 0; i < time.values.size(); ++i)

@@ -114,7 +114,7 @@ bool is_peer(const Source& source) {
 Result<Sets> read_peer(const Source& source) {
   const Counted head = *counted_line(source.lines);
   const std::string at = concat({":", std::to_string(head.line + 1), ": "});
-  if (!(head.step > 0) || !std::isfinite(head.step)) return Error{concat({at, "DT is not a step above 0"})};
+  if (!is_step(head.step)) return Error{concat({at, "DT is not a step above 0"})};
   if (!(head.count >= 1) || head.count != std::floor(head.count))
     return Error{concat({at, "NPTS is not a number of values above 0"})};
   constexpr double most = 1e15;  // no file is that long; a whole number of it fits

@@ -8,6 +8,7 @@
 #include "cromer/record/dialects/layout.h"
 #include "cromer/record/dialects/lines.h"
 #include "cromer/record/dialects/rows.h"
+#include "cromer/record/dialects/set.h"
 #include "cromer/record/dialects/stacked_runs.h"
 #include "cromer/record/dialects/tracker.h"
 
@@ -25,7 +26,7 @@ void take_counted_step(Recording& recording, const Header& header, const ReadOpt
     const Cell count = read_cell(cells[0], '.'), step = read_cell(cells[1], '.');
     const bool counts =
         count.kind == CellKind::number && count.value == static_cast<double>(columns.front().values.size());
-    if (!counts || step.kind != CellKind::number || !(step.value > 0)) continue;
+    if (!counts || step.kind != CellKind::number || !is_step(step.value)) continue;
     Column time{"Time", "time", "s", 1, {}};
     for (std::size_t i = 0; i < columns.front().values.size(); ++i)
       time.values.push_back(static_cast<double>(i) * step.value);

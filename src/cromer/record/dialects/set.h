@@ -26,6 +26,9 @@ struct Source {
   const ReadOptions& options;
 };
 
+/// A step of time that a header may give [s]: beyond, times overflow.
+inline bool is_step(double step) { return step > 0 && step < 1e12; }
+
 /// What it makes of it; times and missing values are seen to by the stages that follow.
 struct Sets {
   std::string dialect;

@@ -59,6 +59,7 @@ bool split_stacked_runs(Recording& recording) {
 }
 
 void split_at_restarts(Recording& recording) {
+  if (!recording.lines_of_set.empty()) return;  // its runs are told apart already
   const auto& columns = recording.table.columns;
   const auto is_time = [](const Column& column) { return column.quantity == "time"; };
   const auto time = std::find_if(columns.begin(), columns.end(), is_time);

@@ -152,7 +152,7 @@ class Responses {
     if (head.type != 2 && head.type != 4) return leave_out("its values are complex");
     const bool time = head.abscissa.kind == 17 || head.function == 1;
     if (!time) return leave_out("it is no time response (a spectrum or a frequency response)");
-    if (head.even && !(head.step > 0)) return leave_out(here + " has no time step above 0");
+    if (head.even && !is_step(head.step)) return leave_out(here + " has no time step above 0");
     const std::size_t stride = head.even ? 1 : 2;
     std::size_t count = numbers.size() / stride;
     if (static_cast<double>(count) > head.points && head.points > 0)
