@@ -171,6 +171,8 @@ TEST(HeadersAgain, BeginARun) {
   const Recording r = read("t,x\n0,1.5\n1,2\n2,1\nt,x\n0,3\n1,4\n2,5\n3,6\n");
   EXPECT_THAT(runs(r), ElementsAre(1, 2));
   EXPECT_THAT(values(r, 3), ElementsAre(3, 4, 5, 6));
+  // A date above a header is no table.
+  EXPECT_EQ(read("A lab\n2024-01-01\nTime (s),x (m),\n0.0,1.5,\n0.1,2.5,\n").table.rows(), 2u);
   // A word among numbers is a bad row.
   EXPECT_THAT(refusal("t,x\n0,1.5\nerror,error\n2,1\n"), HasSubstr("lab.txt:3: "));
 }

@@ -55,8 +55,13 @@ Result<Recording> read_text_file(std::string_view bytes, std::string_view file, 
   const auto read = [&]() -> Result<Recording> {
     for (const OwnStructure& own : own_structures)
       if (own.recognised(source)) return recording_of(own.read(source));
-    const auto tables = find_tables(lines);
-    return tables.size() > 1 ? read_tables(lines, tables, options) : read_plain(lines, options);
+    const auto starts = find_tables(lines);
+    if (starts.size() == 1) return read_plain(lines, options);
+    auto tables = read_tables(lines, starts, options);
+    if (tables) return tables;
+    // A title may look like a row (a date, a count): then there is but one table.
+    auto plain = read_plain(lines, options);
+    return plain ? std::move(plain) : std::move(tables);
   };
   auto recording = read();
   if (recording) recording->dialect.encoding = decoded->encoding;
