@@ -56,12 +56,25 @@ std::string summary(const Inspection& inspection) {
   out += line("time", inspection.time_column.empty() ? "no time column" : inspection.time_column);
   if (inspection.jitter > 1e-6)  // below is the rounding of the times
     out += line("jitter", format_quantity({100 * inspection.jitter, 0}, "% of a step"));
-  out += line("gaps", fmt::format("{}", inspection.gaps.size()));
-  for (const auto& gap : inspection.gaps)
-    out += line("", fmt::format("{:.6g} s long at {:.6g} s", gap.length, gap.t));
-  out += line("outliers", fmt::format("{}", inspection.outliers.size()));
-  for (const auto& outlier : inspection.outliers)
-    out += line("", fmt::format("{:.6g} at {:.6g} s, line {}", outlier.value, outlier.t, outlier.line));
+  const auto list = [&](std::string_view what, const std::vector<std::string>& found) {
+    constexpr std::size_t shown = 20;
+    out += line(what, fmt::format("{}", found.size()));
+    for (std::size_t i = 0; i < std::min(shown, found.size()); ++i) out += line("", found[i]);
+    if (found.size() > shown)
+      out += line("", fmt::format("and {} more: --json lists all", found.size() - shown));
+  };
+  const bool several_runs = runs(recording).size() > 1;
+  std::vector<std::string> gaps, outliers;
+  for (const Series& series : inspection.series) {
+    const std::string run = several_runs ? fmt::format("run {}: ", series.run) : "";
+    for (const Gap& gap : series.gaps)
+      gaps.push_back(fmt::format("{}{:.6g} s long at {:.6g} s", run, gap.length, gap.t));
+    for (const Outlier& outlier : series.outliers)
+      outliers.push_back(
+          fmt::format("{}{:.6g} at {:.6g} s, line {}", run, outlier.value, outlier.t, outlier.line));
+  }
+  list("gaps", gaps);
+  list("outliers", outliers);
   return out;
 }
 

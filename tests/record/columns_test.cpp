@@ -36,6 +36,9 @@ TEST(Runs, GroupsOfColumns) {
               ElementsAre(1, 1, 1, 1));
   EXPECT_THAT(run_of_columns(read("x (m),t (s),x (m),t (s)\n1,0.1,2,0.1\n1,0.2,2,0.2\n")),
               ElementsAre(1, 1, 2, 2));
+  // Two sensors with their own times, twice.
+  EXPECT_THAT(run_of_columns(read("t,x,t,y,t,x,t,y\n0.1,1,0.2,2,0.1,1,0.2,2\n0.3,1,0.4,2,0.3,1,0.4,2\n")),
+              ElementsAre(1, 1, 1, 1, 2, 2, 2, 2));
   // A time without a label belongs to the columns behind it.
   EXPECT_THAT(run_of_columns(read("Time (s);x (m) Run #1;Time (s);x (m) Run #2\n0,1;1;0,1;2\n0,2;1;0,2;2\n")),
               ElementsAre(1, 1, 2, 2));

@@ -48,8 +48,10 @@ std::vector<std::size_t> find_tables(const std::vector<std::string_view>& lines)
   bool rows = false;
   std::size_t top = 0, header = 0;  // of the lines of words at work
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (is_blank(lines[i]) || is_comment(lines[i])) continue;
-    if (!begins_as_row(lines[i])) {
+    const bool digit = !lines[i].empty() && lines[i][0] >= '0' && lines[i][0] <= '9';  // nearly always
+    if (digit && rows && above.empty()) continue;
+    if (!digit && (is_blank(lines[i]) || is_comment(lines[i]))) continue;
+    if (!digit && !begins_as_row(lines[i])) {
       if (above.empty()) top = i;
       above = lines[i];
       header = i;

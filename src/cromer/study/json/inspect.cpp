@@ -30,10 +30,17 @@ std::string to_json(const Inspection& inspection, bool with_values) {
   document["time_column"] = inspection.time_column.empty() ? Json(nullptr) : Json(inspection.time_column);
   document["jitter"] = inspection.jitter;
   Json& gaps = document["gaps"] = Json::array();
-  for (const auto& gap : inspection.gaps) gaps.push_back({{"t", gap.t}, {"length", gap.length}});
   Json& outliers = document["outliers"] = Json::array();
-  for (const auto& outlier : inspection.outliers)
-    outliers.push_back({{"t", outlier.t}, {"value", outlier.value}, {"line", outlier.line}});
+  const bool several_runs = runs(recording).size() > 1;
+  for (const Series& series : inspection.series) {
+    const auto add = [&](Json& list, Json found) {
+      if (several_runs) found["run"] = series.run;
+      list.push_back(std::move(found));
+    };
+    for (const auto& gap : series.gaps) add(gaps, {{"t", gap.t}, {"length", gap.length}});
+    for (const auto& outlier : series.outliers)
+      add(outliers, {{"t", outlier.t}, {"value", outlier.value}, {"line", outlier.line}});
+  }
   document["warnings"] = inspection.warnings;
   return to_text(document, with_values);
 }
