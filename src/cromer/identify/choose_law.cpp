@@ -91,16 +91,20 @@ LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const
   if (!beginning.usable() || watch.interrupted()) return choice;
 
   const std::vector<Law> laws = candidate_laws(options.angle);
+  const auto progress = [&](std::size_t done) {
+    if (watch.progress)
+      watch.progress(progress_end * static_cast<double>(done) / static_cast<double>(laws.size()));
+  };
+  progress(1);
   std::vector<bool> fine(laws.size());
   fine[0] = true;
   FreeDecayOptions one = options;
-  for (std::size_t i = 1; i < laws.size(); ++i) {
+  for (std::size_t i = 1; i < laws.size() && !watch.interrupted(); ++i) {
     one.law = laws[i];
     FreeDecay fit = fit_motion(record, one, beginning.known(one.law, record.t.front()), watch, true);
     if (watch.interrupted()) break;
     candidates.push_back(std::move(fit));
-    if (watch.progress)
-      watch.progress(progress_end * static_cast<double>(i) / static_cast<double>(laws.size()));
+    progress(i + 1);
   }
   // The one chosen, and what it is chosen over, as finely as the record asks for.
   std::size_t best = choose_candidate(candidates);

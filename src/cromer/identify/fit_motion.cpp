@@ -15,6 +15,7 @@ namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double coarsest = 1.0 / 20;  // step, in periods: off by a millionth a radian
 
 auto model_of(const Record& record, const Law& law, double h, const Watch& watch) {
   return interruptible(
@@ -50,7 +51,8 @@ Parameters grow(const Record& record, const FreeDecayOptions& options, const Kno
     settings.error_tolerance = 0.1;
     settings.iteration_limit = 12;
     settings.lower = lower_bounds(fitted);
-    parameters = minimise(model_of(part, options.law, period / 40, watch), parameters, settings).parameters;
+    parameters =
+        minimise(model_of(part, options.law, coarsest * period, watch), parameters, settings).parameters;
   }
   return parameters;
 }
@@ -124,9 +126,10 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
   const Thinned thinned(record, period);
   LeastSquaresOptions coarse = settings;
   coarse.error_tolerance = roughly ? 1e-2 : 1e-1;
+  if (roughly) coarse.iteration_limit = settings.iteration_limit = std::min(20, options.iteration_limit);
   coarse.residuals = static_cast<int>(thinned.record.t.size());
   Parameters start = grow(record, options, known, watch);
-  double h = period / 40;
+  double h = coarsest * period;
   LeastSquaresSummary summary = minimise(model_of(thinned.record, options.law, h, watch), start, coarse);
   fit.iterations = summary.iterations;
   Minimum minimum;

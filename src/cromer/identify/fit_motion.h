@@ -21,7 +21,7 @@ struct Beginning {
 Beginning begin_fit(const Record& record, const FreeDecayOptions& options, const Watch& watch);
 
 /// Fits options.law from a known motion. Only `roughly`: to a hundredth of the standard errors, in steps of a
-/// fortieth of a period, for comparing laws.
+/// twentieth of a period, for comparing laws.
 FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, const KnownMotion& known,
                      const Watch& watch, bool roughly = false);
 

@@ -63,9 +63,9 @@ auto phases_with_derivatives(const MotionParameters& motion) {
 }
 
 // What the record holds of a motion, but for the equilibrium.
-template <class Phases>
-auto observed(const Phases& phases, int derivative, double t) {
-  return derivative == 0 ? phases.state().x : derivative == 1 ? phases.state().v : phases.acceleration(t);
+template <class Seen>
+auto observed(const Seen& seen, int derivative) {
+  return derivative == 0 ? seen.x() : derivative == 1 ? seen.v() : seen.a();
 }
 
 template <Law law>
@@ -73,8 +73,8 @@ NormalEquations equations_of(const FittedParameters& fitted, const MotionParamet
                              const Record& record, double h) {
   constexpr std::size_t N = derivatives<law>, columns = N + 1;  // the last is the equilibrium's
   double gram[columns][columns]{}, right[columns]{}, sum_of_squares = 0;
-  follow(phases_with_derivatives<law>(motion), record.t, h, [&](std::size_t i, const auto& phases) {
-    const auto model = observed(phases, record.derivative, record.t[i]);
+  follow(phases_with_derivatives<law>(motion), record.t, h, [&](std::size_t i, const auto& seen) {
+    const auto model = observed(seen, record.derivative);
     const double r = record.y[i] - motion.equilibrium - model.value;
     double row[columns];
     for (std::size_t j = 0; j < N; ++j) row[j] = model.derivative[j];
@@ -111,7 +111,7 @@ Law law_of(const MotionParameters& motion) {
           .pendulum = motion.pendulum};
 }
 
-// Calls visit(i, phases) along the motion, without derivatives.
+// Calls visit(i, seen) along the motion, without derivatives.
 template <class Visit>
 void follow_values(const MotionParameters& motion, std::span<const double> t, double h, Visit visit) {
   const FreeStart<double> start = start_of(motion);
@@ -157,8 +157,8 @@ MotionParameters unpack(const FittedParameters& fitted, const Parameters& parame
 double motion_step(double angular_frequency, double duration, double error) {
   const double period = 2 * std::numbers::pi / angular_frequency;
   const double phase = std::max(1.0, angular_frequency * duration);
-  const double h = std::pow(120 * std::max(error, 0.0) / phase, 0.25) / angular_frequency;
-  return std::clamp(h, period / 2000, period / 40);
+  const double h = std::pow(3600 * std::max(error, 0.0) / phase, 0.2) / angular_frequency;
+  return std::clamp(h, period / 600, period / 20);
 }
 
 Trajectory free_motion(const MotionParameters& motion, std::span<const double> t, double h) {
@@ -167,9 +167,9 @@ Trajectory free_motion(const MotionParameters& motion, std::span<const double> t
   trajectory.t.assign(t.begin(), t.end());
   trajectory.x.reserve(t.size());
   trajectory.v.reserve(t.size());
-  follow_values(motion, t, h, [&](std::size_t, const auto& phases) {
-    trajectory.x.push_back(phases.state().x);
-    trajectory.v.push_back(phases.state().v);
+  follow_values(motion, t, h, [&](std::size_t, const auto& seen) {
+    trajectory.x.push_back(seen.x());
+    trajectory.v.push_back(seen.v());
   });
   trajectory.t.resize(trajectory.x.size());
   return trajectory;
@@ -178,8 +178,8 @@ Trajectory free_motion(const MotionParameters& motion, std::span<const double> t
 std::vector<double> motion_residuals(const MotionParameters& motion, const Record& record, double h) {
   std::vector<double> r;
   r.reserve(record.t.size());
-  follow_values(motion, record.t, h, [&](std::size_t i, const auto& phases) {
-    r.push_back(record.y[i] - motion.equilibrium - observed(phases, record.derivative, record.t[i]));
+  follow_values(motion, record.t, h, [&](std::size_t i, const auto& seen) {
+    r.push_back(record.y[i] - motion.equilibrium - observed(seen, record.derivative));
   });
   return r;
 }
@@ -202,8 +202,8 @@ VelocityGradient velocity_gradient(const Law& law, const MotionParameters& motio
   const double times[] = {0, duration};
   return with_constant(law, [&]<Law terms>() {
     VelocityGradient result;
-    follow(phases_with_derivatives<terms>(motion), times, h, [&](std::size_t, const auto& phases) {
-      const auto& v = phases.state().v;
+    follow(phases_with_derivatives<terms>(motion), times, h, [&](std::size_t, const auto& seen) {
+      const auto v = seen.v();
       result.velocity = v.value;
       for (int i = 0; i < fitted.count; ++i) {
         const int d = derivative_index(terms, fitted.member[i]);

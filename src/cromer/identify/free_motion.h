@@ -42,8 +42,9 @@ FittedParameters fitted_parameters(const Law& law);
 Parameters pack(const FittedParameters& fitted, const MotionParameters& motion);
 MotionParameters unpack(const FittedParameters& fitted, const Parameters& parameters);
 
-/// Longest step [s] for which rk4 over `duration` keeps the motion within `error` times its amplitude: its
-/// phase error is (w h)^4/120 a radian. Between 1/2000 and 1/40 of a period.
+/// Longest step [s] for which dormand-prince over `duration` keeps the motion within `error` times its
+/// amplitude, which is off by (w h)^5/3600 a radian: that is (1/600 - 1/720) (w h)^6 a step, from the sixth
+/// power in its growth factor. Between 1/600 and 1/20 of a period.
 double motion_step(double angular_frequency, double duration, double error);
 
 /// Displacement and velocity at the times t [s], strictly increasing, starting from position and velocity at

@@ -1,5 +1,9 @@
-// A free motion followed from sample to sample, its derivatives riding along; with dry friction in phases of
-// slip and stick.
+// A free motion followed through the times of a record, its derivatives riding along; with dry friction in
+// phases of slip and stick.
+//
+// Steps of dormand-prince are as long as the accuracy asks for, whatever the sampling: between their ends
+// stands the polynomial of fifth degree through displacement, velocity and acceleration at both, within
+// (w h)^6/46000 of the amplitude.
 //
 // A phase of slip ends where the velocity vanishes, at a moment that depends on the parameters. The step is
 // cut there, at a fixed time, and the state goes over to the next phase: the displacement keeps its
@@ -14,110 +18,159 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
-#include "cromer/methods/rk4.h"
+#include "cromer/methods/dormand_prince.h"
 #include "cromer/run/root.h"
 #include "cromer/run/stick_slip.h"
 
 namespace cromer {
 
-/// A smooth system's motion.
+/// Hermite's polynomial of fifth degree over a step of h [s] at its fraction s.
+template <class Real>
+Real displacement_within(const DormandPrince::Memory<Real>& step, double h, double s) {
+  const double s3 = s * s * s, rest = 1 - s, rest3 = rest * rest * rest;
+  const double x1 = s3 * (10 + s * (6 * s - 15)), x0 = 1 - x1;
+  const double v0 = h * s * rest3 * (1 + 3 * s), v1 = -h * s3 * rest * (4 - 3 * s);
+  const double a0 = 0.5 * h * h * s * s * rest3, a1 = 0.5 * h * h * s3 * rest * rest;
+  return x0 * step.from.x + x1 * step.to.x + v0 * step.from.v + v1 * step.to.v + a0 * step.acceleration_from +
+         a1 * step.acceleration_to;
+}
+
+/// Its derivative.
+template <class Real>
+Real velocity_within(const DormandPrince::Memory<Real>& step, double h, double s) {
+  const double s2 = s * s, rest = 1 - s, rest2 = rest * rest;
+  const double x = 30 * s2 * rest2 / h;
+  const double v0 = rest2 * (1 + 2 * s - 15 * s2), v1 = s2 * (-12 + s * (28 - 15 * s));
+  const double a0 = 0.5 * h * s * rest2 * (2 - 5 * s), a1 = 0.5 * h * s2 * rest * (3 - 5 * s);
+  return x * (step.to.x - step.from.x) + v0 * step.from.v + v1 * step.to.v + a0 * step.acceleration_from +
+         a1 * step.acceleration_to;
+}
+
+/// A smooth system's motion. step(t, h) takes a step of h and returns its length; last() are its ends.
 template <class System, class Real>
 class SmoothPhases {
  public:
-  SmoothPhases(const System& system, const State<Real>& start) : system_(system), y_(start) {}
+  SmoothPhases(const System& system, const State<Real>& start)
+      : system_(system), last_(method_.start(system, 0.0, start)) {}
 
-  void step(double t, double h) {
-    auto memory = method_.start(system_, t, y_);
-    y_ = method_.step(system_, t, h, y_, memory).y;
+  double step(double t, double h) {
+    method_.step(system_, t, h, last_.to, last_);
+    return h;
   }
-  const State<Real>& state() const { return y_; }
-  Real acceleration(double t) const { return system_.acceleration(t, y_.x, y_.v); }
+  const DormandPrince::Memory<Real>& last() const { return last_; }
+  Real acceleration(double t, const Real& x, const Real& v) const { return system_.acceleration(t, x, v); }
 
  private:
-  Rk4 method_;
+  DormandPrince method_;
   System system_;
-  State<Real> y_;
+  DormandPrince::Memory<Real> last_;
 };
 
-/// The motion of a system with dry friction; `values` is the same system without derivatives.
+/// The motion of a system with dry friction; `values` is the same system without derivatives. A step ends at
+/// the latest where the velocity vanishes.
 template <class System, class Values, class Real>
 class StickSlipPhases {
  public:
   StickSlipPhases(const System& system, const Values& values, const State<Real>& start)
       : system_(system), values_(values), y_(start) {
     const double v = value_of(y_.v);
-    direction_ = v != 0 ? (v > 0 ? 1 : -1) : direction_from_rest(values_, 0, value_of(y_.x));
+    begin(v != 0 ? (v > 0 ? 1 : -1) : direction_from_rest(values_, 0, value_of(y_.x)));
   }
 
-  void step(double t, double h) {
-    while (direction_ != 0 && h > 0) {
-      const State<Real> end = moved(system_, t, h, y_);
-      if (!(value_of(end.v) * direction_ < 0)) {
-        y_ = end;
-        return;
-      }
-      const State<double> from{value_of(y_.x), value_of(y_.v)};
-      const auto velocity = [&](double by) { return moved(values_, t, by, from).v; };
-      const double by =
-          from.v == 0 ? 0 : std::clamp(find_root(velocity, 0, from.v, h, value_of(end.v)), 0.0, h);
-      if (by > 0) y_ = moved(system_, t, by, y_);
-      if (by > 0 || from.v != 0)
-        turn(t + by);
-      else
-        rest();  // it was to slide on, and pull and friction cancel to rounding
-      t += by;
-      h -= by;
+  double step(double t, double h) {
+    if (turning_) turn(t);
+    direction_ = next_;
+    if (direction_ == 0) return h;
+    const DormandPrince::Memory<Real> before = last_;
+    method_.step(system_.sliding(direction_), t, h, y_, last_);
+    const double v = value_of(y_.v), end = value_of(last_.to.v);
+    turning_ = end * direction_ < 0;
+    if (turning_ && v == 0) {  // it was to slide on, and pull and friction cancel to rounding
+      begin(0);
+      direction_ = 0;
+      return h;
     }
+    if (turning_) {
+      const auto sliding = values_.sliding(direction_);
+      const State<double> from{value_of(y_.x), v};
+      const auto velocity = [&](double by) {
+        auto memory = method_.start(sliding, t, from);
+        return method_.step(sliding, t, by, from, memory).y.v;
+      };
+      h = std::clamp(find_root(velocity, 0, v, h, end), 1e-12 * h, h);
+      last_ = before;
+      method_.step(system_.sliding(direction_), t, h, y_, last_);
+    }
+    y_ = last_.to;
+    return h;
   }
-  const State<Real>& state() const { return y_; }
-  Real acceleration(double t) const {
-    return direction_ == 0 ? Real(0) : system_.sliding(direction_).acceleration(t, y_.x, y_.v);
+  const DormandPrince::Memory<Real>& last() const { return last_; }
+  Real acceleration(double t, const Real& x, const Real& v) const {
+    return direction_ == 0 ? Real(0) : system_.sliding(direction_).acceleration(t, x, v);
   }
 
  private:
-  template <class S, class R>
-  State<R> moved(const S& system, double t, double h, const State<R>& y) const {
-    const auto sliding = system.sliding(direction_);
-    auto memory = method_.start(sliding, t, y);
-    return method_.step(sliding, t, h, y, memory).y;
-  }
-
-  void rest() {
-    direction_ = 0;
-    y_.v = Real(0);
+  // The next phase: from y_, 0 to stick.
+  void begin(int direction) {
+    turning_ = false;
+    direction_ = next_ = direction;
+    if (direction == 0) y_.v = Real(0);
+    last_ = {y_, y_, Real(0), Real(0), {}, 0.0};
+    if (direction != 0) last_ = method_.start(system_.sliding(direction), 0.0, y_);
   }
 
   void turn(double t) {
     const double x = value_of(y_.x);
     const double before = values_.sliding(direction_).acceleration(t, x, 0.0);
     const int next = direction_from_rest(values_, t, x);
-    if (next == 0) return rest();
-    const double after = values_.sliding(next).acceleration(t, x, 0.0);
-    direction_ = next;
-    y_.v -= Real(value_of(y_.v));  // at rest to rounding
-    if constexpr (requires { y_.v.derivative; })
-      for (auto& derivative : y_.v.derivative) derivative *= before != 0 ? after / before : 0;
+    if (next != 0) {
+      const double after = values_.sliding(next).acceleration(t, x, 0.0);
+      y_.v -= Real(value_of(y_.v));  // at rest to rounding
+      if constexpr (requires { y_.v.derivative; })
+        for (auto& derivative : y_.v.derivative) derivative *= before != 0 ? after / before : 0;
+    }
+    begin(next);
   }
 
-  Rk4 method_;
+  DormandPrince method_;
   System system_;
   Values values_;
   State<Real> y_;
-  int direction_ = 0;
+  DormandPrince::Memory<Real> last_{};
+  int direction_ = 0;     // of the step that last() shows
+  int next_ = 0;          // of the next one
+  bool turning_ = false;  // at the end of that step
 };
 
-/// Calls visit(i, phases) at every time, integrating in between in equal steps of at most h. Stops where the
-/// state is no longer finite.
+/// A motion at a time within its last step.
+template <class Phases>
+class Seen {
+ public:
+  Seen(const Phases& phases, double t, double length, double share)
+      : phases_(phases), t_(t), length_(length), share_(share) {}
+
+  auto x() const { return displacement_within(phases_.last(), length_, share_); }
+  auto v() const { return velocity_within(phases_.last(), length_, share_); }
+  auto a() const { return phases_.acceleration(t_, x(), v()); }
+
+ private:
+  const Phases& phases_;
+  double t_, length_, share_;
+};
+
+/// Calls visit(i, seen) at every time, strictly increasing, in steps of at most h. Stops where the motion is
+/// no longer finite.
 template <class Phases, class Visit>
 void follow(Phases phases, std::span<const double> t, double h, Visit visit) {
-  visit(std::size_t{0}, phases);
-  for (std::size_t i = 1; i < t.size(); ++i) {
-    const double dt = t[i] - t[i - 1];
-    const int steps = std::max(1, static_cast<int>(std::ceil(dt / h - 1e-9)));
-    const double step = dt / steps;
-    for (int n = 0; n < steps; ++n) phases.step(t[i - 1] + n * step, step);
-    visit(i, phases);
-    if (!std::isfinite(value_of(phases.state().x))) return;
+  double now = t.front();
+  for (std::size_t i = 0; i < t.size();) {
+    const double length = phases.step(now, h);
+    for (; i < t.size() && t[i] <= now + length; ++i) {
+      const double share = (t[i] - now) / length;
+      visit(i, Seen<Phases>(phases, t[i], length, share));
+    }
+    if (!std::isfinite(value_of(phases.last().to.x))) return;
+    now += length;
   }
 }
 

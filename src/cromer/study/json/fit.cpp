@@ -72,6 +72,7 @@ Json recording_object(const FittedRecording& fitted) {
   Json object;
   object["file"] = fitted.file;
   object["column"] = series.column;
+  object["observed"] = series.quantity.empty() ? Json(nullptr) : Json(series.quantity);
   object["run"] = series.run;
   object["samples"] = fitted.samples;
   object["used"] = series.t.size();
