@@ -40,7 +40,7 @@ TEST(ForcedMotion, DerivativesByAllParametersAreExact) {
   }
   {
     const Parameters p{2.4, -1, 11, 0.1, 0.3, 0.2, 140, 5, 100, 0.1, -0.3};
-    const auto drive = [&](const Parameters& q) { return SinusoidalForce(record.t.front(), q[2]); };
+    const auto drive = [&](const Parameters& q) { return SinusoidalForce(q[2]); };
     expect_exact_derivatives(drive, terms, p, samples, 0.03 / 4);
   }
 }
@@ -74,7 +74,7 @@ TEST(RecordedForce, ABlocksEdgeShowsNowhere) {
   RecordedForce drive(force, 1, 100, ForceBetween::band_limited, steps);
   const Parameters p{1};
   for (std::size_t i = 0; i + 1 < 2400; ++i) {
-    const double t = 100.0 + static_cast<double>(i);
+    const auto t = static_cast<double>(i);
     drive.prepare(i, t, 1, steps);
     for (int j = 0; j <= 2 * steps; ++j) {
       double acceleration = 0;

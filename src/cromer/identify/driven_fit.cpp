@@ -39,7 +39,7 @@ ForcedFit fit_driven(const Record& record, ForcedTerms terms, std::optional<doub
     first = adapt_forced(*first, {}, terms, SinusoidalForce::parameters);
   }
   const auto make_drive = [&](const Parameters& p, double) {
-    return SinusoidalForce(record.t.front(), p[SinusoidalForce::frequency]);
+    return SinusoidalForce(p[SinusoidalForce::frequency]);
   };
   ForcedMinimum minimum = minimise_forced(make_drive, terms, *first, {record.t, z}, HUGE_VAL, watch);
   if (watch.interrupted()) return refuse(FitStatus::iteration_limit, "interrupted before the fit was done");

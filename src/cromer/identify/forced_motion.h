@@ -21,7 +21,7 @@ struct ForcedSamples {
 };
 
 /// Calls visit(i, position) at each sample while the motion stays finite; each interval is cut into equal
-/// steps of at most h [s] of rk4. The drive is prepared along the way.
+/// steps of at most h [s] of rk4. The drive is prepared along the way, its times from the first sample.
 template <ForcedTerms terms, int N, class Drive, class Visit>
 void integrate_forced(const Parameters& p, Drive& drive, std::span<const double> t, double h, Visit visit) {
   using System = ForcedSystem<Drive, terms, N>;
@@ -37,12 +37,13 @@ void integrate_forced(const Parameters& p, Drive& drive, std::span<const double>
   }
   visit(std::size_t{0}, y.x);
   for (std::size_t i = 0; i + 1 < t.size(); ++i) {
-    const double dt = t[i + 1] - t[i];
+    // From the first sample: a clock's time would cost digits.
+    const double begin = t[i] - t.front(), dt = t[i + 1] - t[i];
     const int steps = std::max(1, static_cast<int>(std::ceil(dt / h - 1e-9)));
     const double step = dt / steps;
-    drive.prepare(i, t[i], dt, steps);
-    auto memory = method.start(system, t[i], y);
-    for (int n = 0; n < steps; ++n) y = method.step(system, t[i] + n * step, step, y, memory).y;
+    drive.prepare(i, begin, dt, steps);
+    auto memory = method.start(system, begin, y);
+    for (int n = 0; n < steps; ++n) y = method.step(system, begin + n * step, step, y, memory).y;
     if (!std::isfinite(y.x.value)) return;
     visit(i + 1, y.x);
   }

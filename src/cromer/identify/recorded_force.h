@@ -33,7 +33,8 @@ class RecordedForce {
                 int steps)
       : samples_(samples), first_(first), between_(between), nodes_(2 * steps), per_node_(nodes_ / spacing) {}
 
-  /// Makes interval i of the motion ready, which begins at time t; i + 1 < number of the motion's samples.
+  /// Makes interval i of the motion ready, which begins at time t [s] from its first sample; i + 1 < number
+  /// of the motion's samples.
   void prepare(std::size_t i, double t, double, int) {
     begin_ = t;
     const std::size_t k = first_ + i;

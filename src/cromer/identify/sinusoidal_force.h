@@ -15,17 +15,17 @@ class SinusoidalForce {
   static constexpr int parameters = 3;
   static constexpr int cosine = 0, sine = 1, frequency = 2;
 
-  /// `t0`: the motion's first time [s]; `w` [rad/s].
-  SinusoidalForce(double t0, double w) : t0_(t0), w_(w) {}
+  /// `w` [rad/s].
+  explicit SinusoidalForce(double w) : w_(w) {}
 
-  /// Makes the interval that begins at t [s] and lasts dt ready, cut into `steps`.
+  /// Makes the interval that begins at s = t [s] and lasts dt ready, cut into `steps`.
   void prepare(std::size_t, double t, double dt, int steps) {
     begin_ = t;
     nodes_ = 2 * steps;
     per_node_ = nodes_ / dt;
     node_.resize(static_cast<std::size_t>(nodes_) + 1);
     // Turned from node to node: a few turns lose no digits.
-    Node now{std::cos(w_ * (t - t0_)), std::sin(w_ * (t - t0_))};
+    Node now{std::cos(w_ * t), std::sin(w_ * t)};
     const Node turn{std::cos(w_ / per_node_), std::sin(w_ / per_node_)};
     for (Node& node : node_) {
       node = now;
@@ -39,14 +39,14 @@ class SinusoidalForce {
     if (!by_parameter) return;
     by_parameter[cosine] = n.c;
     by_parameter[sine] = n.s;
-    by_parameter[frequency] = (t - t0_) * (p[sine] * n.c - p[cosine] * n.s);
+    by_parameter[frequency] = t * (p[sine] * n.c - p[cosine] * n.s);
   }
 
  private:
   struct Node {
     double c, s;
   };
-  double t0_, w_, begin_ = 0, per_node_ = 1;
+  double w_, begin_ = 0, per_node_ = 1;
   int nodes_ = 2;
   std::vector<Node> node_;
 };
