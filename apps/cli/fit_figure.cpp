@@ -7,29 +7,25 @@
 #include <limits>
 
 #include "cromer/base/quantity.h"
-#include "cromer/identify/free_motion.h"
+#include "cromer/study/task/fitted_motion.h"
 #include "measured_axis.h"
 
 namespace cromer::cli {
 namespace {
 
-/// The fitted displacements at the measured times.
-std::vector<double> fitted_motion(const FittedRecording& fitted) {
+/// What the law has at the measured times, less the equilibrium.
+std::vector<double> fitted_values(const FittedRecording& fitted) {
   if (fitted.forced) {
     std::vector<double> x = fitted.forced->motion;
     for (double& value : x) value -= fitted.fit.equilibrium.value;
     return x;
   }
-  const FreeDecay& fit = fitted.fit;
-  const MotionParameters motion{.angular_frequency = fit.angular_frequency.value,
-                                .decay_rate = fit.decay_rate.value,
-                                .drag = fit.drag ? fit.drag->value : 0,
-                                .cubic = fit.cubic ? fit.cubic->value : 0,
-                                .equilibrium = fit.equilibrium.value,
-                                .position = fit.position.value,
-                                .velocity = fit.velocity.value};
-  const auto& t = fitted.series.t;
-  return free_motion(motion, t, motion_step(motion.angular_frequency, t.back() - t.front(), 1e-6)).x;
+  const FittedMotion motion = fitted_motion(fitted);
+  std::vector<double> values = motion.measured;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] -= motion.residual[i] + fitted.fit.equilibrium.value;
+  values.resize(fitted.series.t.size(), std::numeric_limits<double>::quiet_NaN());
+  return values;
 }
 
 Panel measured_panel(const FittedRecording& fitted, const MeasuredAxis& axis) {
@@ -106,7 +102,7 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
   }
   Curve model;
   model.x = fitted.series.t;
-  model.y = axis.scaled(fitted_motion(fitted));
+  model.y = axis.scaled(fitted_values(fitted));
   model.role = "fitted";
   model.name = "fitted";
   model.remark = to_text(fitted.fit.law);

@@ -95,21 +95,23 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
 
 AmplitudeDecay amplitude_decay(const FreeDecay& fit) {
   const MotionParameters p = fit.motion();
-  return {.angular_frequency = p.angular_frequency, .decay_rate = p.decay_rate, .drag = p.drag};
+  return {.angular_frequency = p.angular_frequency,
+          .decay_rate = p.decay_rate,
+          .drag = p.drag,
+          .friction = p.friction};
 }
 
 double first_amplitude(const FreeDecay& fit) {
+  // The turning point has all of the energy.
   const MotionParameters p = fit.motion();
-  // Half the stiffness's energy is what counts where there is a cubic term: the turning point has all of it.
   const double w2 = p.angular_frequency * p.angular_frequency;
-  const double energy = 0.5 * p.velocity * p.velocity + 0.5 * w2 * p.position * p.position +
-                        0.25 * p.cubic * std::pow(p.position, 4);
-  double square = 2 * energy / w2;
-  if (p.cubic != 0) {
-    const double root = w2 * w2 + 4 * p.cubic * energy;
-    if (root > 0) square = 4 * energy / (w2 + std::sqrt(root));
-  }
-  return std::sqrt(square);
+  const double kinetic = 0.5 * p.velocity * p.velocity;
+  if (p.pendulum) return std::acos(std::max(-1.0, std::cos(p.position) - kinetic / w2));
+  const double energy =
+      kinetic + 0.5 * w2 * p.position * p.position + 0.25 * p.cubic * std::pow(p.position, 4);
+  if (p.cubic == 0) return std::sqrt(2 * energy / w2);
+  const double root = w2 * w2 + 4 * p.cubic * energy;
+  return std::sqrt(root > 0 ? 4 * energy / (w2 + std::sqrt(root)) : 2 * energy / w2);
 }
 
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDecay& fit,
@@ -118,11 +120,11 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDe
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double amplitude = first_amplitude(fit);
   if (record.t.size() < 24 || !(amplitude > 0) || !std::isfinite(amplitude)) return result;
-  // A cubic spring's frequency at the first amplitude; from then on each stretch starts from the one before.
+  // The frequency at the first amplitude, of a pendulum as of the cubic spring -w^2/6 x^3; from then on each
+  // stretch starts from the one before.
   const MotionParameters p = fit.motion();
-  double w =
-      std::sqrt(std::max(0.25 * p.angular_frequency * p.angular_frequency,
-                         p.angular_frequency * p.angular_frequency + 0.75 * p.cubic * amplitude * amplitude));
+  const double w2 = p.angular_frequency * p.angular_frequency, cubic = p.pendulum ? -w2 / 6 : p.cubic;
+  double w = std::sqrt(std::max(0.25 * w2, w2 + 0.75 * cubic * amplitude * amplitude));
   double at = amplitude;
   StretchLength stretch(record, w);
   const auto t = record.t;
@@ -139,6 +141,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDe
       at = carried_on(decay, at, part.t.back() - part.t.front());
       stretch.learn(found ? found->rate.standard_error / (wanted_certainty * decay.rate(at)) : HUGE_VAL);
       if (found) {
+        found->amplitude /= std::pow(w, record.derivative);
         found->law_rate = decay.rate(found->amplitude);
         if (found->rate.standard_error < std::max(std::abs(found->rate.value), found->law_rate))
           result.push_back(*found);

@@ -11,7 +11,7 @@ namespace cromer {
 
 struct AmplitudeRate {
   double from, to;   // [s] the stretch
-  double amplitude;  ///< in its middle, unit of the record
+  double amplitude;  ///< in its middle, unit of the displacement
   Estimate rate;     // [1/s] of one decaying sinusoid fitted to the stretch alone
   double law_rate;   // [1/s] the law's at that amplitude, averaged over a cycle
 };
@@ -19,7 +19,7 @@ struct AmplitudeRate {
 /// What the law's damping does to the amplitude.
 AmplitudeDecay amplitude_decay(const FreeDecay& fit);
 
-/// The largest swing that the law has from the first sample on: [unit of the record].
+/// The largest swing that the law has from the first sample on: [unit of the displacement].
 double first_amplitude(const FreeDecay& fit);
 
 /// Stretches of at least two periods and twelve samples, as long as a rate takes to be known to a twentieth

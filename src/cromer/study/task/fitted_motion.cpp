@@ -51,33 +51,31 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const FreeDecay& fit = fitted.fit;
   const MotionParameters p = fit.motion();
+  const int derivative = derivative_order(series.quantity);
   const Trajectory law = motion_of(fit, series.t);
   FittedMotion motion;
-  motion.t.assign(law.t.begin(), law.t.end());
-  const std::size_t n = motion.t.size();
-  motion.measured.assign(series.y.begin(), series.y.begin() + static_cast<std::ptrdiff_t>(n));
-  for (std::size_t i = 0; i < n; ++i) motion.residual.push_back(series.y[i] - p.equilibrium - law.x[i]);
-  motion.x = law.x;
-  motion.v = law.v;
-  // A recorded velocity obeys the same linear law; what it is the derivative of follows from that law.
+  motion.residual = motion_residuals(p, {series.t, series.y, 0, derivative}, fit.step);
+  const std::size_t n = std::min(law.t.size(), motion.residual.size());
+  const auto first = [n](const std::vector<double>& all) {
+    return std::vector<double>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
+  };
+  motion.residual.resize(n);
+  motion.t = first(series.t);
+  motion.measured = first(series.y);
+  motion.x = first(law.x);
+  motion.v = first(law.v);
   const double w2 = p.angular_frequency * p.angular_frequency;
-  for (int order = derivative_order(series.quantity); order > 0; --order)
-    for (std::size_t i = 0; i < n; ++i) {
-      const double v = motion.x[i];
-      motion.x[i] = -(motion.v[i] + 2 * p.decay_rate * v) / w2;
-      motion.v[i] = v;
-    }
   double mass = 1;
   if (const Estimate* stiffness = fitted.find("stiffness")) {
     mass = stiffness->value / w2;
     motion.per_mass = false;
   }
   for (std::size_t i = 0; i < n; ++i) {
-    const double x2 = motion.x[i] * motion.x[i];
-    motion.energy.push_back(mass *
-                            (0.5 * motion.v[i] * motion.v[i] + 0.5 * w2 * x2 + 0.25 * p.cubic * x2 * x2));
+    const double x = motion.x[i], x2 = x * x, sine = std::sin(0.5 * x);
+    const double potential = p.pendulum ? 2 * w2 * sine * sine : 0.5 * w2 * x2 + 0.25 * p.cubic * x2 * x2;
+    motion.energy.push_back(mass * (0.5 * motion.v[i] * motion.v[i] + potential));
   }
-  if (derivative_order(series.quantity) == 0) {
+  if (derivative == 0) {
     motion.local_velocity = local_velocities(series, p.angular_frequency);
     motion.local_velocity.resize(n);
   }

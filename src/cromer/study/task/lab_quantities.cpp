@@ -14,16 +14,16 @@ constexpr double two_pi = 2 * std::numbers::pi;
 void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
   const FreeDecay& fit = result.fit;
   const std::string& quantity = result.series.quantity;
-  if (quantity != "position" && quantity != "velocity" && !quantity.empty()) return;
+  if (quantity != "position" && quantity != "velocity" && quantity != "acceleration" && !quantity.empty())
+    return;
   const double w = fit.angular_frequency.value;
-  const double to_metres = quantity == "velocity" ? 1 / w : 1;
   const double A = first_amplitude(fit);
   if (!(A > 0)) return;
   const double by_x = fit.position.value / A, by_v = fit.velocity.value / (w * w * A);
   const double variance = by_x * by_x * fit.covariance_of("position", "position") +
                           by_v * by_v * fit.covariance_of("velocity", "velocity") +
                           2 * by_x * by_v * fit.covariance_of("position", "velocity");
-  const double value = two_pi * A * to_metres / diameter.value;
+  const double value = two_pi * A / diameter.value;
   const double relative =
       std::hypot(std::sqrt(std::max(0.0, variance)) / A, diameter.uncertainty / diameter.value);
   result.keulegan_carpenter = make_estimate(value, relative * value, fit.student);

@@ -39,7 +39,8 @@ constexpr double most_periods = 20'000;
 /// The covariance that records of other lengths would have.
 class Prospect {
  public:
-  Prospect(const FreeDecay& fit, const Record& record) : fit_(fit), fitted_(fitted_parameters(fit.law)) {
+  Prospect(const FreeDecay& fit, const Record& record)
+      : fit_(fit), fitted_(fitted_parameters(fit.law)), derivative_(record.derivative) {
     const double duration = record.t.back() - record.t.front();
     rate_ = static_cast<double>(record.t.size() - 1) / duration;
     const SquareMatrix now = white(duration);
@@ -63,6 +64,7 @@ class Prospect {
     again("angular_frequency", fit.angular_frequency);
     again("decay_rate", fit.decay_rate);
     if (fit.drag) again("drag", *fit.drag);
+    if (fit.friction) again("friction", *fit.friction);
     if (fit.cubic) again("cubic", *fit.cubic);
     again("equilibrium", fit.equilibrium);
     again("position", fit.position);
@@ -79,7 +81,7 @@ class Prospect {
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = duration * (static_cast<double>(i) + 0.5) / points;
     t.front() = 0;  // where the motion's start is
     NormalEquations equations =
-        motion_equations(fit_.law, pack(fitted_, fit_.motion()), {t, y, 0}, period / 40);
+        motion_equations(fit_.law, pack(fitted_, fit_.motion()), {t, y, 0, derivative_}, period / 40);
     const double samples_per_point = rate_ * duration / points;
     const double variance = fit_.residual.rms * fit_.residual.rms;
     for (int i = 0; i < fitted_.count; ++i)
@@ -89,6 +91,7 @@ class Prospect {
 
   const FreeDecay& fit_;
   FittedParameters fitted_;
+  int derivative_;
   double rate_ = 0;
   std::vector<double> excess_;
 };
@@ -217,6 +220,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
     for (double& c : certain.covariance) c = 0;
     certain.angular_frequency.standard_error = certain.decay_rate.standard_error = 0;
     if (certain.drag) certain.drag->standard_error = 0;
+    if (certain.friction) certain.friction->standard_error = 0;
     if (certain.cubic) certain.cubic->standard_error = 0;
     const double given = look_up(certain)->estimate.standard_error;
     const double own = std::sqrt(std::max(0.0, plan.best * plan.best - given * given));
