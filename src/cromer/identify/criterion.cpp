@@ -36,11 +36,14 @@ std::size_t choose_candidate(std::vector<FreeDecay>& candidates) {
     if (fit.status != FitStatus::converged || !every_term_shows(fit)) continue;
     if (candidates[best].status != FitStatus::converged || fit.bic < candidates[best].bic) best = i;
   }
-  // A difference below 2 is not worth more than a bare mention: the fewest terms then, and the first.
+  // Evidence that is not strong does not speak against a simpler law, or one met more often: the fewest terms
+  // then, and the first.
+  constexpr double strong = 6;
   const double lowest = candidates[best].bic;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const FreeDecay& fit = candidates[i];
-    if (fit.status != FitStatus::converged || !every_term_shows(fit) || !(fit.bic < lowest + 2)) continue;
+    if (fit.status != FitStatus::converged || !every_term_shows(fit) || !(fit.bic < lowest + strong))
+      continue;
     const std::size_t terms = candidates[best].names.size();
     if (fit.names.size() < terms || (fit.names.size() == terms && i < best)) best = i;
   }
