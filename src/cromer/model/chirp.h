@@ -44,6 +44,13 @@ class ChirpForce {
     return amplitude_ * cos(angle(u));
   }
 
+  /// How far rounding, of its values and of times near t, may put it off.
+  double rounding(double t) const {
+    const double size = std::abs(value_of(amplitude_));
+    return std::numeric_limits<double>::epsilon() *
+           (size + std::abs(t) * size * std::max(value_of(drive_.from), value_of(drive_.to)));
+  }
+
   /// The first time after t at which it begins or ends.
   double next_break(double t) const {
     const double start = value_of(drive_.start), end = start + value_of(drive_.duration);

@@ -85,6 +85,12 @@ class DrivenOscillator {
   /// The closed form has many pieces: best asked from state to state, not from the start of the run.
   static constexpr bool has_many_pieces = requires { Force::has_many_pieces; };
 
+  /// [m/s^2] How far rounding of the drive may put the acceleration off at times near t.
+  double acceleration_rounding(double t) const
+      requires(terms.drive&& requires(const Force& f) { f.rounding(0.0); }) {
+    return force_.rounding(t);
+  }
+
   /// The first time after t [s] at which the drive is not smooth.
   double next_break(double t) const requires(terms.drive&& requires(const Force& f) { f.next_break(0.0); }) {
     return force_.next_break(t);

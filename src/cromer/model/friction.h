@@ -34,8 +34,11 @@ class Sliding {
   }
 
   /// [m/s^2] Where the mass breaks loose, pull and friction cancel to this.
-  double acceleration_rounding() const {
-    return std::numeric_limits<double>::epsilon() * std::abs(value_of(friction_));
+  double acceleration_rounding([[maybe_unused]] double t) const {
+    double rounding = std::numeric_limits<double>::epsilon() * std::abs(value_of(friction_));
+    if constexpr (requires { smooth_.acceleration_rounding(t); })
+      rounding += smooth_.acceleration_rounding(t);
+    return rounding;
   }
 
   /// The linear law without a drive: an arc about the place where spring and friction balance.

@@ -43,6 +43,9 @@ class PulseForce {
  public:
   PulseForce(const PulseDrive<Real>& drive, const Real& mass) {
     const Real a = drive.amplitude / mass, end = drive.start + drive.duration;
+    largest_ = std::abs(value_of(a));
+    const bool bends = drive.shape == PulseShape::half_sine || drive.shape == PulseShape::triangular;
+    steepest_ = bends ? std::numbers::pi * largest_ / value_of(drive.duration) : 0;
     switch (drive.shape) {
       case PulseShape::step:
         add({.begin = drive.start, .level = a});
@@ -81,6 +84,11 @@ class PulseForce {
       if (const double top = begin + std::numbers::pi / 2 / frequency; frequency != 0 && top > t) return top;
     }
     return std::numeric_limits<double>::infinity();
+  }
+
+  /// How far rounding, of its values and of times near t, may put it off.
+  double rounding(double t) const {
+    return std::numeric_limits<double>::epsilon() * (largest_ + std::abs(t) * steepest_);
   }
 
   /// The first time after t at which a piece begins.
@@ -147,7 +155,8 @@ class PulseForce {
 
   std::array<ForcePiece<Real>, 3> pieces_{};
   std::size_t size_ = 0;
-  bool everywhere_ = false;  ///< the first piece holds at all times
+  double largest_ = 0, steepest_ = 0;  // of its size, and of its change in a second
+  bool everywhere_ = false;            ///< the first piece holds at all times
 };
 
 }  // namespace cromer

@@ -43,7 +43,10 @@ class SampledForce {
         spacing_(drive.spacing),
         per_spacing_(1 / drive.spacing),
         per_mass_(Real(1) / mass),
-        hold_(drive.between == BetweenSamples::hold) {}
+        hold_(drive.between == BetweenSamples::hold) {
+    for (const double sample : *owner_) largest_ = std::max(largest_, std::abs(sample));
+    largest_ *= std::abs(value_of(per_mass_));
+  }
 
   template <class Time>
   Real operator()(const Time& t) const {
@@ -58,8 +61,13 @@ class SampledForce {
   /// The next sample after t, where it may turn, or jump if it is held.
   double next_turn(double t) const {
     const double u = t * per_spacing_;
-    if (!(u + rounding < static_cast<double>(last_))) return std::numeric_limits<double>::infinity();
+    if (!(u + nearly < static_cast<double>(last_))) return std::numeric_limits<double>::infinity();
     return static_cast<double>(interval(u) + 1) * spacing_;
+  }
+
+  /// How far rounding, of its values and of times near t, may put it off.
+  double rounding(double t) const {
+    return std::numeric_limits<double>::epsilon() * (largest_ + std::abs(t) * 2 * largest_ * per_spacing_);
   }
 
   /// The next sample after t, where it jumps or bends.
@@ -90,7 +98,7 @@ class SampledForce {
     for (std::size_t i = interval(value_of(t0) * per_spacing_); value_of(now) < value_of(t); ++i) {
       const double boundary = static_cast<double>(i + 1) * spacing_;
       // A boundary that is the end to rounding is the end.
-      const bool ends = i >= last_ || boundary + rounding * spacing_ >= value_of(t);
+      const bool ends = i >= last_ || boundary + nearly * spacing_ >= value_of(t);
       const Real end = ends ? t : Real(boundary);
       const Real begin(static_cast<double>(i) * spacing_);
       const double here = samples_[std::min(i, last_)];
@@ -103,7 +111,7 @@ class SampledForce {
   }
 
  private:
-  static constexpr double rounding = 1e-6;  ///< of a spacing: times t0 + n h fall on samples only nearly
+  static constexpr double nearly = 1e-6;  ///< of a spacing: times t0 + n h fall on samples only nearly
 
   Real pinned_value(double u) const {
     const double here = samples_[pin_];
@@ -113,7 +121,7 @@ class SampledForce {
 
   /// The interval that u spacings lie in, at most the last sample.
   std::size_t interval(double u) const {
-    const double shifted = u + rounding;
+    const double shifted = u + nearly;
     if (!(shifted > 0)) return 0;
     return shifted >= static_cast<double>(last_) ? last_ : static_cast<std::size_t>(shifted);
   }
@@ -124,6 +132,7 @@ class SampledForce {
   double spacing_, per_spacing_;
   Real per_mass_;
   bool hold_;
+  double largest_ = 0;  ///< of its values, per mass
   bool pinned_ = false;
   std::size_t pin_ = 0;  ///< the interval that holds at all times
 };

@@ -18,12 +18,13 @@
 
 namespace cromer {
 
-/// Whether the error of a step of length h [s] is the rounding of the acceleration, where the system says how
-/// large that is [m/s^2]: forces that all but cancel set a motion going so gently that nothing else is seen.
+/// Whether the error of a step from t to t + h is the rounding of the acceleration, where the system says how
+/// large that is [m/s^2]: forces that all but cancel, or a drive that has hardly begun, set a motion going so
+/// gently that nothing else is seen.
 template <class S, class Real>
-bool is_rounding(const S& system, const Trial<Real>& trial, double h) {
-  if constexpr (requires { system.acceleration_rounding(); }) {
-    const double change = 4 * system.acceleration_rounding() * h;  // [m/s]
+bool is_rounding(const S& system, const Trial<Real>& trial, double t, double h) {
+  if constexpr (requires { system.acceleration_rounding(t); }) {
+    const double change = 4 * system.acceleration_rounding(t) * h;  // [m/s]
     return std::abs(value_of(trial.error.v)) <= change && std::abs(value_of(trial.error.x)) <= change * h;
   }
   return false;
@@ -71,7 +72,7 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
     const bool finite = is_finite(trial.y);
     double error = std::numeric_limits<double>::infinity();
     if (trial.converged && finite)
-      error = is_rounding(system, trial, h) ? 0 : scale.norm(trial, h, control.tolerance);
+      error = is_rounding(system, trial, course.t, h) ? 0 : scale.norm(trial, h, control.tolerance);
     if (!(error <= 1)) {
       ++course.counts.rejected;
       h *= controller.after_rejected(error);

@@ -90,7 +90,7 @@ TEST(RunEffect, AHardeningSpringIsWarnedOfWhereTheMotionBegins) {
   EXPECT_THAT(
       warnings(stiff, 0.05),
       Contains(HasSubstr("stability limit of verlet for motions as wide as at the start under this law, "
-                         "0.0364604 s")));
+                         "0.0364602 s")));
   EXPECT_THAT(warnings(stiff, 0.03), testing::IsEmpty());
 }
 

@@ -80,8 +80,7 @@ std::optional<SimulatedRun> simulated(SimulateOptions options, const SimulatedRu
   options.sensor = {};
   options.every = 1;
   options.method = {method};
-  options.drive_frequency.clear();
-  if (run.drive.amplitude > 0) options.drive_frequency = {run.drive.frequency};
+  if (!options.drive_frequency.empty()) options.drive_frequency = {run.drive.frequency};
   options.step = step;
   options.until = run.until;
   if (method == "dormand-prince") options.tolerance = reference_tolerance;

@@ -138,6 +138,10 @@ Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run
         fmt::format("--compensated: with --friction ({} N) steps end where the mass stops; leave one of them "
                     "out",
                     shortest(std::max(run.oscillator.friction, run.oscillator.static_friction)))};
+  if (run.general)
+    return Error{
+        fmt::format("--compensated: under {} steps end where the drive jumps or bends; leave one of them out",
+                    drive_name(o))};
   if (!o.event.empty())
     return Error{
         fmt::format("--compensated: --event \"{}\" is looked for in ordinary sums; leave one of them out",
