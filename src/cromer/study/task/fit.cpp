@@ -11,7 +11,6 @@
 #include "cromer/base/state.h"
 #include "cromer/identify/choose_law.h"
 #include "cromer/identify/doubts.h"
-#include "cromer/identify/drop_outs.h"
 #include "cromer/identify/free_part.h"
 #include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
@@ -19,6 +18,7 @@
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
 #include "cromer/study/task/recognise_drive.h"
+#include "cromer/study/task/used_samples.h"
 
 namespace cromer {
 namespace {
@@ -63,92 +63,6 @@ Result<void> check_options(const FitOptions& options) {
   if (options.from && options.to && !(*options.from < *options.to))
     return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
   return {};
-}
-
-// The samples from --from to --to, both included.
-Result<Series> used_part(const Series& series, const FitOptions& options) {
-  if (series.t.empty()) return Error{fmt::format("column \"{}\" has no values", series.column)};
-  const double from = options.from.value_or(-HUGE_VAL), to = options.to.value_or(HUGE_VAL);
-  const double slack = series.rate > 0 ? 1e-6 / series.rate : 0;  // 30 s as typed and as printed by a logger
-  const auto first = std::lower_bound(series.t.begin(), series.t.end(), from - slack) - series.t.begin();
-  const auto last = std::upper_bound(series.t.begin(), series.t.end(), to + slack) - series.t.begin();
-  if (first >= last)
-    return Error{fmt::format("{}: no sample is left, the recording goes from {:.6g} to {:.6g} s",
-                             !options.to     ? fmt::format("--from {}", from)
-                             : !options.from ? fmt::format("--to {}", to)
-                                             : fmt::format("--from {} --to {}", from, to),
-                             series.t.front(), series.t.back())};
-  Series used = series;
-  const auto cut = [&](auto& values) {
-    if (values.size() != series.t.size()) return;
-    values.erase(values.begin() + last, values.end());
-    values.erase(values.begin(), values.begin() + first);
-  };
-  cut(used.y);
-  cut(used.lines);
-  used.t.assign(series.t.begin() + first, series.t.begin() + last);
-  const auto outside = [&](const auto& mark) { return mark.t < used.t.front() || mark.t > used.t.back(); };
-  used.gaps.erase(std::remove_if(used.gaps.begin(), used.gaps.end(), outside), used.gaps.end());
-  used.outliers.erase(std::remove_if(used.outliers.begin(), used.outliers.end(), outside),
-                      used.outliers.end());
-  return used;
-}
-
-// What the estimator sees: outliers stay in the series and out of the fit.
-struct FittedSamples {
-  std::vector<double> t, y;
-};
-
-FittedSamples without_outliers(const Series& series) {
-  if (series.outliers.empty()) return {series.t, series.y};
-  FittedSamples kept;
-  std::vector<double> times;
-  for (const Outlier& outlier : series.outliers) times.push_back(outlier.t);
-  std::sort(times.begin(), times.end());
-  for (std::size_t i = 0; i < series.t.size(); ++i) {
-    if (std::binary_search(times.begin(), times.end(), series.t[i])) continue;
-    kept.t.push_back(series.t[i]);
-    kept.y.push_back(series.y[i]);
-  }
-  return kept;
-}
-
-// Flat runs far outside the motion are no motion: they join the outliers.
-void set_drop_outs_aside(Series& series) {
-  const FittedSamples kept = without_outliers(series);
-  const std::vector<std::size_t> found = drop_outs({series.t, series.y, series.resolution});
-  std::size_t added = 0;
-  for (std::size_t i : found) {
-    if (!std::binary_search(kept.t.begin(), kept.t.end(), series.t[i])) continue;
-    series.outliers.push_back({series.t[i], series.y[i], i < series.lines.size() ? series.lines[i] : 0});
-    ++added;
-  }
-  if (added == 0) return;
-  std::sort(series.outliers.begin(), series.outliers.end(),
-            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  series.warnings.push_back(fmt::format(
-      "{} samples in flat runs far outside the motion, the first at {:.6g} s, are taken for drop-outs "
-      "of the sensor and set aside",
-      added, series.t[found.front()]));
-}
-
-// Samples that the fit itself set aside join the outliers too.
-void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
-                   std::vector<std::string>& warnings) {
-  if (aside.empty()) return;
-  for (const std::size_t i : aside) {
-    const auto at = static_cast<std::size_t>(
-        std::lower_bound(series.t.begin(), series.t.end(), samples.t[i]) - series.t.begin());
-    series.outliers.push_back({samples.t[i], samples.y[i], at < series.lines.size() ? series.lines[at] : 0});
-  }
-  std::sort(series.outliers.begin(), series.outliers.end(),
-            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  warnings.push_back(fmt::format(
-      "{} {} far from the fitted motion and from {} neighbours, the first at {:.6g} s, and {} set "
-      "aside",
-      aside.size() == 1 ? "one sample" : fmt::format("{} samples", aside.size()),
-      aside.size() == 1 ? "lies" : "lie", aside.size() == 1 ? "its" : "their", samples.t[aside.front()],
-      aside.size() == 1 ? "is" : "are"));
 }
 
 // Twelve significant digits: a logger's times do not carry more.
@@ -322,6 +236,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.options = options;
   result.series = std::move(*used);
   set_drop_outs_aside(result.series);
+  result.warnings = result.series.warnings;
   FittedSamples samples = without_outliers(result.series);
   if (!options.from && !options.to) {
     const auto part = find_free_part({samples.t, samples.y, result.series.resolution});
@@ -426,7 +341,8 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
       continue;
     }
     std::string message = one.error().message;
-    if (!message.starts_with("--") && !message.starts_with(file)) message = std::string(file) + ": " + message;
+    if (!message.starts_with("--") && !message.starts_with(file))
+      message = std::string(file) + ": " + message;
     fits.push_back(not_fitted(file, run, message));
     if (!first_error) first_error = Error{std::move(message)};
   }

@@ -1,0 +1,30 @@
+// Which samples of a recording a fit sees.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cromer/base/result.h"
+#include "cromer/record/dialects/recording.h"
+#include "cromer/study/task/fit.h"
+
+namespace cromer {
+
+/// The samples from --from to --to, both included; an Error where none is left.
+Result<Series> used_part(const Series& series, const FitOptions& options);
+
+/// What the estimator sees: outliers stay in the series and out of the fit.
+struct FittedSamples {
+  std::vector<double> t, y;
+};
+FittedSamples without_outliers(const Series& series);
+
+/// Flat runs far outside the motion are no motion: they join the outliers, with a warning.
+void set_drop_outs_aside(Series& series);
+
+/// Samples that the fit itself set aside (indices into those it saw) join the outliers too.
+void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
+                   std::vector<std::string>& warnings);
+
+}  // namespace cromer
