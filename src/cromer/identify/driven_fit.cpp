@@ -51,8 +51,7 @@ ForcedFit fit_driven(const Record& record, ForcedTerms terms, std::optional<doub
   if (!(quantities.values.front() > 0))
     return refuse(FitStatus::no_oscillation, "no oscillation found: the law has no stiffness where it rests");
   describe_forced(fit, minimum, quantities, record.t, record.y, record.resolution);
-  constexpr double least = 0.3;
-  if (fit.law.status == FitStatus::converged && fit.law.explained < least)
+  if (explains_too_little(fit))
     return refuse(FitStatus::too_noisy,
                   fmt::format("a decaying and a steady oscillation account for {:.1f} % of the variance only",
                               100 * std::max(0.0, fit.law.explained)));

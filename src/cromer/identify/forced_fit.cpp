@@ -113,8 +113,7 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   if (!(quantities.values.front() > 0))
     return refuse(FitStatus::no_oscillation, "no oscillation found: the law has no stiffness where it rests");
   describe_forced(fit, minimum, quantities, samples.t, seen, record.resolution);
-  constexpr double least = 0.3;
-  if (fit.law.status == FitStatus::converged && fit.law.explained < least)
+  if (explains_too_little(fit))
     return refuse(FitStatus::too_noisy,
                   fmt::format("the force accounts for {:.1f} % of the motion's variance only",
                               100 * std::max(0.0, fit.law.explained)));

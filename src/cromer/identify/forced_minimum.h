@@ -124,4 +124,11 @@ void find_rounding_bias(ForcedMinimum& minimum, const MakeDrive& drive, ForcedTe
 void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQuantities& quantities,
                      std::span<const double> t, std::span<const double> y, double resolution);
 
+/// A minimum was found, but its law accounts for less than three tenths of the motion's variance: it is not
+/// the one.
+inline bool explains_too_little(const ForcedFit& fit) {
+  constexpr double least = 0.3;
+  return fit.law.status == FitStatus::converged && fit.law.explained < least;
+}
+
 }  // namespace cromer
