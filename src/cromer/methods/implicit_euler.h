@@ -1,10 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
@@ -30,12 +29,12 @@ struct ImplicitEuler {
   /// The largest velocity of the motion so far [m/s].
   template <class Real>
   struct Memory {
-    double scale;
+    Magnitude<Real> scale;
   };
 
   template <class S, class Time, class Real>
   Memory<Real> start(const S&, const Time&, const State<Real>& y) const {
-    return {std::abs(value_of(y.v))};
+    return {magnitude(y.v)};
   }
 
   template <class S, class Time, class Real>
@@ -45,10 +44,11 @@ struct ImplicitEuler {
       return v - y.v - h * system.acceleration(t + h, y.x + h * v, v);
     };
     // A velocity that moves x by less than its last digit changes nothing.
-    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(value_of(y.x) / value_of(h));
+    const Magnitude<Real> rounding =
+          std::numeric_limits<double>::epsilon() * (magnitude(y.x) / magnitude(h));
     const auto solved = cromer::newton(residual, y.v, {memory.scale, rounding}, newton);
     const Real v = solved.root;
-    memory.scale = std::max(memory.scale, std::abs(value_of(v)));
+    memory.scale = larger(memory.scale, magnitude(v));
     return {.y = {y.x + h * v, v}, .newton_iterations = solved.iterations, .converged = solved.converged};
   }
 };

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <string_view>
 
+#include "cromer/base/magnitude.h"
 #include "cromer/base/state.h"
 
 namespace cromer {
@@ -38,7 +39,7 @@ struct Trial {
   State<Real> y;
   State<Real> error{};        ///< estimate, of adaptive methods
   int newton_iterations = 0;  ///< of implicit methods
-  bool converged = true;      ///< false: the iteration limit was reached, y is not a solution
+  Truth<Real> converged = true;  ///< false: the iteration limit was reached, y is not a solution
 };
 
 /// For methods that carry nothing.
