@@ -65,8 +65,8 @@ struct Dual {
   // A factor without derivatives spares the products with its zeros.
   friend constexpr Dual operator*(const Real& a, const Dual& b) { return b.chain(a * b.value, a); }
   template <class Number>
-  requires(std::is_arithmetic_v<Number> && !std::same_as<Number, Real>) friend constexpr Dual
-  operator*(Number a, const Dual& b) {
+  requires(std::is_arithmetic_v<Number> && !std::same_as<Number, Real>) friend constexpr Dual operator*(
+      Number a, const Dual& b) {
     return Real(a) * b;
   }
 

@@ -31,8 +31,8 @@ struct GeneralizedAlpha {
   /// largest so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    Magnitude<Real> scale;       // [m/s^2]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s^2]
   };
 
   template <class Real>

@@ -28,8 +28,8 @@ struct ImplicitMidpoint {
   /// The acceleration of the last step, as a guess, and the largest so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    Magnitude<Real> scale;       // [m/s^2]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s^2]
   };
 
   template <class S, class Time, class Real>

@@ -37,8 +37,8 @@ struct MethodInfo {
 template <class Real>
 struct Trial {
   State<Real> y;
-  State<Real> error{};        ///< estimate, of adaptive methods
-  int newton_iterations = 0;  ///< of implicit methods
+  State<Real> error{};           ///< estimate, of adaptive methods
+  int newton_iterations = 0;     ///< of implicit methods
   Truth<Real> converged = true;  ///< false: the iteration limit was reached, y is not a solution
 };
 

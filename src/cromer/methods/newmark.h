@@ -32,8 +32,8 @@ struct Newmark {
   /// The acceleration at the state, and the largest of the motion so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    Magnitude<Real> scale;       // [m/s^2]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s^2]
   };
 
   template <class S, class Time, class Real>

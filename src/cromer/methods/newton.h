@@ -53,9 +53,10 @@ class NewtonArrival {
   auto operator()(const Size& update, const Size& root) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Size motion = larger(scale_.motion, root);
+    const auto near = update <= tolerance_ * motion;
     const auto stalled = update > 0.5 * last_ && update <= larger(scale_.rounding, 1e3 * epsilon * motion);
     last_ = update;
-    return update <= tolerance_ * motion || stalled;
+    return near || stalled;
   }
 
  private:
@@ -85,8 +86,8 @@ NewtonResult<Real> newton(const Residual& residual, const Real& guess,
 /// The same for two unknowns: residual takes and gives an array of two; sizes are those of the larger.
 template <class Real, class Residual>
 NewtonResult<Real, std::array<Real, 2>> newton(const Residual& residual, const std::array<Real, 2>& guess,
-                                         const NewtonScale<Magnitude<Real>>& scale,
-                                         const NewtonOptions& options) {
+                                               const NewtonScale<Magnitude<Real>>& scale,
+                                               const NewtonOptions& options) {
   using Unknown = Dual<Real, 2>;
   NewtonArrival<Magnitude<Real>> arrived(scale, options.tolerance);
   std::array<Real, 2> u = guess;
@@ -103,8 +104,8 @@ NewtonResult<Real, std::array<Real, 2>> newton(const Residual& residual, const s
     // A comparison with NaN must not pass for a small update.
     const auto update = larger(magnitude(first), magnitude(second));
     const auto root = larger(magnitude(u[0]), magnitude(u[1]));
-    done = done || (magnitude(first + second) < std::numeric_limits<double>::infinity() &&
-                    arrived(update, root));
+    done = done ||
+           (magnitude(first + second) < std::numeric_limits<double>::infinity() && arrived(update, root));
     if (all(done)) return {u, i, done};
   }
   return {u, options.iteration_limit, done};

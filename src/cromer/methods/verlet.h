@@ -29,8 +29,8 @@ struct Verlet {
   /// The acceleration at the state, and the largest velocity of the motion so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    Magnitude<Real> scale;       // [m/s]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s]
   };
 
   template <class S, class Time, class Real>
