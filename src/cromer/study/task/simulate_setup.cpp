@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cromer/analysis/energy.h"
+#include "cromer/base/bytes.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
 #include "cromer/run/step_control.h"
@@ -147,13 +148,6 @@ Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run
         fmt::format("--compensated: --event \"{}\" is looked for in ordinary sums; leave one of them out",
                     o.event.front())};
   return {};
-}
-
-std::string bytes_in_words(double bytes) {
-  constexpr std::string_view units[] = {"kB", "MB", "GB", "TB", "PB", "EB"};
-  std::size_t unit = 0;
-  for (bytes /= 1000; bytes >= 1000 && unit + 1 < std::size(units); bytes /= 1000) ++unit;
-  return fmt::format("{:.3g} {}", bytes, units[unit]);
 }
 
 Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedRun>& runs) {

@@ -1,0 +1,130 @@
+#include "cromer/base/grid.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "cromer/base/bytes.h"
+#include "cromer/base/number.h"
+#include "cromer/base/quantity.h"
+
+namespace cromer {
+namespace {
+
+constexpr double most_points = 9007199254740992.0;  // 2^53: beyond, points cannot be told apart
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> pieces;
+  for (;;) {
+    const auto end = text.find(separator);
+    pieces.push_back(trimmed(text.substr(0, end)));
+    if (end == std::string_view::npos) return pieces;
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// What follows the number that begins the piece.
+std::string_view after_number(std::string_view piece) {
+  const auto number = leading_number(piece);
+  return number ? trimmed(piece.substr(number->length)) : std::string_view{};
+}
+
+Result<double> value_of(std::string_view piece, std::string_view unit_of_all, std::string_view si_unit) {
+  const auto number = leading_number(piece);
+  std::string whole(piece);
+  if (number && number->length == piece.size() && !unit_of_all.empty())
+    whole += fmt::format(" {}", unit_of_all);
+  const auto quantity = parse_quantity(whole, si_unit);
+  if (!quantity) return quantity.error();
+  if (quantity->uncertainty != 0)
+    return Error{
+        fmt::format("\"{}\" has an uncertainty, which is not used here; give the value alone", piece)};
+  return quantity->value;
+}
+
+Result<Grid> parse_list(std::string_view text, std::string_view si_unit) {
+  const auto pieces = split(text, ',');
+  std::vector<double> values;
+  for (const auto piece : pieces) {
+    if (piece.empty()) return Error{fmt::format("\"{}\" has an empty value between its commas", text)};
+    const auto value = value_of(piece, after_number(pieces.back()), si_unit);
+    if (!value) return value.error();
+    values.push_back(*value);
+  }
+  return Grid(std::move(values));
+}
+
+Result<Grid> parse_range(std::string_view text, std::string_view si_unit) {
+  const auto pieces = split(text, ':');
+  const auto wrong = [&](const std::string& what) {
+    return Error{fmt::format(
+        "\"{}\" {}; a grid is low:high:points, low:high:points:log, or a list with commas", text, what)};
+  };
+  if (pieces.size() != 3 && pieces.size() != 4) return wrong(fmt::format("has {} pieces", pieces.size()));
+  const bool logarithmic = pieces.size() == 4;
+  if (logarithmic && !pieces[3].starts_with("log"))
+    return wrong(fmt::format("ends with \"{}\", where only log can stand", pieces[3]));
+
+  const auto count = leading_number(pieces[2]);
+  if (!count || count->value != std::floor(count->value) || !(count->value >= 0))
+    return wrong(fmt::format("asks for \"{}\" points, which is no whole number", pieces[2]));
+  if (count->value == 0) return wrong("asks for no points");
+  if (count->value > most_points) return wrong("asks for more points than can be told apart");
+  const std::string_view unit =
+      logarithmic ? trimmed(pieces[3].substr(3)) : trimmed(pieces[2].substr(count->length));
+  if (logarithmic && count->length != pieces[2].size())
+    return wrong(fmt::format("asks for \"{}\" points; the unit stands at the end", pieces[2]));
+
+  const auto low = value_of(pieces[0], unit.empty() ? after_number(pieces[1]) : unit, si_unit);
+  if (!low) return low.error();
+  const auto high = value_of(pieces[1], unit, si_unit);
+  if (!high) return high.error();
+  if (count->value == 1 && *low != *high)
+    return wrong("asks for one point, but both ends are included: give at least 2");
+  if (logarithmic && !(*low > 0 && *high > 0)) return wrong("is logarithmic, so both ends must be positive");
+  if (logarithmic && *low > *high) return wrong("is logarithmic and runs down: give the lower end first");
+  return Grid(*low, *high, static_cast<std::uint64_t>(count->value), logarithmic);
+}
+
+}  // namespace
+
+double Grid::operator[](std::uint64_t i) const {
+  if (!list_.empty()) return list_[i];
+  if (i == 0) return low_;
+  if (i + 1 == size_) return high_;
+  const double part = static_cast<double>(i) / static_cast<double>(size_ - 1);
+  if (!logarithmic_) return low_ + part * (high_ - low_);
+  const double from = std::log10(low_);
+  return std::pow(10.0, from + part * (std::log10(high_) - from));
+}
+
+Result<Grid> parse_grid(std::string_view text, std::string_view si_unit) {
+  const std::string_view grid = trimmed(text);
+  if (grid.empty()) return Error{"the grid is empty; give a value, a list with commas, or low:high:points"};
+  return grid.find(':') == std::string_view::npos ? parse_list(grid, si_unit) : parse_range(grid, si_unit);
+}
+
+Result<void> fits_in_memory(double points, double bytes_per_point, double memory) {
+  const double bytes = points * bytes_per_point;
+  if (bytes <= (memory > 0 ? memory : 1e18)) return {};  // no vector can be longer
+  const std::string there = memory > 0 ? fmt::format(", and there are {}", bytes_in_words(memory)) : "";
+  return Error{
+      fmt::format("{:.6g} points need {} of memory{}; ask for fewer", points, bytes_in_words(bytes), there)};
+}
+
+Result<std::vector<double>> values_of(const Grid& grid, double bytes_per_point, double memory) {
+  if (auto good = fits_in_memory(static_cast<double>(grid.size()), bytes_per_point, memory); !good)
+    return good.error();
+  std::vector<double> values(grid.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = grid[i];
+  return values;
+}
+
+}  // namespace cromer

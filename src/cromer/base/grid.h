@@ -1,0 +1,47 @@
+// The values an option is to take one after the other: a list, or a range with both ends.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+/// Values in the order asked for, computed one by one: a range costs no memory however long it is.
+class Grid {
+ public:
+  /// At least one value, all finite.
+  explicit Grid(std::vector<double> values) : list_(std::move(values)), size_(list_.size()) {}
+  /// `points` >= 1 from low to high, both included; logarithmic only where 0 < low <= high.
+  Grid(double low, double high, std::uint64_t points, bool logarithmic)
+      : low_(low), high_(high), size_(points), logarithmic_(logarithmic) {}
+
+  std::uint64_t size() const { return size_; }
+
+  /// Of any i < size(). The ends are exact; between them a few rounding errors of low and high, and whole
+  /// decades of a logarithmic range are met as exactly as the machine's powers of ten.
+  double operator[](std::uint64_t i) const;
+
+ private:
+  std::vector<double> list_;
+  double low_ = 0, high_ = 0;
+  std::uint64_t size_ = 0;
+  bool logarithmic_ = false;
+};
+
+/// Reads "0.05,0.2,1" (a list), "0.1:10:1000" (so many points, even steps, either direction),
+/// "0.01:10:200:log" (even ratios, upward). A unit at the end holds for every number that has none of its
+/// own: "0.1:10:1000 Hz", "20 ms,0.5,1 s". Values are SI, as parse_quantity reads them with `si_unit`. An
+/// Error says what is wrong with which piece and how a grid is written.
+Result<Grid> parse_grid(std::string_view text, std::string_view si_unit);
+
+/// Its values at once. An Error, with what they need, where they and what is made of them, `bytes_per_point`
+/// altogether, take more than `memory` [bytes]; 0: there is no limit but the largest vector.
+Result<std::vector<double>> values_of(const Grid& grid, double bytes_per_point, double memory);
+
+/// That so many points, bytes_per_point each, can be held; said as values_of says it. For products of grids.
+Result<void> fits_in_memory(double points, double bytes_per_point, double memory);
+
+}  // namespace cromer
