@@ -12,8 +12,8 @@
 
 namespace cromer {
 
-/// Work that falls into chunks, each of which depends on nothing but its number: so the rows are the same bits
-/// whoever makes them, in whatever order.
+/// Work that falls into chunks, each of which depends on nothing but its number: so the rows are the same
+/// bits whoever makes them, in whatever order.
 struct ChunkedRows {
   std::vector<std::string> columns{};  ///< names with units: "amplitude (m)"
   std::uint64_t rows = 0;
@@ -38,8 +38,8 @@ using ChunkSink = std::function<Result<void>(std::uint64_t chunk, const double* 
 /// How the work ended; an Error is the sink's.
 enum class ChunksEnd { done, interrupted };
 
-/// Makes those chunks on so many threads (0: one for each processor) and hands each to the sink. Holds at most
-/// two chunks a thread in memory. Progress: the share of the chunks that are done.
+/// Makes those chunks on so many threads (0: one for each processor) and hands each to the sink. Holds at
+/// most two chunks a thread in memory. Progress: the share of the chunks that are done.
 Result<ChunksEnd> make_chunks(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks, int threads,
                               const ChunkSink& sink, const Watch& watch);
 
