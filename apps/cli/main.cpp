@@ -21,6 +21,7 @@ constexpr Command commands[] = {
     {"inspect", "say what is in a recording; convert it", run_inspect},
     {"fit", "find the law of motion from a recording", run_fit},
     {"compare", "lay simulations beside a recording", run_compare},
+    {"sweep", "run it over grids of its options: resonance curves, maps", run_sweep},
     {"report", "run a study and write its figures and page", run_report},
 };
 

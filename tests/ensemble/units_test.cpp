@@ -89,7 +89,7 @@ Order order_of(std::size_t method, long long steps) {
   return {static_cast<unsigned>(method), 1e-12, 0.25, 0.5, 0.8, steps, nullptr};
 }
 
-class OfUnit : public testing::TestWithParam<Unit> {};
+class OfUnit : public testing::TestWithParam<KernelUnit> {};
 INSTANTIATE_TEST_SUITE_P(Units, OfUnit, testing::ValuesIn(units_here()),
                          [](const auto& unit) { return std::string(unit.param.name); });
 

@@ -18,8 +18,8 @@ constexpr std::string_view names[] = {"baseline", "avx2", "avx512"};
 
 }  // namespace
 
-std::vector<Unit> units_here() {
-  std::vector<Unit> units{{names[0], cromer_advance_baseline}};
+std::vector<KernelUnit> units_here() {
+  std::vector<KernelUnit> units{{names[0], cromer_advance_baseline}};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
     units.push_back({names[1], cromer_advance_avx2});
@@ -31,10 +31,10 @@ std::vector<Unit> units_here() {
   return units;
 }
 
-Result<Unit> choose_unit(std::string_view name) {
-  const std::vector<Unit> units = units_here();
+Result<KernelUnit> choose_unit(std::string_view name) {
+  const std::vector<KernelUnit> units = units_here();
   if (name.empty()) return units.back();
-  for (const Unit& unit : units)
+  for (const KernelUnit& unit : units)
     if (unit.name == name) return unit;
   for (const std::string_view known : names)
     if (known == name)
@@ -42,7 +42,7 @@ Result<Unit> choose_unit(std::string_view name) {
   return Error{"CROMER_SIMD=" + std::string(name) + ": baseline, avx2 or avx512 is expected"};
 }
 
-Result<Unit> choose_unit_by_environment() {
+Result<KernelUnit> choose_unit_by_environment() {
   const char* name = std::getenv("CROMER_SIMD");
   return choose_unit(name ? name : "");
 }

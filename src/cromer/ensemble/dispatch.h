@@ -10,18 +10,18 @@
 namespace cromer {
 
 /// The kernel for one instruction set.
-struct Unit {
+struct KernelUnit {
   std::string_view name;          ///< baseline, avx2 or avx512
   cromer_group::Advance advance;  ///< runs a group
 };
 
 /// Those that this machine can run, the fastest last.
-std::vector<Unit> units_here();
+std::vector<KernelUnit> units_here();
 
 /// The fastest one, or the one of that name: an Error if there is none, or this machine cannot run it.
-Result<Unit> choose_unit(std::string_view name = {});
+Result<KernelUnit> choose_unit(std::string_view name = {});
 
 /// The same with the name in the environment variable CROMER_SIMD, where it is set.
-Result<Unit> choose_unit_by_environment();
+Result<KernelUnit> choose_unit_by_environment();
 
 }  // namespace cromer

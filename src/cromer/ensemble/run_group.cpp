@@ -19,7 +19,7 @@ using cromer_group::Group;
 constexpr long long steps_between_looks = 1 << 16;  // at the interrupt
 
 /// The shorter step that ends some runs, for all members: a run of its own, whose drive goes on where it was.
-std::unique_ptr<Group> with_last_step(const Group& group, const Unit& unit, const Stepping& stepping,
+std::unique_ptr<Group> with_last_step(const Group& group, const KernelUnit& unit, const Stepping& stepping,
                                       const std::array<double, cromer_group::size>& last) {
   auto ended = std::make_unique<Group>(group);
   for (int i = 0; i < cromer_group::size; ++i) {
@@ -45,7 +45,7 @@ PointResult result_of(const Group& group, int i, const Point& point, double end)
 
 }  // namespace
 
-bool run_group(const Unit& unit, std::span<const Point> points, const Stepping& stepping,
+bool run_group(const KernelUnit& unit, std::span<const Point> points, const Stepping& stepping,
                std::span<const double> until, std::span<PointResult> results, const Watch& watch) {
   assert(points.size() == results.size() && points.size() == until.size());
   auto group = std::make_unique<Group>();

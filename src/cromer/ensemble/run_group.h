@@ -27,12 +27,12 @@ struct Settling {
 /// that overtones and what is left of the free motion do not leak in. From window to window their change
 /// falls as the free motion does; a motion has settled when the changes still to come, a geometric series,
 /// sum up to less than the tolerance. False: interrupted.
-bool settle_group(const Unit& unit, std::span<const Point> points, const Stepping& stepping,
+bool settle_group(const KernelUnit& unit, std::span<const Point> points, const Stepping& stepping,
                   const Settling& settling, std::span<PointResult> results, const Watch& watch = {});
 
 /// Runs up to cromer_group::size points each from 0 to its own end [s] > 0; one that is not a whole number of
 /// steps is reached by a shorter one. Of driven points amplitude and phase are left out. False: interrupted.
-bool run_group(const Unit& unit, std::span<const Point> points, const Stepping& stepping,
+bool run_group(const KernelUnit& unit, std::span<const Point> points, const Stepping& stepping,
                std::span<const double> until, std::span<PointResult> results, const Watch& watch = {});
 
 }  // namespace cromer

@@ -87,7 +87,7 @@ PointResult result_of(const Group& group, int i, const Point& point, const Measu
 
 }  // namespace
 
-bool settle_group(const Unit& unit, std::span<const Point> points, const Stepping& stepping,
+bool settle_group(const KernelUnit& unit, std::span<const Point> points, const Stepping& stepping,
                   const Settling& settling, std::span<PointResult> results, const Watch& watch) {
   assert(points.size() == results.size());
   auto group = std::make_unique<Group>();

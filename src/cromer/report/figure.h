@@ -60,6 +60,13 @@ struct Axis {
   bool logarithmic = false;
 };
 
+/// A quantity over two others, as colour from dark (low) to light, with a bar that tells the numbers.
+struct HeatMap {
+  std::vector<double> x, y;  ///< of the cells' middles: at least two of each, all rising or all falling
+  std::vector<double> z;     ///< x runs fastest; NaN is left blank
+  std::string name;          ///< of z, with unit: "amplitude (cm)"
+};
+
 struct Panel {
   std::string title;  ///< without the letter; letters are added where a figure has several panels
   Axis x, y;
@@ -69,6 +76,7 @@ struct Panel {
   std::vector<Marker> markers;
   int span = 1;               ///< how many of the figure's columns it takes
   bool names_inside = false;  ///< names in free places of the plot instead of the right margin
+  std::optional<HeatMap> map{};  ///< in place of curves
 };
 
 /// 760 x 440, 1100 x 440, 480 x 440 px, and for half the report's column 420 x 300 px (tall: 420 x

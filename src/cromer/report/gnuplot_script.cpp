@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "cromer/report/figure.h"
@@ -151,6 +152,36 @@ class Script {
     line("EOD");
   }
 
+  void map_data(const PlacedMap& map, std::size_t panel) {
+    line("$map_{} << EOD", panel + 1);
+    for (int row = 0; row < map.rows; ++row) {
+      std::string numbers;
+      for (int column = 0; column < map.columns; ++column) {
+        const double value = map.values[static_cast<std::size_t>(row * map.columns + column)];
+        fmt::format_to(std::back_inserter(numbers), std::isfinite(value) ? "{:.4g} " : "NaN ", value);
+      }
+      line("{}", numbers);
+    }
+    line("EOD");
+  }
+
+  /// The colours, and the bar in small pieces.
+  void colours(const PlacedMap& map) {
+    std::string stops;
+    for (std::size_t i = 0; i < std::size(map_colours); ++i)
+      fmt::format_to(std::back_inserter(stops), "{}{} '{}'", i ? ", " : "", i, map_colours[i]);
+    line("set palette defined ({})", stops);
+    line("unset colorbox");
+    line("set cbrange [{:.9g}:{:.9g}]", map.low, map.high);
+    constexpr int pieces = 64;
+    const Box& b = map.bar;
+    for (int i = 0; i < pieces; ++i) {
+      const double low = b.bottom() - i * b.height / pieces, high = b.bottom() - (i + 1) * b.height / pieces;
+      line("set object rectangle from first {:.2f},{:.2f} to first {:.2f},{:.2f} front noclip fc rgb '{}' fs solid noborder",
+           b.x, up(low), b.right(), up(std::max(high - 0.3, b.y)), map_colour((i + 0.5) / pieces));
+    }
+  }
+
   std::string drawing(const PlacedCurve& curve, std::size_t panel, std::size_t index) const {
     const std::string name = fmt::format("$curve_{}_{}", panel + 1, index + 1);
     switch (curve.mark) {
@@ -197,6 +228,13 @@ class Script {
     }
     for (const PlacedText& text : panel.texts) add_text(text);
     std::string plots;
+    if (panel.map) {
+      map_data(*panel.map, number);
+      colours(*panel.map);
+      plots = fmt::format("$map_{} matrix using ({:.4f}+$1*{:.6f}):({:.4f}+$2*{:.6f}):3 with image", number + 1,
+                          f.x + 0.5 * f.width / panel.map->columns, f.width / panel.map->columns,
+                          up(f.bottom()) + 0.5 * f.height / panel.map->rows, f.height / panel.map->rows);
+    }
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
       const PlacedCurve& curve = panel.curves[i];
       const bool empty = curve.band.x.empty() && std::all_of(curve.pieces.begin(), curve.pieces.end(),

@@ -6,6 +6,7 @@
 #include "cromer/report/axis_range.h"
 #include "cromer/report/palette.h"
 #include "cromer/report/place_curve.h"
+#include "cromer/report/place_map.h"
 #include "cromer/report/place_names.h"
 
 namespace cromer {
@@ -24,6 +25,7 @@ constexpr double beside_others =
 constexpr double wide_frame = 800;  // [px] has room for more than 7 ticks
 constexpr double edge = 6;          // free at the figure's edge [px]
 constexpr double tick_length = 8;   // with the gap to its number [px]
+constexpr double bar_gap = 16, bar_width = 14;  // of a map's colours, beside its frame [px]
 
 Canvas canvas_of(const Figure& figure, int rows) {
   const int columns = std::max(1, figure.columns);
@@ -98,9 +100,9 @@ void free_the_corners(AxisRange& x, const Axis& axis) {
 void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
   const Panel& panel = *cell.panel;
   const TextSizes& s = fonts.sizes;
-  cell.x = x_range(panel);
+  cell.x = panel.map ? map_x_range(panel) : x_range(panel);
   if (panel.phase_portrait && cell.mixed) free_the_corners(cell.x, panel.x);
-  cell.y = y_range(panel, cell.x);
+  cell.y = panel.map ? map_y_range(panel) : y_range(panel, cell.x);
   const bool named = !panel.y.name.empty();
   cell.top = titled(cell) ? s.title + 17 : named ? s.axis + 16 : 12;
   cell.bottom = cell.lowest ? tick_length + s.tick + 6 + (panel.x.name.empty() ? 0 : s.axis + 6) : 14;
@@ -110,6 +112,10 @@ void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
   cell.y_ticks = ticks_of(panel.y, cell.y, height < 150 ? 5 : 6);
   cell.left =
       edge + widest_label(cell.y_ticks, fonts) + tick_length + (named && titled(cell) ? s.axis + 8 : 0);
+  if (panel.map) {
+    cell.right = bar_gap + bar_width + tick_length + widest_label(map_scale(*panel.map).ticks, fonts) + s.axis + 14;
+    return;
+  }
   const double names = names_margin(panel, s, fonts.typeface, most_margin * cell.box.width);
   const bool sole_column = figure.columns <= 1 && names > 0;
   cell.right = std::max(names, sole_column ? margin_share * cell.box.width : 18);
@@ -205,6 +211,27 @@ void place_axes(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
   }
 }
 
+void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
+  const HeatMap& map = *cell.panel->map;
+  const Box& f = placed.frame;
+  const TextSizes& s = fonts.sizes;
+  PlacedMap drawn = place_map(map, cell.x, cell.y, f);
+  drawn.bar = {f.right() + bar_gap, f.y, bar_width, f.height};
+  const MapScale scale = map_scale(map);
+  for (const Tick& tick : scale.ticks) {
+    const double at = f.bottom() - (tick.value - scale.low) / (scale.high - scale.low) * f.height;
+    placed.leaders.push_back({{drawn.bar.right(), at}, {drawn.bar.right() + 3, at}, std::string(light_surface.axis), 0.8});
+    placed.texts.push_back(text(tick.label, {drawn.bar.right() + tick_length, at}, Align::left, s.tick,
+                                light_surface.text_2, fonts));
+  }
+  PlacedText name = text(map.name, {cell.box.right() - s.axis / 2 - 4, f.y + f.height / 2}, Align::centre, s.axis,
+                         light_surface.text_2, fonts);
+  name.rotated = true;
+  name.box = {name.at.x - s.axis * 0.6, name.at.y - name.box.width / 2, s.axis * 1.2, name.box.width};
+  placed.texts.push_back(name);
+  placed.map = std::move(drawn);
+}
+
 // Bands, then the exact road, then dots, then the rest as given.
 int layer_of(const Curve& curve, const PlacedCurve& placed) {
   if (placed.mark == Mark::band) return 0;
@@ -226,6 +253,11 @@ PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
   cell.x.from = f.x, cell.x.to = f.right();
   cell.y.from = f.bottom(), cell.y.to = f.y;
   place_axes(placed, cell, fonts);
+  if (panel.map) {
+    placed.zero_lines.clear();
+    place_colours(placed, cell, fonts);
+    return placed;
+  }
 
   std::vector<std::vector<Spot>> spots;
   std::vector<std::pair<int, PlacedCurve>> layered;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,14 @@ struct PlacedTick {
   bool minor = false;
 };
 
+/// A map, sampled at every px of the frame, and its bar.
+struct PlacedMap {
+  int columns = 0, rows = 0;
+  std::vector<double> values;  ///< columns run fastest, the lowest row first
+  double low = 0, high = 1;    ///< what the darkest and the lightest colour stand for
+  Box bar;
+};
+
 struct PlacedPanel {
   Box frame;
   std::vector<PlacedTick> x_ticks, y_ticks;
@@ -56,6 +65,7 @@ struct PlacedPanel {
   std::vector<PlacedCurve> curves;  ///< lowest first
   std::vector<PlacedText> texts;
   std::vector<Spot> rings, dots;
+  std::optional<PlacedMap> map;
 };
 
 struct Layout {

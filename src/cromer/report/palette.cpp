@@ -1,5 +1,12 @@
 #include "cromer/report/palette.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
 namespace cromer {
 namespace {
 
@@ -49,6 +56,20 @@ const RoleStyle& style_of(std::string_view role) {
     if (style.role == role) return style;
   }
   return unknown;
+}
+
+std::string map_colour(double share) {
+  const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(std::size(map_colours) - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), std::size(map_colours) - 2);
+  const auto part = [&](std::size_t colour, std::size_t channel) {
+    return std::strtol(std::string(map_colours[colour].substr(1 + 2 * channel, 2)).c_str(), nullptr, 16);
+  };
+  std::string mixed = "#";
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    const double low = static_cast<double>(part(below, channel)), high = static_cast<double>(part(below + 1, channel));
+    mixed += fmt::format("{:02X}", std::lround(low + (at - static_cast<double>(below)) * (high - low)));
+  }
+  return mixed;
 }
 
 }  // namespace cromer

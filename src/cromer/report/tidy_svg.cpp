@@ -168,6 +168,8 @@ class Tidy {
       if (!groups_.empty()) groups_.pop_back();
     } else if (tag.name == "use") {
       dot(tag);
+    } else if (tag.name == "image") {
+      picture(tag);
     } else if (tag.name == "path" || tag.name == "polygon" || tag.name == "polyline" || tag.name == "rect" ||
                tag.name == "circle") {
       shape(tag);
@@ -205,6 +207,15 @@ class Tidy {
                name == "cy" || name == "r" || name == "transform")
         fmt::format_to(std::back_inserter(out_), " {}=\"{}\"", name, trimmed(value));
     }
+    out_ += "/>\n";
+  }
+
+  // A map's cells, inside the file; sharp at every size.
+  void picture(const Tag& tag) {
+    end_dots();
+    out_ += "<image style=\"image-rendering:pixelated\"";
+    for (const auto& [name, value] : tag.attributes)
+      fmt::format_to(std::back_inserter(out_), " {}=\"{}\"", name == "xlink:href" ? "href" : name, value);
     out_ += "/>\n";
   }
 

@@ -12,6 +12,7 @@
 #include "cromer/study/task/methods.h"
 #include "cromer/study/task/simulate.h"
 #include "cromer/study/task/static_stiffness.h"
+#include "cromer/study/task/sweep.h"
 
 namespace cromer {
 
@@ -21,6 +22,9 @@ std::string to_json(const SimulateResult& result, bool with_states);
 
 /// {"methods": [...]}
 std::string to_json(std::span<const MethodRow> methods);
+
+/// The sweep's swept options, columns and rows, on one line.
+std::string to_json(const SweepResult& result);
 
 /// What is in the file; `with_values` adds the columns' numbers.
 std::string to_json(const Inspection& inspection, bool with_values);

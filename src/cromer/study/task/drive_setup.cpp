@@ -173,18 +173,25 @@ Result<void> check_drive(const SimulateOptions& o) {
   return {};
 }
 
+std::optional<HarmonicDrive<double>> harmonic_drive(const SimulateOptions& o, double w, double mass) {
+  const std::string_view kind = drive_name(o);
+  const auto with = [&](double amplitude) { return HarmonicDrive<double>{amplitude, w, o.drive_phase}; };
+  if (kind == "harmonic" || kind == "none") return with(o.drive_amplitude);
+  if (kind == "unbalance") return with(*o.unbalance_mass * *o.eccentricity * (w * w));
+  // -m y'' of y = Y cos(w t + phi)
+  if (kind == "base") return with(mass * *o.base_displacement * (w * w));
+  return std::nullopt;
+}
+
 Result<void> set_drive(const SimulateOptions& o, double w, SimulatedRun& run) {
   const std::string_view kind = drive_name(o);
   if (reads_file(o)) {
     run.general = sampled_drive(o);
-  } else if (kind == "unbalance") {
-    if (*o.unbalance_mass > o.mass)
+  } else if (const auto harmonic = harmonic_drive(o, w, run.oscillator.mass)) {
+    if (kind == "unbalance" && *o.unbalance_mass > o.mass)
       return Error{fmt::format("--unbalance-mass: it is part of --mass ({} kg), and cannot be {} kg",
                                shortest(o.mass), shortest(*o.unbalance_mass))};
-    run.drive = {*o.unbalance_mass * *o.eccentricity * (w * w), w, o.drive_phase};
-  } else if (kind == "base") {
-    // -m y'' of y = Y cos(w t + phi)
-    run.drive = {run.oscillator.mass * *o.base_displacement * (w * w), w, o.drive_phase};
+    run.drive = *harmonic;
   } else if (kind == "chirp" || kind == "logarithmic-chirp") {
     run.drive.frequency = w;  // by which runs are told apart
     run.general = ChirpDrive<double>{.amplitude = o.drive_amplitude,
@@ -194,8 +201,6 @@ Result<void> set_drive(const SimulateOptions& o, double w, SimulatedRun& run) {
                                      .start = o.drive_start.value_or(0),
                                      .duration = o.drive_duration.value_or(0),
                                      .logarithmic = kind == "logarithmic-chirp"};
-  } else if (kind == "harmonic" || kind == "none") {
-    run.drive = {o.drive_amplitude, w, o.drive_phase};
   } else {
     run.general = PulseDrive<double>{.shape = shape_of(kind),
                                      .amplitude = o.drive_amplitude,

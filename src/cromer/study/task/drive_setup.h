@@ -1,6 +1,7 @@
 // From the options of `simulate` to the drive of a run.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,11 @@ std::string_view drive_name(const SimulateOptions& options);
 /// That the name is known, everything it needs is given, and nothing that it has no use for. An Error names
 /// the option.
 Result<void> check_drive(const SimulateOptions& options);
+
+/// The drive at this frequency of a law of that mass, where it is a harmonic one (none, a force, an unbalance, a
+/// shaking base); empty for the others.
+std::optional<HarmonicDrive<double>> harmonic_drive(const SimulateOptions& options, double frequency,
+                                                    double mass);
 
 /// Sets the run's drive at this frequency. A chirp without a duration gets one in end_drive.
 Result<void> set_drive(const SimulateOptions& options, double frequency, SimulatedRun& run);

@@ -46,34 +46,6 @@ Result<void> check_alternatives(const SimulateOptions& o) {
   return {};
 }
 
-Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
-  const double m = o.mass;
-  const double k =
-      o.natural_frequency ? m * *o.natural_frequency * *o.natural_frequency : o.stiffness.value_or(1);
-  double c = o.damping.value_or(0);
-  if (o.damping_ratio || o.quality_factor) {
-    if (!(k > 0))
-      return Error{fmt::format("--{}: it needs a positive stiffness, not {} N/m; give --damping instead",
-                               o.damping_ratio ? "damping-ratio" : "quality-factor", shortest(k))};
-    c = o.damping_ratio ? 2 * *o.damping_ratio * std::sqrt(k * m) : std::sqrt(k * m) / *o.quality_factor;
-  }
-  if (!std::isfinite(k) || !std::isfinite(c))
-    return Error{
-        "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
-  return Oscillator<double>{.mass = m,
-                            .stiffness = k,
-                            .damping = c,
-                            .drag = o.drag,
-                            .friction = o.friction,
-                            .cubic = o.cubic,
-                            .static_friction = o.static_friction.value_or(0)};
-}
-
-State<double> start_of(const SimulateOptions& o) {
-  const bool moves = o.position || o.velocity || drive_name(o) != "none";
-  return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
-}
-
 /// Energies are part of the answer, so they must be numbers too.
 Result<void> check_start(const SimulatedRun& run) {
   if (std::isfinite(energy(run.oscillator, run.start))) return {};
@@ -94,14 +66,13 @@ Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
     run.until = o.until.value_or(drive_end(run));
     return {};
   }
-  const double shorter = natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
-  if (!(shorter > 0) && !(o.step && o.until))
+  if (!(default_step(natural, drive) > 0) && !(o.step && o.until))
     return Error{
         fmt::format("this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic "
                     "drive: give --step and --until",
                     shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic))};
-  run.step = o.step.value_or(shorter / steps_per_period);
-  run.until = o.until.value_or(std::max(periods_per_run * (natural > 0 ? natural : drive), drive_end(run)));
+  run.step = o.step.value_or(default_step(natural, drive));
+  run.until = o.until.value_or(std::max(default_end(natural, drive), drive_end(run)));
   return {};
 }
 
@@ -194,6 +165,41 @@ std::string label_of(const SimulateOptions& o, const SimulatedRun& run) {
 }
 
 }  // namespace
+
+Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
+  const double m = o.mass;
+  const double k =
+      o.natural_frequency ? m * *o.natural_frequency * *o.natural_frequency : o.stiffness.value_or(1);
+  double c = o.damping.value_or(0);
+  if (o.damping_ratio || o.quality_factor) {
+    if (!(k > 0))
+      return Error{fmt::format("--{}: it needs a positive stiffness, not {} N/m; give --damping instead",
+                               o.damping_ratio ? "damping-ratio" : "quality-factor", shortest(k))};
+    c = o.damping_ratio ? 2 * *o.damping_ratio * std::sqrt(k * m) : std::sqrt(k * m) / *o.quality_factor;
+  }
+  if (!std::isfinite(k) || !std::isfinite(c))
+    return Error{
+        "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
+  return Oscillator<double>{.mass = m,
+                            .stiffness = k,
+                            .damping = c,
+                            .drag = o.drag,
+                            .friction = o.friction,
+                            .cubic = o.cubic,
+                            .static_friction = o.static_friction.value_or(0)};
+}
+
+State<double> start_of(const SimulateOptions& o) {
+  const bool moves = o.position || o.velocity || drive_name(o) != "none";
+  return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
+}
+
+double default_step(double natural, double drive) {
+  const double shorter = natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
+  return shorter / steps_per_period;
+}
+
+double default_end(double natural, double drive) { return periods_per_run * (natural > 0 ? natural : drive); }
 
 double natural_period(const Oscillator<double>& oscillator) {
   const double k = oscillator.stiffness;

@@ -16,6 +16,19 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options);
 std::vector<std::string> setup_warnings(const SimulateOptions& options,
                                         const std::vector<SimulatedRun>& runs);
 
+/// The law, or an Error that names the option which prevents it.
+Result<Oscillator<double>> oscillator_of(const SimulateOptions& options);
+
+/// Where the motion begins.
+State<double> start_of(const SimulateOptions& options);
+
+/// The step where none is asked for [s]: a 200th of the shorter of natural and drive period, of which 0 is
+/// none; 0 where there is neither.
+double default_step(double natural_period, double drive_period);
+
+/// The end where none is asked for [s]: 20 natural periods, of the drive where the law has none.
+double default_end(double natural_period, double drive_period);
+
 /// Period of small oscillations [s] about the rest position: x = 0, or the bottom of a double well. 0 where
 /// there is none.
 double natural_period(const Oscillator<double>& oscillator);

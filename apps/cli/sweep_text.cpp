@@ -1,0 +1,81 @@
+#include "sweep_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "text_table.h"
+
+namespace cromer::cli {
+namespace {
+
+constexpr std::uint64_t most_rows = 24;
+
+std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.7g}", value); }
+
+std::string every_row(const SweepResult& result) {
+  const std::size_t width = result.plan.rows.columns.size() - 1;
+  std::vector<std::vector<std::string>> rows{
+      {result.plan.rows.columns.begin(), result.plan.rows.columns.end() - 1}};
+  for (std::size_t at = 0; at < result.rows.size(); at += width) {
+    std::vector<std::string> row;
+    for (std::size_t i = 0; i < width; ++i) row.push_back(number(result.rows[at + i]));
+    rows.push_back(std::move(row));
+  }
+  return text_table(rows, 0, width);
+}
+
+std::string extremes(const SweepResult& result) {
+  const std::size_t width = result.plan.rows.columns.size() - 1, swept = result.plan.swept.size();
+  std::vector<std::vector<std::string>> rows{{"measure", "smallest", "at", "largest", "at"}};
+  for (std::size_t column = swept; column < width; ++column) {
+    std::size_t low = result.rows.size(), high = low;
+    for (std::size_t at = 0; at < result.rows.size(); at += width) {
+      const double value = result.rows[at + column];
+      if (std::isnan(value)) continue;
+      if (low == result.rows.size() || value < result.rows[low + column]) low = at;
+      if (high == result.rows.size() || value > result.rows[high + column]) high = at;
+    }
+    if (low == result.rows.size()) {
+      rows.push_back({result.plan.rows.columns[column], "-", "", "-", ""});
+      continue;
+    }
+    const auto where = [&](std::size_t at) {
+      std::string text;
+      for (std::size_t i = 0; i < swept; ++i) text += (i ? ", " : "") + number(result.rows[at + i]);
+      return text;
+    };
+    rows.push_back({result.plan.rows.columns[column], number(result.rows[low + column]), where(low),
+                    number(result.rows[high + column]), where(high)});
+  }
+  return text_table(rows, 1, 4);
+}
+
+}  // namespace
+
+std::string sweep_text(const SweepResult& result) {
+  const SweepPlan& plan = result.plan;
+  std::string text = fmt::format("{} points by {}, {}\n", plan.rows.rows, plan.method, plan.way);
+  for (const SweptOption& option : plan.swept)
+    text += fmt::format("  {}: {} values\n", option.column, option.points);
+  if (result.check)
+    text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
+                        result.check->points, result.check->difference);
+  return text + "\n" + (plan.rows.rows <= most_rows ? every_row(result) : extremes(result));
+}
+
+std::string sweep_trouble(const SweepResult& result) {
+  const SweepCounts& counts = result.counts;
+  std::string text;
+  const auto add = [&](std::uint64_t count, std::string_view what) {
+    if (count > 0) text += fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count,
+                                       result.plan.rows.rows, what);
+  };
+  add(counts.not_settled, "never settled");
+  add(counts.not_finite, "ran away");
+  add(counts.no_convergence, "found no solution of their step");
+  return text;
+}
+
+}  // namespace cromer::cli

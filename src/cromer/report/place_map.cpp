@@ -1,0 +1,78 @@
+#include "cromer/report/place_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace cromer {
+namespace {
+
+double on_axis(double value, bool logarithmic) { return logarithmic ? std::log(value) : value; }
+
+AxisRange range_of(const std::vector<double>& middles, bool logarithmic) {
+  const double first = on_axis(middles.front(), logarithmic), last = on_axis(middles.back(), logarithmic);
+  const double half = std::abs(last - first) / (2 * static_cast<double>(middles.size() - 1));
+  const double low = std::min(first, last) - half, high = std::max(first, last) + half;
+  AxisRange range;
+  range.logarithmic = logarithmic;
+  range.low = logarithmic ? std::exp(low) : low;
+  range.high = logarithmic ? std::exp(high) : high;
+  return range;
+}
+
+/// For each px from the low end the nearest of the middles.
+std::vector<std::size_t> nearest_cells(const std::vector<double>& middles, const AxisRange& range, int px) {
+  std::vector<double> sorted(middles.size());
+  const bool falls = middles.front() > middles.back();
+  for (std::size_t i = 0; i < middles.size(); ++i)
+    sorted[i] = on_axis(middles[falls ? middles.size() - 1 - i : i], range.logarithmic);
+  const double low = on_axis(range.low, range.logarithmic), high = on_axis(range.high, range.logarithmic);
+  std::vector<std::size_t> cells;
+  for (int i = 0; i < px; ++i) {
+    const double at = low + (i + 0.5) / px * (high - low);
+    std::size_t above = static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), at) - sorted.begin());
+    above = std::min(above, sorted.size() - 1);
+    const std::size_t near = above > 0 && at - sorted[above - 1] < sorted[above] - at ? above - 1 : above;
+    cells.push_back(falls ? middles.size() - 1 - near : near);
+  }
+  return cells;
+}
+
+}  // namespace
+
+AxisRange map_x_range(const Panel& panel) { return range_of(panel.map->x, panel.x.logarithmic); }
+AxisRange map_y_range(const Panel& panel) { return range_of(panel.map->y, panel.y.logarithmic); }
+
+MapScale map_scale(const HeatMap& map) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const double z : map.z) {
+    if (!std::isfinite(z)) continue;
+    low = std::min(low, z);
+    high = std::max(high, z);
+  }
+  MapScale scale;
+  if (!(low <= high)) low = 0, high = 1;
+  if (low == high) high = low + (low != 0 ? 0.01 * std::abs(low) : 1);
+  // From nothing, where the data come near it.
+  if (low > 0 && low < 0.25 * high) low = 0;
+  scale.low = low;
+  scale.high = high;
+  scale.ticks = linear_ticks(low, high, tick_step(low, high, 6));
+  return scale;
+}
+
+PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, const Box& frame) {
+  PlacedMap placed;
+  placed.columns = static_cast<int>(std::lround(frame.width));
+  placed.rows = static_cast<int>(std::lround(frame.height));
+  const auto across = nearest_cells(map.x, x, placed.columns), up = nearest_cells(map.y, y, placed.rows);
+  placed.values.reserve(across.size() * up.size());
+  for (const std::size_t row : up)
+    for (const std::size_t column : across) placed.values.push_back(map.z[row * map.x.size() + column]);
+  const MapScale scale = map_scale(map);
+  placed.low = scale.low;
+  placed.high = scale.high;
+  return placed;
+}
+
+}  // namespace cromer

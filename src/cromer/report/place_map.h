@@ -1,0 +1,25 @@
+// Where a map and its bar of colours stand.
+#pragma once
+
+#include <vector>
+
+#include "cromer/report/axis_range.h"
+#include "cromer/report/layout.h"
+
+namespace cromer {
+
+/// What the axes of a map show: from the first middle to the last, half a cell more on either side.
+AxisRange map_x_range(const Panel& panel);
+AxisRange map_y_range(const Panel& panel);
+
+/// The ticks of the bar; the colours span their range.
+struct MapScale {
+  double low = 0, high = 1;
+  std::vector<Tick> ticks;
+};
+MapScale map_scale(const HeatMap& map);
+
+/// The map at every px of the frame, by the nearest cell.
+PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, const Box& frame);
+
+}  // namespace cromer

@@ -1,0 +1,76 @@
+#include "cromer/study/task/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "cromer/base/grid.h"
+#include "cromer/methods/all.h"
+#include "cromer/study/task/sweep_rows.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::size_t checked_points = 8;
+
+/// Stepping beside the closed form at points all over the sweep.
+std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch) {
+  const SweepWork& work = *plan.work;
+  if (work.way != SweepWay::closed_form || !(find_method(work.method)->order > 0)) return std::nullopt;
+  SweepCheck check;
+  SweepPoints points(work.base, work.axes);
+  std::vector<double> values(work.axes.size());
+  for (std::size_t k = 0; k < checked_points && k < plan.rows.rows; ++k) {
+    points.values_of(k * (plan.rows.rows - 1) / std::max<std::size_t>(1, checked_points - 1), values.data());
+    const auto at = points.at(values.data());
+    if (!at) continue;
+    const PointResult known = closed_form(work, at->point);
+    const auto stepped = settle_one(work, at->point, watch);
+    if (!stepped) return std::nullopt;
+    if (known.status != PointStatus::done || stepped->status != PointStatus::done) continue;
+    ++check.points;
+    check.difference = std::max(check.difference, std::abs(stepped->amplitude / known.amplitude - 1));
+  }
+  return check;
+}
+
+}  // namespace
+
+void count_status(double status, SweepCounts& counts) {
+  if (status == static_cast<double>(PointStatus::not_settled)) ++counts.not_settled;
+  if (status == static_cast<double>(PointStatus::not_finite)) ++counts.not_finite;
+  if (status == static_cast<double>(PointStatus::no_convergence)) ++counts.no_convergence;
+}
+
+Result<SweepResult> sweep(const SweepOptions& options, const Watch& watch) {
+  auto plan = plan_sweep(options);
+  if (!plan) return plan.error();
+  const ChunkedRows& work = plan->rows;
+  const std::size_t width = work.columns.size() - 1;
+  if (auto good = fits_in_memory(static_cast<double>(work.rows), static_cast<double>(width) * sizeof(double),
+                                 options.memory);
+      !good)
+    return Error{good.error().message + ", or let them stream to a file: -o FILE.h5"};
+  SweepResult result{.plan = *std::move(plan), .rows = {}, .counts = {}};
+  const ChunkedRows& rows = result.plan.rows;
+  result.rows.assign(rows.rows * width, std::numeric_limits<double>::quiet_NaN());
+  std::vector<std::uint64_t> chunks(rows.chunks());
+  std::iota(chunks.begin(), chunks.end(), 0);
+  const auto sink = [&](std::uint64_t chunk, const double* made) -> Result<void> {
+    double* to = result.rows.data() + chunk * rows.rows_per_chunk * width;
+    for (std::uint64_t i = 0; i < rows.rows_of(chunk); ++i, to += width, made += width + 1) {
+      std::copy_n(made, width, to);
+      count_status(made[width], result.counts);
+    }
+    result.done += rows.rows_of(chunk);
+    return {};
+  };
+  const auto end = make_chunks(rows, chunks, options.threads.value_or(0), sink, watch);
+  if (!end) return end.error();
+  result.interrupted = *end == ChunksEnd::interrupted;
+  if (options.check && !result.interrupted) result.check = check_closed_form(result.plan, watch);
+  return result;
+}
+
+}  // namespace cromer

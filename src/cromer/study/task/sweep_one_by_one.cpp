@@ -1,0 +1,112 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/analysis/steady_state.h"
+#include "cromer/run/keep.h"
+#include "cromer/study/task/run_law.h"
+#include "cromer/study/task/sweep_rows.h"
+
+namespace cromer {
+namespace {
+
+PointStatus status_of(const Outcome& outcome) {
+  switch (outcome.status) {
+    case Status::reached_end:
+    case Status::stopped_by_event:
+      return PointStatus::done;
+    case Status::no_convergence:
+      return PointStatus::no_convergence;
+    default:
+      return PointStatus::not_finite;
+  }
+}
+
+struct Run {
+  Outcome outcome;
+  Trajectory window;  ///< the states from a time on
+  double peak = 0, energy = 0;
+};
+
+/// To `until` [s], keeping what follows `from`.
+Run run_to(const SweepWork& work, const Point& point, double from, double until, const Watch& watch) {
+  Run run;
+  double states = 0;
+  KeepEvery keep([&](double t, const State<double>& y) {
+    if (t < from) return;
+    run.window.t.push_back(t);
+    run.window.x.push_back(y.x);
+    run.window.v.push_back(y.v);
+    run.peak = std::max(run.peak, std::abs(y.x));
+    run.energy += energy(point.oscillator, y);
+    ++states;
+  });
+  run.outcome = run_law({.oscillator = point.oscillator,
+                         .drive = point.drive,
+                         .method = work.method,
+                         .settings = work.settings,
+                         .interval = {0, until},
+                         .start = point.start,
+                         .control = {point.step, work.settings.newton.tolerance}},
+                        keep, {watch.interrupt, {}});
+  run.energy /= std::max(states, 1.0);
+  return run;
+}
+
+PointResult result_of(const Point& point, const Run& run) {
+  PointResult result;
+  result.status = status_of(run.outcome);
+  result.end_time = run.outcome.t;
+  if (result.status != PointStatus::done) return result;
+  result.end = run.outcome.y;
+  result.peak = run.peak;
+  result.energy = energy(point.oscillator, run.outcome.y);
+  return result;
+}
+
+}  // namespace
+
+std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at, const Watch& watch) {
+  const Point& point = at.point;
+  if (work.way != SweepWay::one_by_one || !work.driven || work.base.until) {
+    const Run run = run_to(work, point, 0, at.until, watch);
+    if (run.outcome.interrupted) return std::nullopt;
+    return result_of(point, run);
+  }
+  // Twice as long each time, until amplitude and energy stay.
+  const double period = 2 * std::numbers::pi / point.drive.frequency;
+  const double window = 2 * std::ceil(work.settling.window / 2) * period;
+  double cycles = work.settling.dropped.value_or(32), amplitude = 0, energy = 0;
+  for (;; cycles *= 2) {
+    const double until = cycles * period + window;
+    const Run run = run_to(work, point, until - window - point.step, until, watch);
+    if (run.outcome.interrupted) return std::nullopt;
+    PointResult result = result_of(point, run);
+    if (result.status != PointStatus::done) return result;
+    const auto steady =
+        measure_steady_state(run.window, point.drive, static_cast<int>(std::lround(window / period)));
+    if (!steady) {
+      result.status = PointStatus::not_settled;
+      return result;
+    }
+    result.amplitude = steady->amplitude;
+    result.phase_lag = steady->phase_lag;
+    result.mean = steady->mean;
+    result.energy = run.energy;
+    result.cycles = cycles;
+    const auto stays = [&](double now, double before) {
+      return std::abs(now - before) <= work.settling.tolerance * std::abs(now);
+    };
+    if (work.settling.dropped || (stays(steady->amplitude, amplitude) && stays(run.energy, energy)))
+      return result;
+    if (2 * cycles > work.settling.most_cycles) {
+      result.status = PointStatus::not_settled;
+      return result;
+    }
+    amplitude = steady->amplitude;
+    energy = run.energy;
+  }
+}
+
+}  // namespace cromer

@@ -1,0 +1,243 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "cromer/ensemble/dispatch.h"
+#include "cromer/methods/all.h"
+#include "cromer/study/task/drive_setup.h"
+#include "cromer/study/task/simulate_setup.h"
+#include "cromer/study/task/sweep.h"
+#include "cromer/study/task/sweep_rows.h"
+
+namespace cromer {
+namespace {
+
+constexpr double most_rows = 9007199254740992.0;  // 2^53: beyond, rows cannot be told apart
+
+/// Grids into axes, single values into the base.
+Result<void> read_values(const SweepOptions& options, SweepWork& work) {
+  for (const Option& option : options_of(work.base)) {
+    const auto typed = options.values.find(option.name);
+    if (typed == options.values.end() || typed->second.empty()) continue;
+    const auto wrong = [&](const Error& error) {
+      return Error{fmt::format("--{}: {}", option.name, error.message)};
+    };
+    const auto grid = parse_grid(typed->second, option.unit);
+    if (!grid) return wrong(grid.error());
+    // Both ends, and every value of a list, which may run any way.
+    const std::uint64_t looked_at = std::min<std::uint64_t>(grid->size(), 100000);
+    for (std::uint64_t i = 0; i < looked_at; ++i) {
+      set_number(option.target, (*grid)[i + 1 < looked_at ? i : grid->size() - 1]);
+      if (auto good = check(option); !good) return good;
+    }
+    set_number(option.target, (*grid)[0]);
+    if (grid->size() > 1) work.axes.push_back({std::string(option.name), std::string(option.unit), *grid});
+  }
+  return {};
+}
+
+/// The axis along which points follow each other comes last: the drive's frequency by nature.
+Result<void> order_axes(SweepWork& work) {
+  const auto move_last = [&](std::string_view name) {
+    const auto at =
+        std::find_if(work.axes.begin(), work.axes.end(), [&](const SweepAxis& a) { return a.name == name; });
+    if (at == work.axes.end()) return false;
+    std::rotate(at, at + 1, work.axes.end());
+    return true;
+  };
+  const bool along = move_last("drive-frequency") ||
+                     (work.direction != SweepDirection::none && move_last("drive-amplitude"));
+  if (work.direction != SweepDirection::none && !along)
+    return Error{
+        "--direction: the points follow each other along --drive-frequency or --drive-amplitude, and neither "
+        "has a grid"};
+  return {};
+}
+
+/// The run that the options describe at one end of every axis: whatever `simulate` would refuse is refused.
+Result<SimulatedRun> run_at(const SweepWork& work, bool last) {
+  SimulateOptions options = work.base;
+  const auto table = options_of(options);
+  for (const SweepAxis& axis : work.axes)
+    set_number(std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name == axis.name; })
+                   ->target,
+               axis.grid[last ? axis.grid.size() - 1 : 0]);
+  auto runs = set_up_runs(options);
+  if (!runs) return runs.error();
+  if (runs->front().general)
+    return Error{fmt::format(
+        "--drive {}: a sweep takes drives that go on: harmonic, unbalance or base; run the others with "
+        "simulate",
+        options.drive)};
+  return std::move(runs->front());
+}
+
+bool has_term(const SweepWork& work, double value, std::initializer_list<std::string_view> names) {
+  return value != 0 || std::any_of(work.axes.begin(), work.axes.end(), [&](const SweepAxis& axis) {
+           return std::find(names.begin(), names.end(), axis.name) != names.end();
+         });
+}
+
+/// How the points are found.
+Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
+  const SimulateOptions& o = work.base;
+  const MethodInfo& info = *find_method(work.method);
+  const bool rubs = has_term(work, o.friction, {"friction"}) ||
+                    has_term(work, o.static_friction.value_or(0), {"static-friction"});
+  const bool linear =
+      !rubs && !has_term(work, o.cubic, {"cubic"}) && !has_term(work, o.drag, {"drag"});
+  const bool to_end = o.until.has_value() || !work.driven ||
+                      std::any_of(work.axes.begin(), work.axes.end(),
+                                  [](const SweepAxis& axis) { return axis.name == "until"; });
+  for (const Measure* measure : work.measures)
+    if (to_end && measure->of_settled_motion)
+      return Error{fmt::format(
+          "--until: {} is that of the settled motion, which has no end; leave --until out, or measure peak, "
+          "final or energy",
+          measure->name)};
+  if (to_end && options.settle)
+    return Error{"--settle: a run to its end drops no cycles; leave --settle or --until out"};
+  if (to_end && work.direction != SweepDirection::none)
+    return Error{"--direction: points follow each other where the motion has settled; leave --until out"};
+
+  const bool in_closed_form = std::all_of(work.measures.begin(), work.measures.end(),
+                                          [](const Measure* m) { return m->in_closed_form; });
+  const bool fixed_steps = info.order > 0 && info.error_order == 0;
+  if (linear && !to_end && !options.settle && in_closed_form && work.direction == SweepDirection::none &&
+      info.error_order == 0)
+    work.way = SweepWay::closed_form;
+  else if (rubs || !fixed_steps)
+    work.way = SweepWay::one_by_one;
+  else
+    work.way = to_end ? SweepWay::to_end : SweepWay::settled;
+  if (work.way == SweepWay::one_by_one && work.direction != SweepDirection::none)
+    return Error{fmt::format(
+        "--direction: with {} each point is a run of its own; take a method of fixed steps, for instance rk4, "
+        "and no friction",
+        rubs ? "friction" : work.method)};
+  return {};
+}
+
+/// Points whose motion has cycles to settle over.
+Result<void> check_cycles(const SweepWork& work) {
+  if (!work.driven || work.way == SweepWay::to_end) return {};
+  for (const SweepAxis& axis : work.axes) {
+    if (axis.name != "drive-frequency" && axis.name != "drive-amplitude") continue;
+    const double low = std::min(axis.grid[0], axis.grid[axis.grid.size() - 1]);
+    if (!(low > 0))
+      return Error{fmt::format("--{}: at {} nothing swings, so nothing settles; begin above it", axis.name,
+                               shortest(low))};
+  }
+  return {};
+}
+
+std::string column_of(const SweepAxis& axis) {
+  std::string name = axis.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return axis.unit.empty() ? name : fmt::format("{} ({})", name, axis.unit);
+}
+
+std::string_view words(SweepWay way) {
+  switch (way) {
+    case SweepWay::closed_form:
+      return "closed form";
+    case SweepWay::settled:
+      return "stepped until settled";
+    case SweepWay::to_end:
+      return "stepped to the end";
+    case SweepWay::one_by_one:
+      return "run one by one";
+  }
+  return "";
+}
+
+/// Everything that the rows depend on, in a fixed order.
+std::string describe(const SweepOptions& options, const SweepWork& work, const SweepPlan& plan) {
+  std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
+                                 words(work.way), options.direction);
+  if (work.way == SweepWay::settled || work.way == SweepWay::to_end)
+    text += fmt::format(", \"simd\": \"{}\"", work.unit.name);
+  if (options.settle) text += fmt::format(", \"settle\": {}", shortest(*options.settle));
+  text += fmt::format(", \"tolerance\": {}, \"beta\": {}, \"gamma\": {}, \"rho_inf\": {}",
+                      shortest(work.settings.newton.tolerance), shortest(work.settings.beta),
+                      shortest(work.settings.gamma), shortest(work.settings.rho_inf));
+  if (!work.base.drive.empty()) text += fmt::format(", \"drive\": \"{}\"", work.base.drive);
+  for (const auto& [name, value] : options.values)
+    if (!value.empty()) text += fmt::format(", \"{}\": \"{}\"", name, value);
+  text += ", \"columns\": [";
+  for (std::size_t i = 0; i < plan.rows.columns.size(); ++i)
+    text += fmt::format("{}\"{}\"", i ? ", " : "", plan.rows.columns[i]);
+  return text + "]}";
+}
+
+}  // namespace
+
+Result<SweepPlan> plan_sweep(const SweepOptions& options) {
+  auto work = std::make_shared<SweepWork>();
+  work->base = options.simulate;
+  if (work->base.method.empty()) work->base.method = {"euler-cromer"};
+  if (work->base.method.size() > 1)
+    return Error{fmt::format("--method: a sweep goes by one method, not by {}; run it once for each",
+                             work->base.method.size())};
+  work->method = work->base.method.front();
+  if (auto good = read_values(options, *work); !good) return good.error();
+  if (!options.direction.empty() && options.direction != "up" && options.direction != "down")
+    return Error{fmt::format("--direction: \"{}\" is neither up nor down", options.direction)};
+  work->direction = options.direction.empty()  ? SweepDirection::none
+                    : options.direction == "up" ? SweepDirection::up
+                                                : SweepDirection::down;
+  if (work->axes.empty())
+    return Error{
+        "nothing is swept: give at least one option a grid, for instance --drive-frequency 0.1:10:1000"};
+  if (auto good = order_axes(*work); !good) return good.error();
+
+  double rows = 1;
+  for (const SweepAxis& axis : work->axes) rows *= static_cast<double>(axis.grid.size());
+  if (!(rows < most_rows))
+    return Error{fmt::format("the grids multiply to {:.3g} points, too many to be told apart; take coarser ones",
+                             rows)};
+  const auto run = run_at(*work, false), last = run_at(*work, true);
+  if (!run) return run.error();
+  if (!last) return last.error();
+  work->settings = run->settings;
+  work->driven = last->drive.amplitude > 0 && last->drive.frequency > 0;
+
+  auto measures = find_measures(options.measure, work->driven);
+  if (!measures) return measures.error();
+  work->measures = *std::move(measures);
+  if (auto good = choose_way(options, *work); !good) return good.error();
+  if (auto good = check_cycles(*work); !good) return good.error();
+  work->settling.dropped = options.settle;
+  auto unit = choose_unit_by_environment();
+  if (!unit) return unit.error();
+  work->unit = *unit;
+
+  SweepPlan plan;
+  plan.method = work->method;
+  plan.simd = work->unit.name;
+  plan.way = words(work->way);
+  for (const SweepAxis& axis : work->axes) plan.swept.push_back({axis.name, column_of(axis), axis.grid.size()});
+  for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
+  for (const Measure* measure : work->measures)
+    for (const std::string& column : measure->columns) plan.measured.push_back(column);
+  plan.rows.columns.insert(plan.rows.columns.end(), plan.measured.begin(), plan.measured.end());
+  plan.rows.columns.emplace_back("status");
+  plan.rows.rows = static_cast<std::uint64_t>(rows);
+  plan.rows.rows_per_chunk = work->rows_per_chunk();
+  plan.rows.description = describe(options, *work, plan);
+  plan.rows.make = [work, per_chunk = plan.rows.rows_per_chunk, all = plan.rows.rows](
+                       std::uint64_t chunk, double* to, const Watch& watch) {
+    const std::uint64_t first = chunk * per_chunk;
+    return make_rows(*work, first, std::min(per_chunk, all - first), to, watch);
+  };
+  plan.warnings = setup_warnings(work->base, {*run, *last});
+  std::erase_if(plan.warnings, [](const std::string& warning) {
+    return warning.find("whole number of steps") != std::string::npos;
+  });
+  plan.work = work;
+  return plan;
+}
+
+}  // namespace cromer

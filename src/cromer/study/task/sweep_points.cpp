@@ -1,0 +1,66 @@
+#include "cromer/study/task/sweep_points.h"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <type_traits>
+#include <variant>
+
+#include "cromer/study/task/drive_setup.h"
+#include "cromer/study/task/simulate_setup.h"
+
+namespace cromer {
+
+void set_number(const Option::Target& target, double value) {
+  std::visit(
+      [&](auto* to) {
+        using T = std::remove_pointer_t<decltype(to)>;
+        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>)
+          *to = value;
+        else if constexpr (std::is_same_v<T, std::vector<double>>)
+          to->assign(1, value);
+      },
+      target);
+}
+
+Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
+  const auto oscillator = oscillator_of(options);
+  if (!oscillator) return oscillator.error();
+  const double frequency = options.drive_frequency.empty() ? 0 : options.drive_frequency.front();
+  SweepPoint result;
+  result.point.oscillator = *oscillator;
+  result.point.drive = harmonic_drive(options, frequency, oscillator->mass).value_or(HarmonicDrive<double>{});
+  result.point.start = start_of(options);
+  const HarmonicDrive<double>& drive = result.point.drive;
+  const double natural = natural_period(*oscillator);
+  const double period = drive.amplitude > 0 && drive.frequency > 0 ? 2 * std::numbers::pi / drive.frequency : 0;
+  result.point.step = options.step.value_or(default_step(natural, period));
+  result.until = options.until.value_or(default_end(natural, period));
+  if (!(result.point.step > 0) || !(result.until > 0))
+    return Error{"--step: this law has no natural period and no periodic drive: give --step and --until"};
+  return result;
+}
+
+SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxis>& axes)
+    : axes_(axes), options_(base) {
+  const std::vector<Option> table = options_of(options_);
+  for (const SweepAxis& axis : axes_)
+    targets_.push_back(std::find_if(table.begin(), table.end(), [&](const Option& each) {
+                         return each.name == axis.name;
+                       })->target);
+}
+
+void SweepPoints::values_of(std::uint64_t row, double* values) const {
+  for (std::size_t i = axes_.size(); i-- > 0;) {
+    const std::uint64_t points = axes_[i].grid.size();
+    values[i] = axes_[i].grid[row % points];
+    row /= points;
+  }
+}
+
+Result<SweepPoint> SweepPoints::at(const double* values) {
+  for (std::size_t i = 0; i < targets_.size(); ++i) set_number(targets_[i], values[i]);
+  return sweep_point_of(options_);
+}
+
+}  // namespace cromer
