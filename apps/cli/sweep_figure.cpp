@@ -51,7 +51,8 @@ class Drawing {
     const std::uint64_t outer = inner == 0 ? 1 : swept_[0].points;
     for (std::size_t i = 0; i < result_.plan.measured.size(); ++i) {
       const std::size_t column = swept_.size() + i;
-      figure.panels.push_back(outer <= most_curves ? curves(column, outer, points) : map(column, outer, points));
+      figure.panels.push_back(outer <= most_curves ? curves(column, outer, points)
+                                                   : map(column, outer, points));
     }
     figure.size = figure.panels.size() > 1 ? FigureSize::wide : FigureSize::single;
     figure.columns = figure.panels.size() > 1 ? 2 : 1;

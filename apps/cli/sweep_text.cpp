@@ -69,8 +69,9 @@ std::string sweep_trouble(const SweepResult& result) {
   const SweepCounts& counts = result.counts;
   std::string text;
   const auto add = [&](std::uint64_t count, std::string_view what) {
-    if (count > 0) text += fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count,
-                                       result.plan.rows.rows, what);
+    if (count > 0)
+      text +=
+          fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count, result.plan.rows.rows, what);
   };
   add(counts.not_settled, "never settled");
   add(counts.not_finite, "ran away");

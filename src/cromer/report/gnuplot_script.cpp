@@ -125,7 +125,8 @@ class Script {
           "solid noborder",
           text.box.x - 2, up(text.box.bottom()), text.box.right() + 2, up(text.box.y));
     }
-    // On a ground of its own a text stands in the middle: fonts differ in width, the ground is made for the widest.
+    // On a ground of its own a text stands in the middle: fonts differ in width, the ground is made for the
+    // widest.
     const Align side = text.ground ? Align::centre : text.align;
     const double x = text.ground ? (text.box.x + text.box.right()) / 2 : text.at.x;
     const char* align = side == Align::left ? "left" : side == Align::right ? "right" : "center";
@@ -158,7 +159,7 @@ class Script {
       std::string numbers;
       for (int column = 0; column < map.columns; ++column) {
         const double value = map.values[static_cast<std::size_t>(row * map.columns + column)];
-        fmt::format_to(std::back_inserter(numbers), std::isfinite(value) ? "{:.4g} " : "NaN ", value);
+        numbers += std::isfinite(value) ? fmt::format("{:.4g} ", value) : "NaN ";
       }
       line("{}", numbers);
     }
@@ -177,8 +178,10 @@ class Script {
     const Box& b = map.bar;
     for (int i = 0; i < pieces; ++i) {
       const double low = b.bottom() - i * b.height / pieces, high = b.bottom() - (i + 1) * b.height / pieces;
-      line("set object rectangle from first {:.2f},{:.2f} to first {:.2f},{:.2f} front noclip fc rgb '{}' fs solid noborder",
-           b.x, up(low), b.right(), up(std::max(high - 0.3, b.y)), map_colour((i + 0.5) / pieces));
+      line(
+          "set object rectangle from first {:.2f},{:.2f} to first {:.2f},{:.2f} front noclip fc rgb '{}' fs "
+          "solid noborder",
+          b.x, up(low), b.right(), up(std::max(high - 0.3, b.y)), map_colour((i + 0.5) / pieces));
     }
   }
 
@@ -231,8 +234,8 @@ class Script {
     if (panel.map) {
       map_data(*panel.map, number);
       colours(*panel.map);
-      plots = fmt::format("$map_{} matrix using ({:.4f}+$1*{:.6f}):({:.4f}+$2*{:.6f}):3 with image", number + 1,
-                          f.x + 0.5 * f.width / panel.map->columns, f.width / panel.map->columns,
+      plots = fmt::format("$map_{} matrix using ({:.4f}+$1*{:.6f}):({:.4f}+$2*{:.6f}):3 with image",
+                          number + 1, f.x + 0.5 * f.width / panel.map->columns, f.width / panel.map->columns,
                           up(f.bottom()) + 0.5 * f.height / panel.map->rows, f.height / panel.map->rows);
     }
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {

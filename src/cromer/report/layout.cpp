@@ -22,9 +22,9 @@ constexpr double margin_share = 0.14;  // of the width, for names
 constexpr double most_margin = 0.30;
 constexpr double beside_others =
     1.35;  // width over height of a phase portrait next to other panels: room for its names
-constexpr double wide_frame = 800;  // [px] has room for more than 7 ticks
-constexpr double edge = 6;          // free at the figure's edge [px]
-constexpr double tick_length = 8;   // with the gap to its number [px]
+constexpr double wide_frame = 800;              // [px] has room for more than 7 ticks
+constexpr double edge = 6;                      // free at the figure's edge [px]
+constexpr double tick_length = 8;               // with the gap to its number [px]
 constexpr double bar_gap = 16, bar_width = 14;  // of a map's colours, beside its frame [px]
 
 Canvas canvas_of(const Figure& figure, int rows) {
@@ -113,7 +113,8 @@ void measure(Cell& cell, const Figure& figure, const Fonts& fonts) {
   cell.left =
       edge + widest_label(cell.y_ticks, fonts) + tick_length + (named && titled(cell) ? s.axis + 8 : 0);
   if (panel.map) {
-    cell.right = bar_gap + bar_width + tick_length + widest_label(map_scale(*panel.map).ticks, fonts) + s.axis + 14;
+    cell.right =
+        bar_gap + bar_width + tick_length + widest_label(map_scale(*panel.map).ticks, fonts) + s.axis + 14;
     return;
   }
   const double names = names_margin(panel, s, fonts.typeface, most_margin * cell.box.width);
@@ -220,12 +221,13 @@ void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
   const MapScale scale = map_scale(map);
   for (const Tick& tick : scale.ticks) {
     const double at = f.bottom() - (tick.value - scale.low) / (scale.high - scale.low) * f.height;
-    placed.leaders.push_back({{drawn.bar.right(), at}, {drawn.bar.right() + 3, at}, std::string(light_surface.axis), 0.8});
+    placed.leaders.push_back(
+        {{drawn.bar.right(), at}, {drawn.bar.right() + 3, at}, std::string(light_surface.axis), 0.8});
     placed.texts.push_back(text(tick.label, {drawn.bar.right() + tick_length, at}, Align::left, s.tick,
                                 light_surface.text_2, fonts));
   }
-  PlacedText name = text(map.name, {cell.box.right() - s.axis / 2 - 4, f.y + f.height / 2}, Align::centre, s.axis,
-                         light_surface.text_2, fonts);
+  PlacedText name = text(map.name, {cell.box.right() - s.axis / 2 - 4, f.y + f.height / 2}, Align::centre,
+                         s.axis, light_surface.text_2, fonts);
   name.rotated = true;
   name.box = {name.at.x - s.axis * 0.6, name.at.y - name.box.width / 2, s.axis * 1.2, name.box.width};
   placed.texts.push_back(name);

@@ -66,7 +66,8 @@ std::string map_colour(double share) {
   };
   std::string mixed = "#";
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double low = static_cast<double>(part(below, channel)), high = static_cast<double>(part(below + 1, channel));
+    const double low = static_cast<double>(part(below, channel)),
+                 high = static_cast<double>(part(below + 1, channel));
     mixed += fmt::format("{:02X}", std::lround(low + (at - static_cast<double>(below)) * (high - low)));
   }
   return mixed;

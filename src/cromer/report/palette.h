@@ -30,8 +30,8 @@ inline constexpr SurfaceColours dark_surface{"#171C23", "#EDF0F4", "#B7C0CC", "#
 /// Dashes of a rejected or constant-rate model, and of any curve marked as dashed [px].
 inline constexpr std::array<double, 4> dashes{6, 4, 0, 0};
 
-/// The colours of maps, evenly spaced from low to high: viridis, which rises in lightness and is told apart by
-/// every eye (S. van der Walt & N. Smith, matplotlib 1.5, 2015).
+/// The colours of maps, evenly spaced from low to high: viridis, which rises in lightness and is told apart
+/// by every eye (S. van der Walt & N. Smith, matplotlib 1.5, 2015).
 inline constexpr std::string_view map_colours[] = {"#440154", "#472D7B", "#3B528B", "#2C728E", "#21918C",
                                                    "#28AE80", "#5EC962", "#ADDC30", "#FDE725"};
 

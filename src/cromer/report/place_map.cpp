@@ -30,7 +30,8 @@ std::vector<std::size_t> nearest_cells(const std::vector<double>& middles, const
   std::vector<std::size_t> cells;
   for (int i = 0; i < px; ++i) {
     const double at = low + (i + 0.5) / px * (high - low);
-    std::size_t above = static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), at) - sorted.begin());
+    std::size_t above =
+        static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), at) - sorted.begin());
     above = std::min(above, sorted.size() - 1);
     const std::size_t near = above > 0 && at - sorted[above - 1] < sorted[above] - at ? above - 1 : above;
     cells.push_back(falls ? middles.size() - 1 - near : near);

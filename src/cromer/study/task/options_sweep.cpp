@@ -8,11 +8,26 @@ namespace cromer {
 namespace {
 
 /// What a sweep takes of simulate: a grid, or as it is.
-constexpr std::string_view with_grid[] = {
-    "mass",          "stiffness",      "damping",         "drag",            "friction",    "static-friction",
-    "cubic",         "natural-frequency", "damping-ratio", "quality-factor", "position",    "velocity",
-    "drive-amplitude", "drive-frequency", "drive-phase",   "unbalance-mass", "eccentricity", "base-displacement",
-    "step",          "until"};
+constexpr std::string_view with_grid[] = {"mass",
+                                          "stiffness",
+                                          "damping",
+                                          "drag",
+                                          "friction",
+                                          "static-friction",
+                                          "cubic",
+                                          "natural-frequency",
+                                          "damping-ratio",
+                                          "quality-factor",
+                                          "position",
+                                          "velocity",
+                                          "drive-amplitude",
+                                          "drive-frequency",
+                                          "drive-phase",
+                                          "unbalance-mass",
+                                          "eccentricity",
+                                          "base-displacement",
+                                          "step",
+                                          "until"};
 constexpr std::string_view as_it_is[] = {"drive", "method", "tolerance", "beta", "gamma", "rho-inf"};
 
 template <std::size_t n>

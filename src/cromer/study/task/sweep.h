@@ -18,13 +18,13 @@ namespace cromer {
 
 /// What `cromer sweep` takes.
 struct SweepOptions {
-  SimulateOptions simulate{};                          ///< method, tolerance, drive's kind: what is not a grid
-  std::map<std::string_view, std::string> values{};    ///< numeric options of simulate by name, as typed
-  std::vector<std::string> measure{};                  ///< names, also several with commas
-  std::optional<double> settle{};                      ///< cycles dropped, >= 0; empty: found out
-  std::string direction{};                             ///< up or down; empty: each point by itself
-  std::optional<int> threads{};                        ///< > 0; empty: one for each processor
-  bool check = false;                                  ///< step a few points of a closed form, too
+  SimulateOptions simulate{};                        ///< method, tolerance, drive's kind: what is not a grid
+  std::map<std::string_view, std::string> values{};  ///< numeric options of simulate by name, as typed
+  std::vector<std::string> measure{};                ///< names, also several with commas
+  std::optional<double> settle{};                    ///< cycles dropped, >= 0; empty: found out
+  std::string direction{};                           ///< up or down; empty: each point by itself
+  std::optional<int> threads{};                      ///< > 0; empty: one for each processor
+  bool check = false;                                ///< step a few points of a closed form, too
   double memory = 0;  // [bytes] that the rows may take; 0: no limit. Set by the caller, not an option
 };
 
@@ -39,12 +39,12 @@ struct SweepWork;
 
 /// A sweep that is ready to go: its rows, to be made in chunks by whoever does.
 struct SweepPlan {
-  std::vector<SweptOption> swept;        ///< outermost first
-  std::vector<std::string> measured;     ///< columns of the measures
-  std::string way;                       ///< "closed form", "settled", "to the end": how points are found
+  std::vector<SweptOption> swept;     ///< outermost first
+  std::vector<std::string> measured;  ///< columns of the measures
+  std::string way;                    ///< "closed form", "settled", "to the end": how points are found
   std::string method;
-  std::string simd;                      ///< the unit of the kernel: baseline, avx2, avx512
-  ChunkedRows rows;                      ///< the swept values, the measures, and last the status (PointStatus)
+  std::string simd;  ///< the unit of the kernel: baseline, avx2, avx512
+  ChunkedRows rows;  ///< the swept values, the measures, and last the status (PointStatus)
   std::vector<std::string> warnings;
   std::shared_ptr<const SweepWork> work;  ///< what the rows depend on (sweep_rows.h)
 };

@@ -10,11 +10,17 @@ namespace cromer {
 
 const std::vector<Measure>& measures() {
   static const std::vector<Measure> all{
-      {"amplitude", true, true, {"amplitude (m)"},
+      {"amplitude",
+       true,
+       true,
+       {"amplitude (m)"},
        [](const PointResult& r, double* to) { to[0] = r.amplitude; }},
       {"phase", true, true, {"phase (rad)"}, [](const PointResult& r, double* to) { to[0] = r.phase_lag; }},
       {"peak", false, true, {"peak (m)"}, [](const PointResult& r, double* to) { to[0] = r.peak; }},
-      {"final", false, false, {"x (m)", "v (m/s)"},
+      {"final",
+       false,
+       false,
+       {"x (m)", "v (m/s)"},
        [](const PointResult& r, double* to) { to[0] = r.end.x, to[1] = r.end.v; }},
       {"energy", false, true, {"energy (J)"}, [](const PointResult& r, double* to) { to[0] = r.energy; }},
   };
@@ -27,7 +33,8 @@ Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>
     for (std::size_t from = 0; from <= name.size();) {
       const std::size_t comma = std::min(name.find(',', from), name.size());
       std::string word = name.substr(from, comma - from);
-      word.erase(0, word.find_first_not_of(' ') == std::string::npos ? word.size() : word.find_first_not_of(' '));
+      word.erase(
+          0, word.find_first_not_of(' ') == std::string::npos ? word.size() : word.find_first_not_of(' '));
       word.erase(word.find_last_not_of(' ') + 1);
       words.push_back(word);
       from = comma + 1;

@@ -86,8 +86,7 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
   const MethodInfo& info = *find_method(work.method);
   const bool rubs = has_term(work, o.friction, {"friction"}) ||
                     has_term(work, o.static_friction.value_or(0), {"static-friction"});
-  const bool linear =
-      !rubs && !has_term(work, o.cubic, {"cubic"}) && !has_term(work, o.drag, {"drag"});
+  const bool linear = !rubs && !has_term(work, o.cubic, {"cubic"}) && !has_term(work, o.drag, {"drag"});
   const bool to_end = o.until.has_value() || !work.driven ||
                       std::any_of(work.axes.begin(), work.axes.end(),
                                   [](const SweepAxis& axis) { return axis.name == "until"; });
@@ -113,10 +112,11 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
   else
     work.way = to_end ? SweepWay::to_end : SweepWay::settled;
   if (work.way == SweepWay::one_by_one && work.direction != SweepDirection::none)
-    return Error{fmt::format(
-        "--direction: with {} each point is a run of its own; take a method of fixed steps, for instance rk4, "
-        "and no friction",
-        rubs ? "friction" : work.method)};
+    return Error{
+        fmt::format("--direction: with {} each point is a run of its own; take a method of fixed steps, for "
+                    "instance rk4, "
+                    "and no friction",
+                    rubs ? "friction" : work.method)};
   return {};
 }
 
@@ -185,7 +185,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   if (auto good = read_values(options, *work); !good) return good.error();
   if (!options.direction.empty() && options.direction != "up" && options.direction != "down")
     return Error{fmt::format("--direction: \"{}\" is neither up nor down", options.direction)};
-  work->direction = options.direction.empty()  ? SweepDirection::none
+  work->direction = options.direction.empty()   ? SweepDirection::none
                     : options.direction == "up" ? SweepDirection::up
                                                 : SweepDirection::down;
   if (work->axes.empty())
@@ -196,8 +196,8 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   double rows = 1;
   for (const SweepAxis& axis : work->axes) rows *= static_cast<double>(axis.grid.size());
   if (!(rows < most_rows))
-    return Error{fmt::format("the grids multiply to {:.3g} points, too many to be told apart; take coarser ones",
-                             rows)};
+    return Error{fmt::format(
+        "the grids multiply to {:.3g} points, too many to be told apart; take coarser ones", rows)};
   const auto run = run_at(*work, false), last = run_at(*work, true);
   if (!run) return run.error();
   if (!last) return last.error();
@@ -218,7 +218,8 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   plan.method = work->method;
   plan.simd = work->unit.name;
   plan.way = words(work->way);
-  for (const SweepAxis& axis : work->axes) plan.swept.push_back({axis.name, column_of(axis), axis.grid.size()});
+  for (const SweepAxis& axis : work->axes)
+    plan.swept.push_back({axis.name, column_of(axis), axis.grid.size()});
   for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
   for (const Measure* measure : work->measures)
     for (const std::string& column : measure->columns) plan.measured.push_back(column);

@@ -33,7 +33,8 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   result.point.start = start_of(options);
   const HarmonicDrive<double>& drive = result.point.drive;
   const double natural = natural_period(*oscillator);
-  const double period = drive.amplitude > 0 && drive.frequency > 0 ? 2 * std::numbers::pi / drive.frequency : 0;
+  const double period =
+      drive.amplitude > 0 && drive.frequency > 0 ? 2 * std::numbers::pi / drive.frequency : 0;
   result.point.step = options.step.value_or(default_step(natural, period));
   result.until = options.until.value_or(default_end(natural, period));
   if (!(result.point.step > 0) || !(result.until > 0))

@@ -16,12 +16,13 @@ namespace cromer {
 
 /// An option's grid.
 struct SweepAxis {
-  std::string name;    ///< as typed
-  std::string unit;    ///< SI
+  std::string name;  ///< as typed
+  std::string unit;  ///< SI
   Grid grid;
 };
 
-/// The point that options with one value each describe, its end (that of --until, or the default), or an Error.
+/// The point that options with one value each describe, its end (that of --until, or the default), or an
+/// Error.
 struct SweepPoint {
   Point point;
   double until = 0;  // [s]

@@ -116,8 +116,8 @@ bool make_in_groups(const SweepWork& work, std::uint64_t first, std::uint64_t co
 void continue_from(const PointResult& ended, const Point& before, Point& next) {
   if (ended.status == PointStatus::not_finite || ended.status == PointStatus::no_convergence) return;
   next.start = ended.end;
-  next.drive.phase = std::fmod(before.drive.frequency * ended.end_time + before.drive.phase,
-                               2 * std::numbers::pi);
+  next.drive.phase =
+      std::fmod(before.drive.frequency * ended.end_time + before.drive.phase, 2 * std::numbers::pi);
 }
 
 /// Chains side by side, each along the last axis.
