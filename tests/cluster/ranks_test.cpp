@@ -48,6 +48,12 @@ TEST_F(OnRanks, the_failure_of_one_ends_all_and_is_told) {
   EXPECT_THAT(ended.err, testing::ContainsRegex("rank [12] on .*: not enough memory"));
 }
 
+TEST_F(OnRanks, one_that_cannot_help_says_why) {
+  const auto ended = test::run(on_ranks(2, program(folder / "a.h5", "1", "name=cannot")), folder);
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.err, testing::ContainsRegex("rank 1 on .*: this node has no AVX-512"));
+}
+
 TEST_F(OnRanks, ranks_with_other_work_are_refused) {
   const auto ended = test::run(on_ranks(2, program(folder / "a.h5", "1", "name=by-rank")), folder);
   EXPECT_EQ(ended.status, 1);

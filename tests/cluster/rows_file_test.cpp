@@ -154,6 +154,23 @@ TEST(RowsFile, holds_nan_where_nothing_is_finished) {
   EXPECT_EQ(dataset(s.options.path, "damping").numbers[0], 0.1) << "axes are there from the beginning";
 }
 
+TEST(RowsFile, gives_back_the_rows_it_took) {
+  Sample s;
+  s.options.resume = true;
+  ASSERT_TRUE(s.write({1, 26}));
+  auto file = RowsFile::open(s.work, s.options, {});
+  ASSERT_TRUE(file);
+  for (const std::uint64_t chunk : {1, 26}) {
+    std::vector<double> rows(s.work.rows_of(chunk) * 4);
+    file->read(chunk, rows.data());
+    EXPECT_EQ(rows, s.rows(chunk));
+  }
+  std::vector<double> rows(8 * 4);
+  file->read(2, rows.data());
+  EXPECT_EQ(rows[1], s.options.axes[1].values[16]);
+  EXPECT_TRUE(std::isnan(rows[2]));
+}
+
 TEST(RowsFile, may_be_just_rows_with_a_long_description) {
   Sample s;
   s.options.axes.clear();

@@ -83,6 +83,7 @@ int main(int count, char** words) {
     auto joined = Ranks::join(place);
     if (!joined) return fail(joined.error().message, 2);
     ranks = std::make_unique<Ranks>(std::move(*joined));
+    if (name == "cannot" && !ranks->first()) return ranks->cannot_help("this node has no AVX-512"), 0;
     if (!ranks->first()) return ranks->help(work, threads, watch), 0;
   }
   auto file = RowsFile::open(work, options, watch);

@@ -71,7 +71,7 @@ void HandOut::answer(const Message& message) {
                   reinterpret_cast<const double*>(message.words.data() + 1));
     case Kind::problem:
       at = 0;
-      return fail(fmt::format("rank {} on {}: {}", message.from, member.host, text_of(message.words, at)));
+      return fail(fmt::format("rank {} on {}", message.from, text_of(message.words, at)));
     case Kind::interrupted:
       interrupted_ = true;
       return;

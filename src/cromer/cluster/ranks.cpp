@@ -39,6 +39,12 @@ Words hello(const ChunkedRows& work, int threads) {
   return words;
 }
 
+ChunkedRows nothing() {
+  ChunkedRows work;
+  work.make = [](std::uint64_t, double*, const Watch&) { return false; };
+  return work;
+}
+
 }  // namespace
 
 RankPlace rank_place() {
@@ -79,10 +85,8 @@ Ranks::Ranks(Ranks&& other) noexcept
 Ranks::~Ranks() {
   if (!mpi_) return;
   if (first() && !over_) {
-    ChunkedRows nothing;
-    nothing.make = [](std::uint64_t, double*, const Watch&) { return false; };
     const auto none = [](std::uint64_t, const double*) { return Result<void>(); };
-    (void)make_chunks(nothing, {}, 1, none, {});
+    (void)make_chunks(nothing(), {}, 1, none, {});
   }
   mpi_->finish();
 }
@@ -94,11 +98,17 @@ Result<ChunksEnd> Ranks::make_chunks(const ChunkedRows& work, const std::vector<
 }
 
 void Ranks::help(const ChunkedRows& work, int threads, const Watch& watch) {
+  help_or_tell(work, threads, watch, "");
+}
+
+void Ranks::cannot_help(const std::string& why) { help_or_tell(nothing(), 1, {}, why); }
+
+void Ranks::help_or_tell(const ChunkedRows& work, int threads, const Watch& watch, std::string problem) {
   using std::chrono::microseconds;
   over_ = true;
   Post post(mpi_);
   Crew crew(work, threads);
-  post.send(0, Kind::hello, hello(work, threads));
+  if (problem.empty()) post.send(0, Kind::hello, hello(work, threads));
   bool said = false, stopping = false;
   auto patience = microseconds(1000);
   while (!stopping || !crew.gone()) {
@@ -111,9 +121,10 @@ void Ranks::help(const ChunkedRows& work, int threads, const Watch& watch) {
       post.send(0, Kind::rows, std::move(made->words));
       happened = true;
     }
-    if (const std::string problem = crew.problem(); !problem.empty() && !said) {
+    if (problem.empty()) problem = crew.problem();
+    if (!problem.empty() && !said) {
       said = true;
-      post.send(0, Kind::problem, words_of(problem));
+      post.send(0, Kind::problem, words_of(host_name() + ": " + problem));
     }
     if (watch.interrupted() && !said) {
       said = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cromer/base/interrupt.h"
@@ -42,8 +43,13 @@ class Ranks {
   /// The other ranks: make what they are handed until the first lets them go.
   void help(const ChunkedRows& work, int threads, const Watch& watch);
 
+  /// The other ranks: tell the first why this one cannot help.
+  void cannot_help(const std::string& why);
+
  private:
   Ranks(const CromerMpi* mpi, const RankPlace& place) : mpi_(mpi), place_(place) {}
+
+  void help_or_tell(const ChunkedRows& work, int threads, const Watch& watch, std::string problem);
 
   const CromerMpi* mpi_ = nullptr;
   RankPlace place_{};

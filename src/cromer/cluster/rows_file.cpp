@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <numeric>
 
@@ -76,6 +78,10 @@ Result<RowsFile> RowsFile::open(const ChunkedRows& work, const RowsFileOptions& 
   file.file_ = std::move(*opened);
   for (const LaidOut& dataset : datasets)
     if (!dataset.axis) file.columns_.push_back({dataset.column, dataset.offset});
+  file.axes_ = options.axes;
+  for (const RowsAxis& axis : options.axes)
+    file.axis_columns_.push_back(static_cast<std::size_t>(
+        std::find(work.columns.begin(), work.columns.end(), axis.name) - work.columns.begin()));
   file.rows_ = work.rows;
   file.rows_per_chunk_ = work.rows_per_chunk;
   file.width_ = work.columns.size();
@@ -87,7 +93,7 @@ Result<RowsFile> RowsFile::open(const ChunkedRows& work, const RowsFileOptions& 
 
 Result<void> RowsFile::write(std::uint64_t chunk, const double* rows) {
   const std::uint64_t first = chunk * rows_per_chunk_;
-  const std::size_t count = std::min(rows_per_chunk_, rows_ - first);
+  const std::size_t count = rows_of(chunk);
   column_rows_.resize(count);
   for (const Column& column : columns_) {
     for (std::size_t r = 0; r < count; ++r) column_rows_[r] = rows[r * width_ + column.index];
@@ -111,6 +117,23 @@ Result<void> RowsFile::note_finished() {
   }
   noted_ = std::chrono::steady_clock::now();
   return {};
+}
+
+void RowsFile::read(std::uint64_t chunk, double* rows) const {
+  const std::uint64_t first = chunk * rows_per_chunk_;
+  const std::size_t count = rows_of(chunk);
+  std::vector<double> numbers(count);
+  for (const Column& column : columns_) {
+    std::fill(numbers.begin(), numbers.end(), std::nan(""));
+    file_.read(numbers.data(), count * sizeof(double), column.offset + first * sizeof(double));
+    for (std::size_t r = 0; r < count; ++r) rows[r * width_ + column.index] = numbers[r];
+  }
+  for (std::size_t r = 0; r < count; ++r) {
+    std::uint64_t rest = first + r;
+    for (std::size_t i = axes_.size(); i-- > 0; rest /= axes_[i].values.size())
+      if (axis_columns_[i] < width_)
+        rows[r * width_ + axis_columns_[i]] = axes_[i].values[rest % axes_[i].values.size()];
+  }
 }
 
 Result<void> RowsFile::close() {

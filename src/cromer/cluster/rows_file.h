@@ -2,6 +2,7 @@
 // good.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -53,17 +54,25 @@ class RowsFile {
 
   bool complete() const { return left_ == 0; }
 
+  /// The rows of a chunk as they were written, axes included; NaN where they were not.
+  void read(std::uint64_t chunk, double* rows) const;
+
  private:
   struct Column {
     std::size_t index;     // in the row
     std::uint64_t offset;  // in the file [bytes]
   };
-  friend class RowsFileLayout;
   Result<void> note_finished();
 
   std::uint64_t rows_per_chunk_ = 1, rows_ = 0, left_ = 0;
   std::size_t width_ = 0;
-  std::vector<Column> columns_{};
+  std::uint64_t rows_of(std::uint64_t chunk) const {
+    return std::min(rows_per_chunk_, rows_ - chunk * rows_per_chunk_);
+  }
+
+  std::vector<RowsAxis> axes_{};
+  std::vector<std::size_t> axis_columns_{};  // in the row, of each axis
+  std::vector<Column> columns_{};            // the others
   DiskFile file_{};
   Journal journal_{};
   bool journaled_ = false;
