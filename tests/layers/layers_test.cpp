@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       {"run", {"base", "methods"}},
       {"analysis", {"base", "model", "methods", "run"}},
       {"ensemble", {"base", "model", "methods", "run", "analysis"}},
+      {"cluster", {"base", "ensemble"}},
       {"identify", {"base", "model", "methods", "run", "analysis"}},
       {"study/task",
        {"base", "model", "methods", "run", "analysis", "identify", "ensemble", "record/dialects"}},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,9 +39,19 @@ using ChunkSink = std::function<Result<void>(std::uint64_t chunk, const double* 
 /// How the work ended; an Error is the sink's.
 enum class ChunksEnd { done, interrupted };
 
+/// Hands out the chunks to make; nothing: there are no more. Called by one thread at a time; may wait.
+using ChunkSource = std::function<std::optional<std::uint64_t>()>;
+
 /// Makes those chunks on so many threads (0: one for each processor) and hands each to the sink. Holds at
 /// most two chunks a thread in memory. Progress: the share of the chunks that are done.
 Result<ChunksEnd> make_chunks(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks, int threads,
                               const ChunkSink& sink, const Watch& watch);
+
+/// The same for chunks that are handed out while the work goes on; tells no progress.
+Result<ChunksEnd> make_chunks(const ChunkedRows& work, const ChunkSource& source, int threads,
+                              const ChunkSink& sink, const Watch& watch);
+
+/// How many threads that is: `threads`, or where it is 0 one for each processor this process may use.
+int threads_of(int threads);
 
 }  // namespace cromer

@@ -1,0 +1,48 @@
+#include "cromer/cluster/differences.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace cromer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "/drive/frequency" as people write it: "drive.frequency".
+std::string name_of(std::string pointer) {
+  pointer.erase(0, 1);
+  std::replace(pointer.begin(), pointer.end(), '/', '.');
+  return pointer.empty() ? "the whole" : pointer;
+}
+
+std::string shortened(const Json& value) {
+  std::string text = value.dump();
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+}  // namespace
+
+std::string differences(const std::string& there, const std::string& here) {
+  if (there == here) return "";
+  const Json a = Json::parse(there, nullptr, false), b = Json::parse(here, nullptr, false);
+  if (a.is_discarded() || b.is_discarded() || a == b) return "it is described otherwise";
+  constexpr std::size_t most = 4;
+  const Json changes = Json::diff(a, b);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(changes.size(), most); ++i) {
+    const std::string path = changes[i]["path"], kind = changes[i]["op"];
+    if (!text.empty()) text += "; ";
+    text += name_of(path);
+    if (kind == "add")
+      text += " is missing there";
+    else if (kind == "remove")
+      text += " is missing here";
+    else
+      text += " is " + shortened(a.at(Json::json_pointer(path))) + " there and " +
+              shortened(changes[i]["value"]) + " here";
+  }
+  return changes.size() > most ? text + "; and more" : text;
+}
+
+}  // namespace cromer

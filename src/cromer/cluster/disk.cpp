@@ -1,0 +1,104 @@
+#include "cromer/cluster/disk.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "cromer/base/bytes.h"
+
+namespace cromer {
+namespace {
+
+std::string folder_of(const std::string& path) {
+  const auto folder = std::filesystem::path(path).parent_path();
+  return folder.empty() ? "." : folder.string();
+}
+
+Error cannot(const char* what, const std::string& path, int number) {
+  const bool full = number == ENOSPC || number == EDQUOT || number == EFBIG;
+  return {fmt::format("cannot {} {}: {}{}", what, path, std::strerror(number),
+                      full ? "; what is finished is kept: make room and go on with --resume" : "")};
+}
+
+void sync_folder(const std::string& path) {
+  const int folder = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return;  // then the system does it when it likes
+  ::fsync(folder);
+  ::close(folder);
+}
+
+}  // namespace
+
+Result<DiskFile> DiskFile::open(const std::string& path, int flags) {
+  DiskFile opened;
+  opened.path_ = path;
+  opened.file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC | flags, 0666);
+  if (opened.file_ < 0) return cannot("open", path, errno);
+  return opened;
+}
+
+DiskFile::~DiskFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+Result<void> DiskFile::write(const void* bytes, std::size_t size, std::uint64_t offset) const {
+  const char* from = static_cast<const char*>(bytes);
+  while (size > 0) {
+    const ssize_t count = ::pwrite(file_, from, size, static_cast<off_t>(offset));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return cannot("write", path_, errno);
+    if (count == 0) return cannot("write", path_, ENOSPC);
+    from += count;
+    size -= static_cast<std::size_t>(count);
+    offset += static_cast<std::uint64_t>(count);
+  }
+  return {};
+}
+
+std::size_t DiskFile::read(void* bytes, std::size_t size, std::uint64_t offset) const {
+  std::size_t there = 0;
+  while (there < size) {
+    const ssize_t count =
+        ::pread(file_, static_cast<char*>(bytes) + there, size - there, static_cast<off_t>(offset + there));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    there += static_cast<std::size_t>(count);
+  }
+  return there;
+}
+
+Result<void> DiskFile::sync() const {
+  if (::fdatasync(file_) != 0) return cannot("write", path_, errno);
+  return {};
+}
+
+Result<void> fits_on_disk(const std::string& path, double bytes) {
+  struct statvfs disk {};
+  if (::statvfs(folder_of(path).c_str(), &disk) != 0) return {};  // opening will say why
+  const double free = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
+  if (bytes <= free) return {};
+  return Error{
+      fmt::format("{} needs {} and there are {} free in {}; ask for fewer points or measures, or name "
+                  "a file on a larger disk",
+                  path, bytes_in_words(bytes), bytes_in_words(free), folder_of(path))};
+}
+
+Result<void> rename_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) return cannot("write", to, errno);
+  sync_folder(to);
+  return {};
+}
+
+Result<void> remove_file(const std::string& path) {
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return cannot("remove", path, errno);
+  sync_folder(path);
+  return {};
+}
+
+}  // namespace cromer

@@ -1,0 +1,51 @@
+// What libcromer_hdf5.so does: it lays out a file and says where in it the numbers of each dataset are. The
+// numbers themselves are written and read without it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" {
+
+/// A text attribute.
+struct CromerHdf5Text {
+  const char* name;
+  const char* text;
+};
+
+/// A dataset of doubles, one piece in the file.
+struct CromerHdf5Dataset {
+  const char* name;
+  const CromerHdf5Text* texts;  ///< its attributes
+  std::size_t text_count;
+  const std::uint64_t* shape;
+  std::size_t dimensions;
+  std::uint64_t offset;  ///< of its first number from the file's beginning [bytes]; set by the module
+};
+
+/// Told what a file holds.
+struct CromerHdf5Reader {
+  void* self;
+  void (*text)(void* self, const char* name, const char* text);
+  void (*dataset)(void* self, const char* name, std::uint64_t numbers, std::uint64_t offset);
+};
+
+struct CromerHdf5 {
+  int version;
+
+  /// Makes the file: attributes, and datasets whose fill value is NaN, with room for all numbers, none
+  /// written. The same bytes whenever and wherever. False: `message` says why, the file is not good.
+  bool (*create)(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
+                 CromerHdf5Dataset* datasets, std::size_t dataset_count, char* message, std::size_t room);
+
+  /// Tells text attributes and datasets of the file's root.
+  bool (*read)(const char* path, const CromerHdf5Reader* reader, char* message, std::size_t room);
+};
+
+const CromerHdf5* cromer_hdf5();
+
+}  // extern "C"
+
+namespace cromer {
+constexpr int hdf5_module_version = 1;
+}

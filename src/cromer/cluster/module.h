@@ -1,0 +1,22 @@
+// Parts of the program that are loaded only when they are needed: HDF5 and MPI take milliseconds to start.
+#pragma once
+
+#include <string>
+
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+/// A shared library of ours and what it takes to have it.
+struct Module {
+  const char* file;     ///< "libcromer_hdf5.so"
+  const char* symbol;   ///< the function that gives its interface
+  const char* what;     ///< what it is needed for: "HDF5 files"
+  const char* package;  ///< what the build needs for it: "libhdf5-dev"
+};
+
+/// The address of the module's function. Looked for in the folder that CROMER_MODULES names, beside the
+/// program, and in ../lib and the like beside that. An Error says where it was looked for and what to do.
+Result<void*> load_module(const Module& module);
+
+}  // namespace cromer

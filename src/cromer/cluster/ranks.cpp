@@ -1,0 +1,141 @@
+#include "cromer/cluster/ranks.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "cromer/cluster/crew.h"
+#include "cromer/cluster/hand_out.h"
+#include "cromer/cluster/messages.h"
+#include "cromer/cluster/module.h"
+
+namespace cromer {
+namespace {
+
+std::optional<int> number_in(const char* variable) {
+  const char* text = std::getenv(variable);
+  if (!text || !*text) return std::nullopt;
+  char* end = nullptr;
+  const long number = std::strtol(text, &end, 10);
+  if (*end != '\0' || number < 0 || number > 100'000'000) return std::nullopt;
+  return static_cast<int>(number);
+}
+
+std::string host_name() {
+  char name[256] = "";
+  gethostname(name, sizeof(name) - 1);
+  return name;
+}
+
+Words hello(const ChunkedRows& work, int threads) {
+  Words words = {static_cast<std::uint64_t>(threads_of(threads))};
+  for (const std::string& text : {host_name(), work.description}) {
+    const Words more = words_of(text);
+    words.insert(words.end(), more.begin(), more.end());
+  }
+  return words;
+}
+
+ChunkedRows nothing() {
+  ChunkedRows work;
+  work.make = [](std::uint64_t, double*, const Watch&) { return false; };
+  return work;
+}
+
+}  // namespace
+
+RankPlace rank_place() {
+  // Open MPI's mpirun, MPICH's and Intel's, srun's steps (the variables of a job alone also stand in its
+  // script).
+  constexpr const char* known[][2] = {{"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"},
+                                      {"PMI_SIZE", "PMI_RANK"},
+                                      {"SLURM_STEP_NUM_TASKS", "SLURM_PROCID"}};
+  for (const auto& [size, rank] : known) {
+    const auto ranks = number_in(size), place = number_in(rank);
+    if (ranks && place && *ranks > 1 && *place < *ranks) return {*place, *ranks};
+  }
+  return {};
+}
+
+Result<Ranks> Ranks::join(const RankPlace& place) {
+  auto found = load_module({"libcromer_mpi.so", "cromer_mpi", "mpirun and srun", "libopenmpi-dev"});
+  if (!found) return found.error();
+  const auto* mpi = reinterpret_cast<const CromerMpi* (*)()>(*found)();
+  if (mpi->version != mpi_module_version)
+    return Error{"libcromer_mpi.so is not of this version of cromer; install both together"};
+  RankPlace seen;
+  mpi->start(&seen.rank, &seen.ranks);
+  Ranks ranks(mpi, seen);
+  if (seen.ranks != place.ranks) {
+    ranks.over_ = true;
+    return Error{
+        fmt::format("{} processes were started together, but MPI sees {}: start cromer with the mpirun of "
+                    "its MPI library, or with srun --mpi=pmix",
+                    place.ranks, seen.ranks)};
+  }
+  return ranks;
+}
+
+Ranks::Ranks(Ranks&& other) noexcept
+    : mpi_(std::exchange(other.mpi_, nullptr)), place_(other.place_), over_(other.over_) {}
+
+Ranks::~Ranks() {
+  if (!mpi_) return;
+  if (first() && !over_) {
+    const auto none = [](std::uint64_t, const double*) { return Result<void>(); };
+    (void)make_chunks(nothing(), {}, 1, none, {});
+  }
+  mpi_->finish();
+}
+
+Result<ChunksEnd> Ranks::make_chunks(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks,
+                                     int threads, const ChunkSink& sink, const Watch& watch) {
+  over_ = true;
+  return HandOut(work, chunks, place_.ranks, threads, mpi_, sink, watch).run();
+}
+
+void Ranks::help(const ChunkedRows& work, int threads, const Watch& watch) {
+  help_or_tell(work, threads, watch, "");
+}
+
+void Ranks::cannot_help(const std::string& why) { help_or_tell(nothing(), 1, {}, why); }
+
+void Ranks::help_or_tell(const ChunkedRows& work, int threads, const Watch& watch, std::string problem) {
+  using std::chrono::microseconds;
+  over_ = true;
+  Post post(mpi_);
+  Crew crew(work, threads);
+  if (problem.empty()) post.send(0, Kind::hello, hello(work, threads));
+  bool said = false, stopping = false;
+  auto patience = microseconds(1000);
+  while (!stopping || !crew.gone()) {
+    bool happened = !post.empty();
+    for (Message message; post.receive(message); happened = true) {
+      if (message.kind == Kind::chunk) crew.give(message.words.at(0));
+      if (message.kind == Kind::stop) crew.stop(), stopping = true;
+    }
+    while (auto made = crew.take()) {
+      post.send(0, Kind::rows, std::move(made->words));
+      happened = true;
+    }
+    if (problem.empty()) problem = crew.problem();
+    if (!problem.empty() && !said) {
+      said = true;
+      post.send(0, Kind::problem, words_of(host_name() + ": " + problem));
+    }
+    if (watch.interrupted() && !said) {
+      said = true;
+      post.send(0, Kind::interrupted, {0});
+    }
+    patience = happened ? microseconds(50) : std::min(2 * patience, microseconds(1000));
+    crew.wait(patience);
+  }
+  while (auto made = crew.take()) post.send(0, Kind::rows, std::move(made->words));
+  post.send(0, Kind::left, {0});
+  while (!post.empty()) crew.wait(microseconds(50));
+}
+
+}  // namespace cromer

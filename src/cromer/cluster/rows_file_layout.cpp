@@ -1,0 +1,152 @@
+#include "cromer/cluster/rows_file_layout.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/cluster/differences.h"
+#include "cromer/cluster/hdf5_module.h"
+#include "cromer/cluster/module.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::size_t message_room = 512;
+
+Result<const CromerHdf5*> hdf5() {
+  auto found = load_module({"libcromer_hdf5.so", "cromer_hdf5", "HDF5 files", "libhdf5-dev"});
+  if (!found) return Error{found.error().message + "; or use -o FILE.csv"};
+  const auto* module = reinterpret_cast<const CromerHdf5* (*)()>(*found)();
+  if (module->version != hdf5_module_version)
+    return Error{"libcromer_hdf5.so is not of this version of cromer; install both together"};
+  return module;
+}
+
+/// "amplitude (m)" is amplitude in m.
+std::pair<std::string, std::string> name_and_unit(const std::string& column) {
+  const auto open = column.find(" (");
+  if (open == std::string::npos || column.back() != ')') return {column, "1"};
+  return {column.substr(0, open), column.substr(open + 2, column.size() - open - 3)};
+}
+
+/// Writes `count` numbers, value(i), from `offset` on.
+template <class Value>
+Result<void> write_numbers(const DiskFile& file, std::uint64_t offset, std::uint64_t count,
+                           const Watch& watch, const Value& value) {
+  constexpr std::uint64_t piece = 1 << 17;  // 1 MiB
+  std::vector<double> numbers(std::min(piece, count));
+  for (std::uint64_t begin = 0; begin < count; begin += piece) {
+    if (watch.interrupted()) return Error{"interrupted before the first point; nothing was begun"};
+    const std::uint64_t n = std::min(piece, count - begin);
+    for (std::uint64_t i = 0; i < n; ++i) numbers[i] = value(begin + i);
+    if (auto good = file.write(numbers.data(), n * sizeof(double), offset + begin * sizeof(double)); !good)
+      return good;
+  }
+  return {};
+}
+
+/// What a file was found to hold.
+struct Found {
+  std::map<std::string, std::string> texts{};
+  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> datasets{};  // numbers, offset
+};
+
+}  // namespace
+
+std::uint64_t LaidOut::numbers() const {
+  std::uint64_t product = 1;
+  for (const std::uint64_t size : shape) product *= size;
+  return product;
+}
+
+std::vector<LaidOut> layout_of(const ChunkedRows& work, const std::vector<RowsAxis>& axes) {
+  std::vector<LaidOut> datasets;
+  std::vector<std::uint64_t> shape;
+  for (const RowsAxis& axis : axes) {
+    const auto [name, unit] = name_and_unit(axis.name);
+    datasets.push_back({.name = name, .unit = unit, .shape = {axis.values.size()}, .axis = &axis.values});
+    shape.push_back(axis.values.size());
+  }
+  if (shape.empty()) shape = {work.rows};
+  for (std::size_t i = 0; i < work.columns.size(); ++i) {
+    const std::string& column = work.columns[i];
+    if (std::any_of(axes.begin(), axes.end(), [&](const RowsAxis& axis) { return axis.name == column; }))
+      continue;
+    const auto [name, unit] = name_and_unit(column);
+    datasets.push_back({.name = name, .unit = unit, .shape = shape, .column = i});
+  }
+  return datasets;
+}
+
+Result<void> make_file(const std::string& path, const ChunkedRows& work, const RowsFileOptions& options,
+                       std::vector<LaidOut>& datasets, const Watch& watch) {
+  auto module = hdf5();
+  if (!module) return module.error();
+  std::string axes;
+  for (const LaidOut& dataset : datasets)
+    if (dataset.axis) axes += (axes.empty() ? "" : " ") + dataset.name;
+  std::vector<std::vector<CromerHdf5Text>> texts;
+  std::vector<CromerHdf5Dataset> made;
+  for (const LaidOut& dataset : datasets) {
+    texts.push_back({{"unit", dataset.unit.c_str()}});
+    if (!dataset.axis && !axes.empty()) texts.back().push_back({"axes", axes.c_str()});
+  }
+  for (std::size_t i = 0; i < datasets.size(); ++i)
+    made.push_back({datasets[i].name.c_str(), texts[i].data(), texts[i].size(), datasets[i].shape.data(),
+                    datasets[i].shape.size(), 0});
+  const CromerHdf5Text of_file[] = {{"description", work.description.c_str()},
+                                    {"program", options.program.c_str()},
+                                    {"command", options.command.c_str()}};
+  char message[message_room];
+  if (!(*module)->create(path.c_str(), of_file, std::size(of_file), made.data(), made.size(), message,
+                         message_room))
+    return Error{fmt::format("cannot write {}: {}", path, message)};
+
+  auto file = DiskFile::open(path, 0);
+  if (!file) return file.error();
+  if (auto good = file->sync(); !good) return good;
+  for (std::size_t i = 0; i < datasets.size(); ++i) {
+    LaidOut& dataset = datasets[i];
+    dataset.offset = made[i].offset;
+    const Grid* axis = dataset.axis;
+    const auto value = [axis](std::uint64_t n) { return axis ? (*axis)[n] : std::nan(""); };
+    if (auto good = write_numbers(*file, dataset.offset, dataset.numbers(), watch, value); !good) return good;
+  }
+  return {};
+}
+
+Result<void> find_in_file(const ChunkedRows& work, const RowsFileOptions& options,
+                          std::vector<LaidOut>& datasets) {
+  auto module = hdf5();
+  if (!module) return module.error();
+  Found found;
+  const CromerHdf5Reader reader{
+      &found,
+      [](void* self, const char* name, const char* text) { static_cast<Found*>(self)->texts[name] = text; },
+      [](void* self, const char* name, std::uint64_t numbers, std::uint64_t offset) {
+        static_cast<Found*>(self)->datasets[name] = {numbers, offset};
+      }};
+  char message[message_room];
+  if (!(*module)->read(options.path.c_str(), &reader, message, message_room))
+    return Error{fmt::format("--resume: {} {}", options.path, message)};
+  const auto described = found.texts.find("description");
+  if (described == found.texts.end())
+    return Error{fmt::format("--resume: {} was not made by cromer: it has no description", options.path)};
+  const std::string other = differences(described->second, work.description);
+  if (!other.empty())
+    return Error{
+        fmt::format("--resume: {} is of another sweep: {}; name another file, or ask for the same again",
+                    options.path, other)};
+  for (LaidOut& dataset : datasets) {
+    const auto there = found.datasets.find(dataset.name);
+    if (there == found.datasets.end() || there->second.first != dataset.numbers())
+      return Error{fmt::format("--resume: {} has no {} of {} numbers; was it changed?", options.path,
+                               dataset.name, dataset.numbers())};
+    dataset.offset = there->second.second;
+  }
+  return {};
+}
+
+}  // namespace cromer
