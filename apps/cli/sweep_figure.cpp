@@ -99,6 +99,11 @@ class Drawing {
         std::reverse(curve.y.begin(), curve.y.end());
       }
       curve.role = outer > 1 ? fmt::format("family:{}", k) : result_.plan.method;
+      // Each name at its own peak: resonance curves end in one line.
+      const auto top = std::max_element(curve.y.begin(), curve.y.end(),
+                                        [](double a, double b) { return a < b || std::isnan(a); });
+      const auto peak = static_cast<std::size_t>(top - curve.y.begin());
+      if (outer > 1 && peak > 0 && peak + 1 < curve.x.size()) curve.label_x = curve.x[peak];
       curve.name = outer > 1 ? fmt::format("{:.4g}", at(k * points, 0)) : "";
       if (outer > 1 && k == 0) curve.remark = shown(swept_[0].column, 1e9).name;
       panel.curves.push_back(std::move(curve));

@@ -33,7 +33,7 @@ struct Run {
 Run run_to(const SweepWork& work, const Point& point, double from, double until, const Watch& watch) {
   Run run;
   double states = 0;
-  KeepEvery keep([&](double t, const State<double>& y) {
+  const auto look_at = [&](double t, const State<double>& y) {
     if (t < from) return;
     run.window.t.push_back(t);
     run.window.x.push_back(y.x);
@@ -41,7 +41,8 @@ Run run_to(const SweepWork& work, const Point& point, double from, double until,
     run.peak = std::max(run.peak, std::abs(y.x));
     run.energy += energy(point.oscillator, y);
     ++states;
-  });
+  };
+  KeepEvery keep(look_at);
   run.outcome = run_law({.oscillator = point.oscillator,
                          .drive = point.drive,
                          .method = work.method,
