@@ -5,8 +5,19 @@
 #include "exit_status.h"
 
 namespace cromer::cli {
+namespace {
+
+bool silent = false;
+
+}  // namespace
+
+void fall_silent() {
+  silent = true;
+  if (!std::freopen("/dev/null", "w", stdout)) std::fclose(stdout);
+}
 
 void complain(std::string_view message) {
+  if (silent) return;
   std::fprintf(stderr, "cromer: %.*s\n", static_cast<int>(message.size()), message.data());
 }
 

@@ -7,6 +7,9 @@
 
 namespace cromer::cli {
 
+/// From here on this process says nothing, on neither stream: another one says the same.
+void fall_silent();
+
 /// Says what went wrong.
 void complain(std::string_view message);
 

@@ -23,7 +23,7 @@ void add_output_options(std::vector<Option>& options, OutputOptions& output, Out
                      "warnings on standard error", group});
 }
 
-Result<FileFormat> file_format(const std::string& path) {
+Result<FileFormat> file_format(const std::string& path, bool hdf5) {
   if (path == "-") return FileFormat::csv;
   const auto slash = path.find_last_of('/');
   const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
@@ -31,10 +31,11 @@ Result<FileFormat> file_format(const std::string& path) {
   const std::string ending = dot == std::string::npos ? "" : name.substr(dot);
   if (ending == ".csv") return FileFormat::csv;
   if (ending == ".json") return FileFormat::json;
+  if (ending == ".h5" && hdf5) return FileFormat::hdf5;
   if (ending == ".h5")
-    return Error{fmt::format("--output: {}: HDF5 files cannot be written yet; use .csv or .json", path)};
-  return Error{fmt::format("--output: {}: the ending says the format, and \"{}\" is neither .csv nor .json",
-                           path, ending)};
+    return Error{fmt::format("--output: {}: only sweep writes HDF5 files; use .csv or .json", path)};
+  return Error{fmt::format("--output: {}: the ending says the format, and \"{}\" is {}", path, ending,
+                           hdf5 ? "none of .csv, .json and .h5" : "neither .csv nor .json")};
 }
 
 Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs) {
@@ -45,7 +46,7 @@ Result<void> check_outputs(const OutputOptions& options, const std::vector<std::
         return Error{fmt::format("{} {}: that is the recording itself; it would be lost", name, *path)};
     }
   if (!options.output.empty()) {
-    if (auto format = file_format(options.output); !format) return format.error();
+    if (auto format = file_format(options.output, options.hdf5); !format) return format.error();
     if (options.output == "-" && options.json)
       return Error{"--json and -o - both want standard output; give -o a file name"};
     if (options.output != "-")

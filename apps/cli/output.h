@@ -16,6 +16,7 @@ struct OutputOptions {
   bool quiet = false;
   std::string output;  ///< "" none
   std::string plot;    ///< "" none
+  bool hdf5 = false;   ///< whether .h5 is offered; not an option
 };
 
 /// Which of them a command offers.
@@ -28,10 +29,11 @@ struct OutputKinds {
 void add_output_options(std::vector<Option>& options, OutputOptions& output, OutputKinds kinds,
                         std::string_view what);
 
-enum class FileFormat { csv, json };
+enum class FileFormat { csv, json, hdf5 };
 
-/// By the ending of the name; "-" is CSV on standard output. HDF5 and unknown endings are Errors.
-Result<FileFormat> file_format(const std::string& path);
+/// By the ending of the name; "-" is CSV on standard output. Unknown endings are Errors, and .h5 where it is
+/// not offered.
+Result<FileFormat> file_format(const std::string& path, bool hdf5 = false);
 
 /// That all outputs have a known format, can be written, and are none of the inputs; asked before long work.
 Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs = {});

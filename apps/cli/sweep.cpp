@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <memory>
+
 #include "command_line.h"
 #include "commands.h"
+#include "cromer/cluster/ranks.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
 #include "cromer/study/json/documents.h"
@@ -12,6 +15,7 @@
 #include "message.h"
 #include "output.h"
 #include "sweep_figure.h"
+#include "sweep_file.h"
 #include "sweep_text.h"
 #include "syntax.h"
 #include "watching.h"
@@ -39,14 +43,55 @@ std::string sweep_csv(const SweepResult& result, const Arguments& arguments) {
 }
 
 Result<void> write_files(const SweepResult& result, const OutputOptions& output, const Arguments& arguments) {
-  if (!output.output.empty()) {
-    const bool csv = *file_format(output.output) == FileFormat::csv;
+  const auto format = output.output.empty() ? FileFormat::hdf5 : *file_format(output.output, output.hdf5);
+  if (format != FileFormat::hdf5) {
+    const bool csv = format == FileFormat::csv;
     const std::string text = csv ? sweep_csv(result, arguments) : to_json(result);
     if (auto good = write_file(output.output, text); !good) return good;
   }
-  if (output.plot.empty()) return {};
+  if (output.plot.empty() || result.rows.empty()) return {};
   const auto figure = sweep_figure(result);
   return figure ? write_plot(output.plot, *figure) : figure.error();
+}
+
+/// Joins the other processes where mpirun or srun started several.
+Result<std::unique_ptr<Ranks>> join_ranks(const RankPlace& place) {
+  if (place.ranks == 1) return std::unique_ptr<Ranks>();
+  auto joined = Ranks::join(place);
+  if (!joined) return joined.error();
+  return std::make_unique<Ranks>(*std::move(joined));
+}
+
+/// On the ranks, where there are some.
+ChunkMaker maker_on(Ranks* ranks) {
+  return [ranks](const ChunkedRows& work, const std::vector<std::uint64_t>& chunks, int threads,
+                 const ChunkSink& sink, const Watch& watch) {
+    return ranks ? ranks->make_chunks(work, chunks, threads, sink, watch)
+                 : make_chunks(work, chunks, threads, sink, watch);
+  };
+}
+
+/// All but the first rank: what there is to say the first says.
+int help_first_rank(Ranks& ranks, const SweepOptions& options) {
+  const auto plan = plan_sweep(options);
+  if (plan)
+    ranks.help(plan->rows, options.threads.value_or(0), watching(true));
+  else
+    ranks.cannot_help(plan.error().message);
+  return done;
+}
+
+int show(const SweepResult& result, const OutputOptions& output, const Arguments& arguments) {
+  warn(result.plan.warnings, output.quiet);
+  if (const std::string trouble = sweep_trouble(result); !trouble.empty()) complain(trouble);
+  const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
+  if (result.interrupted)
+    complain(fmt::format("interrupted after {} of {} points{}", result.done, result.plan.rows.rows,
+                         into_file ? "; --resume goes on" : ""));
+  if (auto good = write_files(result, output, arguments); !good) return refuse(good.error().message);
+  if (output.output != "-" && !print(output.json ? to_json(result) : sweep_text(result)))
+    return refuse("standard output cannot be written");
+  return result.counts.ok() && !result.interrupted ? done : no_success;
 }
 
 }  // namespace
@@ -54,6 +99,7 @@ Result<void> write_files(const SweepResult& result, const OutputOptions& output,
 int run_sweep(const Arguments& arguments) {
   SweepOptions options;
   OutputOptions output;
+  output.hdf5 = true;
   Syntax syntax{
       .command = "sweep",
       .description =
@@ -66,23 +112,39 @@ int run_sweep(const Arguments& arguments) {
           "    -o resonance.csv --plot resonance.svg\n"
           "  cromer sweep --cubic 0.05 --damping 0.1 --drive-amplitude 0.3 --drive-frequency 0.5:2:400 \\\n"
           "    --direction up --plot jump.svg"};
-  add_output_options(syntax.options, output, {}, "the rows as .csv or .json");
+  add_output_options(syntax.options, output, {}, "the rows as .csv, .json or .h5");
+  bool resume = false;
+  syntax.options.push_back({"resume", &resume, "", Range::any, "go on with what FILE.h5 lacks",
+                            "an unfinished file is left alone", "Output"});
+  const RankPlace place = rank_place();
+  if (!place.first()) fall_silent();
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
-  options.memory = memory_for_rows();
+  auto ranks = join_ranks(place);
+  if (!ranks) return refuse(ranks.error().message);
+  if (!place.first()) return help_first_rank(**ranks, options);
 
-  const auto result = sweep(options, watching(output.quiet));
+  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
+  if (resume && !into_file)
+    return refuse("--resume: only an HDF5 file can be gone on with; name it with -o FILE.h5");
+  options.memory = memory_for_rows();
+  const Watch watch = place.ranks > 1 ? watching_ranks(output.quiet) : watching(output.quiet);
+  auto plan = plan_sweep(options);
+  if (!plan) return refuse(plan.error().message);
+  const ChunkMaker make = maker_on(ranks->get());
+  if (!into_file) {
+    const auto result = sweep(*std::move(plan), options, make, watch);
+    clear_progress();
+    return result ? show(*result, output, arguments) : refuse(result.error().message);
+  }
+  auto file = open_sweep_file(*plan, output.output, resume, command_line("sweep", arguments), watch);
+  if (!file) return refuse(file.error().message);
+  const auto result = fill_sweep_file(*file, *std::move(plan), options, make, watch);
   clear_progress();
-  if (!result) return refuse(result.error().message);
-  warn(result->plan.warnings, output.quiet);
-  if (const std::string trouble = sweep_trouble(*result); !trouble.empty()) complain(trouble);
-  if (result->interrupted)
-    complain(fmt::format("interrupted after {} of {} points", result->done, result->plan.rows.rows));
-  if (auto good = write_files(*result, output, arguments); !good) return refuse(good.error().message);
-  if (output.output != "-" && !print(output.json ? to_json(*result) : sweep_text(*result)))
-    return refuse("standard output cannot be written");
-  return result->counts.ok() && !result->interrupted ? done : no_success;
+  if (result) return show(*result, output, arguments);
+  complain(result.error().message);
+  return no_success;
 }
 
 }  // namespace cromer::cli

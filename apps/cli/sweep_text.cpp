@@ -62,6 +62,7 @@ std::string sweep_text(const SweepResult& result) {
   if (result.check)
     text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
                         result.check->points, result.check->difference);
+  if (result.rows.empty()) return text + "they are in the file; too many to look through here\n";
   return text + "\n" + (plan.rows.rows <= most_rows ? every_row(result) : extremes(result));
 }
 

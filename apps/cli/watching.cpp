@@ -38,6 +38,7 @@ std::string time_left(double fraction, Clock::duration since_begin) {
 Watch interruptible() {
   on_signal(SIGINT);
   on_signal(SIGTERM);
+  signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is told like a full disk
   return {&stop_asked, {}};
 }
 

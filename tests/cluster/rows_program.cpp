@@ -15,7 +15,8 @@
 #include <string>
 #include <thread>
 
-#include "cromer/cluster/make_rows_file.h"
+#include "cromer/cluster/ranks.h"
+#include "cromer/cluster/rows_file.h"
 
 namespace {
 
@@ -88,7 +89,10 @@ int main(int count, char** words) {
   }
   auto file = RowsFile::open(work, options, watch);
   if (!file) return fail(file.error().message, 2);
-  const auto end = make_rows_file(*file, work, ranks.get(), threads, watch);
+  const auto sink = [&](std::uint64_t chunk, const double* made) { return file->write(chunk, made); };
+  const auto end = ranks ? ranks->make_chunks(work, file->unfinished(), threads, sink, watch)
+                         : make_chunks(work, file->unfinished(), threads, sink, watch);
+  if (const auto closed = file->close(); !closed && end) return fail(closed.error().message, 1);
   if (!end) return fail(end.error().message, 1);
   rusage used{};
   getrusage(RUSAGE_SELF, &used);

@@ -29,6 +29,7 @@ class Started {
   Started(std::vector<std::string> arguments, const Folder& folder);
   ~Started();
   void signal(int number) const;
+  pid_t process() const { return child_; }
   bool running();
   Ended wait();
 

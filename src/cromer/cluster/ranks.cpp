@@ -93,8 +93,9 @@ Ranks::~Ranks() {
 
 Result<ChunksEnd> Ranks::make_chunks(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks,
                                      int threads, const ChunkSink& sink, const Watch& watch) {
+  auto end = HandOut(work, chunks, place_.ranks, threads, mpi_, sink, watch).run();
   over_ = true;
-  return HandOut(work, chunks, place_.ranks, threads, mpi_, sink, watch).run();
+  return end;
 }
 
 void Ranks::help(const ChunkedRows& work, int threads, const Watch& watch) {

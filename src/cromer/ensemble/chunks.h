@@ -51,6 +51,11 @@ Result<ChunksEnd> make_chunks(const ChunkedRows& work, const std::vector<std::ui
 Result<ChunksEnd> make_chunks(const ChunkedRows& work, const ChunkSource& source, int threads,
                               const ChunkSink& sink, const Watch& watch);
 
+/// What makes chunks: make_chunks, or whatever spreads them further.
+using ChunkMaker =
+    std::function<Result<ChunksEnd>(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks,
+                                    int threads, const ChunkSink& sink, const Watch& watch)>;
+
 /// How many threads that is: `threads`, or where it is 0 one for each processor this process may use.
 int threads_of(int threads);
 

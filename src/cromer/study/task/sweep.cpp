@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t checked_points = 8;
 
-/// Stepping beside the closed form at points all over the sweep.
+}  // namespace
+
 std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch) {
   const SweepWork& work = *plan.work;
   if (work.way != SweepWay::closed_form || !(find_method(work.method)->order > 0)) return std::nullopt;
@@ -35,8 +36,6 @@ std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& 
   return check;
 }
 
-}  // namespace
-
 void count_status(double status, SweepCounts& counts) {
   if (status == static_cast<double>(PointStatus::not_settled)) ++counts.not_settled;
   if (status == static_cast<double>(PointStatus::not_finite)) ++counts.not_finite;
@@ -46,13 +45,21 @@ void count_status(double status, SweepCounts& counts) {
 Result<SweepResult> sweep(const SweepOptions& options, const Watch& watch) {
   auto plan = plan_sweep(options);
   if (!plan) return plan.error();
-  const ChunkedRows& work = plan->rows;
+  const auto make = [](const ChunkedRows& work, const std::vector<std::uint64_t>& chunks, int threads,
+                       const ChunkSink& sink,
+                       const Watch& watching) { return make_chunks(work, chunks, threads, sink, watching); };
+  return sweep(*std::move(plan), options, make, watch);
+}
+
+Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const ChunkMaker& make,
+                          const Watch& watch) {
+  const ChunkedRows& work = plan.rows;
   const std::size_t width = work.columns.size() - 1;
   if (auto good = fits_in_memory(static_cast<double>(work.rows), static_cast<double>(width) * sizeof(double),
                                  options.memory);
       !good)
     return Error{good.error().message + ", or let them stream to a file: -o FILE.h5"};
-  SweepResult result{.plan = *std::move(plan), .rows = {}, .counts = {}};
+  SweepResult result{.plan = std::move(plan), .rows = {}, .counts = {}};
   const ChunkedRows& rows = result.plan.rows;
   result.rows.assign(rows.rows * width, std::numeric_limits<double>::quiet_NaN());
   std::vector<std::uint64_t> chunks(rows.chunks());
@@ -66,7 +73,7 @@ Result<SweepResult> sweep(const SweepOptions& options, const Watch& watch) {
     result.done += rows.rows_of(chunk);
     return {};
   };
-  const auto end = make_chunks(rows, chunks, options.threads.value_or(0), sink, watch);
+  const auto end = make(rows, chunks, options.threads.value_or(0), sink, watch);
   if (!end) return end.error();
   result.interrupted = *end == ChunksEnd::interrupted;
   if (options.check && !result.interrupted) result.check = check_closed_form(result.plan, watch);

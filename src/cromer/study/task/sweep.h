@@ -76,6 +76,14 @@ struct SweepResult {
 /// All rows, in memory.
 Result<SweepResult> sweep(const SweepOptions& options, const Watch& watch = {});
 
+/// The same of options that are planned already, made by `make`.
+Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const ChunkMaker& make,
+                          const Watch& watch);
+
+/// Stepping beside the closed form at points all over the sweep; empty where there is no closed form, or no
+/// time.
+std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch);
+
 /// The status in the last column of a row is counted.
 void count_status(double status, SweepCounts& counts);
 

@@ -173,17 +173,19 @@ std::size_t SweepWork::columns() const {
 }
 
 std::uint64_t SweepWork::rows_per_chunk() const {
-  if (direction != SweepDirection::none) return axes.back().grid.size() * group_size;
-  switch (way) {
-    case SweepWay::closed_form:
-      return 8192;
-    case SweepWay::one_by_one:
-      return 4;
-    case SweepWay::settled:
-    case SweepWay::to_end:
-      return 4 * group_size;
-  }
-  return 1;
+  std::uint64_t few = 4;  // run by run
+  if (direction != SweepDirection::none)
+    few = axes.back().grid.size() * group_size;
+  else if (way == SweepWay::closed_form)
+    few = 8192;
+  else if (way != SweepWay::one_by_one)
+    few = 4 * group_size;
+  // To hand out a chunk costs 20 us in the worst case: all of them some seconds, however long the sweep.
+  constexpr double most_chunks = 262144;
+  double rows = 1;
+  for (const SweepAxis& axis : axes) rows *= static_cast<double>(axis.grid.size());
+  const double times = std::ceil(rows / static_cast<double>(few) / most_chunks);
+  return few * static_cast<std::uint64_t>(std::max(1.0, times));
 }
 
 PointResult closed_form(const SweepWork& work, const Point& point) {
