@@ -1,0 +1,187 @@
+#include "cromer/ensemble/refine_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cromer {
+namespace {
+
+/// The steps of one block from its beginning, with the state of the motion.
+class BlockSteps {
+ public:
+  BlockSteps(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, std::size_t block)
+      : walk_(walk), law_(law), to_motion_(filter_to_motion(law.map)), interval_(block * walk.block) {
+    state_ = lane.state(block);
+    if (block == 0)
+      y_ = {0, 0};
+    else
+      advance_first();
+  }
+
+  const State<double>& state() const { return y_; }
+  /// The force at the present step, and its slope until the next.
+  double force() const { return at(part_); }
+  double slope() const {
+    return walk_.hold ? 0 : (to() - from()) / (law_.step * static_cast<double>(walk_.substeps));
+  }
+  std::size_t interval() const { return interval_; }
+  bool at_end() const { return interval_ + 1 >= walk_.samples; }
+
+  void advance() {
+    const double f0 = force(), f1 = walk_.hold ? f0 : at(part_ + 1);
+    y_ = law_.map(y_, f0, f1);
+    count();
+  }
+
+ private:
+  double from() const { return walk_.force[interval_]; }
+  double to() const { return walk_.force[interval_ + 1]; }
+  double at(std::size_t part) const {
+    if (walk_.hold || part == 0) return from();
+    if (part == walk_.substeps) return to();
+    return from() + static_cast<double>(part) * ((to() - from()) / static_cast<double>(walk_.substeps));
+  }
+  void advance_first() {
+    y_ = to_motion_.next(state_, law_.map, walk_.hold ? from() : at(part_ + 1));
+    count();
+  }
+  void count() {
+    if (++part_ < walk_.substeps) return;
+    part_ = 0;
+    ++interval_;
+  }
+
+  const FilterWalk& walk_;
+  const WalkedLaw& law_;
+  FilterToMotion<double> to_motion_;
+  FilterState<double> state_{};
+  State<double> y_{};
+  std::size_t interval_, part_ = 0;
+};
+
+double value(const Watched<double>& watched, const State<double>& y) {
+  return watched.x * y.x + watched.v * y.v;
+}
+
+/// overshoot_bound of any interval, from bounds on |q| at its ends and on the force in it: the state at its
+/// beginning is a linear function of both.
+struct BlockBound {
+  double of_q, of_force;
+
+  BlockBound(const WalkedLaw& w, std::size_t substeps, bool hold) {
+    const IntervalMap<double>& m = w.map;
+    const Watched<double>& o = w.watched;
+    // q and the next q (without what the force does meanwhile) from x and v.
+    const double nx = o.x * m.xx + o.v * m.vx, nv = o.x * m.xv + o.v * m.vv;
+    const double determinant = o.x * nv - o.v * nx;
+    const double by_force = std::abs(value(o, m.from)) + std::abs(value(o, m.to));
+    const double x_of_q = (std::abs(nv) + std::abs(o.v)) / std::abs(determinant);
+    const double v_of_q = (std::abs(nx) + std::abs(o.x)) / std::abs(determinant);
+    const double x_of_force = std::abs(o.v / determinant) * by_force;
+    const double v_of_force = std::abs(o.x / determinant) * by_force;
+    const auto bound = [&](double x, double v, double f, double slope) {
+      return overshoot_bound(w.law, o, IntervalMotion(w.law, {x, v}, f, slope), w.step);
+    };
+    const double of_x = bound(1, 0, 0, 0), of_v = bound(0, 1, 0, 0);
+    const double of_f = bound(0, 0, 1, 0);
+    const double of_slope = hold ? 0 : bound(0, 0, 0, 2 / (w.step * static_cast<double>(substeps)));
+    of_q = of_x * x_of_q + of_v * v_of_q;
+    of_force = of_x * x_of_force + of_v * v_of_force + of_f + of_slope;
+  }
+};
+
+struct Refinement {
+  const FilterWalk& walk;
+  const WalkedLaw& law;
+  const WalkedLane& lane;
+  bool largest_alone;
+  Range best;
+  BlockBound bound;
+
+  bool beats(double low, double high, double slack) const {
+    return high + slack > best.high || low - slack < best.low;
+  }
+  void settle() {
+    if (!largest_alone) return;
+    const double most = best.magnitude();
+    best = {-most, most};
+  }
+
+  double largest_force(std::size_t block) const {
+    const std::size_t from = block * walk.block, to = std::min(from + walk.block + 1, walk.samples - 1);
+    double most = 0;
+    for (std::size_t i = from; i <= to; ++i) most = std::max(most, std::abs(walk.force[i]));
+    return most;
+  }
+
+  /// A block and the first step beyond it may hold an extreme.
+  bool may_hold(std::size_t block, double force) const {
+    const double gain = law.filter.gain;
+    double low = lane.low(block), high = lane.high(block);
+    if (block + 1 < blocks_of(walk)) {
+      low = std::min(low, lane.low(block + 1));
+      high = std::max(high, lane.high(block + 1));
+    }
+    low = std::min(gain * low, 0.0);
+    high = std::max(gain * high, 0.0);
+    return beats(low, high, bound.of_q * std::max(-low, high) + bound.of_force * force);
+  }
+
+  void look_into(std::size_t block) {
+    const std::size_t last = (block + 1) * walk.block;
+    BlockSteps steps(walk, law, lane, block);
+    double before = value(law.watched, steps.state());
+    // To the first step of the next block: its own begin there.
+    for (bool more = true; more && !steps.at_end();) {
+      more = steps.interval() < last;
+      const IntervalMotion motion(law.law, steps.state(), steps.force(), steps.slope());
+      steps.advance();
+      const double after = value(law.watched, steps.state());
+      const double low = std::min(before, after), high = std::max(before, after);
+      if (beats(low, high, overshoot_bound(law.law, law.watched, motion, law.step))) {
+        include_inside(law.law, law.watched, motion, law.step, best);
+        settle();
+      }
+      before = after;
+    }
+  }
+};
+
+}  // namespace
+
+Range range_of(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane) {
+  Range range{0, 0};
+  for (std::size_t i = 0, n = blocks_of(walk); i < n; ++i) {
+    range.low = std::min(range.low, lane.low(i));
+    range.high = std::max(range.high, lane.high(i));
+  }
+  return {law.filter.gain * range.low, law.filter.gain * range.high};
+}
+
+Range refined(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, Range range,
+              bool largest_alone) {
+  Refinement refinement{walk, law, lane, largest_alone, range, BlockBound(law, walk.substeps, walk.hold)};
+  refinement.settle();
+  const std::size_t blocks = blocks_of(walk);
+  // First where the steps reached furthest: it leaves little for the others to beat.
+  std::size_t furthest = 0;
+  double most = -1;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const double reach = std::max(-lane.low(i), lane.high(i));
+    if (reach <= most) continue;
+    most = reach;
+    furthest = i;
+  }
+  refinement.look_into(furthest);
+  for (std::size_t i = 0; i < blocks; ++i)
+    if (i != furthest && refinement.may_hold(i, refinement.largest_force(i))) refinement.look_into(i);
+  return refinement.best;
+}
+
+State<double> last_state(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane) {
+  BlockSteps steps(walk, law, lane, blocks_of(walk) - 1);
+  while (!steps.at_end()) steps.advance();
+  return steps.state();
+}
+
+}  // namespace cromer
