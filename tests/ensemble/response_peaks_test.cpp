@@ -28,9 +28,9 @@ LinearLaw<double> law_of(double period, double damping_ratio) {
 }
 
 /// The extremes at `parts` points of each interval, by the model's own closed form.
-Range looked_at(const std::vector<double>& a, double h, bool hold, const LinearLaw<double>& law,
+Extremes looked_at(const std::vector<double>& a, double h, bool hold, const LinearLaw<double>& law,
                 ResponseOf of, int parts) {
-  Range range{0, 0};
+  Extremes range{0, 0};
   State<double> y{0, 0};
   const std::size_t intervals = a.size() - (hold ? 0 : 1);
   for (std::size_t i = 0; i < intervals; ++i) {
@@ -57,7 +57,7 @@ TEST(ResponsePeaks, AtTheSamples) {
     for (const ResponseOf of : {ResponseOf::displacement, ResponseOf::absolute_acceleration}) {
       const auto peaks = response_peaks(ground, laws, of, Peaks::samples, true);
       for (std::size_t i = 0; i < laws.size(); ++i) {
-        const Range exact = looked_at(a, h, hold, laws[i], of, 1);
+        const Extremes exact = looked_at(a, h, hold, laws[i], of, 1);
         // A held force leaves an undamped motion of whole turns per sample at 0: beside what would be static.
         const double still = of == ResponseOf::displacement ? 1 / laws[i].stiffness : 1;
         const double size = std::max(exact.magnitude(), still);
@@ -82,7 +82,7 @@ TEST(ResponsePeaks, AtPartsOfTheirPeriod) {
       response_peaks({a, h, BetweenSamples::linear}, laws, ResponseOf::displacement, Peaks::peer, true);
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const double period = 2 * pi / std::sqrt(laws[i].stiffness);
-    const Range exact =
+    const Extremes exact =
         looked_at(a, h, false, laws[i], ResponseOf::displacement, static_cast<int>(substeps(h, period)));
     EXPECT_NEAR(peaks[i].during.magnitude(), exact.magnitude(), 1e-12 * exact.magnitude()) << period;
   }
@@ -104,7 +104,7 @@ TEST(ResponsePeaks, ContinuousMissNothing) {
         const auto both = response_peaks(ground, laws, of, Peaks::continuous, false);
         const auto larger = response_peaks(ground, laws, of, Peaks::continuous, true);
         for (std::size_t i = 0; i < laws.size(); ++i) {
-          const Range dense = looked_at(a, h, hold, laws[i], of, parts);
+          const Extremes dense = looked_at(a, h, hold, laws[i], of, parts);
           // The motion bends with its own frequency and with that of the samples.
           const double blur = (laws[i].stiffness + 1 / (h * h)) * std::pow(h / parts, 2);
           EXPECT_GE(both[i].during.high, dense.high - 1e-12 * dense.magnitude()) << i;
@@ -128,7 +128,7 @@ TEST(ResponsePeaks, AfterTheEndTheMotionIsFree) {
       State<double> y{0, 0};
       for (std::size_t i = 0; i + 1 < a.size(); ++i)
         y = propagate_ramp(law, a[i], (a[i + 1] - a[i]) / h, h, y);
-      Range dense{std::min(y.x, 0.0), std::max(y.x, 0.0)};
+      Extremes dense{std::min(y.x, 0.0), std::max(y.x, 0.0)};
       for (int j = 0; j <= 4000; ++j) {
         const auto free = impulse_response(law, 2 * period * j / 4000);
         dense.include(free.position * y.x + free.g * y.v);

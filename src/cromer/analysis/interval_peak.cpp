@@ -48,7 +48,7 @@ double root_between(double a, double fa, double b, double fb, double to_within, 
 
 /// The extreme on a stretch where q' is monotone.
 void include_turn(const Watch& watch, double a, const Quantity4& at_a, double b, const Quantity4& at_b,
-                  double to_within, Range& range) {
+                  double to_within, Extremes& range) {
   if (!((at_a.slope < 0 && at_b.slope > 0) || (at_a.slope > 0 && at_b.slope < 0))) return;
   root_between(a, at_a.slope, b, at_b.slope, to_within, [&](double u) {
     const Quantity4 here = watch.at(u);
@@ -60,7 +60,7 @@ void include_turn(const Watch& watch, double a, const Quantity4& at_a, double b,
 }  // namespace
 
 void include_inside(const LinearLaw<double>& law, const Watched<double>& watched,
-                    const IntervalMotion& motion, double h, Range& range) {
+                    const IntervalMotion& motion, double h, Extremes& range) {
   const Watch watch{law, watched, motion};
   const Quantity4 begin = watch.of(motion), end = watch.at(h);
   const double to_within = 1e-7 * h;  // q is flat where it turns: good to 1e-14
@@ -79,7 +79,7 @@ void include_inside(const LinearLaw<double>& law, const Watched<double>& watched
 }
 
 void include_free(const LinearLaw<double>& law, const Watched<double>& watched, const State<double>& y,
-                  Range& range) {
+                  Extremes& range) {
   const Watch watch{law, watched, IntervalMotion(law, y, 0, 0)};
   const Quantity4 begin = watch.of(watch.motion);
   range.include(begin.q);

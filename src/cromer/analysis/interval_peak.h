@@ -9,7 +9,7 @@
 namespace cromer {
 
 /// Least and greatest value.
-struct Range {
+struct Extremes {
   double low, high;
 
   double magnitude() const { return std::max(-low, high); }
@@ -47,11 +47,11 @@ inline double overshoot_bound(const LinearLaw<double>& law, const Watched<double
 /// Includes the extremes of q inside the interval; w h at most pi. Each is found where q' vanishes, by
 /// Newton's iteration on the closed form, to rounding of q.
 void include_inside(const LinearLaw<double>& law, const Watched<double>& watched,
-                    const IntervalMotion& motion, double h, Range& range);
+                    const IntervalMotion& motion, double h, Extremes& range);
 
 /// Includes the extremes of q of the free motion from y on, y included: the first two turns, beyond which it
 /// only dies down, and 0, where it ends.
 void include_free(const LinearLaw<double>& law, const Watched<double>& watched, const State<double>& y,
-                  Range& range);
+                  Extremes& range);
 
 }  // namespace cromer

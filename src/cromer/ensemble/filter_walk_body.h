@@ -38,13 +38,14 @@ struct FilterWalker {
     }
   }
 
-  void interval(const FilterWalk& walk, double from, double to) {
+  void interval(const FilterWalk& walk, std::size_t i) {
+    const double from = walk.force[i], to = walk.force[i + 1];
     const double rise = walk.hold ? 0 : (to - from) / static_cast<double>(walk.substeps);
     for (std::size_t j = 1; j < walk.substeps; ++j) {
       const double force = from + static_cast<double>(j) * rise;
       walk.every ? look(force) : pass(force);
     }
-    look(to);
+    walk.every || (i + 1) % walk.look_every == 0 ? look(to) : pass(to);
   }
 
   void run(const FilterWalk& walk, double* blocks) {
@@ -57,10 +58,10 @@ struct FilterWalker {
         high[p] = Pack(-std::numeric_limits<double>::infinity());
       }
       const std::size_t end = intervals - begin < walk.block ? intervals : begin + walk.block;
-      if (walk.substeps == 1)
+      if (walk.substeps == 1 && (walk.every || walk.look_every == 1))
         for (std::size_t i = begin; i < end; ++i) look(walk.force[i + 1]);
       else
-        for (std::size_t i = begin; i < end; ++i) interval(walk, walk.force[i], walk.force[i + 1]);
+        for (std::size_t i = begin; i < end; ++i) interval(walk, i);
       for (std::size_t p = 0; p < in_flight; ++p) {
         low[p].store(blocks + 2 * lanes + p * Pack::width);
         high[p].store(blocks + 3 * lanes + p * Pack::width);

@@ -95,7 +95,7 @@ struct Refinement {
   const WalkedLaw& law;
   const WalkedLane& lane;
   bool largest_alone;
-  Range best;
+  Extremes best;
   BlockBound bound;
 
   bool beats(double low, double high, double slack) const {
@@ -149,8 +149,8 @@ struct Refinement {
 
 }  // namespace
 
-Range range_of(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane) {
-  Range range{0, 0};
+Extremes range_of(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane) {
+  Extremes range{0, 0};
   for (std::size_t i = 0, n = blocks_of(walk); i < n; ++i) {
     range.low = std::min(range.low, lane.low(i));
     range.high = std::max(range.high, lane.high(i));
@@ -158,8 +158,8 @@ Range range_of(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& l
   return {law.filter.gain * range.low, law.filter.gain * range.high};
 }
 
-Range refined(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, Range range,
-              bool largest_alone) {
+Extremes refined(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, Extremes range,
+                 bool largest_alone) {
   Refinement refinement{walk, law, lane, largest_alone, range, BlockBound(law, walk.substeps, walk.hold)};
   refinement.settle();
   const std::size_t blocks = blocks_of(walk);

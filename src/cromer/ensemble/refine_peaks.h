@@ -34,12 +34,12 @@ inline std::size_t blocks_of(const FilterWalk& walk) {
 }
 
 /// The extremes that the walk saw, and 0 for the beginning.
-Range range_of(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane);
+Extremes range_of(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane);
 
 /// With those between its steps. Nothing is missed: a block is passed over only where a bound on how far the
 /// quantity may rise between two steps says so.
-Range refined(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, Range range,
-              bool largest_alone);
+Extremes refined(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, Extremes range,
+                 bool largest_alone);
 
 /// The motion at the last sample (the end of its hold).
 State<double> last_state(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane);

@@ -80,8 +80,13 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
     if (peaks == Peaks::peer)
       while (steps[order[end - 1]] != steps[order[begin]]) --end;
     const std::size_t most = steps[order[end - 1]];
-    const FilterWalk walk{samples.data(), samples.size(),          most,
-                          hold,           peaks != Peaks::samples, block_length(samples.size(), most)};
+    const FilterWalk walk{samples.data(),
+                          samples.size(),
+                          most,
+                          hold,
+                          peaks != Peaks::samples,
+                          ground.refinement,
+                          block_length(samples.size(), most)};
     const double h = ground.spacing / static_cast<double>(most);
 
     std::vector<WalkedLaw> walked;
@@ -97,7 +102,7 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
     for (std::size_t i = begin; i < end; ++i) {
       const WalkedLaw& law = walked[i - begin];
       const WalkedLane lane = group.lane(i - begin);
-      Range range = range_of(walk, law, lane);
+      Extremes range = range_of(walk, law, lane);
       if (peaks == Peaks::continuous) range = refined(walk, law, lane, range, largest_alone);
       ResponsePeaks& result = found[order[i]];
       result.during = range;

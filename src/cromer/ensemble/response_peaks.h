@@ -15,10 +15,11 @@ struct GroundMotion {
   std::span<const double> acceleration;  // [m/s^2]
   double spacing = 0;                    // [s] > 0
   BetweenSamples between = BetweenSamples::linear;
+  std::size_t refinement = 1;  ///< every so many are recorded samples, those between were put in
 };
 
-/// Where extremes are looked for while the ground shakes: everywhere, at the samples, or, as PEER does, at
-/// the fewest equal parts of an interval that are at most T/10 long.
+/// Where extremes are looked for while the ground shakes: everywhere, at the recorded samples, or, as PEER
+/// does, at the fewest equal parts of an interval that are at most T/10 long.
 enum class Peaks { continuous, samples, peer };
 
 enum class ResponseOf {
@@ -27,8 +28,8 @@ enum class ResponseOf {
 };
 
 struct ResponsePeaks {
-  Range during;  ///< while the ground shakes, rest at the beginning included
-  Range after;   ///< of the free motion from the last sample on
+  Extremes during;  ///< while the ground shakes, rest at the beginning included
+  Extremes after;   ///< of the free motion from the last sample on
 
   double overall() const { return std::max(during.magnitude(), after.magnitude()); }
 };

@@ -17,6 +17,7 @@ struct ReadOptions;
 struct FitOptions;
 struct CompareOptions;
 struct MethodsOptions;
+struct SpectrumOptions;
 
 /// What a value must satisfy.
 enum class Range { any, positive, not_negative, fraction, tolerance, accuracy, air_temperature };
@@ -58,6 +59,7 @@ std::vector<Option> options_of(ReadOptions& options);
 std::vector<Option> options_of(FitOptions& options);      ///< with those of its ReadOptions
 std::vector<Option> options_of(CompareOptions& options);  ///< with those of its FitOptions
 std::vector<Option> options_of(MethodsOptions& options);
+std::vector<Option> options_of(SpectrumOptions& options);  ///< with those of its ReadOptions
 
 /// Reads `text` (a quantity with unit, a whole number, a word, "true" or "false" for a flag) into the target;
 /// a list grows by one. An Error names the option, the text and what was expected.

@@ -1,0 +1,150 @@
+#include "cromer/study/task/response_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/ensemble/rotated_peaks.h"
+#include "cromer/model/band_limited.h"
+#include "cromer/study/task/spectrum_setup.h"
+
+namespace cromer {
+namespace {
+
+constexpr int band_limited_factor = 16;  // values for each interval
+constexpr std::size_t slice = 1024;      // periods between two looks at the watch
+
+double angular_frequency(double period) { return 2 * std::numbers::pi / period; }
+
+/// What shakes the oscillators: the samples, or the denser ones of a band-limited motion.
+struct Shaking {
+  std::vector<double> refined;
+  GroundMotion ground;
+
+  Shaking(const Component& component, const Between& between) {
+    if (between.band_limited) refined = refine_band_limited(component.acceleration, band_limited_factor);
+    ground = {between.band_limited ? refined : component.acceleration,
+              between.band_limited ? component.spacing / band_limited_factor : component.spacing,
+              between.between, between.band_limited ? std::size_t{band_limited_factor} : 1};
+  }
+};
+
+std::vector<LinearLaw<double>> laws_of(std::span<const double> periods, double damping_ratio) {
+  std::vector<LinearLaw<double>> laws;
+  for (const double period : periods) {
+    const double w = angular_frequency(period);
+    laws.push_back({.decay_rate = damping_ratio * w, .stiffness = w * w});
+  }
+  return laws;
+}
+
+Shock shock_of(const ResponsePeaks& peaks) {
+  return {.primary = peaks.during.magnitude(),
+          .residual = peaks.after.magnitude(),
+          .positive = std::max(peaks.during.high, peaks.after.high),
+          .negative = -std::min(peaks.during.low, peaks.after.low)};
+}
+
+/// A slice of the periods.
+void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
+            std::span<const LinearLaw<double>> laws, Peaks peaks, bool shock) {
+  if (shock) {
+    for (const auto& found :
+         response_peaks(shaking[0].ground, laws, ResponseOf::absolute_acceleration, peaks, false))
+      spectrum.shock.push_back(shock_of(found));
+    return;
+  }
+  spectrum.displacement.resize(shaking.size());
+  for (std::size_t c = 0; c < shaking.size(); ++c)
+    for (const auto& found : response_peaks(shaking[c].ground, laws, ResponseOf::displacement, peaks, true))
+      spectrum.displacement[c].push_back(peaks == Peaks::continuous ? found.overall()
+                                                                    : found.during.magnitude());
+  if (shaking.size() < 2) return;
+  for (const auto& found : rotated_peaks(shaking[0].ground, shaking[1].ground, laws, peaks)) {
+    const std::size_t i = spectrum.rotd50.size();
+    spectrum.geometric_mean.push_back(std::sqrt(spectrum.displacement[0][i] * spectrum.displacement[1][i]));
+    spectrum.rotd50.push_back(found.median);
+    spectrum.rotd100.push_back(found.largest);
+  }
+}
+
+void measure(Component& component, const Between& between) {
+  for (const double a : component.acceleration) component.peak = std::max(component.peak, std::abs(a));
+  const Shaking shaking(component, between);
+  component.intensity = intensity(shaking.ground.acceleration, shaking.ground.spacing, between.between);
+  component.fourier = fourier_amplitude(component.acceleration, component.spacing);
+}
+
+Result<void> check_together(const SpectrumOptions& options, Peaks peaks, const Between& between,
+                            std::size_t components) {
+  if (peaks == Peaks::peer && (between.band_limited || between.between == BetweenSamples::hold))
+    return Error{"--peaks peer joins the samples by straight lines; leave --between-samples out"};
+  if (options.shock && components > 1)
+    return Error{"--shock takes one recording; ask for the components one after the other"};
+  return {};
+}
+
+}  // namespace
+
+double pseudo_velocity(double displacement, double period) {
+  return angular_frequency(period) * displacement;
+}
+
+double pseudo_acceleration(double displacement, double period) {
+  return angular_frequency(period) * pseudo_velocity(displacement, period);
+}
+
+Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
+                                         const Watch& watch) {
+  const auto peaks = peaks_of(options);
+  if (!peaks) return peaks.error();
+  const auto between = between_of(options);
+  if (!between) return between.error();
+  const auto ratios = damping_ratios_of(options);
+  if (!ratios) return ratios.error();
+  SpectrumResult result;
+  result.options = options;
+  result.peaks = *peaks;
+  result.between = between->between;
+  if (options.peaks.empty()) result.options.peaks = "continuous";
+  if (options.between_samples.empty()) result.options.between_samples = "linear";
+
+  auto components = read_components(files, options, result.warnings);
+  if (!components) return components.error();
+  result.components = *std::move(components);
+  if (auto good = check_together(options, *peaks, *between, result.components.size()); !good)
+    return good.error();
+  auto periods = periods_of(result.options, result.components[0], ratios->size());
+  if (!periods) return periods.error();
+  result.periods = *std::move(periods);
+  for (auto& warning : period_warnings(result.options, result.periods, result.components[0], *peaks))
+    result.warnings.push_back(std::move(warning));
+  if (watch.warn) watch.warn(result.warnings);
+
+  std::vector<Shaking> shaking;
+  for (auto& component : result.components) {
+    measure(component, *between);
+    shaking.emplace_back(component, *between);
+  }
+  const std::size_t all = result.periods.size();
+  for (std::size_t r = 0; r < ratios->size(); ++r) {
+    ResponseSpectrum& spectrum = result.spectra.emplace_back();
+    spectrum.damping_ratio = (*ratios)[r];
+    const auto laws = laws_of(result.periods, spectrum.damping_ratio);
+    for (std::size_t begin = 0; begin < all; begin += slice) {
+      if (watch.interrupted()) {
+        result.interrupted = true;
+        result.spectra.clear();
+        return result;
+      }
+      extend(spectrum, shaking, std::span(laws).subspan(begin, std::min(slice, all - begin)), *peaks,
+             options.shock);
+      if (watch.progress)
+        watch.progress((static_cast<double>(r) + static_cast<double>(begin) / static_cast<double>(all)) /
+                       static_cast<double>(ratios->size()));
+    }
+  }
+  return result;
+}
+
+}  // namespace cromer
