@@ -21,6 +21,7 @@ constexpr Command commands[] = {
     {"inspect", "say what is in a recording; convert it", run_inspect},
     {"fit", "find the law of motion from a recording", run_fit},
     {"compare", "lay simulations beside a recording", run_compare},
+    {"spectrum", "response and shock spectra of a recorded acceleration", run_spectrum},
     {"report", "run a study and write its figures and page", run_report},
 };
 

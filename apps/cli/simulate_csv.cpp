@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "command_line.h"
 #include "cromer/analysis/energy.h"
 #include "cromer/model/sensor.h"
 #include "cromer/report/csv.h"
@@ -12,27 +13,8 @@
 namespace cromer::cli {
 namespace {
 
-/// In single quotes; a quote inside ends them, stands escaped, and opens them again.
-std::string quoted(const std::string& word) {
-  std::string text = "'";
-  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
-  return text + "'";
-}
-
-/// The command line, each word quoted where a shell would need it.
-std::string command_line(const Arguments& arguments) {
-  std::string line = "cromer simulate";
-  for (const auto& word : arguments) {
-    const bool plain =
-        !word.empty() && word.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == std::string::npos;
-    line += plain ? " " + word : " " + quoted(word);
-  }
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  return line;
-}
-
 std::vector<std::string> comments(const SimulateResult& result, const Arguments& arguments) {
-  std::vector<std::string> lines{command_line(arguments)};
+  std::vector<std::string> lines{command_line("simulate", arguments)};
   if (result.options.sensor.used)
     lines.emplace_back("synthetic: a simulated motion sensor, not a measurement");
   for (std::size_t i = 0; i < result.runs.size(); ++i) {

@@ -33,7 +33,7 @@ inline constexpr std::array<double, 4> dashes{6, 4, 0, 0};
 /// method's name.
 std::span<const RoleStyle> palette();
 
-/// The style of `role`; an unknown role is drawn in ink.
+/// The style of `role`, or of "grid", thin lines under the curves; an unknown role is drawn in ink.
 const RoleStyle& style_of(std::string_view role);
 
 }  // namespace cromer
