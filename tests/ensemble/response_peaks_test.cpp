@@ -6,7 +6,10 @@
 #include <memory>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
+
+#include "cromer/ensemble/dispatch.h"
 
 namespace cromer {
 namespace {
@@ -29,7 +32,7 @@ LinearLaw<double> law_of(double period, double damping_ratio) {
 
 /// The extremes at `parts` points of each interval, by the model's own closed form.
 Extremes looked_at(const std::vector<double>& a, double h, bool hold, const LinearLaw<double>& law,
-                ResponseOf of, int parts) {
+                   ResponseOf of, int parts) {
   Extremes range{0, 0};
   State<double> y{0, 0};
   const std::size_t intervals = a.size() - (hold ? 0 : 1);
@@ -44,9 +47,18 @@ Extremes looked_at(const std::vector<double>& a, double h, bool hold, const Line
   return range;
 }
 
+class ResponsePeaksBy : public ::testing::TestWithParam<Unit> {
+ protected:
+  PeakSearch search(ResponseOf quantity, Peaks peaks, bool largest_alone) const {
+    return {peaks, quantity, largest_alone, GetParam().walk};
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Units, ResponsePeaksBy, ::testing::ValuesIn(units_here()),
+                         [](const auto& unit) { return std::string(unit.param.name); });
+
 constexpr double damping_ratios[] = {0.0, 0.02, 0.05, 0.3, 1.0, 2.5};
 
-TEST(ResponsePeaks, AtTheSamples) {
+TEST_P(ResponsePeaksBy, AtTheSamples) {
   const auto a = shaking(500, 1);
   const double h = 0.01;
   std::vector<LinearLaw<double>> laws;
@@ -55,7 +67,7 @@ TEST(ResponsePeaks, AtTheSamples) {
   for (const bool hold : {false, true}) {
     const GroundMotion ground{a, h, hold ? BetweenSamples::hold : BetweenSamples::linear};
     for (const ResponseOf of : {ResponseOf::displacement, ResponseOf::absolute_acceleration}) {
-      const auto peaks = response_peaks(ground, laws, of, Peaks::samples, true);
+      const auto peaks = response_peaks(ground, laws, search(of, Peaks::samples, true));
       for (std::size_t i = 0; i < laws.size(); ++i) {
         const Extremes exact = looked_at(a, h, hold, laws[i], of, 1);
         // A held force leaves an undamped motion of whole turns per sample at 0: beside what would be static.
@@ -68,7 +80,7 @@ TEST(ResponsePeaks, AtTheSamples) {
   }
 }
 
-TEST(ResponsePeaks, AtPartsOfTheirPeriod) {
+TEST_P(ResponsePeaksBy, AtPartsOfTheirPeriod) {
   const auto a = shaking(300, 2);
   const double h = 0.01;
   EXPECT_EQ(substeps(0.01, 0.1), 1u);
@@ -78,8 +90,8 @@ TEST(ResponsePeaks, AtPartsOfTheirPeriod) {
   std::vector<LinearLaw<double>> laws;
   for (const double period : {0.011, 0.02, 0.05, 0.0999, 0.1, 1.0, 0.012, 0.019, 0.03})
     laws.push_back(law_of(period, 0.05));
-  const auto peaks =
-      response_peaks({a, h, BetweenSamples::linear}, laws, ResponseOf::displacement, Peaks::peer, true);
+  const auto peaks = response_peaks({a, h, BetweenSamples::linear}, laws,
+                                    search(ResponseOf::displacement, Peaks::peer, true));
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const double period = 2 * pi / std::sqrt(laws[i].stiffness);
     const Extremes exact =
@@ -90,7 +102,7 @@ TEST(ResponsePeaks, AtPartsOfTheirPeriod) {
 
 // Never less than what a dense look finds, and no more than its blur over: both extremes, and the larger
 // alone.
-TEST(ResponsePeaks, ContinuousMissNothing) {
+TEST_P(ResponsePeaksBy, ContinuousMissNothing) {
   const double h = 0.01;
   constexpr int parts = 200;
   std::vector<LinearLaw<double>> laws;
@@ -101,8 +113,8 @@ TEST(ResponsePeaks, ContinuousMissNothing) {
     for (const bool hold : {false, true}) {
       const GroundMotion ground{a, h, hold ? BetweenSamples::hold : BetweenSamples::linear};
       for (const ResponseOf of : {ResponseOf::displacement, ResponseOf::absolute_acceleration}) {
-        const auto both = response_peaks(ground, laws, of, Peaks::continuous, false);
-        const auto larger = response_peaks(ground, laws, of, Peaks::continuous, true);
+        const auto both = response_peaks(ground, laws, search(of, Peaks::continuous, false));
+        const auto larger = response_peaks(ground, laws, search(of, Peaks::continuous, true));
         for (std::size_t i = 0; i < laws.size(); ++i) {
           const Extremes dense = looked_at(a, h, hold, laws[i], of, parts);
           // The motion bends with its own frequency and with that of the samples.
@@ -119,7 +131,7 @@ TEST(ResponsePeaks, ContinuousMissNothing) {
   }
 }
 
-TEST(ResponsePeaks, AfterTheEndTheMotionIsFree) {
+TEST_P(ResponsePeaksBy, AfterTheEndTheMotionIsFree) {
   const auto a = shaking(60, 9);
   const double h = 0.01;
   for (const double zeta : damping_ratios)
@@ -134,7 +146,7 @@ TEST(ResponsePeaks, AfterTheEndTheMotionIsFree) {
         dense.include(free.position * y.x + free.g * y.v);
       }
       const auto found = response_peaks({a, h, BetweenSamples::linear}, std::vector{law},
-                                        ResponseOf::displacement, Peaks::continuous, true)[0]
+                                        search(ResponseOf::displacement, Peaks::continuous, true))[0]
                              .after;
       EXPECT_GE(found.high, dense.high - 1e-12 * dense.magnitude()) << zeta << " " << period;
       EXPECT_LE(found.low, dense.low + 1e-12 * dense.magnitude()) << zeta << " " << period;
@@ -143,15 +155,16 @@ TEST(ResponsePeaks, AfterTheEndTheMotionIsFree) {
     }
 }
 
-TEST(ResponsePeaks, OfOneDoNotDependOnItsNeighbours) {
+TEST_P(ResponsePeaksBy, OfOneDoNotDependOnItsNeighbours) {
   const auto a = shaking(2000, 11);
   std::vector<LinearLaw<double>> laws;
   for (int i = 0; i < 101; ++i) laws.push_back(law_of(0.02 * std::pow(1.07, i), 0.05));
   const GroundMotion ground{a, 0.01, BetweenSamples::linear};
-  const auto together = response_peaks(ground, laws, ResponseOf::displacement, Peaks::continuous, true);
+  const auto together =
+      response_peaks(ground, laws, search(ResponseOf::displacement, Peaks::continuous, true));
   for (std::size_t i = 0; i < laws.size(); i += 9) {
-    const auto alone =
-        response_peaks(ground, std::vector{laws[i]}, ResponseOf::displacement, Peaks::continuous, true)[0];
+    const auto alone = response_peaks(ground, std::vector{laws[i]},
+                                      search(ResponseOf::displacement, Peaks::continuous, true))[0];
     EXPECT_NEAR(alone.overall() / together[i].overall(), 1, 1e-12) << i;
   }
 }

@@ -9,13 +9,6 @@ namespace {
 
 using Pair = std::array<Complex<Precise>, 2>;
 
-/// The determinant of a matrix given by a function of row and column.
-template <class T, class Entry>
-T determinant(const Entry& m) {
-  const auto minor = [&](int i, int j) -> T { return m(1, i) * m(2, j) - m(1, j) * m(2, i); };
-  return m(0, 0) * minor(1, 2) - m(0, 1) * minor(0, 2) + m(0, 2) * minor(0, 1);
-}
-
 /// Eigenvalues of ((a, b), (c, d)), with the discriminant as a sum: tr^2/4 - det would lose five digits.
 Pair eigenvalues(Precise a, Precise b, Precise c, Precise d) {
   const Precise mean = 0.5 * (a + d), half_difference = 0.5 * (a - d);

@@ -28,12 +28,14 @@ using Precise = long double;
 
 /// One step of the linear law: z' = map z + drive Re e^{i W t}, of (x, h v) and, where the method carries an
 /// acceleration of its own, h^2 a. All in metres: entries stay comparable at every step.
-struct StepMap {
-  std::size_t size = 2;                            ///< 2, or 3 with a carried acceleration
-  std::array<std::array<Precise, 3>, 3> column{};  ///< images of the basis
-  std::array<Complex<Precise>, 3> drive{};         // [m]
-  bool converged = true;                           ///< false: an implicit step found no solution
+template <class Number>
+struct StepMapOf {
+  std::size_t size = 2;                           ///< 2, or 3 with a carried acceleration
+  std::array<std::array<Number, 3>, 3> column{};  ///< images of the basis
+  std::array<Complex<Number>, 3> drive{};         // [m]
+  bool converged = true;                          ///< false: an implicit step found no solution
 };
+using StepMap = StepMapOf<Precise>;
 
 /// The oscillator that the method simulates.
 struct EffectiveOscillator {
@@ -52,8 +54,8 @@ struct EffectiveOscillator {
 };
 
 /// The acceleration of its own that the method keeps in its memory; nullptr where it keeps none.
-template <class M, class Memory>
-Precise* carried_acceleration([[maybe_unused]] const M& method, [[maybe_unused]] Memory& memory) {
+template <class Number, class M, class Memory>
+Number* carried_acceleration([[maybe_unused]] const M& method, [[maybe_unused]] Memory& memory) {
   if constexpr (CarriesAcceleration<M, Memory>)
     return &method.carried(memory);
   else
@@ -61,25 +63,25 @@ Precise* carried_acceleration([[maybe_unused]] const M& method, [[maybe_unused]]
 }
 
 /// The map of one step h > 0 of the method on the law.
-template <class M>
-StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
-  using Image = std::array<Precise, 3>;
-  StepMap map;
-  const Precise h = step;
-  const Oscillator<Precise> per_mass{
-      .mass = 1, .stiffness = law.stiffness, .damping = 2 * Precise(law.decay_rate)};
-  const auto image = [&]<Terms terms>(const Image& z, const HarmonicForce<Precise>& force) {
-    const DrivenOscillator<Precise, terms> system(per_mass, force);
-    const State<Precise> y{z[0], z[1] / h};
-    auto memory = method.start(system, Precise(0), y);
-    if (Precise* carried = carried_acceleration(method, memory)) {
+template <class Number = Precise, class M>
+StepMapOf<Number> step_map(const M& method, const LinearLaw<double>& law, double step) {
+  using Image = std::array<Number, 3>;
+  StepMapOf<Number> map;
+  const Number h = step;
+  const Oscillator<Number> per_mass{
+      .mass = 1, .stiffness = law.stiffness, .damping = 2 * Number(law.decay_rate)};
+  const auto image = [&]<Terms terms>(const Image& z, const HarmonicForce<Number>& force) {
+    const DrivenOscillator<Number, terms> system(per_mass, force);
+    const State<Number> y{z[0], z[1] / h};
+    auto memory = method.start(system, Number(0), y);
+    if (Number* carried = carried_acceleration<Number>(method, memory)) {
       map.size = 3;
       *carried = z[2] / (h * h);
     }
-    const auto trial = method.step(system, Precise(0), h, y, memory);
+    const auto trial = method.step(system, Number(0), h, y, memory);
     map.converged = map.converged && trial.converged;
     Image result{trial.y.x, h * trial.y.v, 0};
-    if (const Precise* carried = carried_acceleration(method, memory)) result[2] = h * h * *carried;
+    if (const Number* carried = carried_acceleration<Number>(method, memory)) result[2] = h * h * *carried;
     return result;
   };
   // Undamped, methods may spare an equation: the run would, so the map does.
@@ -87,14 +89,16 @@ StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
     return law.decay_rate == 0 ? image.template operator()<Terms{}>(z, {})
                                : image.template operator()<Terms{.damping = true}>(z, {});
   };
-  map.column = {free({1, 0, 0}), free({0, 1, 0}), free({0, 0, 1})};
+  map.column[0] = free({1, 0, 0});
+  map.column[1] = free({0, 1, 0});
+  if (map.size == 3) map.column[2] = free({0, 0, 1});
   if (law.drive_amplitude != 0) {
     // By cos(W t) and by sin(W t): the real and the imaginary part.
-    const auto driven = [&](Precise phase) {
+    const auto driven = [&](Number phase) {
       return image.template operator()<Terms{.drive = true, .damping = true}>(
           {0, 0, 0}, {law.drive_amplitude, law.drive_frequency, phase});
     };
-    const Image real = driven(0), imaginary = driven(-std::numbers::pi_v<Precise> / 2);
+    const Image real = driven(0), imaginary = driven(-std::numbers::pi_v<Number> / 2);
     for (std::size_t i = 0; i < 3; ++i) map.drive[i] = {real[i], imaginary[i]};
   }
   return map;
@@ -102,6 +106,13 @@ StepMap step_map(const M& method, const LinearLaw<double>& law, double step) {
 
 /// Eigenvalues and what follows from them; the steady state where W > 0.
 EffectiveOscillator analyse(const StepMap& map, double h, double drive_frequency);
+
+/// The determinant of a matrix given by a function of row and column.
+template <class T, class Entry>
+T determinant(const Entry& m) {
+  const auto minor = [&](int i, int j) -> T { return m(1, i) * m(2, j) - m(1, j) * m(2, i); };
+  return m(0, 0) * minor(1, 2) - m(0, 1) * minor(0, 2) + m(0, 2) * minor(0, 1);
+}
 
 /// What the method simulates of the law with steps h > 0 [s]. The drive's phase is not looked at. Error:
 /// 1e-13 of the natural frequency for w h > 1e-3, growing as 1e-16/(w h) below.

@@ -1,13 +1,26 @@
-// Many response filters walked along one recording together: a lane for each, several packs of lanes in
-// flight.
+// Many response filters walked along one recording together, a lane for each: plain numbers, which units
+// compiled for different instruction sets share. Its namespace is its own: those units rename `cromer`
+// (units/unit.h).
 #pragma once
 
 #include <cstddef>
 
-namespace cromer {
+namespace cromer_walk {
 
-/// Raw numbers in and out: the same for the units of every instruction set.
-struct FilterWalk {
+/// Filters that walk together. What one does depends on its own numbers alone.
+inline constexpr std::size_t lanes = 24;
+
+/// One number for each filter.
+struct alignas(64) Numbers {
+  double of[lanes];
+};
+
+struct Filters {
+  Numbers decay, kappa, e0, e2;  // as response_filter.h has them
+  Numbers u, d;                  // the state at the first sample
+};
+
+struct Walk {
   const double* force;         ///< at the samples
   std::size_t samples;         ///< >= 2
   std::size_t substeps = 1;    ///< of an interval, in which the force is a ramp; >= 1
@@ -15,21 +28,17 @@ struct FilterWalk {
   bool every = true;           ///< look at the end of every substep, or at samples alone
   std::size_t look_every = 1;  ///< then at every so many samples
   std::size_t block = 32;      ///< intervals per block, >= 1
+
+  std::size_t blocks() const { return (samples - 1 + block - 1) / block; }
 };
 
-/// Lanes side by side, `filter_lanes()` of each: decay, kappa, e0, e2 (response_filter.h), then the state u,
-/// d at the first sample.
-struct FilterRows {
-  const double *decay, *kappa, *e0, *e2, *u, *d;
+/// What is kept of a block of intervals.
+struct Block {
+  Numbers u, d;       // at its beginning
+  Numbers low, high;  // least and greatest value looked at, over the gain; the other way round if none was
 };
 
-/// Per block of intervals four rows of lanes: u and d at its beginning, least and greatest value in it.
-inline constexpr std::size_t rows_per_block = 4;
+/// Walks the filters along the recording; blocks() of them are written.
+using Function = void (*)(const Filters& filters, const Walk& walk, Block* blocks);
 
-/// How many lanes one walk takes.
-std::size_t filter_lanes();
-
-/// Walks all lanes along the recording and writes the rows of each block.
-void walk_filters(const FilterWalk& walk, const FilterRows& rows, double* blocks);
-
-}  // namespace cromer
+}  // namespace cromer_walk

@@ -9,7 +9,7 @@ namespace {
 /// The steps of one block from its beginning, with the state of the motion.
 class BlockSteps {
  public:
-  BlockSteps(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, std::size_t block)
+  BlockSteps(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane, std::size_t block)
       : walk_(walk), law_(law), to_motion_(filter_to_motion(law.map)), interval_(block * walk.block) {
     state_ = lane.state(block);
     if (block == 0)
@@ -51,7 +51,7 @@ class BlockSteps {
     ++interval_;
   }
 
-  const FilterWalk& walk_;
+  const cromer_walk::Walk& walk_;
   const WalkedLaw& law_;
   FilterToMotion<double> to_motion_;
   FilterState<double> state_{};
@@ -91,7 +91,7 @@ struct BlockBound {
 };
 
 struct Refinement {
-  const FilterWalk& walk;
+  const cromer_walk::Walk& walk;
   const WalkedLaw& law;
   const WalkedLane& lane;
   bool largest_alone;
@@ -118,7 +118,7 @@ struct Refinement {
   bool may_hold(std::size_t block, double force) const {
     const double gain = law.filter.gain;
     double low = lane.low(block), high = lane.high(block);
-    if (block + 1 < blocks_of(walk)) {
+    if (block + 1 < walk.blocks()) {
       low = std::min(low, lane.low(block + 1));
       high = std::max(high, lane.high(block + 1));
     }
@@ -149,20 +149,20 @@ struct Refinement {
 
 }  // namespace
 
-Extremes range_of(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane) {
+Extremes range_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane) {
   Extremes range{0, 0};
-  for (std::size_t i = 0, n = blocks_of(walk); i < n; ++i) {
+  for (std::size_t i = 0, n = walk.blocks(); i < n; ++i) {
     range.low = std::min(range.low, lane.low(i));
     range.high = std::max(range.high, lane.high(i));
   }
   return {law.filter.gain * range.low, law.filter.gain * range.high};
 }
 
-Extremes refined(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane, Extremes range,
+Extremes refined(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane, Extremes range,
                  bool largest_alone) {
   Refinement refinement{walk, law, lane, largest_alone, range, BlockBound(law, walk.substeps, walk.hold)};
   refinement.settle();
-  const std::size_t blocks = blocks_of(walk);
+  const std::size_t blocks = walk.blocks();
   // First where the steps reached furthest: it leaves little for the others to beat.
   std::size_t furthest = 0;
   double most = -1;
@@ -178,8 +178,8 @@ Extremes refined(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane&
   return refinement.best;
 }
 
-State<double> last_state(const FilterWalk& walk, const WalkedLaw& law, const WalkedLane& lane) {
-  BlockSteps steps(walk, law, lane, blocks_of(walk) - 1);
+State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane) {
+  BlockSteps steps(walk, law, lane, walk.blocks() - 1);
   while (!steps.at_end()) steps.advance();
   return steps.state();
 }

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "cromer/ensemble/filter_walk.h"
 #include "cromer/ensemble/refine_peaks.h"
 
 namespace cromer {
@@ -20,38 +19,47 @@ Watched<double> watched_of(const LinearLaw<double>& law, ResponseOf quantity) {
                                               : Watched<double>{law.stiffness, 2 * law.decay_rate};
 }
 
-/// Laws that are walked together, and what the walk leaves.
-class Group {
- public:
-  Group() : lanes_(filter_lanes()), rows_(6 * lanes_) {}
-
-  void set(std::size_t lane, const ResponseFilter<double>& filter, const FilterState<double>& start) {
-    const double values[] = {filter.decay, filter.kappa, filter.e0, filter.e2, start.u, start.d};
-    for (std::size_t row = 0; row < 6; ++row) rows_[row * lanes_ + lane] = values[row];
-  }
-  /// Lanes without a law repeat the first.
-  void fill_from(std::size_t lane) {
-    for (; lane < lanes_; ++lane)
-      for (std::size_t row = 0; row < 6; ++row) rows_[row * lanes_ + lane] = rows_[row * lanes_];
-  }
-  void walk(const FilterWalk& walk) {
-    const std::size_t count = (walk.samples - 1 + walk.block - 1) / walk.block;
-    blocks_.resize(count * rows_per_block * lanes_);
-    const double* r = rows_.data();
-    const std::size_t n = lanes_;
-    walk_filters(walk, {r, r + n, r + 2 * n, r + 3 * n, r + 4 * n, r + 5 * n}, blocks_.data());
-  }
-  WalkedLane lane(std::size_t lane) const { return {blocks_.data() + lane, lanes_}; }
-  std::size_t lanes() const { return lanes_; }
-
- private:
-  std::size_t lanes_;
-  std::vector<double> rows_, blocks_;
-};
-
 /// Blocks of about 32 steps, and not too many of them.
 std::size_t block_length(std::size_t samples, std::size_t steps) {
   return std::max({std::size_t{1}, 32 / steps, samples / 8192});
+}
+
+/// Laws that are walked together, and what the walk leaves.
+struct Group {
+  cromer_walk::Filters filters{};
+  std::vector<WalkedLaw> laws{};
+  std::vector<cromer_walk::Block> blocks{};
+
+  void add(const LinearLaw<double>& law, const Watched<double>& watched, double step, bool hold,
+           double force) {
+    const IntervalMap<double> map = interval_map(law, step, hold);
+    const ResponseFilter<double> filter = response_filter(map, watched);
+    const FilterState<double> start = at_rest(map, force);
+    const std::size_t lane = laws.size();
+    filters.decay.of[lane] = filter.decay;
+    filters.kappa.of[lane] = filter.kappa;
+    filters.e0.of[lane] = filter.e0;
+    filters.e2.of[lane] = filter.e2;
+    filters.u.of[lane] = start.u;
+    filters.d.of[lane] = start.d;
+    laws.push_back({law, watched, map, filter, step});
+  }
+  /// Lanes without a law rest: their filters are 0.
+  void walk(const cromer_walk::Walk& walk, cromer_walk::Function function) {
+    blocks.resize(walk.blocks());
+    function(filters, walk, blocks.data());
+  }
+};
+
+ResponsePeaks peaks_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane,
+                       const PeakSearch& search) {
+  Extremes during = range_of(walk, law, lane);
+  if (search.peaks == Peaks::continuous) during = refined(walk, law, lane, during, search.largest_alone);
+  const State<double> last = last_state(walk, law, lane);
+  const double q = law.watched.x * last.x + law.watched.v * last.v;
+  Extremes after{q, q};
+  include_free(law.law, law.watched, last, after);
+  return {during, after};
 }
 
 }  // namespace
@@ -61,7 +69,7 @@ std::size_t substeps(double spacing, double period) {
 }
 
 std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<const LinearLaw<double>> laws,
-                                          ResponseOf quantity, Peaks peaks, bool largest_alone) {
+                                          const PeakSearch& search) {
   std::vector<double> samples(ground.acceleration.begin(), ground.acceleration.end());
   const bool hold = ground.between == BetweenSamples::hold;
   if (hold) samples.push_back(samples.back());
@@ -73,44 +81,28 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
                    [&](std::size_t a, std::size_t b) { return steps[a] < steps[b]; });
 
   std::vector<ResponsePeaks> found(laws.size());
-  Group group;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     // The finest of them sets the steps of all, but where the steps are part of the definition.
-    end = std::min(begin + group.lanes(), order.size());
-    if (peaks == Peaks::peer)
+    end = std::min(begin + cromer_walk::lanes, order.size());
+    if (search.peaks == Peaks::peer)
       while (steps[order[end - 1]] != steps[order[begin]]) --end;
     const std::size_t most = steps[order[end - 1]];
-    const FilterWalk walk{samples.data(),
-                          samples.size(),
-                          most,
-                          hold,
-                          peaks != Peaks::samples,
-                          ground.refinement,
-                          block_length(samples.size(), most)};
-    const double h = ground.spacing / static_cast<double>(most);
-
-    std::vector<WalkedLaw> walked;
+    const cromer_walk::Walk walk{.force = samples.data(),
+                                 .samples = samples.size(),
+                                 .substeps = most,
+                                 .hold = hold,
+                                 .every = search.peaks != Peaks::samples,
+                                 .look_every = ground.refinement,
+                                 .block = block_length(samples.size(), most)};
+    Group group;
     for (std::size_t i = begin; i < end; ++i) {
       const LinearLaw<double>& law = laws[order[i]];
-      const IntervalMap<double> map = interval_map(law, h, hold);
-      const Watched<double> watched = watched_of(law, quantity);
-      walked.push_back({law, watched, map, response_filter(map, watched), h});
-      group.set(i - begin, walked.back().filter, at_rest(map, samples.front()));
+      group.add(law, watched_of(law, search.quantity), ground.spacing / static_cast<double>(most), hold,
+                samples.front());
     }
-    group.fill_from(end - begin);
-    group.walk(walk);
-    for (std::size_t i = begin; i < end; ++i) {
-      const WalkedLaw& law = walked[i - begin];
-      const WalkedLane lane = group.lane(i - begin);
-      Extremes range = range_of(walk, law, lane);
-      if (peaks == Peaks::continuous) range = refined(walk, law, lane, range, largest_alone);
-      ResponsePeaks& result = found[order[i]];
-      result.during = range;
-      const State<double> last = last_state(walk, law, lane);
-      result.after = {law.watched.x * last.x + law.watched.v * last.v,
-                      law.watched.x * last.x + law.watched.v * last.v};
-      include_free(law.law, law.watched, last, result.after);
-    }
+    group.walk(walk, search.walk);
+    for (std::size_t i = begin; i < end; ++i)
+      found[order[i]] = peaks_of(walk, group.laws[i - begin], {group.blocks.data(), i - begin}, search);
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cromer/analysis/interval_peak.h"
+#include "cromer/ensemble/filter_walk.h"
 #include "cromer/model/sampled_drive.h"
 
 namespace cromer {
@@ -27,6 +28,14 @@ enum class ResponseOf {
   absolute_acceleration  // [m/s^2]
 };
 
+/// What is looked for, and by which unit.
+struct PeakSearch {
+  Peaks peaks = Peaks::continuous;
+  ResponseOf quantity = ResponseOf::displacement;
+  bool largest_alone = true;  ///< only the larger of the two extremes during the motion needs to be right
+  cromer_walk::Function walk = nullptr;  ///< of choose_unit()
+};
+
 struct ResponsePeaks {
   Extremes during;  ///< while the ground shakes, rest at the beginning included
   Extremes after;   ///< of the free motion from the last sample on
@@ -37,11 +46,10 @@ struct ResponsePeaks {
 /// The fewest equal parts of an interval that are at most T/10 long: ceil(10 h/T - 1e-9), at least 1.
 std::size_t substeps(double spacing, double period);
 
-/// Of each law (its stiffness positive), from rest at the first sample, by the exact recurrence: the
-/// drive is what the ground motion says. Error of the peaks: about 1e-13 of the largest for continuous ones.
-/// `largest_alone`: only the larger one of the two extremes during the motion needs to be right. Work and
-/// memory grow with spacing/period.
+/// Of each law (its stiffness positive), from rest at the first sample, by the exact recurrence: the drive is
+/// what the ground motion says. Error of the peaks: about 1e-13 of the largest for continuous ones, 1e-11
+/// after 1e5 samples at long periods. Work and memory grow with spacing/period.
 std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<const LinearLaw<double>> laws,
-                                          ResponseOf quantity, Peaks peaks, bool largest_alone);
+                                          const PeakSearch& search);
 
 }  // namespace cromer

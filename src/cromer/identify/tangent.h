@@ -34,4 +34,10 @@ struct Tangent<0> {
   friend Tangent operator*(double c, Tangent a) { return {c * a.value}; }
 };
 
+/// The number without its derivatives, as of other scalars.
+template <int N>
+constexpr double value_of(const Tangent<N>& x) {
+  return x.value;
+}
+
 }  // namespace cromer

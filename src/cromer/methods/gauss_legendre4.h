@@ -1,10 +1,9 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
@@ -33,13 +32,13 @@ struct GaussLegendre4 {
   template <class Real>
   struct Memory {
     std::array<Real, 2> accelerations;  // [m/s^2]
-    double scale;                       // [m/s^2]
+    Magnitude<Real> scale;              // [m/s^2]
   };
 
   template <class S, class Time, class Real>
   Memory<Real> start(const S& system, const Time& t, const State<Real>& y) const {
     const Real a = system.acceleration(t, y.x, y.v);
-    return {{a, a}, std::abs(value_of(a))};
+    return {{a, a}, magnitude(a)};
   }
 
   template <class S, class Time, class Real>
@@ -61,7 +60,7 @@ struct GaussLegendre4 {
     const auto solved =
         cromer::newton(residual, memory.accelerations, {memory.scale, acceleration_rounding(y, h)}, newton);
     const auto& [a1, a2] = solved.root;
-    memory = {solved.root, std::max({memory.scale, std::abs(value_of(a1)), std::abs(value_of(a2))})};
+    memory = {solved.root, larger(memory.scale, larger(magnitude(a1), magnitude(a2)))};
     const Real mean = y.v + 0.5 * (to_first(a1, a2) + to_second(a1, a2));
     return {.y = {y.x + h * mean, y.v + h / 2 * (a1 + a2)},
             .newton_iterations = solved.iterations,

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
@@ -33,8 +31,8 @@ struct GeneralizedAlpha {
   /// largest so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    double scale;       // [m/s^2]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s^2]
   };
 
   template <class Real>
@@ -45,7 +43,7 @@ struct GeneralizedAlpha {
   template <class S, class Time, class Real>
   Memory<Real> start(const S& system, const Time& t, const State<Real>& y) const {
     const Real a = system.acceleration(t, y.x, y.v);
-    return {a, std::abs(value_of(a))};
+    return {a, magnitude(a)};
   }
 
   template <class S, class Time, class Real>
@@ -63,7 +61,7 @@ struct GeneralizedAlpha {
                                  (1 - alpha_f) * velocity(next) + alpha_f * y.v);
     };
     const auto solved = cromer::newton(residual, a, {memory.scale, acceleration_rounding(y, h)}, newton);
-    memory = {solved.root, std::max(memory.scale, std::abs(value_of(solved.root)))};
+    memory = {solved.root, larger(memory.scale, magnitude(solved.root))};
     return {.y = {position(solved.root), velocity(solved.root)},
             .newton_iterations = solved.iterations,
             .converged = solved.converged};

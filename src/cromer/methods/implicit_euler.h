@@ -1,10 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
@@ -27,15 +26,17 @@ struct ImplicitEuler {
 
   NewtonOptions newton;
 
-  /// The largest velocity of the motion so far [m/s].
+  /// What the velocity rose by in the last step, as a guess of what it will, and the largest of the motion so
+  /// far.
   template <class Real>
   struct Memory {
-    double scale;
+    Real rise;              // [m/s]
+    Magnitude<Real> scale;  // [m/s]
   };
 
   template <class S, class Time, class Real>
   Memory<Real> start(const S&, const Time&, const State<Real>& y) const {
-    return {std::abs(value_of(y.v))};
+    return {Real(0), magnitude(y.v)};
   }
 
   template <class S, class Time, class Real>
@@ -45,10 +46,10 @@ struct ImplicitEuler {
       return v - y.v - h * system.acceleration(t + h, y.x + h * v, v);
     };
     // A velocity that moves x by less than its last digit changes nothing.
-    const double rounding = std::numeric_limits<double>::epsilon() * std::abs(value_of(y.x) / value_of(h));
-    const auto solved = cromer::newton(residual, y.v, {memory.scale, rounding}, newton);
+    const Magnitude<Real> rounding = std::numeric_limits<double>::epsilon() * (magnitude(y.x) / magnitude(h));
+    const auto solved = cromer::newton(residual, y.v + memory.rise, {memory.scale, rounding}, newton);
     const Real v = solved.root;
-    memory.scale = std::max(memory.scale, std::abs(value_of(v)));
+    memory = {v - y.v, larger(memory.scale, magnitude(v))};
     return {.y = {y.x + h * v, v}, .newton_iterations = solved.iterations, .converged = solved.converged};
   }
 };

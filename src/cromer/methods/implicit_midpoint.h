@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
@@ -30,14 +28,14 @@ struct ImplicitMidpoint {
   /// The acceleration of the last step, as a guess, and the largest so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    double scale;       // [m/s^2]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s^2]
   };
 
   template <class S, class Time, class Real>
   Memory<Real> start(const S& system, const Time& t, const State<Real>& y) const {
     const Real a = system.acceleration(t, y.x, y.v);
-    return {a, std::abs(value_of(a))};
+    return {a, magnitude(a)};
   }
 
   template <class S, class Time, class Real>
@@ -51,7 +49,7 @@ struct ImplicitMidpoint {
     const auto solved =
         cromer::newton(residual, memory.acceleration, {memory.scale, acceleration_rounding(y, h)}, newton);
     const Real a = solved.root;
-    memory = {a, std::max(memory.scale, std::abs(value_of(a)))};
+    memory = {a, larger(memory.scale, magnitude(a))};
     return {.y = {y.x + h * middle_velocity(a), y.v + h * a},
             .newton_iterations = solved.iterations,
             .converged = solved.converged};

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <string_view>
 
+#include "cromer/base/magnitude.h"
 #include "cromer/base/state.h"
 
 namespace cromer {
@@ -36,9 +37,9 @@ struct MethodInfo {
 template <class Real>
 struct Trial {
   State<Real> y;
-  State<Real> error{};        ///< estimate, of adaptive methods
-  int newton_iterations = 0;  ///< of implicit methods
-  bool converged = true;      ///< false: the iteration limit was reached, y is not a solution
+  State<Real> error{};           ///< estimate, of adaptive methods
+  int newton_iterations = 0;     ///< of implicit methods
+  Truth<Real> converged = true;  ///< false: the iteration limit was reached, y is not a solution
 };
 
 /// For methods that carry nothing.

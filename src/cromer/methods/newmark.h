@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
@@ -34,14 +32,14 @@ struct Newmark {
   /// The acceleration at the state, and the largest of the motion so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    double scale;       // [m/s^2]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s^2]
   };
 
   template <class S, class Time, class Real>
   Memory<Real> start(const S& system, const Time& t, const State<Real>& y) const {
     const Real a = system.acceleration(t, y.x, y.v);
-    return {a, std::abs(value_of(a))};
+    return {a, magnitude(a)};
   }
 
   template <class S, class Time, class Real>
@@ -56,7 +54,7 @@ struct Newmark {
     };
     const auto solved = cromer::newton(residual, a, {memory.scale, acceleration_rounding(y, h)}, newton);
     memory.acceleration = solved.root;
-    memory.scale = std::max(memory.scale, std::abs(value_of(solved.root)));
+    memory.scale = larger(memory.scale, magnitude(solved.root));
     return {.y = {position(solved.root), velocity(solved.root)},
             .newton_iterations = solved.iterations,
             .converged = solved.converged};

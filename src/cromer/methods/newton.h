@@ -1,12 +1,11 @@
 // Newton's iteration for the one or two unknowns of an implicit step.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/base/state.h"
 
 namespace cromer {
@@ -18,75 +17,81 @@ struct NewtonOptions {
   friend bool operator==(const NewtonOptions&, const NewtonOptions&) = default;
 };
 
-template <class Real>
+/// Of a pack each lane by itself: one that has arrived stays where it is while others go on, so that it does
+/// not depend on them.
+template <class Real, class Root = Real>
 struct NewtonResult {
-  Real root;
-  int iterations;
-  bool converged;
+  Root root;
+  int iterations;  ///< of the lane that took longest
+  Truth<Real> converged;
 };
 
-/// Sizes that tell when the iteration has arrived, in the unit of the unknown.
+/// Sizes that tell when the iteration has arrived, in the unit of the unknown. Size: double, or a pack.
+template <class Size>
 struct NewtonScale {
-  double motion;    ///< the largest value of the motion so far; 0 before it begins
-  double rounding;  ///< changes below it are lost in the other numbers of the equation
+  Size motion;    ///< the largest value of the motion so far; 0 before it begins
+  Size rounding;  ///< changes below it are lost in the other numbers of the equation
 };
 
 /// Changes of an acceleration [m/s^2] that move neither x nor v by more than their last digits in a step h
 /// [s].
 template <class Real, class Time>
-double acceleration_rounding(const State<Real>& y, const Time& h) {
-  const double step = std::abs(value_of(h));
-  return std::numeric_limits<double>::epsilon() * (std::abs(value_of(y.x)) / step + std::abs(value_of(y.v))) /
-         step;
+Magnitude<Real> acceleration_rounding(const State<Real>& y, const Time& h) {
+  const auto step = magnitude(h);
+  return std::numeric_limits<double>::epsilon() * (magnitude(y.x) / step + magnitude(y.v)) / step;
 }
 
 /// When an iteration has arrived. An update is at most the tolerance times the motion (or the root itself, if
 /// larger); or updates no longer halve and are at rounding level (the given one, or a thousand roundings of
-/// the motion): no equation in doubles can be solved better.
+/// the motion): no equation in doubles can be solved better. NaN never arrives.
+template <class Size>
 class NewtonArrival {
  public:
-  NewtonArrival(NewtonScale scale, double tolerance) : scale_(scale), tolerance_(tolerance) {}
+  NewtonArrival(const NewtonScale<Size>& scale, double tolerance) : scale_(scale), tolerance_(tolerance) {}
 
   /// Sizes of the latest update and of the root after it.
-  bool operator()(double update, double root) {
+  auto operator()(const Size& update, const Size& root) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    const double motion = std::max(scale_.motion, root);
-    const bool stalled = update > 0.5 * last_ && update <= std::max(scale_.rounding, 1e3 * epsilon * motion);
+    const Size motion = larger(scale_.motion, root);
+    const auto near = update <= tolerance_ * motion;
+    const auto stalled = update > 0.5 * last_ && update <= larger(scale_.rounding, 1e3 * epsilon * motion);
     last_ = update;
-    return update <= tolerance_ * motion || stalled;
+    return near || stalled;
   }
 
  private:
-  NewtonScale scale_;
-  double tolerance_, last_ = std::numeric_limits<double>::infinity();
+  NewtonScale<Size> scale_;
+  double tolerance_;
+  Size last_ = std::numeric_limits<double>::infinity();
 };
 
 /// A root of residual(u), from the guess; the residual is called with a Dual, so that its derivative is
 /// exact.
 template <class Real, class Residual>
-NewtonResult<Real> newton(const Residual& residual, const Real& guess, NewtonScale scale,
-                          const NewtonOptions& options) {
-  NewtonArrival arrived(scale, options.tolerance);
+NewtonResult<Real> newton(const Residual& residual, const Real& guess,
+                          const NewtonScale<Magnitude<Real>>& scale, const NewtonOptions& options) {
+  NewtonArrival<Magnitude<Real>> arrived(scale, options.tolerance);
   Real u = guess;
+  Truth<Real> done = false;
   for (int i = 1; i <= options.iteration_limit; ++i) {
     const Dual<Real, 1> r = residual(Dual<Real, 1>::variable(u, 0));
     const Real update = r.value / r.derivative[0];
-    u = u - update;
-    if (arrived(std::abs(value_of(update)), std::abs(value_of(u)))) return {u, i, true};
+    u = choose(done, u, u - update);
+    done = done || arrived(magnitude(update), magnitude(u));
+    if (all(done)) return {u, i, done};
   }
-  return {u, options.iteration_limit, false};
+  return {u, options.iteration_limit, done};
 }
 
 /// The same for two unknowns: residual takes and gives an array of two; sizes are those of the larger.
 template <class Real, class Residual>
-NewtonResult<std::array<Real, 2>> newton(const Residual& residual, const std::array<Real, 2>& guess,
-                                         NewtonScale scale, const NewtonOptions& options) {
+NewtonResult<Real, std::array<Real, 2>> newton(const Residual& residual, const std::array<Real, 2>& guess,
+                                               const NewtonScale<Magnitude<Real>>& scale,
+                                               const NewtonOptions& options) {
   using Unknown = Dual<Real, 2>;
-  const auto size = [](const Real& a, const Real& b) {
-    return std::max(std::abs(value_of(a)), std::abs(value_of(b)));
-  };
-  NewtonArrival arrived(scale, options.tolerance);
+  NewtonArrival<Magnitude<Real>> arrived(scale, options.tolerance);
   std::array<Real, 2> u = guess;
+  Truth<Real> done = false;
   for (int i = 1; i <= options.iteration_limit; ++i) {
     const auto [r, s] =
         residual(std::array<Unknown, 2>{Unknown::variable(u[0], 0), Unknown::variable(u[1], 1)});
@@ -95,12 +100,15 @@ NewtonResult<std::array<Real, 2>> newton(const Residual& residual, const std::ar
     const Real determinant = r0 * s1 - r1 * s0;
     const Real first = (r.value * s1 - r1 * s.value) / determinant;
     const Real second = (r0 * s.value - r.value * s0) / determinant;
-    u = {u[0] - first, u[1] - second};
-    const double update = size(first, second);
+    u = {choose(done, u[0], u[0] - first), choose(done, u[1], u[1] - second)};
     // A comparison with NaN must not pass for a small update.
-    if (std::isfinite(update) && arrived(update, size(u[0], u[1]))) return {u, i, true};
+    const auto update = larger(magnitude(first), magnitude(second));
+    const auto root = larger(magnitude(u[0]), magnitude(u[1]));
+    done = done ||
+           (magnitude(first + second) < std::numeric_limits<double>::infinity() && arrived(update, root));
+    if (all(done)) return {u, i, done};
   }
-  return {u, options.iteration_limit, false};
+  return {u, options.iteration_limit, done};
 }
 
 }  // namespace cromer

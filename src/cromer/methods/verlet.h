@@ -1,10 +1,9 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
@@ -30,13 +29,13 @@ struct Verlet {
   /// The acceleration at the state, and the largest velocity of the motion so far.
   template <class Real>
   struct Memory {
-    Real acceleration;  // [m/s^2]
-    double scale;       // [m/s]
+    Real acceleration;      // [m/s^2]
+    Magnitude<Real> scale;  // [m/s]
   };
 
   template <class S, class Time, class Real>
   Memory<Real> start(const S& system, const Time& t, const State<Real>& y) const {
-    return {system.acceleration(t, y.x, y.v), std::abs(value_of(y.v))};
+    return {system.acceleration(t, y.x, y.v), magnitude(y.v)};
   }
 
   template <class S, class Time, class Real>
@@ -52,11 +51,12 @@ struct Verlet {
         return v - y.v - h / 2 * (a + system.acceleration(t + h, Dual<Real, 1>(x), v));
       };
       // A velocity that moves x by less than its last digit changes nothing.
-      const double rounding = std::numeric_limits<double>::epsilon() * std::abs(value_of(y.x) / value_of(h));
+      const Magnitude<Real> rounding =
+          std::numeric_limits<double>::epsilon() * (magnitude(y.x) / magnitude(h));
       const auto solved = cromer::newton(residual, y.v + h * a, {memory.scale, rounding}, newton);
       const Real v = solved.root;
       memory.acceleration = system.acceleration(t + h, x, v);
-      memory.scale = std::max(memory.scale, std::abs(value_of(v)));
+      memory.scale = larger(memory.scale, magnitude(v));
       return {.y = {x, v}, .newton_iterations = solved.iterations, .converged = solved.converged};
     }
   }

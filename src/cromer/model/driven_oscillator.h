@@ -82,6 +82,9 @@ class DrivenOscillator {
     return force_.propagate(linear, t0, t, y0);
   }
 
+  /// The drive, to be made ready for a step.
+  Force& force() { return force_; }
+
   /// The closed form has many pieces: best asked from state to state, not from the start of the run.
   static constexpr bool has_many_pieces = requires { Force::has_many_pieces; };
 

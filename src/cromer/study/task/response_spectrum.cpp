@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/rotated_peaks.h"
 #include "cromer/model/band_limited.h"
 #include "cromer/study/task/spectrum_setup.h"
@@ -47,20 +48,21 @@ Shock shock_of(const ResponsePeaks& peaks) {
 
 /// A slice of the periods.
 void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
-            std::span<const LinearLaw<double>> laws, Peaks peaks, bool shock) {
+            std::span<const LinearLaw<double>> laws, PeakSearch search, bool shock) {
   if (shock) {
-    for (const auto& found :
-         response_peaks(shaking[0].ground, laws, ResponseOf::absolute_acceleration, peaks, false))
+    search.quantity = ResponseOf::absolute_acceleration;
+    search.largest_alone = false;
+    for (const auto& found : response_peaks(shaking[0].ground, laws, search))
       spectrum.shock.push_back(shock_of(found));
     return;
   }
   spectrum.displacement.resize(shaking.size());
   for (std::size_t c = 0; c < shaking.size(); ++c)
-    for (const auto& found : response_peaks(shaking[c].ground, laws, ResponseOf::displacement, peaks, true))
-      spectrum.displacement[c].push_back(peaks == Peaks::continuous ? found.overall()
-                                                                    : found.during.magnitude());
+    for (const auto& found : response_peaks(shaking[c].ground, laws, search))
+      spectrum.displacement[c].push_back(search.peaks == Peaks::continuous ? found.overall()
+                                                                           : found.during.magnitude());
   if (shaking.size() < 2) return;
-  for (const auto& found : rotated_peaks(shaking[0].ground, shaking[1].ground, laws, peaks)) {
+  for (const auto& found : rotated_peaks(shaking[0].ground, shaking[1].ground, laws, search.peaks)) {
     const std::size_t i = spectrum.rotd50.size();
     spectrum.geometric_mean.push_back(std::sqrt(spectrum.displacement[0][i] * spectrum.displacement[1][i]));
     spectrum.rotd50.push_back(found.median);
@@ -102,6 +104,9 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
   if (!between) return between.error();
   const auto ratios = damping_ratios_of(options);
   if (!ratios) return ratios.error();
+  const auto unit = choose_unit_by_environment();
+  if (!unit) return unit.error();
+  const PeakSearch search{.peaks = *peaks, .walk = unit->walk};
   SpectrumResult result;
   result.options = options;
   result.peaks = *peaks;
@@ -137,7 +142,7 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
         result.spectra.clear();
         return result;
       }
-      extend(spectrum, shaking, std::span(laws).subspan(begin, std::min(slice, all - begin)), *peaks,
+      extend(spectrum, shaking, std::span(laws).subspan(begin, std::min(slice, all - begin)), search,
              options.shock);
       if (watch.progress)
         watch.progress((static_cast<double>(r) + static_cast<double>(begin) / static_cast<double>(all)) /

@@ -1,0 +1,22 @@
+# The kernel of the ensemble, once for each instruction set; which one runs is chosen when the program does.
+
+set(CROMER_UNIT_OPTIONS -O3 -ffp-contract=fast)  # -O3 always: nothing of a unit may be left that others could share
+set(CROMER_UNIT_avx2 -mavx2 -mfma)
+set(CROMER_UNIT_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512cd -mavx512vl -mfma)
+
+# cromer_units(): the options of src/cromer/ensemble/units/*.cpp; off x86-64 only the baseline is built.
+function(cromer_units)
+  set(folder ${PROJECT_SOURCE_DIR}/src/cromer/ensemble/units)
+  set_source_files_properties(${folder}/baseline.cpp ${folder}/walk_baseline.cpp PROPERTIES COMPILE_OPTIONS "${CROMER_UNIT_OPTIONS}")
+  foreach(unit avx2 avx512)
+    set(options ${CROMER_UNIT_OPTIONS} ${CROMER_UNIT_${unit}})
+    if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+      list(APPEND options -Wno-uninitialized -Wno-maybe-uninitialized)  # false alarms of g++ 12 in its own avx512fintrin.h
+    endif()
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+      set_source_files_properties(${folder}/${unit}.cpp ${folder}/walk_${unit}.cpp PROPERTIES COMPILE_OPTIONS "${options}")
+    else()
+      set_source_files_properties(${folder}/${unit}.cpp ${folder}/walk_${unit}.cpp PROPERTIES HEADER_FILE_ONLY ON)
+    endif()
+  endforeach()
+endfunction()

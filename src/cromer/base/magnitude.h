@@ -1,0 +1,37 @@
+// What methods ask of the size of a number, for one number and, where a scalar is a pack of them
+// (ensemble/pack.h), for each lane by itself.
+#pragma once
+
+#include <cmath>
+
+#include "cromer/base/dual.h"
+
+namespace cromer {
+
+/// |x| without its derivatives.
+template <class Real>
+constexpr auto magnitude(const Real& x) -> decltype(value_of(x)) {
+  using std::abs;
+  return abs(value_of(x));
+}
+
+/// The type of sizes: double, or a pack of doubles.
+template <class Real>
+using Magnitude = decltype(magnitude(Real{}));
+
+/// The type of answers about sizes: bool, or one for each lane.
+template <class Real>
+using Truth = decltype(Magnitude<Real>{} < Magnitude<Real>{});
+
+constexpr double larger(double a, double b) { return a < b ? b : a; }
+
+/// True in every lane.
+constexpr bool all(bool truth) { return truth; }
+
+/// yes where it is true, else no.
+template <class Number>
+constexpr Number choose(bool truth, const Number& yes, const Number& no) {
+  return truth ? yes : no;
+}
+
+}  // namespace cromer

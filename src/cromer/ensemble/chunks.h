@@ -1,0 +1,46 @@
+// Rows of numbers, made chunk by chunk: what threads and ranks share out.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/base/result.h"
+
+namespace cromer {
+
+/// Work that falls into chunks, each of which depends on nothing but its number: so the rows are the same
+/// bits whoever makes them, in whatever order.
+struct ChunkedRows {
+  std::vector<std::string> columns{};  ///< names with units: "amplitude (m)"
+  std::uint64_t rows = 0;
+  std::uint64_t rows_per_chunk = 1;  ///< the last chunk may have fewer
+
+  /// Makes the rows of a chunk: rows_of(chunk) times columns.size() numbers, row after row. Called by several
+  /// threads at once. False: it was interrupted, the rows are worthless.
+  std::function<bool(std::uint64_t chunk, double* rows, const Watch& watch)> make{};
+
+  /// Everything that the rows depend on, as text (JSON): works of the same description have the same rows.
+  std::string description{};
+
+  std::uint64_t chunks() const { return (rows + rows_per_chunk - 1) / rows_per_chunk; }
+  std::uint64_t rows_of(std::uint64_t chunk) const {
+    return std::min(rows_per_chunk, rows - chunk * rows_per_chunk);
+  }
+};
+
+/// Takes a finished chunk; called by one thread at a time, chunks in any order. An Error ends the work.
+using ChunkSink = std::function<Result<void>(std::uint64_t chunk, const double* rows)>;
+
+/// How the work ended; an Error is the sink's.
+enum class ChunksEnd { done, interrupted };
+
+/// Makes those chunks on so many threads (0: one for each processor) and hands each to the sink. Holds at
+/// most two chunks a thread in memory. Progress: the share of the chunks that are done.
+Result<ChunksEnd> make_chunks(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks, int threads,
+                              const ChunkSink& sink, const Watch& watch);
+
+}  // namespace cromer

@@ -1,0 +1,56 @@
+#include "cromer/ensemble/dispatch.h"
+
+#include <cstdlib>
+#include <string>
+
+extern "C" {
+bool cromer_advance_baseline(cromer_group::Group& group, const cromer_group::Order& order);
+void cromer_walk_baseline(const cromer_walk::Filters& filters, const cromer_walk::Walk& walk,
+                          cromer_walk::Block* blocks);
+#if defined(__x86_64__)
+bool cromer_advance_avx2(cromer_group::Group& group, const cromer_group::Order& order);
+void cromer_walk_avx2(const cromer_walk::Filters& filters, const cromer_walk::Walk& walk,
+                      cromer_walk::Block* blocks);
+bool cromer_advance_avx512(cromer_group::Group& group, const cromer_group::Order& order);
+void cromer_walk_avx512(const cromer_walk::Filters& filters, const cromer_walk::Walk& walk,
+                        cromer_walk::Block* blocks);
+#endif
+}
+
+namespace cromer {
+namespace {
+
+constexpr std::string_view names[] = {"baseline", "avx2", "avx512"};
+
+}  // namespace
+
+std::vector<Unit> units_here() {
+  std::vector<Unit> units{{names[0], cromer_advance_baseline, cromer_walk_baseline}};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    units.push_back({names[1], cromer_advance_avx2, cromer_walk_avx2});
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd") &&
+      __builtin_cpu_supports("avx512vl"))
+    units.push_back({names[2], cromer_advance_avx512, cromer_walk_avx512});
+#endif
+  return units;
+}
+
+Result<Unit> choose_unit(std::string_view name) {
+  const std::vector<Unit> units = units_here();
+  if (name.empty()) return units.back();
+  for (const Unit& unit : units)
+    if (unit.name == name) return unit;
+  for (const std::string_view known : names)
+    if (known == name)
+      return Error{"CROMER_SIMD=" + std::string(name) + ": this machine has no such instructions"};
+  return Error{"CROMER_SIMD=" + std::string(name) + ": baseline, avx2 or avx512 is expected"};
+}
+
+Result<Unit> choose_unit_by_environment() {
+  const char* name = std::getenv("CROMER_SIMD");
+  return choose_unit(name ? name : "");
+}
+
+}  // namespace cromer

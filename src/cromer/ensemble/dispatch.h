@@ -1,0 +1,29 @@
+// Which of the kernel's units runs: chosen when the program does.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/result.h"
+#include "cromer/ensemble/filter_walk.h"
+#include "cromer/ensemble/group.h"
+
+namespace cromer {
+
+/// The kernel for one instruction set.
+struct Unit {
+  std::string_view name;          ///< baseline, avx2 or avx512
+  cromer_group::Advance advance;  ///< runs a group
+  cromer_walk::Function walk;     ///< walks response filters
+};
+
+/// Those that this machine can run, the fastest last.
+std::vector<Unit> units_here();
+
+/// The fastest one, or the one of that name: an Error if there is none, or this machine cannot run it.
+Result<Unit> choose_unit(std::string_view name = {});
+
+/// The same with the name in the environment variable CROMER_SIMD, where it is set.
+Result<Unit> choose_unit_by_environment();
+
+}  // namespace cromer

@@ -1,0 +1,56 @@
+#include "cromer/ensemble/fill_group.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "cromer/methods/all.h"
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/model/terms.h"
+
+namespace cromer {
+
+void fill_group(std::span<const Point> points, cromer_group::Group& group) {
+  assert(!points.empty() && points.size() <= static_cast<std::size_t>(cromer_group::size));
+  group = {};
+  for (int i = 0; i < cromer_group::size; ++i) {
+    const Point& point = points[std::min<std::size_t>(i, points.size() - 1)];
+    const Oscillator<double> per_mass = divided_by_mass(point.oscillator);
+    group.stiffness.of[i] = per_mass.stiffness;
+    group.damping.of[i] = per_mass.damping;
+    group.drag.of[i] = per_mass.drag;
+    group.cubic.of[i] = per_mass.cubic;
+    const HarmonicForce<double> force = force_of(point.drive, point.oscillator.mass);
+    group.drive_amplitude.of[i] = force.amplitude;
+    group.drive_frequency.of[i] = force.frequency;
+    group.drive_phase.of[i] = force.phase;
+    group.step.of[i] = point.step;
+    group.x.of[i] = point.start.x;
+    group.v.of[i] = point.start.v;
+    const Terms terms = terms_of(point.oscillator, point.drive);
+    assert(!terms.friction);
+    group.terms.drive |= terms.drive;
+    group.terms.damping |= terms.damping;
+    group.terms.drag |= terms.drag;
+    group.terms.cubic |= terms.cubic;
+  }
+}
+
+cromer_group::Order order_of(const Stepping& stepping, long long steps, const double* weights) {
+  const auto place = std::find(method_names.begin(), method_names.end(), stepping.method);
+  assert(place != method_names.end());
+  return {static_cast<unsigned>(place - method_names.begin()),
+          stepping.settings.newton.tolerance,
+          stepping.settings.beta,
+          stepping.settings.gamma,
+          stepping.settings.rho_inf,
+          steps,
+          weights};
+}
+
+PointStatus status_of(const cromer_group::Group& group, int i) {
+  if (group.failed.of[i] != 0) return PointStatus::no_convergence;
+  return std::isfinite(group.x.of[i] - group.v.of[i]) ? PointStatus::done : PointStatus::not_finite;
+}
+
+}  // namespace cromer

@@ -1,0 +1,203 @@
+// The loop over the steps of a group: law and method are those of the scalar run, over packs.
+//
+// For units of one instruction set only (units/unit.h).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/base/magnitude.h"
+#include "cromer/base/state.h"
+#include "cromer/ensemble/group.h"
+#include "cromer/ensemble/pack.h"
+#include "cromer/ensemble/step_time.h"
+#include "cromer/ensemble/stepped_force.h"
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/model/terms.h"
+
+namespace cromer {
+
+/// Sums of one pack over the states it has left.
+template <class Real>
+struct PackSums {
+  Real x = 0.0, c = 0.0, s = 0.0, cc = 0.0, cs = 0.0, ss = 0.0, xc = 0.0, xs = 0.0, energy = 0.0;
+
+  void add(double weight, const Oscillator<Real>& law, const State<Real>& y, const Real& cosine,
+           const Real& sine) {
+    const Real wx = weight * y.x, wc = weight * cosine, ws = weight * sine;
+    x += wx;
+    c += wc;
+    s += ws;
+    cc += wc * cosine;
+    cs += wc * sine;
+    ss += ws * sine;
+    xc += wx * cosine;
+    xs += wx * sine;
+    energy += weight * cromer::energy(law, y);
+  }
+
+  void add_to(cromer_group::Sums& sums, std::size_t first) const {
+    const auto to = [&](cromer_group::Numbers& all, const Real& part) {
+      (Real::load(all.of + first) + part).store(all.of + first);
+    };
+    to(sums.x, x), to(sums.c, c), to(sums.s, s);
+    to(sums.cc, cc), to(sums.cs, cs), to(sums.ss, ss);
+    to(sums.xc, xc), to(sums.xs, xs), to(sums.energy, energy);
+  }
+};
+
+/// As many oscillators of a group as a Real has lanes, on their way. `measured`: sums are kept.
+template <class Real, class M, Terms terms, bool measured>
+struct Member {
+  using Force = std::conditional_t<terms.drive, SteppedForce<Real, M::info.divisions>, NoSteppedForce>;
+  using Phasor = std::conditional_t<terms.drive && measured, SteppedPhasor<Real>, NoSteppedForce>;
+  using System = DrivenOscillator<Real, terms, Force>;
+  using Memory = typename M::template Memory<Real>;
+  struct NoSums {};
+
+  Real h;
+  Oscillator<Real> law;  // per unit mass
+  System system;
+  Phasor phasor;
+  Real x, v, peak;
+  Truth<Real> converged;
+  Memory memory;
+  std::conditional_t<measured, PackSums<Real>, NoSums> sums{};
+
+  /// Those from `first` on.
+  static Member from(const cromer_group::Group& group, std::size_t first, const M& method) {
+    const auto load = [&](const cromer_group::Numbers& numbers) { return Real::load(numbers.of + first); };
+    const Real step = load(group.step);
+    const HarmonicForce<Real> drive{load(group.drive_amplitude), load(group.drive_frequency),
+                                    load(group.drive_phase)};
+    const Oscillator<Real> per_mass{.mass = 1.0,
+                                    .stiffness = load(group.stiffness),
+                                    .damping = load(group.damping),
+                                    .drag = load(group.drag),
+                                    .friction = 0.0,
+                                    .cubic = load(group.cubic),
+                                    .static_friction = 0.0};
+    Member m{.h = step,
+             .law = per_mass,
+             .system = System(per_mass, Force(drive, step)),
+             .phasor = Phasor(drive, step),
+             .x = load(group.x),
+             .v = load(group.v),
+             .peak = load(group.peak),
+             .converged = load(group.failed) <= 0.0,
+             .memory = {}};
+    if (group.steps == 0) {
+      m.anchor(0);
+      m.memory = method.start(m.system, StepTime<Real>{0.0}, State<Real>{m.x, m.v});
+    } else if constexpr (!std::is_empty_v<Memory>) {
+      std::array<Real, carried> numbers;
+      for (std::size_t i = 0; i < carried; ++i) numbers[i] = load(group.memory[i]);
+      std::memcpy(static_cast<void*>(&m.memory), numbers.data(), sizeof m.memory);
+    }
+    return m;
+  }
+
+  void to(cromer_group::Group& group, std::size_t first) const {
+    const auto store = [&](const Real& from, cromer_group::Numbers& numbers) {
+      from.store(numbers.of + first);
+    };
+    store(x, group.x), store(v, group.v), store(peak, group.peak);
+    store(choose(converged, Real(0.0), Real(1.0)), group.failed);
+    if constexpr (!std::is_empty_v<Memory>) {
+      std::array<Real, carried> numbers;
+      std::memcpy(static_cast<void*>(numbers.data()), &memory, sizeof memory);
+      for (std::size_t i = 0; i < carried; ++i) store(numbers[i], group.memory[i]);
+    }
+    if constexpr (measured) sums.add_to(group.sums, first);
+  }
+
+  /// Makes the drive exact for the step after n steps, and ready for the one `since` later.
+  void anchor(double n, long long since = 0) {
+    const Real t = n * h;
+    if constexpr (terms.drive) system.force().anchor(t);
+    if constexpr (terms.drive && measured) phasor.anchor(t);
+    for (long long i = 0; i < since; ++i) move_on();
+  }
+
+  /// The step after n steps.
+  void step(const M& method, double n, [[maybe_unused]] double weight) {
+    if constexpr (measured) {
+      if constexpr (terms.drive)
+        sums.add(weight, law, {x, v}, phasor.cosine, phasor.sine);
+      else
+        sums.add(weight, law, {x, v}, 0.0, 0.0);
+    }
+    const State<Real> y{x, v};
+    const auto trial = method.step(system, StepTime<Real>{n * h}, StepTime<Real>{h, 1}, y, memory);
+    x = trial.y.x;
+    v = trial.y.v;
+    if constexpr (!std::is_empty_v<Memory>) converged = converged && trial.converged;
+    peak = larger(peak, abs(x));
+    move_on();
+  }
+
+ private:
+  void move_on() {
+    if constexpr (terms.drive) system.force().move_on();
+    if constexpr (terms.drive && measured) phasor.move_on();
+  }
+
+  static constexpr std::size_t carried = std::is_empty_v<Memory> ? 0 : sizeof(Memory) / sizeof(Real);
+  static_assert(carried <= std::extent_v<decltype(cromer_group::Group::memory)>);
+};
+
+/// Steps between two exact cosines of a drive.
+inline constexpr long long steps_between_anchors = 128;
+
+/// `count` packs side by side, so that each has something to do while others wait for their last operation.
+template <std::size_t count, class Real, class M, Terms terms, bool measured>
+void advance_members(cromer_group::Group& group, std::size_t first, const M& method,
+                     const cromer_group::Order& order) {
+  auto members = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array{Member<Real, M, terms, measured>::from(group, first + i * Real::size, method)...};
+  }
+  (std::make_index_sequence<count>{});
+  const auto begun = static_cast<long long>(group.steps);
+  for (long long n = 0; n < order.steps;) {
+    // Anchors lie at the same steps however a run is cut into orders.
+    const long long since = (begun + n) % steps_between_anchors;
+    for (auto& member : members) member.anchor(static_cast<double>(begun + n - since), since);
+    const long long last = std::min(order.steps, n + steps_between_anchors - since);
+    for (; n < last; ++n)
+      for (auto& member : members)
+        member.step(method, static_cast<double>(begun + n), measured ? order.weights[n] : 1);
+  }
+  for (std::size_t i = 0; i < count; ++i) members[i].to(group, first + i * Real::size);
+}
+
+/// All packs of the group, as many side by side as registers hold.
+template <class Real, class M, Terms terms, bool measured>
+void advance_all(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
+  constexpr std::size_t packs = cromer_group::size / Real::size;
+  constexpr std::size_t together = std::min<std::size_t>(packs, M::info.implicit ? 2 : 4);
+  for (std::size_t first = 0; first < cromer_group::size; first += together * Real::size)
+    advance_members<together, Real, M, terms, measured>(group, first, method, order);
+}
+
+/// With the terms that the group has; drag brings the cubic term along.
+template <class Real, class M, bool measured>
+void advance_with_terms(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
+  const auto driven = [&]<bool drive>() {
+    constexpr Terms linear{.drive = drive, .damping = true};
+    constexpr Terms duffing{.drive = drive, .damping = true, .cubic = true};
+    constexpr Terms whole{.drive = drive, .damping = true, .cubic = true, .drag = true};
+    if (group.terms.drag) return advance_all<Real, M, whole, measured>(group, method, order);
+    if (group.terms.cubic) return advance_all<Real, M, duffing, measured>(group, method, order);
+    advance_all<Real, M, linear, measured>(group, method, order);
+  };
+  group.terms.drive ? driven.template operator()<true>() : driven.template operator()<false>();
+  group.steps += static_cast<double>(order.steps);
+  group.lanes = Real::size;
+}
+
+}  // namespace cromer

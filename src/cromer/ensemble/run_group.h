@@ -1,0 +1,38 @@
+// A group of points, run until their motion has settled, or to an end.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/ensemble/dispatch.h"
+#include "cromer/ensemble/point.h"
+
+namespace cromer {
+
+/// When a driven motion counts as settled, and how long that may take.
+struct Settling {
+  /// At least so many cycles of the drive are dropped, then one window is measured, settled or not; empty: it
+  /// is found out.
+  std::optional<double> dropped{};
+  double tolerance = 1e-6;   ///< what amplitude and energy may still be off by, relative
+  double most_cycles = 2e4;  ///< after which it is given up
+  double window = 8;         ///< cycles over which amplitude, phase, peak and energy are measured, >= 4
+};
+
+/// Runs up to cromer_group::size driven points (drive amplitude and frequency > 0) until they have settled.
+///
+/// Amplitude and phase are those of a least-squares sinusoid over a window of cycles with Hann's weights, so
+/// that overtones and what is left of the free motion do not leak in. From window to window their change
+/// falls as the free motion does; a motion has settled when the changes still to come, a geometric series,
+/// sum up to less than the tolerance. False: interrupted.
+bool settle_group(const Unit& unit, std::span<const Point> points, const Stepping& stepping,
+                  const Settling& settling, std::span<PointResult> results, const Watch& watch = {});
+
+/// Runs up to cromer_group::size points each from 0 to its own end [s] > 0; one that is not a whole number of
+/// steps is reached by a shorter one. Of driven points amplitude and phase are left out. False: interrupted.
+bool run_group(const Unit& unit, std::span<const Point> points, const Stepping& stepping,
+               std::span<const double> until, std::span<PointResult> results, const Watch& watch = {});
+
+}  // namespace cromer
