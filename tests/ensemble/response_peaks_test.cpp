@@ -50,7 +50,7 @@ Extremes looked_at(const std::vector<double>& a, double h, bool hold, const Line
 class ResponsePeaksBy : public ::testing::TestWithParam<Unit> {
  protected:
   PeakSearch search(ResponseOf quantity, Peaks peaks, bool largest_alone) const {
-    return {peaks, quantity, largest_alone, GetParam().walk};
+    return {.peaks = peaks, .quantity = quantity, .largest_alone = largest_alone, .walk = GetParam().walk};
   }
 };
 INSTANTIATE_TEST_SUITE_P(Units, ResponsePeaksBy, ::testing::ValuesIn(units_here()),

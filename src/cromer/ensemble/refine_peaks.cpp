@@ -92,6 +92,7 @@ struct BlockBound {
 
 struct Refinement {
   const cromer_walk::Walk& walk;
+  std::span<const double> largest_forces;
   const WalkedLaw& law;
   const WalkedLane& lane;
   bool largest_alone;
@@ -107,43 +108,50 @@ struct Refinement {
     best = {-most, most};
   }
 
-  double largest_force(std::size_t block) const {
-    const std::size_t from = block * walk.block, to = std::min(from + walk.block + 1, walk.samples - 1);
-    double most = 0;
-    for (std::size_t i = from; i <= to; ++i) most = std::max(most, std::abs(walk.force[i]));
-    return most;
+  /// How far the quantity may rise between two steps of a block.
+  double slack(std::size_t block) const {
+    const double reach = std::max(-low(block), high(block));
+    return bound.of_q * reach + bound.of_force * largest_forces[block];
   }
-
-  /// A block and the first step beyond it may hold an extreme.
-  bool may_hold(std::size_t block, double force) const {
-    const double gain = law.filter.gain;
-    double low = lane.low(block), high = lane.high(block);
-    if (block + 1 < walk.blocks()) {
-      low = std::min(low, lane.low(block + 1));
-      high = std::max(high, lane.high(block + 1));
-    }
-    low = std::min(gain * low, 0.0);
-    high = std::max(gain * high, 0.0);
-    return beats(low, high, bound.of_q * std::max(-low, high) + bound.of_force * force);
-  }
+  bool may_hold(std::size_t block) const { return beats(low(block), high(block), slack(block)); }
 
   void look_into(std::size_t block) {
     const std::size_t last = (block + 1) * walk.block;
+    const double at_most = slack(block);
     BlockSteps steps(walk, law, lane, block);
     double before = value(law.watched, steps.state());
     // To the first step of the next block: its own begin there.
     for (bool more = true; more && !steps.at_end();) {
       more = steps.interval() < last;
-      const IntervalMotion motion(law.law, steps.state(), steps.force(), steps.slope());
+      const State<double> y = steps.state();
+      const double force = steps.force(), slope = steps.slope();
       steps.advance();
       const double after = value(law.watched, steps.state());
-      const double low = std::min(before, after), high = std::max(before, after);
-      if (beats(low, high, overshoot_bound(law.law, law.watched, motion, law.step))) {
-        include_inside(law.law, law.watched, motion, law.step, best);
-        settle();
-      }
+      include_between(y, force, slope, std::min(before, after), std::max(before, after), at_most);
       before = after;
     }
+  }
+
+  void include_between(const State<double>& y, double force, double slope, double least, double greatest,
+                       double at_most) {
+    if (!beats(least, greatest, at_most)) return;
+    const IntervalMotion motion(law.law, y, force, slope);
+    if (!beats(least, greatest, overshoot_bound(law.law, law.watched, motion, law.step))) return;
+    include_inside(law.law, law.watched, motion, law.step, best);
+    settle();
+  }
+
+ private:
+  /// Of a block and the first step beyond it; 0 included.
+  double low(std::size_t block) const {
+    double least = std::min(0.0, lane.low(block));
+    if (block + 1 < walk.blocks()) least = std::min(least, lane.low(block + 1));
+    return law.filter.gain * least;
+  }
+  double high(std::size_t block) const {
+    double most = std::max(0.0, lane.high(block));
+    if (block + 1 < walk.blocks()) most = std::max(most, lane.high(block + 1));
+    return law.filter.gain * most;
   }
 };
 
@@ -158,23 +166,35 @@ Extremes range_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const Wal
   return {law.filter.gain * range.low, law.filter.gain * range.high};
 }
 
-Extremes refined(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane, Extremes range,
-                 bool largest_alone) {
-  Refinement refinement{walk, law, lane, largest_alone, range, BlockBound(law, walk.substeps, walk.hold)};
+std::vector<double> largest_forces(const cromer_walk::Walk& walk) {
+  std::vector<double> largest(walk.blocks());
+  for (std::size_t block = 0; block < largest.size(); ++block) {
+    const std::size_t from = block * walk.block, to = std::min(from + walk.block + 1, walk.samples - 1);
+    for (std::size_t i = from; i <= to; ++i)
+      largest[block] = std::max(largest[block], std::abs(walk.force[i]));
+  }
+  return largest;
+}
+
+Extremes refined(const cromer_walk::Walk& walk, std::span<const double> largest_forces, const WalkedLaw& law,
+                 const WalkedLane& lane, Extremes range, bool largest_alone) {
+  Refinement refinement{
+      walk, largest_forces, law, lane, largest_alone, range, BlockBound(law, walk.substeps, walk.hold)};
   refinement.settle();
   const std::size_t blocks = walk.blocks();
+  std::vector<double> reach(blocks + 1);
+  for (std::size_t i = 0; i < blocks; ++i) reach[i] = law.filter.gain * std::max(-lane.low(i), lane.high(i));
   // First where the steps reached furthest: it leaves little for the others to beat.
-  std::size_t furthest = 0;
-  double most = -1;
-  for (std::size_t i = 0; i < blocks; ++i) {
-    const double reach = std::max(-lane.low(i), lane.high(i));
-    if (reach <= most) continue;
-    most = reach;
-    furthest = i;
-  }
+  const auto furthest =
+      static_cast<std::size_t>(std::max_element(reach.begin(), reach.end() - 1) - reach.begin());
   refinement.look_into(furthest);
-  for (std::size_t i = 0; i < blocks; ++i)
-    if (i != furthest && refinement.may_hold(i, refinement.largest_force(i))) refinement.look_into(i);
+  const double grown = 1 + refinement.bound.of_q;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const double most =
+        std::max(reach[i], reach[i + 1]) * grown + refinement.bound.of_force * largest_forces[i];
+    const bool may = most > std::min(refinement.best.high, -refinement.best.low);
+    if (may && i != furthest && refinement.may_hold(i)) refinement.look_into(i);
+  }
   return refinement.best;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "cromer/analysis/interval_peak.h"
 #include "cromer/ensemble/filter_walk.h"
@@ -31,10 +33,13 @@ struct WalkedLane {
 /// The extremes that the walk saw, and 0 for the beginning.
 Extremes range_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane);
 
+/// Largest |force| in each block, the next sample included.
+std::vector<double> largest_forces(const cromer_walk::Walk& walk);
+
 /// With those between its steps. Nothing is missed: a block is passed over only where a bound on how far the
 /// quantity may rise between two steps says so.
-Extremes refined(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane, Extremes range,
-                 bool largest_alone);
+Extremes refined(const cromer_walk::Walk& walk, std::span<const double> largest_forces, const WalkedLaw& law,
+                 const WalkedLane& lane, Extremes range, bool largest_alone);
 
 /// The motion at the last sample (the end of its hold).
 State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane);

@@ -51,15 +51,19 @@ struct Group {
   }
 };
 
-ResponsePeaks peaks_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane,
-                       const PeakSearch& search) {
-  Extremes during = range_of(walk, law, lane);
-  if (search.peaks == Peaks::continuous) during = refined(walk, law, lane, during, search.largest_alone);
+ResponsePeaks peaks_of(const Group& group, std::size_t lane_of, const cromer_walk::Walk& walk,
+                       std::span<const double> forces, const PeakSearch& search) {
+  const WalkedLaw& law = group.laws[lane_of];
+  const WalkedLane lane{group.blocks.data(), lane_of};
+  ResponsePeaks found{range_of(walk, law, lane), {0, 0}};
+  if (search.peaks == Peaks::continuous)
+    found.during = refined(walk, forces, law, lane, found.during, search.largest_alone);
+  if (!search.after_the_end) return found;
   const State<double> last = last_state(walk, law, lane);
   const double q = law.watched.x * last.x + law.watched.v * last.v;
-  Extremes after{q, q};
-  include_free(law.law, law.watched, last, after);
-  return {during, after};
+  found.after = {q, q};
+  include_free(law.law, law.watched, last, found.after);
+  return found;
 }
 
 }  // namespace
@@ -81,6 +85,8 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
                    [&](std::size_t a, std::size_t b) { return steps[a] < steps[b]; });
 
   std::vector<ResponsePeaks> found(laws.size());
+  std::vector<double> forces;
+  std::size_t block_of_forces = 0;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     // The finest of them sets the steps of all, but where the steps are part of the definition.
     end = std::min(begin + cromer_walk::lanes, order.size());
@@ -101,8 +107,10 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
                 samples.front());
     }
     group.walk(walk, search.walk);
+    if (block_of_forces != walk.block) forces = largest_forces(walk);
+    block_of_forces = walk.block;
     for (std::size_t i = begin; i < end; ++i)
-      found[order[i]] = peaks_of(walk, group.laws[i - begin], {group.blocks.data(), i - begin}, search);
+      found[order[i]] = peaks_of(group, i - begin, walk, forces, search);
   }
   return found;
 }

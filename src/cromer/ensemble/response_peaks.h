@@ -32,13 +32,14 @@ enum class ResponseOf {
 struct PeakSearch {
   Peaks peaks = Peaks::continuous;
   ResponseOf quantity = ResponseOf::displacement;
+  bool after_the_end = true;  ///< look at the free motion after the last sample too
   bool largest_alone = true;  ///< only the larger of the two extremes during the motion needs to be right
   cromer_walk::Function walk = nullptr;  ///< of choose_unit()
 };
 
 struct ResponsePeaks {
   Extremes during;  ///< while the ground shakes, rest at the beginning included
-  Extremes after;   ///< of the free motion from the last sample on
+  Extremes after;   ///< of the free motion from the last sample on; 0 where it was not looked at
 
   double overall() const { return std::max(during.magnitude(), after.magnitude()); }
 };

@@ -106,7 +106,8 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
   if (!ratios) return ratios.error();
   const auto unit = choose_unit_by_environment();
   if (!unit) return unit.error();
-  const PeakSearch search{.peaks = *peaks, .walk = unit->walk};
+  const PeakSearch search{
+      .peaks = *peaks, .after_the_end = options.shock || *peaks == Peaks::continuous, .walk = unit->walk};
   SpectrumResult result;
   result.options = options;
   result.peaks = *peaks;
