@@ -44,6 +44,13 @@ bool wide(const std::vector<double>& x) {
 
 const char* acceleration_unit(const SpectrumResult& result) { return result.options.in_g ? "g" : "m/s²"; }
 
+/// "east" where the components are columns of one file, else "component 1".
+std::string component_name(const SpectrumResult& result, std::size_t c) {
+  if (result.components[0].column == result.components[1].column) return fmt::format("component {}", c + 1);
+  const std::string& column = result.components[c].column;
+  return column.substr(0, column.find(" ("));
+}
+
 /// The value at the top of a curve: "1.2 g at 0.3 s".
 void say_summit(Curve& curve, const char* value_unit, const char* at_unit) {
   const auto top = std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin();
@@ -62,7 +69,7 @@ void point_words(Panel& panel) {
       for (const Curve& other : panel.curves)
         if (&other != &curve && other.x.size() == curve.x.size())
           nearest = std::min(nearest, std::abs(height(other.y[i]) - height(curve.y[i])));
-      if (!std::isfinite(nearest) || nearest <= most) continue;
+      if (!std::isfinite(nearest) || nearest <= most || curve.y[i] < panel.y.low) continue;
       most = nearest;
       curve.label_x = curve.x[i];
       curve.label_y = curve.y[i];
@@ -93,7 +100,7 @@ Panel response_panel(const SpectrumResult& result) {
   }
   const ResponseSpectrum& spectrum = result.spectra[0];
   for (std::size_t c = 0; c < 2; ++c) {
-    add(spectrum.displacement[c], fmt::format("component {}", c + 1), "family:4");
+    add(spectrum.displacement[c], component_name(result, c), "family:4");
     panel.curves.back().dashed = c == 1;
     panel.curves.back().remark.clear();
   }
@@ -135,13 +142,11 @@ Panel shock_panel(const SpectrumResult& result) {
     add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
     say_summit(panel.curves.back(), acceleration_unit(result), "Hz");
   }
-  // Three decades below the top the rest is of no consequence.
+  // Three decades below the top what is left is of no consequence.
   double top = 0;
   for (const Curve& curve : panel.curves)
     for (const double y : curve.y) top = std::isfinite(y) ? std::max(top, y) : top;
-  for (Curve& curve : panel.curves)
-    for (double& y : curve.y)
-      if (!(y >= 1e-3 * top)) y = std::nan("");
+  if (top > 0) panel.y.low = std::pow(10.0, std::floor(std::log10(top)) - 2);
   point_words(panel);
   return panel;
 }
