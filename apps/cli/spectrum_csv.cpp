@@ -60,7 +60,8 @@ std::string spectrum_csv(const SpectrumResult& result, const Arguments& argument
   for (const auto& spectrum : result.spectra) {
     Cells cells;
     cells.add("period (s)") = result.periods;
-    cells.add("damping_ratio").assign(result.periods.size(), spectrum.damping_ratio);
+    cells.add(result.hysteretic() ? "loss_factor" : "damping_ratio")
+        .assign(result.periods.size(), spectrum.damping_ratio);
     if (!spectrum.shock.empty()) {
       add_shock(cells, result, spectrum);
     } else if (spectrum.displacement.size() == 1) {

@@ -13,7 +13,10 @@
 namespace cromer::cli {
 namespace {
 
-std::string damping_name(double ratio) { return fmt::format("{:.4g} % damping", 100 * ratio); }
+std::string damping_name(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  return result.hysteretic() ? fmt::format("loss factor {:.4g}", spectrum.damping_ratio)
+                             : fmt::format("{:.4g} % damping", 100 * spectrum.damping_ratio);
+}
 
 std::string family(std::size_t i) { return fmt::format("family:{}", std::min<std::size_t>(i, 4)); }
 
@@ -94,7 +97,7 @@ Panel response_panel(const SpectrumResult& result) {
   };
   if (result.components.size() == 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].displacement[0], damping_name(result.spectra[i].damping_ratio), family(i));
+      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(i));
     point_words(panel);
     return panel;
   }
@@ -129,7 +132,7 @@ Panel shock_panel(const SpectrumResult& result) {
   };
   if (result.spectra.size() > 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i) {
-      add(result.spectra[i], damping_name(result.spectra[i].damping_ratio), family(i),
+      add(result.spectra[i], damping_name(result, result.spectra[i]), family(i),
           [](const Shock& s) { return s.maximax(); });
       say_summit(panel.curves.back(), acceleration_unit(result), "Hz");
     }
@@ -177,7 +180,7 @@ Figure tripartite_figure(const SpectrumResult& result) {
   };
   if (result.components.size() == 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].displacement[0], damping_name(result.spectra[i].damping_ratio), family(i));
+      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(i));
   } else {
     add(result.spectra[0].rotd50, "RotD50", "family:2");
     add(result.spectra[0].rotd100, "RotD100", "family:0");

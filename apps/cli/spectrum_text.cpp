@@ -30,6 +30,7 @@ std::vector<std::size_t> shown(std::size_t all) {
 }
 
 std::string conventions(const SpectrumResult& result) {
+  if (result.hysteretic()) return "peaks of a sum of steady states; samples joined band-limited";
   const std::string joined = fmt::format("samples joined {}", result.options.between_samples);
   switch (result.peaks) {
     case Peaks::continuous:
@@ -111,7 +112,8 @@ std::string spectrum_text(const SpectrumResult& result) {
   std::string text = recording_table(result);
   const std::size_t all = result.periods.size();
   for (const auto& spectrum : result.spectra) {
-    text += fmt::format("\ndamping ratio {}: {}\n", shortest(spectrum.damping_ratio), conventions(result));
+    text += fmt::format("\n{} {}: {}\n", result.hysteretic() ? "loss factor" : "damping ratio",
+                        shortest(spectrum.damping_ratio), conventions(result));
     text += spectrum.shock.empty() ? response_table(result, spectrum) : shock_table(result, spectrum);
     if (all > most_rows) text += fmt::format("{} of {} rows; -o FILE.csv writes all\n", most_rows, all);
     text += summit(result, spectrum);

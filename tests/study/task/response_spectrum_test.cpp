@@ -248,6 +248,39 @@ TEST(ResponseSpectrum, BadOptionsAreNamed) {
   EXPECT_THAT(with([](auto& o) { o.column = {"force"}; }), HasSubstr("force"));
 }
 
+// Little damping: half the loss factor is the damping ratio, but for what the ground does between its
+// samples.
+TEST(ResponseSpectrum, OfHystereticDampingIsNearThatOfADamper) {
+  const SpectrumFile file = recording(600, 0.01, [](double t) { return ripple(t) * t * std::exp(-t); });
+  SpectrumOptions options;
+  options.periods = "0.1,0.3,1,3";
+  options.damping_ratio = {"0.01"};
+  const auto viscous = spectrum_of(file, options);
+  options.damping_ratio = {};
+  options.loss_factor = {"0.02"};
+  const auto hysteretic = spectrum_of(file, options);
+  ASSERT_TRUE(hysteretic.ok()) << hysteretic.error().message;
+  EXPECT_TRUE(hysteretic->hysteretic());
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_NEAR(hysteretic->spectra[0].displacement[0][i] / viscous->spectra[0].displacement[0][i], 1, 0.02)
+        << i;
+
+  options.peaks = "samples";
+  EXPECT_THAT(message(file, options), HasSubstr("leave --peaks out"));
+  options.peaks = "";
+  options.shock = true;
+  EXPECT_THAT(message(file, options), HasSubstr("leave --shock out"));
+  options.shock = false;
+  options.damping_ratio = {"0.05"};
+  EXPECT_THAT(message(file, options), HasSubstr("leave one of them out"));
+  options.damping_ratio = {};
+  options.loss_factor = {"0"};
+  EXPECT_THAT(message(file, options), HasSubstr("--loss-factor: it must lie between 0.001 and 2, not 0"));
+  options.loss_factor = {"0.001"};
+  options.periods = "100000";
+  EXPECT_THAT(message(file, options), HasSubstr("until the slowest oscillator rests"));
+}
+
 TEST(ResponseSpectrum, BadRecordingsAreNamed) {
   EXPECT_THAT(message(recording(1, 0.01, ripple), {}), HasSubstr("sample"));
   EXPECT_THAT(message(recording(300, 0.01, ripple, "position (m)"), {}),

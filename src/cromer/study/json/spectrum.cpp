@@ -32,7 +32,8 @@ Json shock_values(const SpectrumResult& result, const ResponseSpectrum& spectrum
 }
 
 Json spectrum_object(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  Json object{{"damping_ratio", spectrum.damping_ratio}, {"period", result.periods}};
+  Json object{{result.hysteretic() ? "loss_factor" : "damping_ratio", spectrum.damping_ratio},
+              {"period", result.periods}};
   if (!spectrum.shock.empty()) {
     object.update(shock_values(result, spectrum));
   } else if (spectrum.displacement.size() == 1) {

@@ -15,6 +15,8 @@ std::vector<Option> options_of(SpectrumOptions& o) {
        "natural frequencies in their place, \"1:1000:200:log Hz\"", "", oscillators},
       {"damping-ratio", &o.damping_ratio, "", Range::any, "damping ratios; may be given several times",
        "0.05", oscillators},
+      {"loss-factor", &o.loss_factor, "", Range::any,
+       "hysteretic damping k (1 + i eta) in place of it, as a sum of steady states", "", oscillators},
       {"peaks", &o.peaks, "", Range::any,
        "continuous (everywhere, after the recording's end too), samples (at them alone) or peer (ten a "
        "period "

@@ -1,9 +1,13 @@
 #include "cromer/study/task/response_spectrum.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "cromer/analysis/hysteretic_peaks.h"
+#include "cromer/base/grid.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/rotated_peaks.h"
 #include "cromer/model/band_limited.h"
@@ -46,6 +50,14 @@ Shock shock_of(const ResponsePeaks& peaks) {
           .negative = -std::min(peaks.during.low, peaks.after.low)};
 }
 
+void extend_hysteretic(ResponseSpectrum& spectrum, const Component& component,
+                       std::span<const double> periods) {
+  spectrum.displacement.resize(1);
+  for (const double peak :
+       hysteretic_peaks(component.acceleration, component.spacing, periods, spectrum.damping_ratio))
+    spectrum.displacement[0].push_back(peak);
+}
+
 /// A slice of the periods.
 void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
             std::span<const LinearLaw<double>> laws, PeakSearch search, bool shock) {
@@ -77,10 +89,36 @@ void measure(Component& component, const Between& between) {
   component.fourier = fourier_amplitude(component.acceleration, component.spacing);
 }
 
+/// Steady states are summed as they are: there is nothing to choose, and nothing before or after them.
+Result<void> check_hysteretic(const SpectrumOptions& options, std::size_t components) {
+  const auto alone = [](std::string_view other) {
+    return Error{
+        fmt::format("--loss-factor sums steady states of a band-limited ground; leave {} out", other)};
+  };
+  if (!options.peaks.empty()) return alone("--peaks");
+  if (!options.between_samples.empty()) return alone("--between-samples");
+  if (options.shock) return alone("--shock");
+  if (components > 1)
+    return Error{"--loss-factor takes one recording; ask for the components one after the other"};
+  return {};
+}
+
+Result<void> check_hysteretic_memory(const SpectrumResult& result, std::span<const double> loss_factors) {
+  const Component& component = result.components[0];
+  const double longest = *std::max_element(result.periods.begin(), result.periods.end());
+  const double least = *std::min_element(loss_factors.begin(), loss_factors.end());
+  const double samples = hysteretic_samples(component.acceleration.size(), component.spacing, longest, least);
+  const auto fits = fits_in_memory(2 * samples, 64, result.options.memory > 0 ? result.options.memory : 16e9);
+  if (fits) return {};
+  return Error{"--loss-factor: until the slowest oscillator rests, " + fits.error().message +
+               ": shorter periods or more damping"};
+}
+
 Result<void> check_together(const SpectrumOptions& options, Peaks peaks, const Between& between,
                             std::size_t components) {
   if (peaks == Peaks::peer && (between.band_limited || between.between == BetweenSamples::hold))
     return Error{"--peaks peer joins the samples by straight lines; leave --between-samples out"};
+  if (!options.loss_factor.empty()) return check_hysteretic(options, components);
   if (options.shock && components > 1)
     return Error{"--shock takes one recording; ask for the components one after the other"};
   return {};
@@ -113,7 +151,8 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
   result.peaks = *peaks;
   result.between = between->between;
   if (options.peaks.empty()) result.options.peaks = "continuous";
-  if (options.between_samples.empty()) result.options.between_samples = "linear";
+  if (options.between_samples.empty())
+    result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";
 
   auto components = read_components(files, options, result.warnings);
   if (!components) return components.error();
@@ -123,6 +162,8 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
   auto periods = periods_of(result.options, result.components[0], ratios->size());
   if (!periods) return periods.error();
   result.periods = *std::move(periods);
+  if (result.hysteretic())
+    if (auto good = check_hysteretic_memory(result, *ratios); !good) return good.error();
   for (auto& warning : period_warnings(result.options, result.periods, result.components[0], *peaks))
     result.warnings.push_back(std::move(warning));
   if (watch.warn) watch.warn(result.warnings);
@@ -137,14 +178,18 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
     ResponseSpectrum& spectrum = result.spectra.emplace_back();
     spectrum.damping_ratio = (*ratios)[r];
     const auto laws = laws_of(result.periods, spectrum.damping_ratio);
-    for (std::size_t begin = 0; begin < all; begin += slice) {
+    for (std::size_t begin = 0; begin < all;) {
       if (watch.interrupted()) {
         result.interrupted = true;
         result.spectra.clear();
         return result;
       }
-      extend(spectrum, shaking, std::span(laws).subspan(begin, std::min(slice, all - begin)), search,
-             options.shock);
+      const std::size_t count = std::min(result.hysteretic() ? std::size_t{8} : slice, all - begin);
+      if (result.hysteretic())
+        extend_hysteretic(spectrum, result.components[0], std::span(result.periods).subspan(begin, count));
+      else
+        extend(spectrum, shaking, std::span(laws).subspan(begin, count), search, options.shock);
+      begin += count;
       if (watch.progress)
         watch.progress((static_cast<double>(r) + static_cast<double>(begin) / static_cast<double>(all)) /
                        static_cast<double>(ratios->size()));

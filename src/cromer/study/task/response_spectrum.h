@@ -16,6 +16,7 @@ namespace cromer {
 
 struct SpectrumOptions {
   std::vector<std::string> damping_ratio{};  ///< grids, 0 to 20; 0.05 by default
+  std::vector<std::string> loss_factor{};    ///< in place of it: grids, above 0 to 2
   std::string periods{};                     ///< grid [s], as parse_grid reads it
   std::string frequencies{};                 ///< in place of periods: grid of natural frequencies [rad/s]
   std::string peaks{};                       ///< continuous (by default), samples or peer
@@ -76,6 +77,9 @@ struct SpectrumResult {
   std::vector<Component> components{};
   std::vector<ResponseSpectrum> spectra{};
   std::vector<std::string> warnings{};
+  /// The springs have hysteretic damping, and damping_ratio is their loss factor.
+  bool hysteretic() const { return !options.loss_factor.empty(); }
+
   bool interrupted = false;  ///< then `spectra` is empty
 };
 

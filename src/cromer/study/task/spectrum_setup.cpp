@@ -17,6 +17,7 @@ namespace cromer {
 namespace {
 
 constexpr double most_damping = 20;
+constexpr double least_loss = 1e-3, most_loss = 2;
 constexpr double shortest_period = 1e-3;  // of a spacing: below, the mass follows the ground
 constexpr double longest_period = 1e6;    // of the recording's duration: above, the ground moves past it
 
@@ -117,16 +118,22 @@ Result<Between> between_of(const SpectrumOptions& options) {
 }
 
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options) {
+  const bool hysteretic = !options.loss_factor.empty();
+  if (hysteretic && !options.damping_ratio.empty())
+    return Error{
+        "--damping-ratio and --loss-factor both say how the springs are damped; leave one of them out"};
+  const std::string option = hysteretic ? "--loss-factor" : "--damping-ratio";
+  const double least = hysteretic ? least_loss : 0, most = hysteretic ? most_loss : most_damping;
   std::vector<double> ratios;
-  for (const auto& text : options.damping_ratio) {
+  for (const auto& text : hysteretic ? options.loss_factor : options.damping_ratio) {
     const auto grid = parse_grid(text, "");
-    if (!grid) return Error{"--damping-ratio: " + grid.error().message};
+    if (!grid) return Error{option + ": " + grid.error().message};
     const auto values = values_of(*grid, 1e3, options.memory > 0 ? options.memory : 1e12);
-    if (!values) return Error{"--damping-ratio: " + values.error().message};
+    if (!values) return Error{option + ": " + values.error().message};
     for (const double ratio : *values)
-      if (!(ratio >= 0 && ratio <= most_damping))
-        return Error{fmt::format("--damping-ratio: it must lie between 0 and {}, not {}", most_damping,
-                                 shortest(ratio))};
+      if (!(ratio >= least && ratio <= most))
+        return Error{
+            fmt::format("{}: it must lie between {} and {}, not {}", option, least, most, shortest(ratio))};
     ratios.insert(ratios.end(), values->begin(), values->end());
   }
   if (ratios.empty()) ratios = {0.05};

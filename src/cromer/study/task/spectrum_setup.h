@@ -20,6 +20,7 @@ struct Between {
 };
 Result<Between> between_of(const SpectrumOptions& options);
 
+/// Damping ratios, or loss factors where those are given.
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options);
 
 /// The one or two components, sampled alike and equally long; `warnings` grows.
