@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -192,6 +194,48 @@ TEST(ResponseSpectrum, UnitsAreRead) {
   EXPECT_NEAR(psa("acc (gal)", 0.01), reference, 1e-12 * reference);
   EXPECT_NEAR(psa("acceleration", 9.80665, "g"), reference, 1e-12 * reference);
   EXPECT_NEAR(psa("acceleration", 1), reference, 1e-12 * reference);
+}
+
+// The same samples as a CSV, a PEER and a universal file.
+TEST(ResponseSpectrum, FilesOfOtherDialectsAreRead) {
+  std::string csv = "time (s),acc (g)\n", at2, uff;
+  char text[400];
+  constexpr int samples = 200;
+  for (int i = 0; i < samples; ++i) {
+    std::snprintf(text, sizeof text, "%.5E", 0.1 * ripple(0.01 * i));
+    const double a = std::atof(text);
+    std::snprintf(text, sizeof text, "%.2f,%.5E\n", 0.01 * i, a);
+    csv += text;
+    std::snprintf(text, sizeof text, "%14.5E%s", a, i % 5 == 4 ? "\n" : "");
+    at2 += text;
+    std::snprintf(text, sizeof text, "%13.5E%s", a, i % 6 == 5 || i + 1 == samples ? "\n" : "");
+    uff += text;
+  }
+  at2 =
+      "PEER NGA STRONG MOTION DATABASE RECORD\nsomewhere, 1/1/2000, station, 0\nACCELERATION TIME SERIES IN "
+      "UNITS OF G\nNPTS=   200, DT=   .0100 SEC\n" +
+      at2;
+  uff =
+      "    -1\n    58\ntable\nNONE\n02-JUN-20 10:00:00\nNONE\nNONE\n"
+      "    1         0    0         0 NONE               3   3 NONE               0   0\n"
+      "         2       200         1  0.00000E+00  1.00000E-02  0.00000E+00\n"
+      "        17    0    0    0 Time                 s                   \n"
+      "        12    0    0    0 NONE                 g                   \n"
+      "         0    0    0    0 NONE                 NONE                \n"
+      "         0    0    0    0 NONE                 NONE                \n" +
+      uff + "    -1\n";
+  SpectrumOptions options;
+  options.periods = "0.1,1";
+  const auto reference = spectrum_of({"a.csv", csv}, options);
+  ASSERT_TRUE(reference.ok()) << reference.error().message;
+  for (const SpectrumFile& file : {SpectrumFile{"a.AT2", at2}, SpectrumFile{"a.uff", uff}}) {
+    const auto found = spectrum_of(file, options);
+    ASSERT_TRUE(found.ok()) << found.error().message;
+    EXPECT_THAT(found->warnings, ElementsAre()) << file.name;
+    EXPECT_EQ(found->components[0].acceleration, reference->components[0].acceleration) << file.name;
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_NEAR(found->spectra[0].displacement[0][i] / reference->spectra[0].displacement[0][i], 1, 1e-12);
+  }
 }
 
 TEST(ResponseSpectrum, RowsAreInTheOrderAskedFor) {

@@ -17,7 +17,8 @@ namespace cromer {
 namespace {
 
 constexpr int band_limited_factor = 16;  // values for each interval
-constexpr std::size_t slice = 1024;      // periods between two looks at the watch
+// Periods between two looks at the watch: of one component, of two, and of hysteretic damping.
+constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8;
 
 double angular_frequency(double period) { return 2 * std::numbers::pi / period; }
 
@@ -174,6 +175,7 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
     shaking.emplace_back(component, *between);
   }
   const std::size_t all = result.periods.size();
+  const std::size_t at_once = result.hysteretic() ? slice_of_sums : shaking.size() > 1 ? slice_of_two : slice;
   for (std::size_t r = 0; r < ratios->size(); ++r) {
     ResponseSpectrum& spectrum = result.spectra.emplace_back();
     spectrum.damping_ratio = (*ratios)[r];
@@ -184,7 +186,7 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
         result.spectra.clear();
         return result;
       }
-      const std::size_t count = std::min(result.hysteretic() ? std::size_t{8} : slice, all - begin);
+      const std::size_t count = std::min(at_once, all - begin);
       if (result.hysteretic())
         extend_hysteretic(spectrum, result.components[0], std::span(result.periods).subspan(begin, count));
       else
