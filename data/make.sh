@@ -28,7 +28,7 @@ awk 'BEGIN {
     }
     printf "%.2f,%.4f,%.4f\n", t, envelope * east, envelope * north
   }
-}' > shaking.csv
+}' > ground/shaking.csv
 
 # A drop on a table: half a sine of 50 g and 6 ms, and a little ringing of the table.
 awk 'BEGIN {
@@ -40,4 +40,4 @@ awk 'BEGIN {
     a = t < 0.006 ? 50 * sin(pi * t / 0.006) : 0
     printf "%.5f,%.4f\n", t, a + (t > 0.001 ? 3 * exp(-(t - 0.001) / 0.004) * sin(2 * pi * 900 * (t - 0.001)) : 0)
   }
-}' > drop.csv
+}' > ground/drop.csv
