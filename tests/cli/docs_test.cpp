@@ -65,5 +65,7 @@ TEST(Docs, EveryCommandOfMethodsWorks) { expect_all_work("methods.md", 8); }
 
 TEST(Docs, EveryCommandOfIdentifyWorks) { expect_all_work("identify.md", 6); }
 
+TEST(Docs, EveryCommandOfSpectraWorks) { expect_all_work("spectra.md", 9); }
+
 }  // namespace
 }  // namespace cromer::test

@@ -45,6 +45,9 @@ constexpr std::array<RoleStyle, 24> roles{{
     {"implicit-family:4", "#469F84", "#2A7560", "#2FA583", "#4DBB99", 1.5, solid},
 }};
 
+// Lines to read by, not to look at: they need no contrast.
+constexpr RoleStyle grid_line{"grid", "#D5DAE1", "#626C7A", "#323B47", "#949FAE", 0.8, solid};
+
 constexpr RoleStyle unknown{"", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 1.5, solid};
 
 }  // namespace
@@ -55,6 +58,7 @@ const RoleStyle& style_of(std::string_view role) {
   for (const RoleStyle& style : roles) {
     if (style.role == role) return style;
   }
+  if (role == grid_line.role) return grid_line;
   return unknown;
 }
 
