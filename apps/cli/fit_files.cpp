@@ -10,6 +10,7 @@
 #include <string_view>
 #include <thread>
 
+#include "cromer/base/ascii.h"
 #include "cromer/report/read_file.h"
 
 namespace cromer::cli {
@@ -18,8 +19,7 @@ namespace {
 bool is_recording(const std::filesystem::path& path) {
   constexpr std::string_view endings[] = {".csv", ".txt", ".tsv", ".dat", ".lvm", ".asc",
                                           ".zip", ".at2", ".vt2", ".dt2", ".uff", ".unv"};
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string ending = lower(path.extension().string());
   const bool hidden = path.filename().string().starts_with('.');
   return !hidden && std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/nearest.h"
 #include "cromer/record/dialects/column_kind.h"
@@ -12,7 +13,7 @@ namespace cromer {
 namespace {
 
 std::string without_subscript(std::string name) {
-  while (name.size() > 1 && name.back() >= '0' && name.back() <= '9') name.pop_back();
+  while (name.size() > 1 && is_digit(name.back())) name.pop_back();
   return name;
 }
 

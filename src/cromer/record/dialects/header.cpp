@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/lines.h"
@@ -10,8 +11,6 @@ namespace cromer::dialects {
 namespace {
 
 using Cells = std::vector<std::string_view>;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Takes " Run #12" from the end of a heading.
 std::string take_run(std::string_view& text) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/record/dialects/column_kind.h"
@@ -77,9 +78,7 @@ char decimal_of(const std::vector<std::string_view>& lines) {
   for (const std::string_view line : lines) {
     if (is_comment(line)) continue;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-      const bool between_digits =
-          line[i - 1] >= '0' && line[i - 1] <= '9' && line[i + 1] >= '0' && line[i + 1] <= '9';
-      if (!between_digits) continue;
+      if (!is_digit(line[i - 1]) || !is_digit(line[i + 1])) continue;
       if (line[i] == '.') return '.';
       comma = comma || line[i] == ',';
     }
