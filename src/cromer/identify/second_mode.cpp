@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cromer/analysis/spectrum.h"
+#include "cromer/base/median.h"
 #include "cromer/identify/damped_phasor.h"
 
 namespace cromer {
@@ -50,10 +51,7 @@ double median_around(const std::vector<double>& a, std::size_t k, std::size_t re
   std::vector<double> around;
   for (std::size_t i = k > reach ? k - reach : 1; i < std::min(a.size(), k + reach + 1); ++i)
     if (i + 4 < k || i > k + 4) around.push_back(a[i]);
-  if (around.empty()) return 0;
-  const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-  std::nth_element(around.begin(), middle, around.end());
-  return *middle;
+  return around.empty() ? 0 : upper_median(around);
 }
 
 // Amplitude at the first sample and decay rate of one line.

@@ -6,6 +6,7 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
+#include "cromer/base/median.h"
 #include "cromer/base/nearest.h"
 #include "cromer/record/dialects/column_kind.h"
 
@@ -26,10 +27,7 @@ bool runs_evenly_upward(const std::vector<double>& values) {
     if (std::isfinite(step)) steps.push_back(step);
   }
   if (steps.size() < 2) return false;
-  std::vector<double> sorted = steps;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
-  const double median = sorted[sorted.size() / 2];
+  const double median = upper_median(steps);
   if (!(median > 0)) return false;
   const auto even = std::count_if(steps.begin(), steps.end(),
                                   [&](double step) { return std::fabs(step - median) < 0.5 * median; });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/median.h"
 #include "cromer/identify/residual.h"
 #include "cromer/identify/uncertainty.h"
 
@@ -42,8 +43,7 @@ struct Plateau {
 double median(const std::vector<double>& y, std::size_t first, std::size_t last) {
   std::vector<double> part(y.begin() + static_cast<std::ptrdiff_t>(first),
                            y.begin() + static_cast<std::ptrdiff_t>(last));
-  std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2), part.end());
-  return part[part.size() / 2];
+  return upper_median(part);
 }
 
 /// Stretches that stay at a level. In blocks of a fiftieth of the record for each mass a quiet block spans
