@@ -82,9 +82,7 @@ Linear best_linear(const Samples& samples, double w, double g, double drive) {
     b = {b.real() * drive_turn.real() - b.imag() * drive_turn.imag(),
          b.real() * drive_turn.imag() + b.imag() * drive_turn.real()};
   }
-  std::array<bool, max_parameters> all{};
-  all.fill(true);
-  const ScaledCholesky factor(equations.matrix, linear_size, 1e-9, all);
+  const ScaledCholesky factor(equations.matrix, linear_size, 1e-9, all_free);
   Linear result;
   if (!factor.ok()) return result;
   result.p = factor.solve(equations.right);

@@ -25,9 +25,7 @@ double local_slope(const Series& series, std::size_t first, std::size_t last, do
       for (int k = 0; k < 3; ++k) matrix[j][k] += row[j] * row[k];
     }
   }
-  std::array<bool, max_parameters> all{};
-  all.fill(true);
-  const ScaledCholesky factor(matrix, 3, 0, all);
+  const ScaledCholesky factor(matrix, 3, 0, all_free);
   return factor.ok() ? w * factor.solve(right)[2] : std::numeric_limits<double>::quiet_NaN();
 }
 
