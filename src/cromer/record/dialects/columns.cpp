@@ -108,6 +108,14 @@ std::string counted(std::size_t count, std::string_view noun) {
   return concat({std::to_string(count), " ", noun, count == 1 ? "" : "s"});
 }
 
+std::size_t rows_of_run(const Table& table, int run) {
+  std::size_t rows = 0;
+  for (const Column& column : table.columns)
+    for (std::size_t i = column.values.size(); column.run == run && i > rows; --i)
+      if (!std::isnan(column.values[i - 1])) rows = i;
+  return rows;
+}
+
 Result<std::size_t> find_column(const Table& table, std::string_view name, int run) {
   const auto& columns = table.columns;
   const auto matching = [&](auto&& matches) {

@@ -43,15 +43,6 @@ InspectedColumn look_at(const Recording& recording, std::size_t j) {
   return found;
 }
 
-/// Rows up to the last with a value.
-std::size_t length_of(const Recording& recording, int run) {
-  std::size_t length = 0;
-  for (const Column& column : recording.table.columns)
-    for (std::size_t i = column.values.size(); column.run == run && i > length; --i)
-      if (!std::isnan(column.values[i - 1])) length = i;
-  return length;
-}
-
 }  // namespace
 
 Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options) {
@@ -67,7 +58,7 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
   for (std::size_t j = 0; j < inspection.recording.table.columns.size(); ++j)
     inspection.columns.push_back(look_at(inspection.recording, j));
   for (const int run : runs(inspection.recording)) {
-    inspection.samples = std::max(inspection.samples, length_of(inspection.recording, run));
+    inspection.samples = std::max(inspection.samples, rows_of_run(inspection.recording.table, run));
     auto series = main_series(inspection.recording, run, options);
     if (!series) {
       const std::string prefix = std::string(file) + ": ";
