@@ -54,6 +54,15 @@ TEST(Runs, TracksAreCalledByTheirNames) {
   EXPECT_EQ(series->y.front(), 3);
 }
 
+TEST(MissingValues, SlowerSensors) {
+  for (const auto& [stride, said] :
+       {std::pair{3, "every 3rd row"}, std::pair{12, "every 12th row"}, std::pair{22, "every 22nd row"}}) {
+    std::string text = "Time (s),Pos A (mm),Pos B (mm)\n";
+    for (int i = 0; i < 5 * stride; ++i) text += concat({std::to_string(i), i % stride ? ",1,\n" : ",1,2\n"});
+    EXPECT_THAT(read(text).warnings, Contains(HasSubstr(said)));
+  }
+}
+
 TEST(MissingValues, SensorsSampledInTurn) {
   std::string text = "Time (s),Pos A (mm),Pos B (mm)\n";
   for (int i = 0; i < 10; ++i) text += concat({"0.", std::to_string(i), i % 2 ? ",1,\n" : ",,2\n"});

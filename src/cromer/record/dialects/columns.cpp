@@ -71,6 +71,13 @@ std::size_t stride_of(const std::vector<double>& values) {
   return count >= fewest ? stride : 1;
 }
 
+/// "2nd", "12th", "22nd".
+std::string ordinal(std::size_t n) {
+  constexpr std::array<std::string_view, 10> endings{"th", "st", "nd", "rd", "th",
+                                                     "th", "th", "th", "th", "th"};
+  return concat({std::to_string(n), n / 10 % 10 == 1 ? "th" : endings[n % 10]});
+}
+
 /// A time is never scaled by guess: a unit that is unknown or measures something else is an Error, unless
 /// another column is a good time.
 Result<void> check_time_units(std::vector<Column>& columns, bool asked) {
@@ -239,11 +246,7 @@ void count_missing(Recording& recording) {
         concat({"column \"", column_title(column), "\"",
                 several ? concat({" of run ", std::to_string(column.run)}) : std::string{}});
     if (const std::size_t stride = stride_of(column.values); stride > 1)
-      recording.warnings.push_back(concat({name, " is measured in every ", std::to_string(stride),
-                                           stride == 2   ? "nd"
-                                           : stride == 3 ? "rd"
-                                                         : "th",
-                                           " row only"}));
+      recording.warnings.push_back(concat({name, " is measured in every ", ordinal(stride), " row only"}));
     else
       recording.warnings.push_back(concat(
           {name, ": ", counted(missing, "missing value"), ", the first in line ", std::to_string(first)}));
