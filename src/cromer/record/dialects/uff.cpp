@@ -123,10 +123,10 @@ class Responses {
     } else {
       std::vector<std::string_view> rows;
       while (!reader.at_end() && !is_delimiter(reader.peek_line())) rows.push_back(reader.next_line());
-      auto stream = read_numbers(rows, 0, static_cast<std::size_t>(-1), false);
-      if (!stream) return Error{moved(stream.error().message, first - 1)};
+      auto stream = read_numbers(rows, 0, static_cast<std::size_t>(-1), false, first - 1);
+      if (!stream) return stream.error();
       numbers = std::move(stream->values);
-      for (const long line : stream->lines) at.push_back(line + first - 1);
+      at = std::move(stream->lines);
     }
     keep(head, std::move(numbers), at, begins);
     return {};
@@ -140,12 +140,6 @@ class Responses {
   void leave_out(const std::string& reason) { ++left_out_[reason]; }
 
  private:
-  /// ":3: ..." of a part of the file as ":103: ...".
-  static std::string moved(const std::string& message, long lines) {
-    const std::size_t end = message.find(':', 1);
-    return concat({":", std::to_string(std::stol(message.substr(1, end - 1)) + lines), message.substr(end)});
-  }
-
   void keep(const UffFunction& head, std::vector<double> numbers, const std::vector<long>& at, long begins) {
     const std::string here = concat({"the one in line ", std::to_string(begins)});
     if (head.type != 2 && head.type != 4) return leave_out("its values are complex");
