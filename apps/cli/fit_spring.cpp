@@ -15,13 +15,10 @@
 #include "exit_status.h"
 #include "message.h"
 #include "text_table.h"
+#include "words.h"
 
 namespace cromer::cli {
 namespace {
-
-std::string quantity(const Estimate& estimate, std::string_view unit) {
-  return format_quantity({estimate.value, estimate.standard_error}, unit);
-}
 
 /// Measured points with error bars, masses in grams; where they lie close to a line they are ringed.
 void add_points(Panel& panel, const std::vector<UncertainPoint>& points, double y_unit) {
@@ -56,7 +53,7 @@ Figure line_figure(const std::vector<UncertainPoint>& points, const LineWithErro
   }
   straight.role = zero.role = "fitted";
   straight.name = zero.name = "straight line";
-  straight.remark = "{/:Italic k} = " + quantity(stiffness, "N/m");
+  straight.remark = "{/:Italic k} = " + in_words(stiffness, "N/m");
   through.y = y;
   through.curves.push_back(std::move(straight));
   add_points(through, points, y_unit);
@@ -102,7 +99,7 @@ std::string static_text(const StaticStiffness& found) {
                     format_quantity({hold.position, hold.standard_error}, "m")});
   std::string out = text_table(rows, 1, 5);
   out += fmt::format("stiffness  {}, 95 % between {:.4g} and {:.4g} N/m (with g = {})\n",
-                     quantity(found.stiffness, "N/m"), found.stiffness.low, found.stiffness.high,
+                     in_words(found.stiffness, "N/m"), found.stiffness.low, found.stiffness.high,
                      format_quantity(found.gravity, "m/s²"));
   return out;
 }
@@ -191,8 +188,8 @@ std::string mass_line_text(const MassLine& line) {
       "T² against mass, {} recordings: stiffness {}, 95 % between {:.4g} and {:.4g} N/m; moving along {}, so "
       "a "
       "spring of {}\n",
-      line.points.size(), quantity(line.stiffness, "N/m"), line.stiffness.low, line.stiffness.high,
-      quantity(line.effective_mass, "kg"), quantity(line.spring_mass, "kg"));
+      line.points.size(), in_words(line.stiffness, "N/m"), line.stiffness.low, line.stiffness.high,
+      in_words(line.effective_mass, "kg"), in_words(line.spring_mass, "kg"));
 }
 
 Figure mass_line_figure(const MassLine& line) {

@@ -7,6 +7,7 @@
 
 #include "cromer/analysis/envelope.h"
 #include "length_unit.h"
+#include "words.h"
 
 namespace cromer::cli {
 namespace {
@@ -15,9 +16,8 @@ namespace {
 constexpr std::size_t most_swings = 20;
 
 std::string unit_of(const FittedRecording& fitted) {
-  for (const auto& parameter : fitted.parameters)
-    if (parameter.name == "equilibrium") return parameter.unit;
-  return fitted.series.quantity == "position" ? "m" : "";
+  const std::string unit = fitted_unit(fitted);
+  return unit.empty() && fitted.series.quantity == "position" ? "m" : unit;
 }
 
 }  // namespace

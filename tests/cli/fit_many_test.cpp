@@ -74,7 +74,8 @@ TEST(FitMany, AnEmptyFolderOrAWrongOptionEndsItAll) {
   std::filesystem::create_directory(folder.path("empty"));
   Finished end = folder.run({"fit", "empty", "-o", "all.csv"});
   EXPECT_EQ(end.status, 2);
-  EXPECT_THAT(end.err, HasSubstr("empty: the folder holds no recording"));
+  EXPECT_THAT(end.err, HasSubstr("empty: the folder holds no recording (a file ending in one of .csv"));
+  EXPECT_THAT(end.err, HasSubstr(".unv; folders in it are not searched)"));
   EXPECT_FALSE(folder.has("all.csv"));
   end = folder.run({"fit", "runs", "--law", "drg"});
   EXPECT_EQ(end.status, 2);
@@ -99,6 +100,7 @@ TEST(FitMany, OneRunThatCannotBeReadLeavesTheOthers) {
   EXPECT_EQ(document["fits"][0]["status"], "converged");
   EXPECT_EQ(document["fits"][1]["status"], "wrong_input");
   EXPECT_EQ(document["fits"][1]["recording"]["run"], 2);
+  EXPECT_THAT(folder.run({"fit", "two.csv", "--law", "viscous"}).out, HasSubstr("run 2: wrong_input"));
 }
 
 }  // namespace
