@@ -4,15 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <numbers>
 
-#include "cromer/identify/damped_phasor.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
-#include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/end_comparison.h"
 #include "cromer/study/task/forced_options.h"
+#include "cromer/study/task/keep_at.h"
 #include "cromer/study/task/run_law.h"
 
 namespace cromer {
@@ -24,99 +23,6 @@ constexpr double most_steps = 1e8;
 // A period has at least 200 steps, and a sample is a whole number of them.
 double default_step(double spacing, double period) {
   return spacing / std::max(1.0, std::ceil(200 * spacing / period - 1e-9));
-}
-
-// Takes the states of a run at given times; between two states by the cubic that has their positions and
-// velocities.
-class KeepAt {
- public:
-  KeepAt(const std::vector<double>& t, double slack) : t_(t), slack_(slack) {
-    kept_.t.reserve(t.size());
-    kept_.x.reserve(t.size());
-    kept_.v.reserve(t.size());
-  }
-
-  void operator()(double t, const State<double>& y) {
-    while (kept_.size() < t_.size() && t_[kept_.size()] <= t + slack_) {
-      const double at = t_[kept_.size()];
-      const State<double> here = t - at <= slack_ ? y : between(at, t, y);
-      kept_.t.push_back(at);
-      kept_.x.push_back(here.x);
-      kept_.v.push_back(here.v);
-    }
-    before_t_ = t;
-    before_ = y;
-  }
-
-  Trajectory take() { return std::move(kept_); }
-
- private:
-  State<double> between(double at, double t, const State<double>& y) const {
-    const double h = t - before_t_, s = (at - before_t_) / h;
-    const double dx = y.x - before_.x;
-    const double a = h * before_.v, b = h * y.v;
-    const double c2 = 3 * dx - 2 * a - b, c3 = a + b - 2 * dx;
-    return {before_.x + s * (a + s * (c2 + s * c3)), (a + s * (2 * c2 + 3 * s * c3)) / h};
-  }
-
-  const std::vector<double>& t_;
-  double slack_;
-  double before_t_ = 0;
-  State<double> before_{};
-  Trajectory kept_;
-};
-
-// Amplitude and phase of the sinusoid of frequency w that fits samples [first, last) best.
-std::complex<double> local_sinusoid(std::span<const double> t, std::span<const double> x, std::size_t first,
-                                    std::size_t last, double w) {
-  const Record part{t.subspan(first, last - first), x.subspan(first, last - first), 0};
-  const DampedPhasor::Linear fit = DampedPhasor(part).best_linear(w, 0);
-  return {fit.cosine, -fit.sine};  // cosine cos(wt) + sine sin(wt) = |z| cos(wt + arg z)
-}
-
-// The complex amplitude at the end of samples [first, last): the rates of change of size and phase from the
-// first half to the second, carried on by the quarter of the window that lies between the second half's
-// middle and the end.
-std::complex<double> at_end(std::span<const double> t, std::span<const double> x, std::size_t first,
-                            std::size_t last, double w) {
-  const std::size_t middle = first + (last - first) / 2;
-  const std::complex<double> early = local_sinusoid(t, x, first, middle, w),
-                             late = local_sinusoid(t, x, middle, last, w);
-  if (!(std::abs(early) > 0)) return late;
-  const std::complex<double> change = late / early;
-  return late * std::polar(std::sqrt(std::abs(change)), std::arg(change) / 2);
-}
-
-struct EndComparison {
-  double amplitude_ratio = 1;
-  double phase_drift = 0;  // [rad]
-};
-
-// Windows of ten periods follow the phase through the record, so that a drift beyond half a turn is not
-// folded back; the last, carried on to its end, gives the result.
-EndComparison compare_ends(std::span<const double> t, std::span<const double> measured,
-                           std::span<const double> simulated, double w) {
-  EndComparison end;
-  const double window = 10 * two_pi / w;
-  const double duration = t.back() - t.front();
-  const int windows = std::max(1, static_cast<int>(duration / window));
-  double drift = 0;
-  for (int i = windows; i > 0; --i) {
-    const double from = std::max(t.front(), t.back() - i * window), to = t.back() - (i - 1) * window;
-    const auto first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), from) - t.begin());
-    const auto last = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), to) - t.begin());
-    if (last < first + 8) continue;
-    const std::complex<double> m = local_sinusoid(t, measured, first, last, w),
-                               s = local_sinusoid(t, simulated, first, last, w);
-    if (!(std::abs(m) > 0)) continue;
-    const double now = std::arg(s * std::conj(m));
-    drift = now + two_pi * std::round((drift - now) / two_pi);
-    if (i > 1) continue;
-    const std::complex<double> ratio =
-        at_end(t, simulated, first, last, w) / at_end(t, measured, first, last, w);
-    end = {std::abs(ratio), drift + std::arg(ratio * std::polar(1.0, -drift))};
-  }
-  return end;
 }
 
 struct NamedLaw {
