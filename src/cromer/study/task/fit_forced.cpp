@@ -27,8 +27,10 @@ Result<void> check_displacement(const Series& motion) {
 }
 
 bool is_outlier(const Series& series, std::size_t i) {
-  return std::any_of(series.outliers.begin(), series.outliers.end(),
-                     [&](const Outlier& outlier) { return outlier.t == series.t[i]; });
+  // They stand in the order of their times.
+  const auto found = std::lower_bound(series.outliers.begin(), series.outliers.end(), series.t[i],
+                                      [](const Outlier& outlier, double t) { return outlier.t < t; });
+  return found != series.outliers.end() && found->t == series.t[i];
 }
 
 bool has_values(const FreeDecay& fit) {
