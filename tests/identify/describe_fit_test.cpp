@@ -25,7 +25,7 @@ TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
 }
 
 TEST(DescribeFit, FewerSamplesThanParametersSayNothingOfThem) {
-  // Seven parameters and eight samples a period apart from rest: no law of three terms follows.
+  // A fit wants three samples more than there are parameters, and this law has seven.
   const SyntheticRecord record = viscous_record({}, even_times(9, 0.1));
   const FreeDecay fit =
       fit_free_decay(record.record(), {.law = {.viscous = true, .drag = true, .cubic = true}});

@@ -287,10 +287,6 @@ TEST(FitTask, APendulumOnFilmDecaysAsItsAuthorsSay) {
 TEST(FitTask, ARecordingWithoutOscillationIsRefused) {
   const std::string path = data("seismometer-datastudio/train2.txt");
   SKIP_WITHOUT(path);
-  FitOptions options;
-  options.column = "Voltage";
-  const auto recording = read_recording(bytes_of(path), path, {});
-  if (!recording.ok()) GTEST_SKIP() << "not read yet: " << recording.error().message;
   const auto result = fit(bytes_of(path), path, {});
   ASSERT_TRUE(result.ok()) << result.error().message;
   EXPECT_EQ(result->front().fit.status, FitStatus::no_oscillation);
