@@ -31,6 +31,39 @@ struct NamedLaw {
   Oscillator<double> oscillator;  // per unit mass
 };
 
+// The figures of a curve that reached the end, and whether they mean anything.
+void measure_curve(ComparedCurve& curve, const FittedRecording& recording, double step,
+                   std::vector<std::string>& warnings) {
+  const Series& series = recording.series;
+  const FreeDecay& fit = recording.fit;
+  const std::size_t n = curve.trajectory.size();
+  std::vector<double> measured(n);
+  double mean = 0, residual = 0, total = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    measured[i] = series.y[i] - fit.equilibrium.value;
+    mean += measured[i] / static_cast<double>(n);
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    residual += (measured[i] - curve.trajectory.x[i]) * (measured[i] - curve.trajectory.x[i]);
+    total += (measured[i] - mean) * (measured[i] - mean);
+  }
+  curve.rms = std::sqrt(residual / static_cast<double>(n));
+  curve.r_squared = 1 - residual / total;
+  const EndComparison end = compare_ends(series.t, measured, curve.trajectory.x, fit.angular_frequency.value);
+  curve.amplitude_ratio_end = end.amplitude_ratio;
+  curve.phase_drift = end.phase_drift;
+  // A free swing never exceeds its start by much: what does has grown from step to step.
+  double largest = 0;
+  const double start = std::hypot(fit.position.value, fit.velocity.value / fit.angular_frequency.value);
+  for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
+  if (largest > 10 * start)
+    warnings.push_back(fmt::format(
+        "{}: {} with a step of {:.6g} s grows to {:.3g} times the amplitude that it started from: it is "
+        "unstable there, and the figures say nothing of the law; take a smaller --step or another "
+        "--method",
+        curve.label, curve.method, step, largest / start));
+}
+
 Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const NamedLaw& law,
                                      const CompareOptions& options, double step,
                                      std::vector<std::string>& warnings, const Watch& watch) {
@@ -57,8 +90,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   curve.law = law.law;
   curve.method = options.method;
   curve.trajectory = keep.take();
-  const std::size_t n = curve.trajectory.size();
-  if (outcome.status != Status::reached_end || n < series.t.size()) {
+  if (outcome.status != Status::reached_end || curve.trajectory.size() < series.t.size()) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = unknown;
     curve.complete = false;
@@ -69,31 +101,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
     return curve;
   }
 
-  std::vector<double> measured(n);
-  double mean = 0, residual = 0, total = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    measured[i] = series.y[i] - fit.equilibrium.value;
-    mean += measured[i] / static_cast<double>(n);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    residual += (measured[i] - curve.trajectory.x[i]) * (measured[i] - curve.trajectory.x[i]);
-    total += (measured[i] - mean) * (measured[i] - mean);
-  }
-  curve.rms = std::sqrt(residual / static_cast<double>(n));
-  curve.r_squared = 1 - residual / total;
-  const EndComparison end = compare_ends(series.t, measured, curve.trajectory.x, fit.angular_frequency.value);
-  curve.amplitude_ratio_end = end.amplitude_ratio;
-  curve.phase_drift = end.phase_drift;
-  // A free swing never exceeds its start by much: what does has grown from step to step.
-  double largest = 0,
-         start = std::hypot(fit.position.value, fit.velocity.value / fit.angular_frequency.value);
-  for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
-  if (largest > 10 * start)
-    warnings.push_back(fmt::format(
-        "{}: {} with a step of {:.6g} s grows to {:.3g} times the amplitude that it started from: it is "
-        "unstable there, and the figures say nothing of the law; take a smaller --step or another "
-        "--method",
-        law.label, options.method, step, largest / start));
+  measure_curve(curve, recording, step, warnings);
   return curve;
 }
 
