@@ -98,7 +98,8 @@ int run_fit(const Arguments& arguments) {
   Syntax syntax{.command = "fit",
                 .description =
                     "The law of motion of a free or a driven oscillation, with uncertainties, from its "
-                    "recording. No start values are needed.",
+                    "recording. No start values are needed. Frequency, damping ratio, quality factor and "
+                    "decrement are those of the whole law at the amplitude of the first used sample.",
                 .files = "FILE|FOLDER...",
                 .options = options_of(options),
                 .example =

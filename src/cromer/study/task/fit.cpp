@@ -14,6 +14,7 @@
 #include "cromer/identify/free_part.h"
 #include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
@@ -275,7 +276,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.warnings.push_back(
         fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
   }
-  result.derived = derived_quantities(result.fit);
+  result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
   result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
   const DecaySegments segments = fit_segments(record, two_pi / result.fit.angular_frequency.value,

@@ -9,6 +9,7 @@
 
 #include "cromer/identify/driven_fit.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/force_grid.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/forced_parameters.h"
@@ -54,7 +55,7 @@ void describe(FittedRecording& result, ForcedChoice&& choice, std::string_view f
   if (options.mass && unit != "m" && !unit.empty())
     result.warnings.push_back(
         fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
-  result.derived = forced_derived(*result.forced);
+  result.derived = derived_quantities(*result.forced, unit, 0);
   if (result.fit.decay_rate.value >= result.fit.angular_frequency.value)
     result.warnings.emplace_back("the law is overdamped: it has no frequency and no period of its own");
   if (result.fit.explained < 0.9 && result.fit.residual.autocorrelation > 0.5)

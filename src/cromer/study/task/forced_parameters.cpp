@@ -51,12 +51,4 @@ std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_v
   return list;
 }
 
-std::vector<NamedEstimate> forced_derived(const ForcedFit& fit) {
-  if (fit.law.decay_rate.value < fit.law.angular_frequency.value) return derived_quantities(fit.law);
-  std::vector<NamedEstimate> list;
-  for (NamedEstimate& number : derived_quantities(fit.law))
-    if (number.name == "damping_ratio" || number.name == "quality_factor") list.push_back(std::move(number));
-  return list;
-}
-
 }  // namespace cromer

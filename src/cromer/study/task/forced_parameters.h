@@ -14,7 +14,4 @@ namespace cromer {
 std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_view unit,
                                              std::string_view force_unit, const Body& body);
 
-/// derived_quantities where the law oscillates; else damping_ratio and quality_factor alone.
-std::vector<NamedEstimate> forced_derived(const ForcedFit& fit);
-
 }  // namespace cromer
