@@ -54,6 +54,12 @@ Result<void> check_options(const FitOptions& options) {
     return must("monte-carlo", *options.monte_carlo, "between 1000 and 10000000 trials");
   if (options.monte_carlo && !options.mass)
     return Error{"--monte-carlo needs --mass: it checks the uncertainty of the spring constant"};
+  if (options.temperature && !options.disc_diameter)
+    return Error{
+        "--temperature needs --disc-diameter: the air's warmth matters to the Reynolds number and the drag "
+        "coefficient of a disc only"};
+  if (options.seed_given && !options.monte_carlo)
+    return Error{"--seed needs --monte-carlo: it is the seed of its trials"};
   if (!options.goal.empty())
     if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
   if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");

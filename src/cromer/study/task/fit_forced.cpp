@@ -56,6 +56,11 @@ void describe(FittedRecording& result, ForcedChoice&& choice, std::string_view f
     result.warnings.push_back(
         fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
   result.derived = derived_quantities(*result.forced, unit, 0);
+  if (result.find("stiffness")) {
+    result.stiffness_budget = stiffness_budget(result.fit, body);
+    if (options.monte_carlo)
+      result.monte_carlo = stiffness_monte_carlo(result.fit, body, *options.monte_carlo, options.seed);
+  }
   if (result.fit.decay_rate.value >= result.fit.angular_frequency.value)
     result.warnings.emplace_back("the law is overdamped: it has no frequency and no period of its own");
   if (result.fit.explained < 0.9 && result.fit.residual.autocorrelation > 0.5)
@@ -97,10 +102,14 @@ std::string simulate_line(const ForcedFit& fit, const Series& series, double mas
 
 void say_unused(FittedRecording& result) {
   const FitOptions& options = result.options;
-  if (options.segment || options.segments)
-    result.warnings.emplace_back("--segment and --segments are not used: a driven motion has no decay");
+  for (const std::string_view unused : unused_if_driven(options))
+    result.warnings.push_back(fmt::format("{} is not used: the motion is driven", unused));
   if (options.disc_diameter)
-    result.warnings.emplace_back("--disc-diameter gives no Reynolds number of a driven motion");
+    result.warnings.push_back(
+        fmt::format("--disc-diameter gives no Reynolds number of a driven motion{}",
+                    result.find("drag_coefficient")
+                        ? ""
+                        : "; and no drag coefficient: that needs --mass and drag in the law"));
 }
 
 }  // namespace
