@@ -142,7 +142,7 @@ TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
   ForcedFit fit;
   fit.law = released(0.05);
   fit.law.drag = certain(0.3);
-  for (int i = 0; i < 1000; ++i) fit.motion.push_back(7 + 0.2 * std::sin(2 * pi * i / 100));
+  for (int i = 0; i < 1000; ++i) fit.states.x.push_back(7 + 0.2 * std::sin(2 * pi * i / 100));
   const std::vector<NamedEstimate> list = derived_quantities(fit, "m", 0);
   ASSERT_EQ(list.back().name, "at_amplitude");
   EXPECT_NEAR(list.back().estimate.value, 0.2, 1e-12);

@@ -85,7 +85,7 @@ std::vector<NamedEstimate> derived_quantities(const FreeDecay& fit, std::string_
 std::vector<NamedEstimate> derived_quantities(const ForcedFit& fit, std::string_view observed,
                                               int derivative) {
   std::vector<NamedEstimate> list =
-      at_amplitude(law_of(fit.law, fit.quadratic), Real(mean_amplitude(fit.motion)), fit.law,
+      at_amplitude(law_of(fit.law, fit.quadratic), Real(mean_amplitude(fit.states.x)), fit.law,
                    displacement_unit(observed, derivative));
   if (fit.law.decay_rate.value >= fit.law.angular_frequency.value)
     list.erase(std::remove_if(list.begin(), list.end(),

@@ -26,18 +26,6 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-// Which derivative of the displacement a quantity is: -1 where that is not known to be any.
-int derivative_order(std::string_view quantity) {
-  if (quantity == "position" || quantity == "angle") return 0;
-  if (quantity == "velocity" || quantity == "angular velocity") return 1;
-  if (quantity == "acceleration" || quantity == "angular acceleration") return 2;
-  return -1;
-}
-
-bool is_linear_quantity(std::string_view quantity) {
-  return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
-}
-
 Result<void> check_options(const FitOptions& options) {
   const auto must = [](const char* name, double value, const char* constraint) {
     return Error{fmt::format("--{} {}: it must be {}", name, value, constraint)};
@@ -159,11 +147,7 @@ Result<LawChoice> fit_law(const Record& record, const Series& series, const FitO
   FreeDecayOptions decay;
   decay.angle = series.quantity.starts_with("ang");
   const bool automatic = options.law.empty() || options.law == "auto";
-  if (record.derivative > 0)
-    warnings.push_back(fmt::format(
-        "column \"{}\" holds {}: it is fitted as that, and all but the equilibrium, which is the sensor's "
-        "offset, is said of the {}",
-        series.column, series.quantity, decay.angle ? "angle" : "displacement"));
+  if (record.derivative > 0) warnings.push_back(fitted_as_it_is(series.quantity, series.column));
   if (automatic) return choose_law(record, decay, watch);
   const Result<Law> law = parse_law(options.law);
   if (!law) return law.error();
