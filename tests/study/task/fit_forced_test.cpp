@@ -1,4 +1,5 @@
 #include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/fitted_motion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -203,6 +204,52 @@ TEST(FitDriven, SaysTheDrive) {
   EXPECT_TRUE(result.between_samples.empty());
   EXPECT_THAT(result.simulate, testing::StartsWith("cromer simulate --mass 0.25 --stiffness 12.9"));
   EXPECT_THAT(result.simulate, HasSubstr(" --drive-frequency 7.5"));
+}
+
+TEST(FitDriven, AGyroscopesRecordIsOneOfAngularVelocities) {
+  // The derivative of the beats by central differences, which is theirs but for a factor near 1.
+  std::istringstream angles(beats(0.3));
+  std::string line;
+  std::getline(angles, line);
+  std::vector<double> t, x;
+  while (std::getline(angles, line)) {
+    t.push_back(std::stod(line));
+    x.push_back(std::stod(line.substr(line.find(',') + 1)));
+  }
+  std::ostringstream rates;
+  rates.precision(12);
+  rates << "Time (s),Gyro z (rad/s)\n";
+  for (std::size_t i = 1; i + 1 < t.size(); ++i)
+    rates << t[i] << ',' << (x[i + 1] - x[i - 1]) / (t[i + 1] - t[i - 1]) + 0.01 << '\n';
+  const FittedRecording result = fitted(rates.str(), {});
+  ASSERT_NE(result.find("drive_frequency"), nullptr);
+  EXPECT_NEAR(result.find("drive_frequency")->value, 7.58, 2e-3);
+  EXPECT_NEAR(result.find("angular_frequency")->value, 7.2, 1e-2);
+  EXPECT_NEAR(result.find("drive_amplitude")->value, 0.3, 0.01);
+  EXPECT_NEAR(result.find("equilibrium")->value, 0.01, 2e-3);
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("holds angular velocity: it is fitted as that")));
+}
+
+TEST(FitDriven, WritesTheMotionUnderTheDrive) {
+  FitOptions options;
+  options.drive_frequency = "1.206 Hz";
+  const FittedRecording result = fitted(beats(0.3), options);
+  const FittedMotion motion = fitted_motion(result);
+  ASSERT_EQ(motion.x.size(), result.series.t.size());
+  for (std::size_t i = 1; i + 1 < motion.x.size(); ++i) {
+    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium.value + motion.residual[i], result.series.y[i], 1e-12);
+    const double slope = (motion.x[i + 1] - motion.x[i - 1]) / (motion.t[i + 1] - motion.t[i - 1]);
+    EXPECT_NEAR(motion.v[i], slope, 0.02 * 7.58 * 0.3);
+  }
+}
+
+TEST(FitDriven, SaysWhyNothingSimulatesACurvedSpring) {
+  FitOptions options;
+  options.drive_frequency = "1.206 Hz";
+  options.law = "viscous+cubic";
+  const FittedRecording result = fitted(beats(0.3), options);
+  EXPECT_EQ(result.simulate, "");
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("no quadratic stiffness")));
 }
 
 TEST(FitDriven, IsRecognisedUnlessTheMotionIsFree) {
