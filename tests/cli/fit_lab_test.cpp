@@ -64,6 +64,13 @@ TEST(FitLab, OfAMassAtRestTellsNothingOfAMotion) {
   }
 }
 
+TEST(FitLab, SaysThatAMassHeldIsNotAtRest) {
+  const std::string other = CROMER_SOURCE_DIR "/data/recording1.csv";
+  const Finished end = Folder().run({"fit", "--static", "--masses", "200 g, 210 g", disc, other});
+  EXPECT_THAT(end.err, HasSubstr("recording2.csv, run 1, 0 to 120 s is not at rest"));
+  EXPECT_THAT(end.err, HasSubstr("recording1.csv, run 1"));
+}
+
 TEST(FitLab, WritesTheMotionSampleBySample) {
   Folder folder;
   folder.write("lab.csv", recording(2000));
