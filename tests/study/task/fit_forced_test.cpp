@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "tests/identify/forced_truth.h"
+#include "tests/support/shared_data.h"
 
 namespace cromer {
 namespace {
@@ -260,18 +261,6 @@ TEST(FitDriven, IsRecognisedUnlessTheMotionIsFree) {
   EXPECT_EQ(fitted(beats(0), {}).find("drive_frequency"), nullptr);
   EXPECT_EQ(fitted(beats(0.3), {.law = "viscous"}).find("drive_frequency"), nullptr);
 }
-
-std::string data(const char* name) { return std::string(CROMER_SOURCE_DIR) + "/../shared/data/" + name; }
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
-#define SKIP_WITHOUT(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here"
 
 TEST(FitForced, ForetellsTheSilverbox) {
   const std::string path = data("silverbox/silverbox_train.csv");
