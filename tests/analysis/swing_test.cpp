@@ -16,8 +16,6 @@ constexpr double pi = std::numbers::pi;
 /// x'' = -k x - k2 x^2 - k3 x^3 - w0^2 sin x, in small steps.
 struct Springs {
   double k = 0, k2 = 0, k3 = 0, pendulum = 0;
-  static constexpr bool depends_on_velocity = false;
-  static constexpr bool depends_on_time = false;
   double acceleration(double, double x, double) const {
     return -k * x - k2 * x * x - k3 * x * x * x - pendulum * std::sin(x);
   }
