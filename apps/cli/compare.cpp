@@ -12,6 +12,7 @@
 #include "cromer/report/read_file.h"
 #include "cromer/study/json/documents.h"
 #include "exit_status.h"
+#include "fit_text.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -34,10 +35,17 @@ std::string number(double value, int decimals) {
                                                    : fmt::format("{:.{}g}", value, decimals);
 }
 
+/// What is known about the apparatus, and what else was asked, says nothing of the curves: it is answered by
+/// the fit.
+bool asks_for_the_fit(const FitOptions& options) {
+  return options.mass || options.disc_diameter || !options.goal.empty() || options.textbook;
+}
+
 std::string table(const std::vector<CompareResult>& comparisons) {
   std::string out;
   for (const auto& comparison : comparisons) {
     const FittedRecording& recording = comparison.recording;
+    if (asks_for_the_fit(recording.options)) out += fit_text({recording}) + "\n";
     out += fmt::format("{}, {}, run {}\n", recording.file, recording.series.column, recording.series.run);
     std::vector<std::vector<std::string>> rows{{with_unit("rms", comparison), "R squared",
                                                 "amplitude ratio at the end", "phase drift (rad)", "method",
@@ -86,6 +94,7 @@ int run_compare(const Arguments& arguments) {
   if (!comparisons) return refuse(comparisons.error().message);
   bool ok = true;
   for (const auto& comparison : *comparisons) {
+    if (asks_for_the_fit(options.fit)) warn(comparison.recording.warnings, output.quiet);
     warn(comparison.warnings, output.quiet);
     ok = ok && comparison.complete;
     const FreeDecay& fit = comparison.recording.fit;

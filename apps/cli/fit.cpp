@@ -98,7 +98,8 @@ int run_fit(const Arguments& arguments) {
   Syntax syntax{.command = "fit",
                 .description =
                     "The law of motion of a free or a driven oscillation, with uncertainties, from its "
-                    "recording. No start values are needed.",
+                    "recording. No start values are needed. Frequency, damping ratio, quality factor and "
+                    "decrement are those of the whole law at the amplitude of the first used sample.",
                 .files = "FILE|FOLDER...",
                 .options = options_of(options),
                 .example =
@@ -124,6 +125,8 @@ int run_fit(const Arguments& arguments) {
   if (auto good = check_outputs(output, found->files); !good) return refuse(good.error().message);
   if (auto good = check_motion(motion, output, found->files); !good) return refuse(good.error().message);
   warn(found->notes, output.quiet);
+  if (spring.held && !motion.empty())
+    return refuse("--motion has no meaning with --static: a mass at rest has no motion");
   if (spring.held) return run_static(found->files, options, spring, output);
 
   const Watch watch = watching(output.quiet);

@@ -36,6 +36,41 @@ TEST(FitLab, TellsBudgetTrialsAndPlan) {
   EXPECT_TRUE(fit["textbook"].is_null());
 }
 
+TEST(FitLab, IsSaidByCompareAsWell) {
+  const std::vector<std::string> asked{
+      "compare",        disc,         "--mass",          "217.6 ± 0.3 g", "--monte-carlo", "2000", "--goal",
+      "decay_rate 1 %", "--textbook", "--disc-diameter", "12 cm"};
+  const Finished words = Folder().run(asked);
+  ASSERT_EQ(words.status, 0) << words.err;
+  for (const char* each : {"stiffness ", "2000 trials", "to record:", "textbook:", "Reynolds", "R squared"})
+    EXPECT_THAT(words.out, HasSubstr(each));
+  std::vector<std::string> json = asked;
+  json.emplace_back("--json");
+  const auto fit = Folder().run(json).json()["fit"];
+  for (const char* each : {"monte_carlo", "plan", "textbook", "reynolds"}) EXPECT_FALSE(fit[each].is_null());
+  EXPECT_NEAR(fit["parameters"]["stiffness"]["value"].get<double>(), 17.04, 0.05);
+}
+
+TEST(FitLab, OfAMassAtRestTellsNothingOfAMotion) {
+  for (const auto& [option, value] : {std::pair("--mass", "1"),
+                                      {"--law", "viscous"},
+                                      {"--goal", "decay_rate 1 %"},
+                                      {"--segments", "2"},
+                                      {"--motion", "motion.csv"}}) {
+    const Finished end = Folder().run({"fit", "--static", "--masses", "48 g, 68 g", disc, option, value});
+    EXPECT_EQ(end.status, 2) << option;
+    EXPECT_THAT(end.err, HasSubstr(option));
+    EXPECT_THAT(end.err, HasSubstr("a mass at rest has no motion"));
+  }
+}
+
+TEST(FitLab, SaysThatAMassHeldIsNotAtRest) {
+  const std::string other = CROMER_SOURCE_DIR "/data/recording1.csv";
+  const Finished end = Folder().run({"fit", "--static", "--masses", "200 g, 210 g", disc, other});
+  EXPECT_THAT(end.err, HasSubstr("recording2.csv, run 1, 0 to 120 s is not at rest"));
+  EXPECT_THAT(end.err, HasSubstr("recording1.csv, run 1"));
+}
+
 TEST(FitLab, WritesTheMotionSampleBySample) {
   Folder folder;
   folder.write("lab.csv", recording(2000));

@@ -25,6 +25,7 @@ Json document(const CompareResult& comparison) {
                       {"phase_drift", curve.phase_drift}});
   if (const std::string sentence = explanation(comparison); !sentence.empty())
     object["explanation"] = sentence;
+  object["fit"] = fit_object(comparison.recording);
   object["warnings"] = comparison.warnings;
   return object;
 }

@@ -114,7 +114,9 @@ Json textbook(const FittedRecording& fitted) {
   return object;
 }
 
-Json document(const FittedRecording& fitted) {
+}  // namespace
+
+Json fit_object(const FittedRecording& fitted) {
   const FreeDecay& fit = fitted.fit;
   Json object;
   object["recording"] = recording_object(fitted);
@@ -157,8 +159,6 @@ Json document(const FittedRecording& fitted) {
   return object;
 }
 
-}  // namespace
-
 Json recording_object(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const bool any = !series.t.empty();
@@ -179,12 +179,12 @@ Json recording_object(const FittedRecording& fitted) {
 }
 
 std::string to_json(std::span<const FittedRecording> fits, bool as_list) {
-  if (fits.size() == 1 && !as_list) return to_text(document(fits.front()));
+  if (fits.size() == 1 && !as_list) return to_text(fit_object(fits.front()));
   Json all;
   Json& list = all["fits"] = Json::array();
   std::size_t failed = 0;
   for (const auto& fitted : fits) {
-    list.push_back(document(fitted));
+    list.push_back(fit_object(fitted));
     failed += !fitted.succeeded();
   }
   if (failed > 0)

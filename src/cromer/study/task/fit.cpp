@@ -14,6 +14,7 @@
 #include "cromer/identify/free_part.h"
 #include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
@@ -24,18 +25,6 @@ namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-
-// Which derivative of the displacement a quantity is: -1 where that is not known to be any.
-int derivative_order(std::string_view quantity) {
-  if (quantity == "position" || quantity == "angle") return 0;
-  if (quantity == "velocity" || quantity == "angular velocity") return 1;
-  if (quantity == "acceleration" || quantity == "angular acceleration") return 2;
-  return -1;
-}
-
-bool is_linear_quantity(std::string_view quantity) {
-  return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
-}
 
 Result<void> check_options(const FitOptions& options) {
   const auto must = [](const char* name, double value, const char* constraint) {
@@ -53,6 +42,12 @@ Result<void> check_options(const FitOptions& options) {
     return must("monte-carlo", *options.monte_carlo, "between 1000 and 10000000 trials");
   if (options.monte_carlo && !options.mass)
     return Error{"--monte-carlo needs --mass: it checks the uncertainty of the spring constant"};
+  if (options.temperature && !options.disc_diameter)
+    return Error{
+        "--temperature needs --disc-diameter: the air's warmth matters to the Reynolds number and the drag "
+        "coefficient of a disc only"};
+  if (options.seed_given && !options.monte_carlo)
+    return Error{"--seed needs --monte-carlo: it is the seed of its trials"};
   if (!options.goal.empty())
     if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
   if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");
@@ -152,11 +147,7 @@ Result<LawChoice> fit_law(const Record& record, const Series& series, const FitO
   FreeDecayOptions decay;
   decay.angle = series.quantity.starts_with("ang");
   const bool automatic = options.law.empty() || options.law == "auto";
-  if (record.derivative > 0)
-    warnings.push_back(fmt::format(
-        "column \"{}\" holds {}: it is fitted as that, and all but the equilibrium, which is the sensor's "
-        "offset, is said of the {}",
-        series.column, series.quantity, decay.angle ? "angle" : "displacement"));
+  if (record.derivative > 0) warnings.push_back(fitted_as_it_is(series.quantity, series.column));
   if (automatic) return choose_law(record, decay, watch);
   const Result<Law> law = parse_law(options.law);
   if (!law) return law.error();
@@ -275,7 +266,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.warnings.push_back(
         fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
   }
-  result.derived = derived_quantities(result.fit);
+  result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
   result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
   const DecaySegments segments = fit_segments(record, two_pi / result.fit.angular_frequency.value,

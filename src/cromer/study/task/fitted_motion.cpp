@@ -5,13 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "cromer/study/task/used_samples.h"
+
 namespace cromer {
 namespace {
-
-int derivative_order(std::string_view quantity) {
-  if (quantity.find("velocity") != std::string_view::npos) return 1;
-  return quantity.find("acceleration") != std::string_view::npos ? 2 : 0;
-}
 
 /// The slope at `at` of E + A cos(w s) + B sin(w s), s = t - at, fitted to samples [first, last).
 double local_slope(const Series& series, std::size_t first, std::size_t last, double at, double w) {
@@ -43,17 +40,25 @@ std::vector<double> local_velocities(const Series& series, double w) {
   return v;
 }
 
+std::vector<double> residuals_of(const ForcedFit& fit, const Series& series) {
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < std::min(fit.motion.size(), series.y.size()); ++i)
+    residuals.push_back(series.y[i] - fit.motion[i]);
+  return residuals;
+}
+
 }  // namespace
 
 FittedMotion fitted_motion(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const FreeDecay& fit = fitted.fit;
   const MotionParameters p = fit.motion();
-  const int derivative = derivative_order(series.quantity);
-  const Trajectory law = motion_of(fit, series.t);
+  const int derivative = std::max(0, derivative_order(series.quantity));
+  const Trajectory law = fitted.forced ? fitted.forced->states : motion_of(fit, series.t);
   FittedMotion motion;
-  motion.residual = motion_residuals(p, {series.t, series.y, 0, derivative}, fit.step);
-  const std::size_t n = std::min(law.t.size(), motion.residual.size());
+  motion.residual = fitted.forced ? residuals_of(*fitted.forced, series)
+                                  : motion_residuals(p, {series.t, series.y, 0, derivative}, fit.step);
+  const std::size_t n = std::min(law.x.size(), motion.residual.size());
   const auto first = [n](const std::vector<double>& all) {
     return std::vector<double>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
   };
@@ -63,6 +68,8 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   motion.x = first(law.x);
   motion.v = first(law.v);
   const double w2 = p.angular_frequency * p.angular_frequency;
+  const bool lopsided = fitted.forced && fitted.forced->quadratic;
+  const double quadratic = lopsided ? fitted.forced->quadratic->value : 0;
   double mass = 1;
   if (const Estimate* stiffness = fitted.find("stiffness")) {
     mass = stiffness->value / w2;
@@ -70,10 +77,11 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     const double x = motion.x[i], x2 = x * x, sine = std::sin(0.5 * x);
-    const double potential = p.pendulum ? 2 * w2 * sine * sine : 0.5 * w2 * x2 + 0.25 * p.cubic * x2 * x2;
+    const double potential =
+        p.pendulum ? 2 * w2 * sine * sine : 0.5 * w2 * x2 + quadratic / 3 * x2 * x + 0.25 * p.cubic * x2 * x2;
     motion.energy.push_back(mass * (0.5 * motion.v[i] * motion.v[i] + potential));
   }
-  if (derivative == 0) {
+  if (derivative == 0 && !fitted.forced) {
     motion.local_velocity = local_velocities(series, p.angular_frequency);
     motion.local_velocity.resize(n);
   }

@@ -55,8 +55,9 @@ struct Option {
 /// The tables, in the order of --help. The pointers go into the struct given.
 std::vector<Option> options_of(SimulateOptions& options);
 std::vector<Option> options_of(ReadOptions& options);
-std::vector<Option> options_of(FitOptions& options);      ///< with those of its ReadOptions
-std::vector<Option> options_of(CompareOptions& options);  ///< with those of its FitOptions
+std::vector<Option> options_of(FitOptions& options);  ///< with those of its ReadOptions
+std::vector<Option> options_of(
+    CompareOptions& options);  ///< with those of its FitOptions but the driven ones
 std::vector<Option> options_of(MethodsOptions& options);
 
 /// Reads `text` (a quantity with unit, a whole number, a word, "true" or "false" for a flag) into the target;

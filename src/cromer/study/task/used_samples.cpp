@@ -87,4 +87,22 @@ void list_outliers(Series& series, const FittedSamples& samples, const std::vect
       aside.size() == 1 ? "is" : "are"));
 }
 
+int derivative_order(std::string_view quantity) {
+  if (quantity == "position" || quantity == "angle") return 0;
+  if (quantity == "velocity" || quantity == "angular velocity") return 1;
+  if (quantity == "acceleration" || quantity == "angular acceleration") return 2;
+  return -1;
+}
+
+bool is_linear_quantity(std::string_view quantity) {
+  return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
+}
+
+std::string fitted_as_it_is(std::string_view quantity, std::string_view column) {
+  return fmt::format(
+      "column \"{}\" holds {}: it is fitted as that, and all but the equilibrium, which is the sensor's "
+      "offset, is said of the {}",
+      column, quantity, quantity.starts_with("ang") ? "angle" : "displacement");
+}
+
 }  // namespace cromer
