@@ -71,6 +71,35 @@ TEST(Columns, APeriodIsNoTime) {
   EXPECT_EQ(r.table.columns.at(0).quantity, "");
 }
 
+TEST(Columns, RunsAreNamedInALineOfTheirOwn) {
+  const std::string rows = "0,1,0,3\n0.5,2,0.5,4\n1,2,1,5\n";
+  const std::string names = "Time (s),Position (m),Time (s),Position (m)\n";
+  for (const std::string above : {"Run #1,,Run #2,\n", "\"Run #1\",\"\",\"Run #2\",\"\"\r\n",
+                                  "Run #1,Run #1,Run #2,Run #2\n", "My lab\nRun #1,,Run #2\n"}) {
+    const Recording r = read(above + names + rows);
+    EXPECT_EQ(r.dialect.name, "PASCO Capstone") << above;
+    EXPECT_THAT(runs(r), ElementsAre(1, 2)) << above;
+    EXPECT_EQ(r.table.columns.at(3).name, "Position");
+    EXPECT_EQ(r.table.columns.at(3).run, 2);
+    EXPECT_THAT(r.warnings, ElementsAre()) << above;
+  }
+  // A label counts, not the order.
+  const Recording later = read("Run #3,,Run #7,\n" + names + rows);
+  EXPECT_THAT(later.warnings, ElementsAre("run 1 is called \"Run #3\" in the file",
+                                          "run 2 is called \"Run #7\" in the file"));
+  // One time for all.
+  const Recording shared =
+      read(",Run #1,Run #2\nTime (s),Position (m),Position (m)\n0,1,2\n0.5,2,3\n1,4,5\n");
+  EXPECT_THAT(runs(shared), ElementsAre(1, 2));
+  const auto series = take_series(shared, "", 2, {});
+  ASSERT_TRUE(series.ok()) << series.error().message;
+  EXPECT_THAT(series->t, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(series->y, ElementsAre(2, 3, 5));
+  // Other words above the names are a title.
+  EXPECT_EQ(read("Run #1,by me,,\n" + names + rows).dialect.name, "plain");
+  EXPECT_EQ(read("Run #1\n" + names + rows).dialect.name, "plain");
+}
+
 TEST(Commas, WholeNumbersAmongDecimalCommasAreRefused) {
   ReadOptions comma;
   comma.decimal = ",";
