@@ -5,6 +5,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/record/dialects/time.h"
 
 namespace cromer {
 namespace {
@@ -98,6 +99,21 @@ TEST(Columns, RunsAreNamedInALineOfTheirOwn) {
   // Other words above the names are a title.
   EXPECT_EQ(read("Run #1,by me,,\n" + names + rows).dialect.name, "plain");
   EXPECT_EQ(read("Run #1\n" + names + rows).dialect.name, "plain");
+}
+
+TEST(Columns, TheTimesOfAllAreThoseOfEach) {
+  // Times before and behind what they belong to, in runs that interleave, and in none.
+  std::uint32_t state = 1;
+  const auto random = [&](std::uint32_t most) { return (state = state * 1664525 + 1013904223) >> 16 & most; };
+  for (int trial = 0; trial < 200; ++trial) {
+    Table table;
+    for (std::uint32_t j = random(15); j > 0; --j)
+      table.columns.push_back(
+          {"c", random(3) == 0 ? "time" : "position", "", static_cast<int>(random(3)), {}});
+    const auto all = dialects::time_columns_of(table);
+    for (std::size_t j = 0; j < table.columns.size(); ++j)
+      EXPECT_EQ(all[j], dialects::time_column_of(table, j));
+  }
 }
 
 TEST(Commas, WholeNumbersAmongDecimalCommasAreRefused) {
