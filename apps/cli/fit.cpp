@@ -95,17 +95,20 @@ bool say_what_is_wrong(const std::vector<FittedRecording>& fits, bool many, bool
 int run_fit(const Arguments& arguments) {
   FitOptions options;
   OutputOptions output;
-  Syntax syntax{.command = "fit",
-                .description =
-                    "The law of motion of a free or a driven oscillation, with uncertainties, from its "
-                    "recording. No start values are needed. Frequency, damping ratio, quality factor and "
-                    "decrement are those of the whole law at the amplitude of the first used sample.",
-                .files = "FILE|FOLDER...",
-                .options = options_of(options),
-                .example =
-                    "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
-                    "s\" --plot fit.svg\n"
-                    "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
+  Syntax syntax{
+      .command = "fit",
+      .description =
+          "The law of motion of a free or a driven oscillation, with uncertainties, from its "
+          "recording. No start values are needed. A FOLDER stands for the recordings right in it, by "
+          "their endings (.csv, .txt, .lvm, .zip, ...); folders in it are not searched. Frequency, "
+          "damping ratio, quality factor and decrement are those of the whole law at the amplitude of "
+          "the first used sample.",
+      .files = "FILE|FOLDER...",
+      .options = options_of(options),
+      .example =
+          "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
+          "s\" --plot fit.svg\n"
+          "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
   SpringOptions spring;
   const auto of_spring = options_of(spring);
   syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());

@@ -26,6 +26,8 @@ bool is_missing_mark(std::string_view cell) {
 
 }  // namespace
 
+std::string too_many_columns() { return "there are more than " + std::to_string(most_columns) + " columns"; }
+
 bool commas_pair_up(std::string_view line, const Layout& layout) {
   if (!layout.paired) return true;
   const auto commas = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));

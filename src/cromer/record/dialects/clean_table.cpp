@@ -15,13 +15,14 @@ Result<Table> clean_table(const Recording& recording, const ReadOptions& options
   const Table& table = recording.table;
   Table clean;
   std::size_t longest = 0;
+  const auto times = dialects::time_columns_of(table);
   for (const int run : runs(recording)) {
     // Columns follow their own time: two sensors sampled in turn keep two time columns.
     const std::size_t end = rows_of_run(table, run);
     std::vector<bool> done(table.columns.size(), false);
     for (std::size_t j = 0; j < table.columns.size(); ++j) {
       if (done[j] || table.columns[j].run != run || table.columns[j].quantity == "time") continue;
-      const auto time = dialects::time_column_of(table, j);
+      const auto time = times[j];
       Column seconds{time ? table.columns[*time].name : "Time", "time", "s", run, {}};
       const double factor = time ? to_si(table.columns[*time]).factor : 1;
       std::vector<std::size_t> rows;
@@ -44,9 +45,7 @@ Result<Table> clean_table(const Recording& recording, const ReadOptions& options
       if (time || options.rate > 0) clean.columns.push_back(std::move(seconds));
       for (std::size_t k = j; k < table.columns.size(); ++k) {
         const Column& column = table.columns[k];
-        if (done[k] || column.run != run || column.quantity == "time" ||
-            dialects::time_column_of(table, k) != time)
-          continue;
+        if (done[k] || column.run != run || column.quantity == "time" || times[k] != time) continue;
         done[k] = true;
         Column copy{column.name, column.quantity, column.unit, run, {}};
         for (const std::size_t i : rising->kept) copy.values.push_back(column.values[rows[i]]);

@@ -125,10 +125,13 @@ std::size_t rows_of_run(const Table& table, int run) {
 
 Result<std::size_t> find_column(const Table& table, std::string_view name, int run) {
   const auto& columns = table.columns;
+  std::vector<std::size_t> of_run;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (run == 0 || columns[j].run == run) of_run.push_back(j);
   const auto matching = [&](auto&& matches) {
     std::vector<std::size_t> found;
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      if ((run == 0 || columns[j].run == run) && matches(columns[j])) found.push_back(j);
+    for (const std::size_t j : of_run)
+      if (matches(columns[j])) found.push_back(j);
     return found;
   };
   auto found = matching([&](const Column& column) { return column_title(column) == name; });
@@ -143,10 +146,9 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
 
   std::string list;
   std::vector<std::string_view> names;
-  for (const Column& column : columns) {
-    if (run != 0 && column.run != run) continue;
-    names.push_back(column.name);
-    list += concat({list.empty() ? "" : ", ", "\"", column_title(column), "\""});
+  for (const std::size_t j : of_run) {
+    names.push_back(columns[j].name);
+    list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
   }
   if (!found.empty()) return Error{concat({"\"", name, "\" fits several columns; there are ", list})};
   const std::string near = nearest(name, names);

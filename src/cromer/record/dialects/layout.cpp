@@ -15,7 +15,6 @@ namespace {
 
 constexpr std::size_t sampled_at_start = 50;
 constexpr std::size_t sampled_in_all = 250;
-constexpr std::size_t most_columns = 2000;
 
 /// Lines that may be rows: all of a short file, else its start and an even choice of the rest.
 std::vector<std::string_view> sample(const std::vector<std::string_view>& lines) {
@@ -132,8 +131,7 @@ Result<Layout> find_layout(const std::vector<std::string_view>& lines, const Rea
       }
     }
   if (best.rows == 0) return Error{"no rows of numbers are found: a table of numbers in columns is expected"};
-  if (best.layout.columns > most_columns)
-    return Error{concat({"there are more than ", std::to_string(most_columns), " columns"})};
+  if (best.layout.columns > most_columns) return Error{too_many_columns()};
   if (decimal_open) best.layout.decimal = decimal_of(lines);
   if (best.layout.columns == 1 && options.delimiter.empty()) best.layout.separator = 0;
   if (best.layout.separator == 0) best.layout.paired = false;
