@@ -200,6 +200,14 @@ TEST(FigureScript, IsPureAndRunsNothing) {
   }
 }
 
+TEST(FigureScript, AStepBeyondTheAxisLeavesItWithoutTicks) {
+  Figure figure = of({three_methods()});
+  figure.panels[0].y.low = 0.01;
+  figure.panels[0].y.high = 3;
+  figure.panels[0].y.step = 99;
+  EXPECT_THAT(gnuplot_script(figure, FigureFormat::svg), HasSubstr("unset ytics"));
+}
+
 TEST(FigureScript, SaysSizeAndFontOfEachFormat) {
   const Figure figure = of({three_methods()});
   EXPECT_THAT(gnuplot_script(figure, FigureFormat::svg),

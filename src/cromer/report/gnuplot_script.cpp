@@ -114,7 +114,10 @@ class Script {
       fmt::format_to(std::back_inserter(list), "{}'' {:.2f}{}", list.empty() ? "" : ", ",
                      upwards ? up(tick.at) : tick.at, tick.minor ? " 1" : "");
     }
-    line("set {}tics ({})", axis, list);
+    if (list.empty())
+      line("unset {}tics", axis);  // an empty list would be gnuplot's own choice
+    else
+      line("set {}tics ({})", axis, list);
   }
 
   void add_text(const PlacedText& text) {
@@ -124,7 +127,8 @@ class Script {
           "solid noborder",
           text.box.x - 2, up(text.box.bottom()), text.box.right() + 2, up(text.box.y));
     }
-    // On a ground of its own a text stands in the middle: fonts differ in width, the ground is made for the widest.
+    // On a ground of its own a text stands in the middle: fonts differ in width, the ground is made for the
+    // widest.
     const Align side = text.ground ? Align::centre : text.align;
     const double x = text.ground ? (text.box.x + text.box.right()) / 2 : text.at.x;
     const char* align = side == Align::left ? "left" : side == Align::right ? "right" : "center";
