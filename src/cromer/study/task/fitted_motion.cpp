@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "cromer/study/task/used_samples.h"
+
 namespace cromer {
 namespace {
 
@@ -14,7 +16,7 @@ int derivative_order(std::string_view quantity) {
 }
 
 /// The slope at `at` of E + A cos(w s) + B sin(w s), s = t - at, fitted to samples [first, last).
-double local_slope(const Series& series, std::size_t first, std::size_t last, double at, double w) {
+double local_slope(const FittedSamples& series, std::size_t first, std::size_t last, double at, double w) {
   Parameters right{};
   SquareMatrix matrix{};
   for (std::size_t i = first; i < last; ++i) {
@@ -33,14 +35,15 @@ double local_slope(const Series& series, std::size_t first, std::size_t last, do
 
 std::vector<double> local_velocities(const Series& series, double w) {
   const double half = std::numbers::pi / w;
+  const FittedSamples good = without_outliers(series);
   std::vector<double> v(series.t.size(), std::numeric_limits<double>::quiet_NaN());
   std::size_t first = 0, last = 0;
   for (std::size_t i = 0; i < v.size(); ++i) {
-    while (series.t[first] < series.t[i] - half) ++first;
-    while (last < v.size() && series.t[last] <= series.t[i] + half) ++last;
+    while (first < good.t.size() && good.t[first] < series.t[i] - half) ++first;
+    while (last < good.t.size() && good.t[last] <= series.t[i] + half) ++last;
     // A window that is cut at the record's end would lean on one side.
     const bool whole = series.t[i] - half >= series.t.front() && series.t[i] + half <= series.t.back();
-    if (whole && last - first >= 8) v[i] = local_slope(series, first, last, series.t[i], w);
+    if (whole && last - first >= 8) v[i] = local_slope(good, first, last, series.t[i], w);
   }
   return v;
 }
