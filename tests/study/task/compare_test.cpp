@@ -244,6 +244,27 @@ TEST(CompareTask, APendulumIsSimulatedAsOne) {
   EXPECT_GT(result.curves[0].rms, 0.1);
 }
 
+TEST(CompareTask, ProgressNeverGoesBack) {
+  std::string file = "Time (s),Position (m),Run 2: Position (m)\n";
+  const Series series = disc_recording(4, 20);
+  for (std::size_t i = 0; i < series.t.size(); ++i)
+    file += std::to_string(series.t[i]) + "," + std::to_string(series.y[i]) + "," +
+            std::to_string(series.y[i]) + "\n";
+  CompareOptions options;
+  options.fit.law = "auto";
+  options.fit.column = "Position";
+  double furthest = 0;
+  bool back = false;
+  const Watch watch{nullptr, [&](double fraction) {
+                      back = back || fraction < furthest - 1e-9;
+                      furthest = std::max(furthest, fraction);
+                    }};
+  const auto result = compare(file, "two.csv", options, watch);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_FALSE(back);
+  EXPECT_NEAR(furthest, 1, 1e-9);
+}
+
 TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
   Series series = disc_recording(4, 30);
   for (std::size_t i = 0; i < series.t.size(); ++i) series.y[i] += 0.002 * series.t[i];

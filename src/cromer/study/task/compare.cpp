@@ -10,6 +10,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/study/task/compared_curve.h"
 #include "cromer/study/task/forced_options.h"
+#include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/used_samples.h"
 
 namespace cromer {
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double most_steps = 1e8;
+constexpr double of_fits = 0.7;  // of the work, roughly
 
 // A period has at least 200 steps, and a sample is a whole number of them.
 double default_step(double spacing, double period) {
@@ -90,7 +92,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     return Error{fmt::format("--step {}: it must be positive and give at most {:.0e} steps over {:.6g} s",
                              step, most_steps, duration)};
 
-  const Result<NamedLaw> constant = constant_rate(recording, watch);
+  const Result<NamedLaw> constant = constant_rate(recording, part_of(watch, 0, 0.2));
   if (!constant) return constant.error();
   if (watch.interrupted()) {
     result.warnings.emplace_back("interrupted before anything was simulated");
@@ -99,7 +101,9 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   }
   const NamedLaw chosen{to_text(fit.law), fit.law, fit.motion()};
   for (const NamedLaw& law : {*constant, chosen}) {
-    Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.warnings, watch);
+    const double done = result.curves.empty() ? 0.2 : 0.6;
+    const Watch part = part_of(watch, done, done + 0.4);
+    Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.warnings, part);
     if (!curve) return curve.error();
     result.complete = result.complete && curve->complete;
     result.curves.push_back(std::move(*curve));
@@ -116,9 +120,9 @@ Result<CompareResult> compare_driven(std::string_view bytes, std::string_view fi
   CompareOptions free = options;
   free.fit.recognise_drive = false;
   free.fit.run = driven.series.run;
-  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, free.fit, watch);
+  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, free.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
-  Result<CompareResult> result = compare_fitted(fits->front(), free, watch);
+  Result<CompareResult> result = compare_fitted(fits->front(), free, part_of(watch, of_fits, 1));
   if (!result) return result;
   result->doubts.insert(result->doubts.begin(), driven.warnings.back());
   for (const std::string& warning : driven.warnings)
@@ -136,13 +140,16 @@ Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_v
   if (is_driven(options.fit))
     return Error{
         "--force-column and --drive-frequency are options of fit: compare lays free motions side by side"};
-  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, options.fit, watch);
+  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, options.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
   for (const FittedRecording& recording : *fits) {
     if (recording.wrong_input) return Error{std::string(file) + ": " + recording.fit.message};
-    Result<CompareResult> one = recording.forced ? compare_driven(bytes, file, recording, options, watch)
-                                                 : compare_fitted(recording, options, watch);
+    const double each = (1 - of_fits) / static_cast<double>(fits->size()),
+                 done = of_fits + each * static_cast<double>(results.size());
+    const Watch part = part_of(watch, done, done + each);
+    Result<CompareResult> one = recording.forced ? compare_driven(bytes, file, recording, options, part)
+                                                 : compare_fitted(recording, options, part);
     if (!one) return one.error();
     results.push_back(std::move(*one));
   }

@@ -17,6 +17,7 @@
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
+#include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/recognise_drive.h"
 #include "cromer/study/task/used_samples.h"
 
@@ -343,7 +344,9 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   std::optional<Error> first_error;
   bool any_read = false;
   for (int run : wanted) {
-    Result<FittedRecording> one = fit_run(*recording, run, file, options, watch);
+    const auto done = static_cast<double>(fits.size()), all = static_cast<double>(wanted.size());
+    const Watch part = part_of(watch, done / all, (done + 1) / all);
+    Result<FittedRecording> one = fit_run(*recording, run, file, options, part);
     if (one) {
       any_read = true;
       one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
