@@ -26,7 +26,7 @@ Panel measured_panel(const FittedRecording& fitted, const MeasuredAxis& axis) {
 Panel residual_panel(const FittedRecording& fitted, MeasuredAxis axis) {
   // Of a file in metres in the unit that suits what is left; else in the file's own.
   if (fitted.series.quantity == "position" && fitted.series.to_si == 1) {
-    const LengthUnit unit = length_unit(3 * fitted.fit.residual.rms);
+    const LengthUnit unit = length_unit(4 * fitted.fit.residual.rms);
     axis.unit = unit.symbol;
     axis.unit_size = unit.metres;
   }
@@ -93,6 +93,20 @@ void add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& ax
   add_motion(panel, fitted, axis, law_motion(fitted, axis, true), look);
 }
 
+/// The part of an irregular motion that shows most of the law.
+Panel swings_panel(const FittedRecording& fitted, std::string_view what) {
+  const FittedRecording part = largest_swings(fitted);
+  const MeasuredAxis axis = measured_axis(part);
+  Panel panel = measured_panel(part, axis);
+  panel.title = figure_text(fmt::format("{}, run {}, {}", part.series.column, part.series.run, what));
+  Curve look;
+  look.role = "fitted";
+  look.name = "fitted";
+  look.remark = to_text(part.fit.law);
+  add_line(panel, part, axis, law_motion(part, axis, false), look);
+  return panel;
+}
+
 void append_panels(Figure& figure, const FittedRecording& fitted) {
   const MeasuredAxis axis = measured_axis(fitted);
   Panel motion = measured_panel(fitted, axis);
@@ -101,9 +115,19 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
     figure.panels.push_back(std::move(motion));
     return;
   }
-  add_law(motion, fitted, axis);
-  figure.panels.push_back(std::move(motion));
+  if (irregular(fitted)) {
+    figure.panels.push_back(swings_panel(fitted, "about its largest swing"));
+  } else {
+    add_law(motion, fitted, axis);
+    figure.panels.push_back(std::move(motion));
+  }
   figure.panels.push_back(residual_panel(fitted, axis));
+  if (fitted.held_out && !fitted.held_out->t.empty() && fitted.forced) {
+    const FittedRecording held = held_out_part(fitted);
+    figure.panels.push_back(swings_panel(held, "held out, about its largest swing"));
+    figure.panels.push_back(residual_panel(held, measured_axis(held)));
+    figure.panels.back().title = "What the law leaves of what was held out";
+  }
   if (fitted.decay_by_amplitude.size() >= 3) figure.panels.push_back(decay_panel(fitted));
 }
 

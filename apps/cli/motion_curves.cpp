@@ -194,13 +194,59 @@ SampledMotion law_motion(const FittedRecording& fitted, const MeasuredAxis& axis
   return {fitted.series.t, axis.displacements(std::move(y))};
 }
 
+bool irregular(const FittedRecording& fitted) { return fitted.forced && !fitted.forced->drive_frequency; }
+
+FittedRecording largest_swings(const FittedRecording& fitted) {
+  constexpr double periods = 12;  // to each side
+  FittedRecording part = fitted;
+  const FittedSamples good = without_outliers(fitted.series);
+  double at = fitted.series.t.front(), largest = 0;
+  for (std::size_t i = 0; i < good.t.size(); ++i) {
+    const double size = std::abs(good.y[i] - fitted.fit.equilibrium.value);
+    if (size > largest) largest = size, at = good.t[i];
+  }
+  const std::vector<double>& t = fitted.series.t;
+  const double reach = periods * period_of(fitted);
+  const auto first = std::lower_bound(t.begin(), t.end(), at - reach) - t.begin(),
+             last = std::upper_bound(t.begin(), t.end(), at + reach) - t.begin();
+  for (std::vector<double>* values : {&part.series.t, &part.series.y, &part.forced->motion}) {
+    if (values->size() < t.size()) continue;
+    values->erase(values->begin() + last, values->end());
+    values->erase(values->begin(), values->begin() + first);
+  }
+  const auto outside = [&](const auto& mark) {
+    return mark.t < part.series.t.front() || mark.t > part.series.t.back();
+  };
+  auto& gaps = part.series.gaps;
+  gaps.erase(std::remove_if(gaps.begin(), gaps.end(), outside), gaps.end());
+  return part;
+}
+
+FittedRecording held_out_part(const FittedRecording& fitted) {
+  FittedRecording part = fitted;
+  part.series.t = fitted.held_out->t;
+  part.series.y = fitted.held_out->measured;
+  part.forced->motion = fitted.held_out->law;
+  part.series.gaps.clear();
+  part.series.outliers.clear();
+  part.fit.residual.rms = fitted.held_out->rms;
+  return part;
+}
+
+void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis,
+              const SampledMotion& motion, Curve look) {
+  for (const SampledMotion& stretch : stretches_of(broken_at_gaps(motion, fitted.series.gaps)))
+    append(look, axis, stretch.t, stretch.y);
+  panel.curves.push_back(std::move(look));
+}
+
 void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
                 const Curve& look) {
   const std::vector<SampledMotion> stretches = stretches_of(broken_at_gaps(motion, fitted.series.gaps));
   std::vector<Envelope> around;
   std::size_t swings = 0;
   const double duration = fitted.series.t.back() - fitted.series.t.front();
-  const double window = std::max(fitted.forced ? 1.5 * period_of(fitted) : 0, duration / 500);
+  const double window = std::max(fitted.forced ? 0.7 * period_of(fitted) : 0, duration / 500);
   bool enough = true;
   for (const SampledMotion& stretch : stretches) {
     around.push_back(envelope(stretch.t, stretch.y));

@@ -29,8 +29,20 @@ SampledMotion law_motion(const FittedRecording& fitted, const MeasuredAxis& axis
 /// Measured less fitted at the samples of the fit, as dots.
 Curve residual_curve(const FittedRecording& fitted, const MeasuredAxis& axis);
 
-/// Adds a computed motion, in the axis's units, with the look of `look`: as a line, or, where its swings are
-/// too many to be told apart, as its envelope above and below; broken where the recording has gaps.
+/// Whether a recorded force drives it: its swings follow no envelope.
+bool irregular(const FittedRecording& fitted);
+
+/// Of an irregular motion some periods about its largest swing: `fitted` with those samples alone.
+FittedRecording largest_swings(const FittedRecording& fitted);
+
+/// What was held out, as a recording of its own.
+FittedRecording held_out_part(const FittedRecording& fitted);
+
+/// Adds a computed motion, in the axis's units, with the look of `look`, as a line broken at gaps.
+void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis,
+              const SampledMotion& motion, Curve look);
+
+/// The same, or, where its swings are too many to be told apart, as its envelope above and below.
 void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
                 const Curve& look);
 

@@ -127,8 +127,12 @@ void place_outside(Words& words, const PlacedPanel& placed, const Panel& panel,
     heights.push_back(block.height);
     gaps.push_back(panel.curves[i].remark.empty() ? 0 : 6);
   }
+  // Beside the plot where there is room for all, not beside what stands below it.
+  double needed = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) needed += heights[i] + gaps[i];
+  const double top = std::max(cell.y, placed.frame.y - 6), beside = placed.frame.bottom() + 2;
   const std::vector<double> placed_at =
-      spread(centres, heights, gaps, std::max(cell.y, placed.frame.y - 6), cell.bottom());
+      spread(centres, heights, gaps, top, needed <= beside - top ? beside : cell.bottom());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     words.put(blocks[i],
               {placed.frame.right() + off, placed_at[i] - heights[i] / 2, blocks[i].width, heights[i]},
