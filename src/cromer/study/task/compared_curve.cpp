@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/model/terms.h"
-#include "cromer/study/task/compare_ends.h"
+#include "cromer/study/task/end_comparison.h"
+#include "cromer/study/task/keep_at.h"
 #include "cromer/study/task/run_pendulum.h"
 #include "cromer/study/task/used_samples.h"
 
@@ -16,46 +16,6 @@ namespace cromer {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-// Takes the states of a run at given times; between two states by the cubic that has their positions and
-// velocities.
-class KeepAt {
- public:
-  KeepAt(const std::vector<double>& t, double slack) : t_(t), slack_(slack) {
-    kept_.t.reserve(t.size());
-    kept_.x.reserve(t.size());
-    kept_.v.reserve(t.size());
-  }
-
-  void operator()(double t, const State<double>& y) {
-    while (kept_.size() < t_.size() && t_[kept_.size()] <= t + slack_) {
-      const double at = t_[kept_.size()];
-      const State<double> here = t - at <= slack_ ? y : between(at, t, y);
-      kept_.t.push_back(at);
-      kept_.x.push_back(here.x);
-      kept_.v.push_back(here.v);
-    }
-    before_t_ = t;
-    before_ = y;
-  }
-
-  Trajectory take() { return std::move(kept_); }
-
- private:
-  State<double> between(double at, double t, const State<double>& y) const {
-    const double h = t - before_t_, s = (at - before_t_) / h;
-    const double dx = y.x - before_.x;
-    const double a = h * before_.v, b = h * y.v;
-    const double c2 = 3 * dx - 2 * a - b, c3 = a + b - 2 * dx;
-    return {before_.x + s * (a + s * (c2 + s * c3)), (a + s * (2 * c2 + 3 * s * c3)) / h};
-  }
-
-  const std::vector<double>& t_;
-  double slack_;
-  double before_t_ = 0;
-  State<double> before_{};
-  Trajectory kept_;
-};
 
 Oscillator<double> per_unit_mass(const MotionParameters& p) {
   return {.mass = 1,

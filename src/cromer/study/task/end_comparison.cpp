@@ -1,4 +1,4 @@
-#include "cromer/study/task/compare_ends.h"
+#include "cromer/study/task/end_comparison.h"
 
 #include <algorithm>
 #include <cmath>
