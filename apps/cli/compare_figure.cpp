@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cromer/base/quantity.h"
@@ -41,8 +42,20 @@ Figure compare_figure(const std::vector<CompareResult>& comparisons) {
   figure.id = "compare";
   figure.title = "Measured motion and simulations of it";
   figure.size = FigureSize::wide;
+  constexpr std::size_t most_in_full = 3, most_panels = 24;
+  const auto drawable = static_cast<std::size_t>(
+      std::count_if(comparisons.begin(), comparisons.end(),
+                    [](const CompareResult& each) { return !each.recording.series.t.empty(); }));
+  const bool grid = drawable > most_in_full;
+  if (grid) {
+    figure.columns = 3;
+    figure.note =
+        "Dots: measured. Line, or envelope: the law. Dashed: one constant rate. Crosses: set aside.";
+    if (drawable > most_panels)
+      figure.note += fmt::format(" The first {} of {} runs.", most_panels, drawable);
+  }
   for (const auto& comparison : comparisons) {
-    if (comparison.recording.series.t.empty()) continue;
+    if (comparison.recording.series.t.empty() || figure.panels.size() == most_panels) continue;
     const MeasuredAxis axis = measured_axis(comparison.recording);
     Panel panel;
     if (comparisons.size() > 1) panel.title = fmt::format("Run {}", comparison.recording.series.run);
@@ -53,6 +66,10 @@ Figure compare_figure(const std::vector<CompareResult>& comparisons) {
     for (auto each = comparison.curves.rbegin(); each != comparison.curves.rend(); ++each)
       add_motion(panel, comparison.recording, axis, {each->trajectory.t, axis.scaled(each->trajectory.x)},
                  look_of(*each));
+    if (grid) {
+      panel.title += ": " + to_text(comparison.recording.fit.law);
+      for (Curve& curve : panel.curves) curve.name = curve.remark = "";
+    }
     figure.panels.push_back(std::move(panel));
   }
   return figure;
