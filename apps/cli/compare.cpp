@@ -51,22 +51,24 @@ std::string table(const std::vector<CompareResult>& comparisons) {
                                                 "amplitude ratio at the end", "phase drift (rad)", "method",
                                                 "simulated"}};
     for (const auto& curve : comparison.curves)
-      rows.push_back({std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "",
-                      number(curve.r_squared, 6), number(curve.amplitude_ratio_end, 4),
-                      number(curve.phase_drift, 4), curve.method, curve.label});
+      rows.push_back(
+          {std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "", number(curve.r_squared, 6),
+           number(curve.amplitude_ratio_end, 4), number(curve.phase_drift, 4), curve.method,
+           curve.measured_at_rest ? curve.label + ", at the end the measured motion rests" : curve.label});
     if (!comparison.curves.empty()) out += text_table(rows, 0, 4);
     if (const std::string sentence = explanation(comparison); !sentence.empty()) out += sentence + "\n";
   }
   return out;
 }
 
+/// All but the figure, whose failure shall not take the rest with it.
 Result<void> write_files(const std::vector<CompareResult>& comparisons, const OutputOptions& output) {
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
     if (auto good = write_file(output.output, csv ? compare_csv(comparisons) : to_json(comparisons)); !good)
       return good;
   }
-  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, compare_figure(comparisons));
+  return {};
 }
 
 }  // namespace
@@ -94,7 +96,6 @@ int run_compare(const Arguments& arguments) {
   if (!comparisons) return refuse(comparisons.error().message);
   bool ok = true;
   for (const auto& comparison : *comparisons) {
-    if (asks_for_the_fit(options.fit)) warn(comparison.recording.warnings, output.quiet);
     warn(comparison.warnings, output.quiet);
     ok = ok && comparison.complete;
     const FreeDecay& fit = comparison.recording.fit;
@@ -106,6 +107,9 @@ int run_compare(const Arguments& arguments) {
   if (auto good = write_files(*comparisons, output); !good) return refuse(good.error().message);
   if (output.output != "-" && !print(output.json ? to_json(*comparisons) : table(*comparisons)))
     return refuse("standard output cannot be written");
+  if (!output.plot.empty())
+    if (auto drawn = write_plot(output.plot, compare_figure(*comparisons)); !drawn)
+      return refuse(drawn.error().message);
   return ok ? done : no_success;
 }
 

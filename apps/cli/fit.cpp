@@ -51,17 +51,19 @@ struct Answer {
     const std::string of_fits = many || line ? fit_table(fits) : fit_text(fits);
     return line ? of_fits + mass_line_text(*line) : of_fits;
   }
+  std::string csv() const { return line ? mass_line_csv(*line) : fit_csv(fits); }
   Figure figure() const { return line ? mass_line_figure(*line) : fit_figure(fits); }
 };
 
+/// All but the figure, whose failure shall not take the rest with it.
 Result<void> write_files(const Answer& answer, const OutputOptions& output, const std::string& motion) {
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
-    if (auto good = write_file(output.output, csv ? fit_csv(answer.fits) : answer.json()); !good) return good;
+    if (auto good = write_file(output.output, csv ? answer.csv() : answer.json()); !good) return good;
   }
   if (!motion.empty())
     if (auto good = write_file(motion, motion_csv(answer.fits)); !good) return good;
-  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, answer.figure());
+  return {};
 }
 
 /// That the file of --motion can be written and nothing is lost by it.
@@ -151,6 +153,8 @@ int run_fit(const Arguments& arguments) {
   if (auto written = write_files(answer, output, motion); !written) return refuse(written.error().message);
   if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))
     return refuse("standard output cannot be written");
+  if (!output.plot.empty())
+    if (auto drawn = write_plot(output.plot, answer.figure()); !drawn) return refuse(drawn.error().message);
   return good ? done : no_success;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cromer/base/quantity.h"
+#include "interval_text.h"
 #include "percent.h"
 #include "text_table.h"
 #include "words.h"
@@ -74,9 +75,9 @@ std::string checked(const FittedRecording& fitted) {
   const MonteCarlo& trials = *fitted.monte_carlo;
   const Estimate& propagated = *fitted.find("stiffness");
   const Quantity drawn{trials.mean, trials.standard_deviation};
-  return fmt::format(
-      "  spring constant by {} trials: {}, 95 % between {:.7g} and {:.7g}; propagated {:.7g} to {:.7g}\n",
-      trials.trials, format_quantity(drawn, "N/m"), trials.low, trials.high, propagated.low, propagated.high);
+  return fmt::format("  spring constant by {} trials: {}, 95 % {}; propagated {}\n", trials.trials,
+                     format_quantity(drawn, "N/m"), interval_text(trials.low, trials.high),
+                     interval_text(propagated.low, propagated.high));
 }
 
 /// Each with what is wrong about it.

@@ -29,8 +29,11 @@ Watch watching(bool quiet) {
   Watch watch{&stop_asked, {}};
   if (quiet || !isatty(STDERR_FILENO)) return watch;
   using Clock = std::chrono::steady_clock;
-  watch.progress = [next = Clock::now() + std::chrono::milliseconds(500)](double fraction) mutable {
-    if (Clock::now() < next) return;
+  // Parts of the work may begin anew, the number does not.
+  watch.progress = [next = Clock::now() + std::chrono::milliseconds(500),
+                    furthest = 0.0](double fraction) mutable {
+    if (!(fraction > furthest) || Clock::now() < next) return;
+    furthest = fraction;
     next = Clock::now() + std::chrono::milliseconds(100);
     std::fprintf(stderr, "\r%3.0f %%", 100 * fraction);
     progress_shown = true;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "program.h"
@@ -38,6 +39,38 @@ TEST(FitMany, AFoldersRowsStandInItsNamesOrder) {
   EXPECT_THAT(failed["message"].get<std::string>(), HasSubstr("no rows of numbers"));
   EXPECT_EQ(document["message"], "1 of 6 fits did not succeed");
   EXPECT_THAT(end.err, HasSubstr("1 of 7 entries"));
+}
+
+TEST(FitMany, OfManyRecordingsTheFigureShowsSomeAndSaysSo) {
+  Folder folder;
+  std::filesystem::create_directory(folder.path("runs"));
+  for (int i = 10; i < 36; ++i)
+    folder.write("runs/a_" + std::to_string(i) + ".csv", recording(300, 0.01 * i));
+  const Finished end = folder.run({"fit", "runs", "--law", "viscous", "--quiet", "--plot", "runs.svg"});
+  EXPECT_THAT(end.out, HasSubstr("26 of 26 fits succeeded"));
+  if (end.status == 2 && end.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << "no gnuplot here";
+  EXPECT_EQ(end.status, 0) << end.err;
+  const std::string figure = folder.read("runs.svg");
+  EXPECT_THAT(figure, HasSubstr("The first 24 of 26 recordings."));
+  EXPECT_THAT(figure, HasSubstr("a_10.csv, run 1: viscous"));
+}
+
+TEST(FitMany, AFigureThatFailsLeavesTheResult) {
+  Folder folder;
+  folder.write("lab.csv", recording(1000));
+  const char* path = std::getenv("PATH");
+  const std::string before = path ? path : "";
+  setenv("PATH", folder.path("nothing").c_str(), 1);  // no gnuplot
+  const Finished fitted = folder.run({"fit", "lab.csv", "--law", "viscous", "--plot", "lab.svg"}),
+                 compared = folder.run({"compare", "lab.csv", "--law", "viscous", "--plot", "lab.svg"});
+  setenv("PATH", before.c_str(), 1);
+  for (const Finished& end : {fitted, compared}) {
+    EXPECT_EQ(end.status, 2);
+    EXPECT_THAT(end.err, HasSubstr("gnuplot"));
+    EXPECT_FALSE(folder.has("lab.svg"));
+  }
+  EXPECT_THAT(fitted.out, HasSubstr("decay rate"));
+  EXPECT_THAT(compared.out, HasSubstr("One decay rate is enough"));
 }
 
 TEST(FitMany, EachIsFittedAsIfItWereAlone) {

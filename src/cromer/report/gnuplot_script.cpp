@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "cromer/report/figure.h"
@@ -146,7 +147,10 @@ class Script {
   void data(const PlacedCurve& curve, std::size_t panel, std::size_t index) {
     line("$curve_{}_{} << EOD", panel + 1, index + 1);
     for (std::size_t i = 0; i < curve.band.x.size(); ++i) {
-      line("{:.2f} {:.2f} {:.2f}", curve.band.x[i], up(curve.band.low[i]), up(curve.band.high[i]));
+      if (std::isnan(curve.band.x[i]))
+        line("");
+      else
+        line("{:.2f} {:.2f} {:.2f}", curve.band.x[i], up(curve.band.low[i]), up(curve.band.high[i]));
     }
     for (const auto& piece : curve.pieces) {
       for (const Spot& p : piece) line("{:.2f} {:.2f}", p.x, up(p.y));
@@ -165,6 +169,7 @@ class Script {
         return fmt::format("{} using 1:2 with points pt 7 ps {} lw 1 lc rgb '{}'", name,
                            terminal_of(format_).point_size, curve.colour);
       case Mark::line:
+      case Mark::crosses:
         break;
     }
     return fmt::format("{} using 1:2 with lines lc rgb '{}' lw {:.3g} dt {}", name, curve.colour, curve.width,

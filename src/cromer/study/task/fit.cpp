@@ -18,6 +18,7 @@
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
+#include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/recognise_drive.h"
 #include "cromer/study/task/used_samples.h"
 
@@ -243,6 +244,15 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                       part->reason, result.series.t.size(), before));
     }
   }
+  // The law's motion begins at the first sample that the fit sees, and so does the series.
+  if (!samples.t.empty() && result.series.t.front() < samples.t.front()) {
+    FitOptions later = options;
+    later.from = samples.t.front();
+    std::vector<Outlier> aside = std::move(result.series.outliers);
+    result.series.outliers.clear();
+    result.series = *used_part(result.series, later);
+    result.series.outliers = std::move(aside);
+  }
   const Record record{samples.t, samples.y, result.series.resolution,
                       std::max(0, derivative_order(result.series.quantity))};
 
@@ -269,14 +279,15 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
   result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
-  const DecaySegments segments = fit_segments(record, two_pi / result.fit.angular_frequency.value,
+  const FittedSamples good = without_outliers(result.series);
+  const Record kept{good.t, good.y, record.resolution, record.derivative};
+  const DecaySegments segments = fit_segments(kept, two_pi / result.fit.angular_frequency.value,
                                               options.segment, options.segments, watch);
   result.segments = segments.segments;
   result.decay_rate_mean = segments.mean;
   result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, temperature, watch);
-  if (const Result<void> asked = add_lab_quantities(result, record, body, watch); !asked)
-    return asked.error();
+  if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
     result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
@@ -324,7 +335,9 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   std::optional<Error> first_error;
   bool any_read = false;
   for (int run : wanted) {
-    Result<FittedRecording> one = fit_run(*recording, run, file, options, watch);
+    const auto done = static_cast<double>(fits.size()), all = static_cast<double>(wanted.size());
+    const Watch part = part_of(watch, done / all, (done + 1) / all);
+    Result<FittedRecording> one = fit_run(*recording, run, file, options, part);
     if (one) {
       any_read = true;
       one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());

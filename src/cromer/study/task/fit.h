@@ -68,7 +68,8 @@ struct Candidate {
 struct HeldOut {
   double from, to;  // [s]
   std::size_t samples;
-  double rms;  ///< in the SI unit of the column
+  double rms;                                  ///< in the SI unit of the column
+  std::vector<double> t{}, measured{}, law{};  ///< at each of them; [s], SI unit of the column
 };
 
 struct FittedRecording {

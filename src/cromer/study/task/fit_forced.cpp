@@ -167,10 +167,14 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   if (of_law.size() < count) return result;
   // The series keeps what was fitted; the law goes on through what was held out.
   if (record.fitted < count) {
-    HeldOut& held = result.held_out.emplace(HeldOut{t[record.fitted], t.back(), 0, 0});
+    HeldOut& held =
+        result.held_out.emplace(HeldOut{.from = t[record.fitted], .to = t.back(), .samples = 0, .rms = 0});
     for (std::size_t i = record.fitted; i < count; ++i) {
       if (std::isnan(y[i])) continue;
       held.rms += (y[i] - of_law[i]) * (y[i] - of_law[i]);
+      held.t.push_back(t[i]);
+      held.measured.push_back(y[i]);
+      held.law.push_back(of_law[i]);
       ++held.samples;
     }
     held.rms = held.samples > 0 ? std::sqrt(held.rms / static_cast<double>(held.samples)) : 0;
