@@ -11,22 +11,12 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/simulate.h"
+#include "tests/support/simulated.h"
 
 namespace cromer {
 namespace {
 
 using ::testing::HasSubstr;
-
-SimulatedRun run(const SimulateOptions& options) {
-  auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
-  return result ? std::move(result->runs.front()) : SimulatedRun{};
-}
-
-std::string refusal(const SimulateOptions& options) {
-  const auto result = simulate(options);
-  return result ? "" : result.error().message;
-}
 
 /// A recorded force of these samples.
 SimulateOptions recorded(std::vector<double> values, double spacing) {

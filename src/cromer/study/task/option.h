@@ -57,8 +57,9 @@ struct Option {
 /// The tables, in the order of --help. The pointers go into the struct given.
 std::vector<Option> options_of(SimulateOptions& options);
 std::vector<Option> options_of(ReadOptions& options);
-std::vector<Option> options_of(FitOptions& options);      ///< with those of its ReadOptions
-std::vector<Option> options_of(CompareOptions& options);  ///< with those of its FitOptions
+std::vector<Option> options_of(FitOptions& options);  ///< with those of its ReadOptions
+std::vector<Option> options_of(
+    CompareOptions& options);  ///< with those of its FitOptions but the driven ones
 std::vector<Option> options_of(MethodsOptions& options);
 /// Those of simulate that can have a grid are texts here, whatever their unit.
 std::vector<Option> options_of(SweepOptions& options);
