@@ -117,6 +117,18 @@ Json textbook(const FittedRecording& fitted) {
   return object;
 }
 
+Json modes(const std::vector<Mode>& found) {
+  Json list = Json::array();
+  for (const Mode& mode : found)
+    list.push_back({{"angular_frequency", mode.angular_frequency.value},
+                    {"angular_frequency_standard_error", mode.angular_frequency.standard_error},
+                    {"decay_rate", mode.decay_rate.value},
+                    {"decay_rate_standard_error", mode.decay_rate.standard_error},
+                    {"amplitude", mode.amplitude},
+                    {"amplitude_standard_error", mode.amplitude_error}});
+  return list;
+}
+
 Json document(const FittedRecording& fitted) {
   const FreeDecay& fit = fitted.fit;
   Json object;
@@ -140,6 +152,7 @@ Json document(const FittedRecording& fitted) {
     candidates.push_back({{"law", to_text(candidate.law)}, {"rms", candidate.rms}, {"bic", candidate.bic}});
     if (!candidate.between_samples.empty()) candidates.back()["between_samples"] = candidate.between_samples;
   }
+  object["modes"] = modes(fitted.modes);
   if (fitted.held_out)
     object["held_out"] = {{"from", fitted.held_out->from},
                           {"to", fitted.held_out->to},

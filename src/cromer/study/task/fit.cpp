@@ -309,12 +309,15 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
                                 const FitOptions& options, const Watch& watch) {
   const Result<Series> series = take_series(recording, options.column, run, options.read);
   if (!series) return series.error();
-  if (!options.drive_frequency.empty()) return fit_driven(*series, file, options, watch);
+  if (!options.drive_frequency.empty()) {
+    Result<FittedRecording> driven = fit_driven(*series, file, options, watch);
+    if (!driven) return driven;
+    return check_drive(*std::move(driven), *series, options, watch);
+  }
   if (options.force_column.empty()) {
     Result<FittedRecording> free = fit_series(*series, file, options, watch);
     if (!free) return free;
-    if (auto driven = recognise_drive(*free, *series, options, watch)) return *std::move(driven);
-    return free;
+    return recognise_drive(*std::move(free), *series, options, watch);
   }
   const Result<Series> force = take_series(recording, options.force_column, run, options.read);
   if (!force) return Error{"--force-column: " + force.error().message};

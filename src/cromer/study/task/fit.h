@@ -12,6 +12,7 @@
 #include "cromer/base/result.h"
 #include "cromer/identify/forced_fit.h"
 #include "cromer/identify/free_decay.h"
+#include "cromer/identify/two_modes.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/study/task/decay_by_amplitude.h"
 #include "cromer/study/task/decay_segments.h"
@@ -38,10 +39,10 @@ struct FitOptions {
   std::string drive_frequency{};     ///< of a harmonic drive, with its unit, or auto; "" where none drives
   bool recognise_drive = true;       ///< a motion that is no free one may be fitted as a driven one
   std::optional<double> hold_out{};  ///< share of the samples, above 0: the last ones, kept from the fit
-  std::string goal{};                       ///< "decay_rate 0.5 %": how long to record
-  std::optional<int> monte_carlo{};         ///< trials, 1000 to 1e7
-  unsigned long long seed = 1;              ///< of the trials
-  bool textbook = false;                    ///< decrement and bandwidth beside the fit
+  std::string goal{};                ///< "decay_rate 0.5 %": how long to record
+  std::optional<int> monte_carlo{};  ///< trials, 1000 to 1e7
+  unsigned long long seed = 1;       ///< of the trials
+  bool textbook = false;             ///< decrement and bandwidth beside the fit
 };
 
 /// What textbooks would say of the damping; each empty where it cannot be had.
@@ -92,6 +93,7 @@ struct FittedRecording {
   std::optional<RecordingPlan> plan;
   std::optional<TextbookDamping> textbook;
   std::optional<ForcedFit> forced{};  ///< of a forced or driven motion; its motion at the series' times
+  std::vector<Mode> modes{};          ///< where two oscillations were found, the larger first
   std::string between_samples{};      ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
   std::vector<std::string> warnings;

@@ -203,8 +203,6 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
       fit, series, options.mass ? Body{options.mass, options.spring_mass}.effective_mass().value : 1);
   if (result.fit.status == FitStatus::converged) {
     constexpr double two_pi = 2 * std::numbers::pi;
-    if (fit.drive_amplitude->low <= 0)
-      result.warnings.emplace_back("the drive's amplitude is not told from none: the motion looks free");
     const double T = t.back() - t.front();
     if (*drive && std::abs(fit.drive_frequency->value - **drive) > 4 * two_pi / T)
       result.warnings.push_back(
