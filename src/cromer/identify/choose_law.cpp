@@ -11,6 +11,7 @@
 #include "cromer/identify/fit_motion.h"
 #include "cromer/identify/outliers.h"
 #include "cromer/identify/refusal.h"
+#include "cromer/identify/rival_laws.h"
 
 namespace cromer {
 namespace {
@@ -125,6 +126,8 @@ LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const
     if (next && fine[*next]) break;
   }
   choice.chosen = candidates[best];
+  if (const std::string rivals = rival_laws(record, candidates, best); !rivals.empty())
+    choice.chosen.warnings.push_back(rivals);
   if (watch.interrupted()) mark_interrupted(choice.chosen);
   return choice;
 }

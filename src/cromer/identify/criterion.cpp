@@ -36,8 +36,8 @@ std::size_t choose_candidate(std::vector<FreeDecay>& candidates) {
     if (fit.status != FitStatus::converged || !every_term_shows(fit)) continue;
     if (candidates[best].status != FitStatus::converged || fit.bic < candidates[best].bic) best = i;
   }
-  // Evidence that is not strong does not speak against a simpler law, or one met more often: the fewest terms
-  // then, and the first.
+  // Evidence that is not strong does not speak against a simpler law: the fewest terms then, and of as many
+  // the lowest.
   constexpr double strong = 6;
   const double lowest = candidates[best].bic;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
@@ -45,7 +45,7 @@ std::size_t choose_candidate(std::vector<FreeDecay>& candidates) {
     if (fit.status != FitStatus::converged || !every_term_shows(fit) || !(fit.bic < lowest + strong))
       continue;
     const std::size_t terms = candidates[best].names.size();
-    if (fit.names.size() < terms || (fit.names.size() == terms && i < best)) best = i;
+    if (fit.names.size() < terms || (fit.names.size() == terms && fit.bic < candidates[best].bic)) best = i;
   }
   return best;
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/identify/mean_decay.h"
+
 namespace cromer {
 namespace {
 
@@ -81,8 +83,8 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
   const std::string rises = rise(record, period, noise);
   if (!rises.empty()) found.push_back(rises);
 
-  const bool falls = (fit.law.viscous && fit.decay_rate.low > 0) || (fit.drag && fit.drag->low > 0) ||
-                     (fit.friction && fit.friction->low > 0);
+  // The terms may be traded for each other: what falls is known of their sum.
+  const bool falls = mean_decay(fit, record).rate.low > 0;
   if (rises.empty() && duration >= 20 * period && !falls)
     found.push_back(
         fmt::format("the swing does not die down over {:.0f} periods. If something drives it, the frequency "

@@ -169,7 +169,7 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
       for (int j = 0; j < fitted.count; ++j) bias[i] += inverse_matrix[i][j] * pull.right[j];
   }
   describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
-  set_intervals(fit, unpack(fitted, minimum.free.parameters));
+  set_intervals(fit, unpack(fitted, minimum.free.parameters), record);
   set_status(fit, minimum.bounded.reason);
   return fit;
 }
