@@ -36,6 +36,59 @@ TEST(FitLab, TellsBudgetTrialsAndPlan) {
   EXPECT_TRUE(fit["textbook"].is_null());
 }
 
+TEST(FitLab, TheCovarianceHasTheSquaredErrorsOnItsDiagonal) {
+  const auto fit = Folder().run({"fit", disc, "--law", "viscous+drag", "--json"}).json();
+  const auto& names = fit["covariance"]["parameters"];
+  const auto& matrix = fit["covariance"]["matrix"];
+  ASSERT_EQ(names.size(), 6u);
+  ASSERT_EQ(matrix.size(), 6u);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double error = fit["parameters"][names[i].get<std::string>()]["standard_error"].get<double>();
+    EXPECT_NEAR(matrix[i][i].get<double>() / (error * error), 1, 1e-12) << names[i];
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_NEAR(matrix[i][j].get<double>() / matrix[j][i].get<double>(), 1, 1e-9);
+  }
+  EXPECT_LT(matrix[1][2].get<double>(), 0);  // viscous damping is traded for drag
+}
+
+/// The same motion in another unit: a decay of 0.03 1/s with noise of a hundredth, times `scale`.
+std::string scaled_recording(double scale) {
+  std::string text = "Time (s),Position (m)\n";
+  char row[96];
+  unsigned seed = 5;
+  for (int i = 0; i < 2000; ++i) {
+    seed = seed * 1664525u + 1013904223u;
+    const double t = i * 0.01, noise = 1e-3 * (seed / 4294967296.0 - 0.5);
+    std::snprintf(row, sizeof row, "%.2f,%.17g\n", t,
+                  scale * (0.05 * std::exp(-0.03 * t) * std::cos(8 * t) + noise));
+    text += row;
+  }
+  return text;
+}
+
+TEST(FitLab, ResultsDoNotDependOnTheUnit) {
+  Folder folder;
+  folder.write("one.csv", scaled_recording(1));
+  const auto one = folder.run({"fit", "one.csv", "--json"}).json();
+  ASSERT_EQ(one["status"], "converged");
+  for (const double scale : {0x1p60, 0x1p-20, 0x1p-30, 0x1p-60, 0x1p-100}) {
+    folder.write("other.csv", scaled_recording(scale));
+    const auto other = folder.run({"fit", "other.csv", "--json"}).json();
+    ASSERT_EQ(other["status"], "converged") << scale << other["message"];
+    EXPECT_EQ(other["law"], one["law"]) << scale;
+    for (const char* name : {"angular_frequency", "decay_rate"})
+      for (const char* part : {"value", "standard_error"})
+        EXPECT_NEAR(
+            other["parameters"][name][part].get<double>() / one["parameters"][name][part].get<double>(), 1,
+            1e-6)
+            << name << " " << scale;
+  }
+  folder.write("absurd.csv", scaled_recording(1e-300));
+  const Finished absurd = folder.run({"fit", "absurd.csv"});
+  EXPECT_EQ(absurd.status, 2);
+  EXPECT_THAT(absurd.err, HasSubstr("another unit"));
+}
+
 TEST(FitLab, WritesTheMotionSampleBySample) {
   Folder folder;
   folder.write("lab.csv", recording(2000));

@@ -7,15 +7,21 @@
 namespace cromer::dialects {
 namespace {
 
-/// Units in the last decimal place, if six decimals write nearly all values (a logger may print 0.00 as
-/// -3.75e-5 now and then); else 0.
+/// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
+/// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
 double decimal_step(std::span<const double> values) {
   constexpr double nearly_all = 0.9;
-  double scale = 1;
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::fabs(value));
+  if (!(largest > 1e-290)) return 0;
+  const int first = largest < 1 ? static_cast<int>(-std::floor(std::log10(largest))) - 1 : 0;
+  double scale = std::pow(10.0, first);
   for (int decimals = 0; decimals <= 6; ++decimals, scale *= 10) {
     const auto exact = std::count_if(values.begin(), values.end(), [&](double value) {
-      const double scaled = value * scale;
-      return std::fabs(scaled - std::nearbyint(scaled)) <= 1e-9 * std::max(1.0, std::fabs(scaled));
+      const double scaled = value * scale, whole = std::nearbyint(scaled);
+      // What is next to nothing beside a unit is not written by whole units.
+      if (whole == 0 && value != 0) return false;
+      return std::fabs(scaled - whole) <= 1e-9 * std::max(1.0, std::fabs(scaled));
     });
     if (static_cast<double>(exact) >= nearly_all * static_cast<double>(values.size())) return 1 / scale;
   }

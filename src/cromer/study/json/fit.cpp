@@ -117,6 +117,18 @@ Json textbook(const FittedRecording& fitted) {
   return object;
 }
 
+// Of the fitted parameters; the diagonal is the squares of their standard errors.
+Json covariance(const FreeDecay& fit) {
+  Json matrix = Json::array();
+  const std::size_t n = fit.names.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Json row = Json::array();
+    for (std::size_t j = 0; j < n; ++j) row.push_back(or_null(fit.covariance[i * n + j]));
+    matrix.push_back(std::move(row));
+  }
+  return {{"parameters", fit.names}, {"matrix", std::move(matrix)}};
+}
+
 Json modes(const std::vector<Mode>& found) {
   Json list = Json::array();
   for (const Mode& mode : found)
@@ -141,6 +153,7 @@ Json document(const FittedRecording& fitted) {
   // Only a recorded force has anything between its samples.
   object["between_samples"] = fitted.between_samples.empty() ? Json(nullptr) : Json(fitted.between_samples);
   object["parameters"] = quantities(fitted.parameters);
+  object["covariance"] = fitted.parameters.empty() ? Json(nullptr) : covariance(fit);
   object["derived"] = quantities(fitted.derived);
   object["simulate"] = fitted.simulate.empty() ? Json(nullptr) : Json(fitted.simulate);
   object["residual"] = {{"rms", fit.residual.rms},
