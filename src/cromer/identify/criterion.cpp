@@ -39,7 +39,7 @@ std::size_t choose_candidate(std::vector<FreeDecay>& candidates) {
   }
   // Evidence that is not strong does not speak against a simpler law: the fewest terms then. Of as many terms
   // a law met more often stays unless the other is clearly better; rival_laws.h says where neither is.
-  constexpr double strong = 6, clear = 4;
+  constexpr double strong = 6, clear = 5;
   const double lowest = candidates[best].bic;
   const auto eligible = [&](const FreeDecay& fit) {
     return fit.status == FitStatus::converged && every_term_shows(fit) && fit.bic < lowest + strong;

@@ -52,6 +52,8 @@ std::string coefficients(const FreeDecay& fit) {
 std::string rival_laws(const Record& record, const std::vector<FreeDecay>& candidates, std::size_t chosen) {
   const FreeDecay& best = candidates[chosen];
   if (best.status != FitStatus::converged) return {};
+  const MeanDecay decay = mean_decay(best, record);
+  if (!(decay.rate.low > 0)) return {};  // no damping is seen, whichever it be
   std::vector<const FreeDecay*> rivals;
   for (const FreeDecay& rival : candidates) {
     if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong) continue;
@@ -75,7 +77,7 @@ std::string rival_laws(const Record& record, const std::vector<FreeDecay>& candi
       "this record cannot tell {} from {}: the uncertainties hold only if the law is right. Known whichever "
       "it "
       "is: {}",
-      to_text(best.law), list, to_text(mean_decay(best, record)));
+      to_text(best.law), list, to_text(decay));
 }
 
 }  // namespace cromer

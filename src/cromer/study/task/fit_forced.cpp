@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "cromer/identify/doubts.h"
 #include "cromer/identify/driven_fit.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/force_grid.h"
@@ -63,11 +64,8 @@ void describe(FittedRecording& result, ForcedChoice&& choice, std::string_view f
                     "something else "
                     "drives it as well, or drives it instead",
                     100 * result.fit.explained));
-  if (!result.fit.residual.white && result.fit.independent_samples > 0)
-    result.warnings.push_back(fmt::format(
-        "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "
-        "of {:.0f} independent samples",
-        result.fit.residual.autocorrelation, result.fit.independent_samples));
+  if (const std::string wide = widening(result.fit, result.series.t.size()); !wide.empty())
+    result.warnings.push_back(wide);
 }
 
 // The command that simulates a harmonically driven law; it has no quadratic term.
