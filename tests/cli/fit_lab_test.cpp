@@ -151,6 +151,35 @@ TEST(FitLab, DrawsTheLineOfPeriodsSquaredAgainstMass) {
   near(line["spring_mass"], spring, 0.02);
 }
 
+TEST(FitLab, AFailedFitLeavesNoLineAndIsNoWrongInput) {
+  Folder folder;
+  folder.write("one.csv", swing(9, 1));
+  folder.write(
+      "flat.csv", "Time (s),Position (m)\n" + [] {
+        std::string rows;
+        for (int i = 0; i < 100; ++i) rows += std::to_string(i * 0.01) + ",0.3\n";
+        return rows;
+      }());
+  const Finished end = folder.run({"fit", "--mass-line", "--masses", "100, 200 g", "one.csv", "flat.csv"});
+  EXPECT_EQ(end.status, 1) << end.err;
+  EXPECT_THAT(end.err, HasSubstr("no line of T²"));
+}
+
+TEST(FitLab, MassesOutOfOrderAreSaid) {
+  Folder folder;
+  std::vector<std::string> words{"fit", "--static", "--masses", "200 g, 50 g, 100 g, 150 g"};
+  for (const double mass : {0.05, 0.1, 0.15, 0.2}) {
+    std::string text = "Time (s),Position (m)\n";
+    for (int i = 0; i < 200; ++i)
+      text += std::to_string(i * 0.01) + "," + std::to_string(0.2 + mass * 9.8 / 20 + 1e-5 * (i % 3)) + "\n";
+    words.push_back("hold" + std::to_string(mass) + ".csv");
+    folder.write(words.back(), text);
+  }
+  EXPECT_THAT(folder.run(words).err, HasSubstr("in the order of the holds?"));
+  words[3] = "50, 100, 150, 200 g";
+  EXPECT_EQ(folder.run(words).err.find("in the order of the holds?"), std::string::npos);
+}
+
 TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
   Folder folder;
   folder.write("lab.csv", recording(2000));
@@ -171,6 +200,12 @@ TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
   refused({"--monte-carlo", "20000"}, "--monte-carlo needs --mass");
   refused({"--monte-carlo", "10", "--mass", "1"}, "between 1000 and");
   refused({"--goal", "decy_rate 1 %"}, "did you mean decay_rate?");
+  refused({"--goal", "drag 1 %", "--law", "viscous"}, "viscous, has no drag: that needs a law with drag");
+  refused({"--goal", "stiffness 1 %"}, "a stiffness needs --mass");
+  refused({"--static", "--masses", "50, 100, 150 g, 200 g"}, "50 has no unit and others have");
+  refused({"--mass-line", "--masses", "1 g, 2 g", "--mass", "1 g"}, "takes the masses from --masses");
+  refused({"--law", "auto+drag"}, "auto chooses the terms itself");
+  refused({"--motion", "lab.csv"}, "--motion lab.csv: that is the recording itself");
 }
 
 }  // namespace

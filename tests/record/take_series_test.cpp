@@ -217,6 +217,15 @@ TEST(TakeSeries, StepsAndReleasesAreNoOutliers) {
       series(swing(2000, 100, 3, [](int i, double) { return i % 37 == 0 ? 0.101 : 0.1; })).outliers.empty());
 }
 
+TEST(TakeSeries, WhatNeverChangesHasNoOutliers) {
+  EXPECT_TRUE(series(swing(3000, 100, 4, [](int, double) { return 0.3; })).outliers.empty());
+}
+
+TEST(TakeSeries, AnUnknownUnitIsNotTakenForMetres) {
+  EXPECT_EQ(series("t (s),x (px)\n0,1.5\n1,2\n2,1\n").quantity, "");
+  EXPECT_EQ(series("t (s),x (mm)\n0,1.5\n1,2\n2,1\n").quantity, "position");
+}
+
 TEST(TakeSeries, SpikesAreListedAndStay) {
   const Series s =
       series(swing(2000, 100, 4, [](int i, double x) { return i == 700 || i == 1500 ? x + 0.4 : x; }));

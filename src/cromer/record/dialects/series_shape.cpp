@@ -137,6 +137,7 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   }
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   const double everywhere = robust * median(size);
+  if (*low == *high) return found;
   const double floor =
       std::max({limit * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
   // A spike at an end spoils the distances next to it.

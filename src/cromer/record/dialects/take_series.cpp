@@ -194,6 +194,9 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   }
   describe_times(series, time ? 0 : options.rate);
   describe_values(series, as_written);
+  // Pixels are no metres: a displacement in a unit of its own has none that is known.
+  const bool displacement = series.quantity == "position" || series.quantity == "angle";
+  if (displacement && !series.unit.empty() && !to_si(value).known) series.quantity.clear();
   return series;
 }
 

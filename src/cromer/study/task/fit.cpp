@@ -340,7 +340,9 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
     Result<FittedRecording> one = fit_run(*recording, run, file, options, watch);
     if (one) {
       any_read = true;
-      one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
+      // What is said of the file is said once.
+      if (fits.empty())
+        one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
       fits.push_back(std::move(*one));
       continue;
     }

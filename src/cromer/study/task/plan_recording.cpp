@@ -142,6 +142,25 @@ std::string sentence(const RecordingPlan& plan, bool relative, double present, d
       plan.noise_ratio, plan.rate_ratio);
 }
 
+// What a quantity of a fit is not there for.
+std::string why_not_there(std::string_view quantity, const Law& law) {
+  const std::string has_none =
+      fmt::format("--goal: the law of this fit, {}, has no {}", to_text(law), quantity);
+  const auto needs = [&](const char* term, const char* more) {
+    return fmt::format("{}: that needs a law with {}{}, by --law", has_none, term, more);
+  };
+  if (quantity == "decay_rate") return needs("viscous", "");
+  for (const std::string_view term : {"drag", "friction", "cubic"})
+    if (quantity == term) return needs(term.data(), "");
+  if (quantity == "drag_coefficient") return needs("drag", ", --mass and --disc-diameter");
+  if (quantity == "damping") return needs("viscous", " and --mass");
+  if (quantity == "drag_constant") return needs("drag", " and --mass");
+  if (quantity == "friction_force") return needs("friction", " and --mass");
+  if (quantity == "cubic_stiffness") return needs("cubic", " and --mass");
+  if (quantity == "stiffness") return "--goal: a stiffness needs --mass and a column that is a length";
+  return has_none;
+}
+
 }  // namespace
 
 Result<Goal> parse_goal(std::string_view text) {
@@ -162,7 +181,9 @@ Result<Goal> parse_goal(std::string_view text) {
   if (goal.relative) {
     const auto part = parse_quantity(goal.text, "");
     if (!part) return Error{"--goal: " + part.error().message};
-    if (!(part->value > 0)) return Error{fmt::format("--goal: {} must be positive", goal.text)};
+    if (!(part->value > 0))
+      return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
+                               goal.text)};
   }
   return goal;
 }
@@ -175,15 +196,13 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
     return std::nullopt;
   };
   const auto now = look_up(fit);
-  if (!now)
-    return Error{
-        fmt::format("--goal: there is no {} in this fit; its law is {}, and quantities of force need a "
-                    "position and --mass",
-                    goal.quantity, to_text(fit.law))};
+  if (!now) return Error{why_not_there(goal.quantity, fit.law)};
   const bool plain = now->unit == "1";
   const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
   if (!wanted) return Error{"--goal: " + wanted.error().message};
-  if (!(wanted->value > 0)) return Error{fmt::format("--goal: {} must be positive", goal.text)};
+  if (!(wanted->value > 0))
+    return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
+                             goal.text)};
 
   RecordingPlan plan;
   plan.quantity = goal.quantity;
