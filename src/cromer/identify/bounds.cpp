@@ -54,10 +54,18 @@ void set_intervals(FreeDecay& fit, const MotionParameters& free_minimum, const R
   const bool any_unsure = (fit.law.viscous && unsure(fit.decay_rate)) || (fit.drag && unsure(*fit.drag)) ||
                           (fit.friction && unsure(*fit.friction));
   if (any_unsure && dampings_are_collinear(fit)) {
+    std::string cut;
+    const auto add = [&](bool there, const Estimate& term, const char* name) {
+      if (there && unsure(term)) cut += (cut.empty() ? "" : " and the ") + std::string(name);
+    };
+    const Estimate none;
+    add(fit.law.viscous, fit.decay_rate, "decay rate");
+    add(fit.drag.has_value(), fit.drag.value_or(none), "drag");
+    add(fit.friction.has_value(), fit.friction.value_or(none), "friction");
     fit.warnings.push_back(fmt::format(
         "the damping terms of {} cannot be told apart here: their sum is known, {}, its parts are "
-        "not",
-        to_text(fit.law), to_text(mean_decay(fit, record))));
+        "not, and the interval of the {} is cut at its bound 0",
+        to_text(fit.law), to_text(mean_decay(fit, record)), cut));
     return;
   }
   if (fit.law.viscous) warn(fit, fit.decay_rate, "decay rate", "viscous damping");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace cromer::dialects {
 namespace {
@@ -162,6 +163,42 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+bool tops_cut_off(std::span<const double> y, double step, double resolution) {
+  constexpr std::size_t fewest = 32, fewest_crossings = 4;
+  if (y.size() < fewest) return false;
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double amplitude = 0.5 * (*high - *low), middle = 0.5 * (*high + *low);
+  if (!(amplitude > 0) || resolution >= amplitude) return false;
+  // Crossings from well below to well above the middle, which noise does not make.
+  std::size_t crossings = 0;
+  int side = 0;
+  for (const double value : y) {
+    if (std::fabs(value - middle) < 0.2 * amplitude) continue;
+    const int now = value > middle ? 1 : -1;
+    crossings += side != 0 && now != side;
+    side = now;
+  }
+  if (crossings < fewest_crossings) return false;
+  const double half_period = static_cast<double>(y.size()) * step / static_cast<double>(crossings);
+  const double dwell = 2 * std::acos(1 - resolution / amplitude) * half_period / std::numbers::pi;
+  for (const double top : {*low, *high}) {
+    std::size_t run = 0, longest = 0, plateaus = 0;
+    for (std::size_t i = 0; i <= y.size(); ++i) {
+      if (i < y.size() && y[i] == top) {
+        ++run;
+        continue;
+      }
+      plateaus += run >= 3;
+      longest = std::max(longest, run);
+      run = 0;
+    }
+    // A top that is all of the half period is a rectangle, not one cut off.
+    const double length = static_cast<double>(longest) * step;
+    if (plateaus >= 2 && length > 1.5 * dwell + 3 * step && length < 0.9 * half_period) return true;
+  }
+  return false;
 }
 
 }  // namespace cromer::dialects

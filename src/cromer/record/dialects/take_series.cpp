@@ -117,6 +117,12 @@ void set_aside(Series& series) {
 void describe_values(Series& series, const std::vector<double>& as_written) {
   series.resolution = dialects::rounding_step(as_written) * series.to_si;
   if (series.rate > 0) set_aside(series);
+  if (series.rate > 0 && is_motion(series) &&
+      dialects::tops_cut_off(series.y, 1 / series.rate, series.resolution))
+    series.warnings.push_back(
+        concat({"column \"", series.column,
+                "\": the motion's tops are cut off at the same value again and again, as "
+                "where a sensor is out of its range"}));
   const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
   if (!series.y.empty() && *low == *high)
     series.warnings.push_back(concat({"column \"", series.column, "\" never changes"}));

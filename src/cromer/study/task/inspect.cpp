@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/identify/free_decay.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/time.h"
 
@@ -53,16 +52,6 @@ std::size_t length_of(const Recording& recording, int run) {
   return length;
 }
 
-/// Whether the motion's tops are cut off, as a fit would find; of a long record the beginning tells.
-std::string cut_off(const Series& series) {
-  constexpr std::size_t enough = 100'000;
-  const std::size_t n = std::min(enough, series.t.size());
-  if (n < 32) return {};
-  const Record record{std::span(series.t).first(n), std::span(series.y).first(n), series.resolution};
-  const FreeDecay fit = fit_free_decay(record, {.every_sample = true});
-  return fit.status == FitStatus::clipped ? "column \"" + series.column + "\": " + fit.message : "";
-}
-
 }  // namespace
 
 Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options) {
@@ -87,7 +76,6 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
       continue;
     }
     for (const std::string& warning : series->warnings) say(warning);
-    if (const std::string cut = cut_off(*series); !cut.empty()) say(cut);
     inspection.gaps.insert(inspection.gaps.end(), series->gaps.begin(), series->gaps.end());
     inspection.outliers.insert(inspection.outliers.end(), series->outliers.begin(), series->outliers.end());
     const double duration = series->t.back() - series->t.front();
