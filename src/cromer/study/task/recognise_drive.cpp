@@ -104,7 +104,10 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
 
 Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
                                     const Watch& watch) {
-  if (driven.parameters.empty() || driven.fit.status != FitStatus::converged || watch.interrupted())
+  // A search that ends nowhere has found no drive either, if the motion is a free one.
+  const bool searched = options.drive_frequency == "auto";
+  const bool settled = !driven.parameters.empty() && driven.fit.status == FitStatus::converged;
+  if (!(settled || (searched && driven.fit.status == FitStatus::iteration_limit)) || watch.interrupted())
     return driven;
   FitOptions without = options;
   without.drive_frequency.clear();
@@ -113,7 +116,7 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   without.to = driven.series.t.back();
   Result<FittedRecording> free = fit_series(motion, driven.file, without, watch);
   if (!free || free->parameters.empty() || watch.interrupted()) return driven;
-  const bool searched = options.drive_frequency == "auto";
+  if (!settled && free->fit.status != FitStatus::converged) return driven;
   const MotionJudgement judgement = judged(*free, driven, !searched);
   if (judgement.kind == MotionKind::driven_or_two_modes && searched)
     driven.warnings.push_back(either_reading(*judgement.modes));
@@ -123,7 +126,8 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
     say_two_modes(result, *judgement.modes);
     return result;
   }
-  if (judgement.kind != MotionKind::free && driven.forced->drive_amplitude->low > 0) return driven;
+  if (judgement.kind != MotionKind::free && (!settled || driven.forced->drive_amplitude->low > 0))
+    return driven;
   const std::string compared = fmt::format("a free law leaves {:.4g}, the driven one {:.4g}",
                                            free->fit.residual.rms, driven.fit.residual.rms);
   if (searched) {
