@@ -165,6 +165,18 @@ TEST(FitLab, AFailedFitLeavesNoLineAndIsNoWrongInput) {
   EXPECT_THAT(end.err, HasSubstr("no line of T²"));
 }
 
+TEST(FitLab, AFreeSwingHasNoDrive) {
+  Folder folder;
+  folder.write("lab.csv", swing(8, 3));
+  const auto searched = folder.run({"fit", "lab.csv", "--drive-frequency", "auto", "--json"}).json();
+  EXPECT_EQ(searched["status"], "converged");
+  EXPECT_FALSE(searched["parameters"].contains("drive_amplitude"));
+  EXPECT_THAT(searched["warnings"].dump(), HasSubstr("no drive is seen at any frequency"));
+  const auto named = folder.run({"fit", "lab.csv", "--drive-frequency", "0.5 Hz", "--json"}).json();
+  EXPECT_THAT(named["warnings"].dump() + named.value("message", ""),
+              HasSubstr("--drive-frequency auto looks for"));
+}
+
 TEST(FitLab, MassesOutOfOrderAreSaid) {
   Folder folder;
   std::vector<std::string> words{"fit", "--static", "--masses", "200 g, 50 g, 100 g, 150 g"};
