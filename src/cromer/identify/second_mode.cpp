@@ -181,7 +181,7 @@ std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& 
   }
   for (ResidualLine& line : distinct) {
     measure({part.t, r, 0}, line);
-    line.harmonic = harmonic_of(line, own, fit.angular_frequency.standard_error);
+    line.harmonic = harmonic_of(line, own_band(fit), fit.angular_frequency.standard_error);
   }
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < record.resolution; };

@@ -27,7 +27,7 @@ MotionJudgement judged(const FittedRecording& free, const FittedRecording& drive
 double share_of_steady(const FittedRecording& driven) {
   const ForcedFit& fit = *driven.forced;
   const double w0 = fit.law.angular_frequency.value, w = fit.drive_frequency->value;
-  const double steady = std::pow(w, std::max(0, derivative_order(motion.quantity))) *
+  const double steady = std::pow(w, std::max(0, derivative_order(driven.series.quantity))) *
                         fit.drive_amplitude->value /
                         std::hypot(w0 * w0 - w * w, 2 * fit.law.decay_rate.value * w);
   double square = 0;
