@@ -75,7 +75,10 @@ Result<void> check_motion(const std::string& motion, const OutputOptions& output
   if (motion == output.output) return Error{fmt::format("-o and --motion both name {}", motion)};
   OutputOptions same;
   same.output = motion;
-  return check_outputs(same, inputs);
+  Result<void> good = check_outputs(same, inputs);
+  if (!good && good.error().message.starts_with("-o "))
+    return Error{"--motion " + good.error().message.substr(3)};
+  return good;
 }
 
 /// Warnings and failures on standard error; whether all fits succeeded.
@@ -125,6 +128,9 @@ int run_fit(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_fit_options(options); !good) return refuse(good.error().message);
   if (auto good = check(spring); !good) return refuse(good.error().message);
+  if (options.mass && (spring.mass_line || spring.held))
+    return refuse(fmt::format("--mass: {} takes the masses from --masses, one for each; leave --mass out",
+                              spring.held ? "--static" : "--mass-line"));
   const auto found = recording_files(files);
   if (!found) return refuse(found.error().message);
   if (auto good = check_outputs(output, found->files); !good) return refuse(good.error().message);
@@ -146,9 +152,14 @@ int run_fit(const Arguments& arguments) {
   const bool good = say_what_is_wrong(answer.fits, found->many, output.quiet) && !interrupted;
   if (spring.mass_line && !interrupted) {
     auto line = mass_line(answer.fits, *parse_masses(spring.masses));
-    if (!line) return refuse(line.error().message);
-    warn(line->warnings, output.quiet);
-    answer.line = *std::move(line);
+    // A line that lacks points because fits failed is no wrong input.
+    if (!line && good) return refuse(line.error().message);
+    if (!line) {
+      complain("there is no line of T² against mass: " + line.error().message);
+    } else {
+      warn(line->warnings, output.quiet);
+      answer.line = *std::move(line);
+    }
   }
   if (auto written = write_files(answer, output, motion); !written) return refuse(written.error().message);
   if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))

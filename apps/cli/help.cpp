@@ -8,12 +8,21 @@ namespace {
 constexpr std::size_t help_column = 34;
 constexpr std::size_t last_column = 110;
 
+/// A name only where something is called by it: a column, a method, a law, a reading.
+std::string kind_of_text(std::string_view option) {
+  for (const std::string_view named : {"column", "method", "law", "between-samples", "drive"})
+    if (option == named || option.ends_with("-column")) return "NAME";
+  for (const std::string_view file : {"motion", "drive-file", "base-motion"})
+    if (option == file) return "FILE";
+  return "TEXT";
+}
+
 std::string left_side(const Option& option) {
   std::string text = option.name == "output" ? "  -o, --output" : fmt::format("  --{}", option.name);
   if (option.is_flag()) return text;
   if (option.name == "output" || option.name == "plot") return text + " FILE";
-  if (option.is_text()) return text + " NAME";
-  if (option.unit.empty()) return text + " NUMBER";
+  if (option.is_text()) return text + " " + kind_of_text(option.name);
+  if (option.unit.empty() || option.unit == "1") return text + " NUMBER";
   return text + fmt::format(" <{}>", option.unit);
 }
 

@@ -10,6 +10,7 @@
 #include "cromer/study/task/option_owner.h"
 #include "exit_status.h"
 #include "message.h"
+#include "output.h"
 #include "syntax.h"
 
 namespace cromer::cli {
@@ -56,8 +57,7 @@ Result<void> assign_all(const std::vector<Typed>& typed) {
 std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::vector<std::string>& files) {
   if (std::find(arguments.begin(), arguments.end(), "--help") != arguments.end() ||
       std::find(arguments.begin(), arguments.end(), "-h") != arguments.end()) {
-    std::fputs(help(syntax).c_str(), stdout);
-    return done;
+    return print(help(syntax)) ? done : refuse("standard output cannot be written");
   }
 
   CLI::App app;

@@ -54,8 +54,7 @@ TEST(FitLab, IsSaidByCompareAsWell) {
 }
 
 TEST(FitLab, OfAMassAtRestTellsNothingOfAMotion) {
-  for (const auto& [option, value] : {std::pair("--mass", "1"),
-                                      {"--law", "viscous"},
+  for (const auto& [option, value] : {std::pair("--law", "viscous"),
                                       {"--goal", "decay_rate 1 %"},
                                       {"--segments", "2"},
                                       {"--motion", "motion.csv"}}) {
@@ -109,6 +108,59 @@ TEST(FitLab, TheMotionMarksSamplesSetAsideAndTakesNoVelocityFromThem) {
     EXPECT_NEAR(std::stod(bad[i][v]), std::stod(good[i][v]), 1e-3) << i;
   }
   EXPECT_EQ(marked, 1);
+}
+
+TEST(FitLab, TheCovarianceHasTheSquaredErrorsOnItsDiagonal) {
+  const auto fit = Folder().run({"fit", disc, "--law", "viscous+drag", "--json"}).json();
+  const auto& names = fit["covariance"]["parameters"];
+  const auto& matrix = fit["covariance"]["matrix"];
+  ASSERT_EQ(names.size(), 6u);
+  ASSERT_EQ(matrix.size(), 6u);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const double error = fit["parameters"][names[i].get<std::string>()]["standard_error"].get<double>();
+    EXPECT_NEAR(matrix[i][i].get<double>() / (error * error), 1, 1e-12) << names[i];
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_NEAR(matrix[i][j].get<double>() / matrix[j][i].get<double>(), 1, 1e-9);
+  }
+  EXPECT_LT(matrix[1][2].get<double>(), 0);  // viscous damping is traded for drag
+}
+
+/// The same motion in another unit: a decay of 0.03 1/s with noise of a hundredth, times `scale`.
+std::string scaled_recording(double scale) {
+  std::string text = "Time (s),Position (m)\n";
+  char row[96];
+  unsigned seed = 5;
+  for (int i = 0; i < 2000; ++i) {
+    seed = seed * 1664525u + 1013904223u;
+    const double t = i * 0.01, noise = 1e-3 * (seed / 4294967296.0 - 0.5);
+    std::snprintf(row, sizeof row, "%.2f,%.17g\n", t,
+                  scale * (0.05 * std::exp(-0.03 * t) * std::cos(8 * t) + noise));
+    text += row;
+  }
+  return text;
+}
+
+TEST(FitLab, ResultsDoNotDependOnTheUnit) {
+  Folder folder;
+  folder.write("one.csv", scaled_recording(1));
+  const auto one = folder.run({"fit", "one.csv", "--json"}).json();
+  ASSERT_EQ(one["status"], "converged");
+  for (const double scale : {0x1p60, 0x1p-20, 0x1p-30, 0x1p-60, 0x1p-100}) {
+    folder.write("other.csv", scaled_recording(scale));
+    const auto other = folder.run({"fit", "other.csv", "--json"}).json();
+    ASSERT_EQ(other["status"], "converged") << scale << other["message"];
+    EXPECT_EQ(other["law"], one["law"]) << scale;
+    for (const char* name : {"angular_frequency", "decay_rate"})
+      for (const char* part : {"value", "standard_error"})
+        EXPECT_NEAR(
+            other["parameters"][name][part].get<double>() / one["parameters"][name][part].get<double>(), 1,
+            1e-6)
+            << name << " " << scale;
+  }
+  folder.write("absurd.csv", scaled_recording(1e-300));
+  const Finished absurd = folder.run({"fit", "absurd.csv"});
+  EXPECT_EQ(absurd.status, 2);
+  EXPECT_THAT(absurd.err, HasSubstr("another unit"));
 }
 
 TEST(FitLab, WritesTheMotionSampleBySample) {
@@ -196,6 +248,47 @@ TEST(FitLab, ItsTableHasBoundsAndTheRatesOfSegments) {
     EXPECT_THAT(csv, HasSubstr(column));
 }
 
+TEST(FitLab, AFailedFitLeavesNoLineAndIsNoWrongInput) {
+  Folder folder;
+  folder.write("one.csv", swing(9, 1));
+  folder.write(
+      "flat.csv", "Time (s),Position (m)\n" + [] {
+        std::string rows;
+        for (int i = 0; i < 100; ++i) rows += std::to_string(i * 0.01) + ",0.3\n";
+        return rows;
+      }());
+  const Finished end = folder.run({"fit", "--mass-line", "--masses", "100, 200 g", "one.csv", "flat.csv"});
+  EXPECT_EQ(end.status, 1) << end.err;
+  EXPECT_THAT(end.err, HasSubstr("no line of T²"));
+}
+
+TEST(FitLab, AFreeSwingHasNoDrive) {
+  Folder folder;
+  folder.write("lab.csv", swing(8, 3));
+  const auto searched = folder.run({"fit", "lab.csv", "--drive-frequency", "auto", "--json"}).json();
+  EXPECT_EQ(searched["status"], "converged");
+  EXPECT_FALSE(searched["parameters"].contains("drive_amplitude"));
+  EXPECT_THAT(searched["warnings"].dump(), HasSubstr("no drive is seen at any frequency"));
+  const auto named = folder.run({"fit", "lab.csv", "--drive-frequency", "0.5 Hz", "--json"}).json();
+  EXPECT_THAT(named["warnings"].dump() + named.value("message", ""),
+              HasSubstr("--drive-frequency auto looks for"));
+}
+
+TEST(FitLab, MassesOutOfOrderAreSaid) {
+  Folder folder;
+  std::vector<std::string> words{"fit", "--static", "--masses", "200 g, 50 g, 100 g, 150 g"};
+  for (const double mass : {0.05, 0.1, 0.15, 0.2}) {
+    std::string text = "Time (s),Position (m)\n";
+    for (int i = 0; i < 200; ++i)
+      text += std::to_string(i * 0.01) + "," + std::to_string(0.2 + mass * 9.8 / 20 + 1e-5 * (i % 3)) + "\n";
+    words.push_back("hold" + std::to_string(mass) + ".csv");
+    folder.write(words.back(), text);
+  }
+  EXPECT_THAT(folder.run(words).err, HasSubstr("in the order of the holds?"));
+  words[3] = "50, 100, 150, 200 g";
+  EXPECT_EQ(folder.run(words).err.find("in the order of the holds?"), std::string::npos);
+}
+
 TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
   Folder folder;
   folder.write("lab.csv", recording(2000));
@@ -216,6 +309,12 @@ TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
   refused({"--monte-carlo", "20000"}, "--monte-carlo needs --mass");
   refused({"--monte-carlo", "10", "--mass", "1"}, "between 1000 and");
   refused({"--goal", "decy_rate 1 %"}, "did you mean decay_rate?");
+  refused({"--goal", "drag 1 %", "--law", "viscous"}, "its law is viscous; fit one with drag by --law");
+  refused({"--goal", "stiffness 1 %"}, "--mass");
+  refused({"--static", "--masses", "50, 100, 150 g, 200 g"}, "50 has no unit and others have");
+  refused({"--mass-line", "--masses", "1 g, 2 g", "--mass", "1 g"}, "takes the masses from --masses");
+  refused({"--law", "auto+drag"}, "auto chooses the terms itself");
+  refused({"--motion", "lab.csv"}, "--motion lab.csv: that is the recording itself");
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cromer/identify/choose_law.h"
+#include "cromer/identify/departures.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {
@@ -59,7 +60,62 @@ TEST(Doubts, FrictionIsNotDescribedByTheViscousLaw) {
   }
   const FreeDecay viscous = fit_free_decay(record.record(), {.law = {}});
   EXPECT_THAT(doubts(record.record(), viscous), testing::Contains(HasSubstr("no law tried describes")));
+  EXPECT_THAT(doubts(record.record(), viscous, true),
+              testing::Contains(HasSubstr("the law viscous does not describe this recording")));
   EXPECT_THAT(doubts_about(record), testing::IsEmpty());
+}
+
+// A swing with something done to every sample.
+template <class Change>
+std::vector<std::string> doubts_after(const Change& change,
+                                      const std::vector<double>& t = even_times(2500, 0.01)) {
+  SyntheticRecord record = viscous_record({.w0 = 8, .g = 0.05, .position = 0.05, .velocity = 0}, t, 3e-4);
+  for (std::size_t i = 0; i < t.size(); ++i) record.y[i] = change(t[i], record.y[i]);
+  return doubts(record.record(), choose_law(record.record(), {}).chosen, false, "m");
+}
+
+TEST(Doubts, NameWhatTheDataShow) {
+  EXPECT_THAT(doubts_after([](double t, double y) { return y + 0.002 * t; }),
+              ElementsAre(HasSubstr("the zero drifts, by 0.0499 m")));
+  EXPECT_THAT(doubts_after([](double t, double y) { return t > 12 ? y + 0.01 : y; }),
+              ElementsAre(HasSubstr("the zero jumps by 0.00998 m at 12.01 s")));
+  EXPECT_THAT(doubts_after([](double t, double y) { return t > 15 ? 0.22 + 1e-3 * (y - 0.2) : y; }),
+              testing::Contains(HasSubstr("the swing stops between 15")));
+  const SyntheticRecord slow = viscous_record({.w0 = 8.168}, even_times(120, 1), 3e-4);
+  EXPECT_THAT(doubts_about(slow),
+              testing::Contains(HasSubstr("a swing of 0.70003 or 1.3 Hz would look the same")));
+}
+
+TEST(Departures, APendulumThatTurnsOver) {
+  const MotionParameters over{
+      .angular_frequency = 3, .decay_rate = 0.1, .position = 0.1, .velocity = 9, .pendulum = true};
+  SyntheticRecord record{even_times(2000, 0.02), {}, 0};
+  record.y = free_motion(over, record.t, 1e-3).x;
+  EXPECT_THAT(turning_over(record.record()), HasSubstr("turns over"));
+  for (double& y : record.y) y = std::sin(y);
+  EXPECT_EQ(turning_over(record.record()), "");
+}
+
+TEST(Doubts, WanderingNoiseIsNoWrongLaw) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SyntheticRecord record = viscous_record({.w0 = 8, .g = 0.05, .position = 0.05}, even_times(2500, 0.01));
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, 3e-4);
+    double noise = 0;
+    for (double& y : record.y) y += noise = 0.95 * noise + normal(engine);
+    EXPECT_THAT(doubts_about(record), IsEmpty()) << seed;
+  }
+}
+
+TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
+  FreeDecay fit;
+  fit.residual = {.rms = 1, .normality = 0, .autocorrelation = 0.99, .white = false};
+  fit.independent_samples = 3000;
+  EXPECT_THAT(widening(fit, 3000), HasSubstr("only the equilibrium's"));
+  fit.independent_samples = 100;
+  EXPECT_THAT(widening(fit, 3000), HasSubstr("those of 100 independent samples"));
+  fit.residual.white = true;
+  EXPECT_EQ(widening(fit, 3000), "");
 }
 
 }  // namespace

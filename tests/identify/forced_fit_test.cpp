@@ -83,6 +83,22 @@ TEST(ForcedFit, TheDataSayWhatLiesBetweenTheSamples) {
   }
 }
 
+TEST(ForcedFit, WhatLiesBetweenFineSamplesIsLeftOpen) {
+  // A slow force sampled finely: linear and band-limited readings differ by less than the noise tells.
+  const ForcedTruth truth{.w0 = 9, .g = 0.2, .gain = 2, .position = 0, .velocity = 0};
+  const auto record = forced_synthetic(truth, multisine(12, 3), 3000, 0.01, 1e-3, 4);
+  const ForcedChoice choice = choose_forced(record.record(), {}, {});
+  EXPECT_EQ(choice.chosen.law.status, FitStatus::converged);
+  EXPECT_EQ(choice.chosen.between, ForceBetween::linear);
+  EXPECT_THAT(choice.chosen.law.warnings,
+              testing::Contains(testing::HasSubstr("between its samples is open")));
+  // Where the samples are coarse it is told, and nothing is open.
+  const auto coarse = forced_synthetic(truth, multisine(60, 3), 3000, 0.03, 1e-4, 4);
+  const ForcedChoice told = choose_forced(coarse.record(), {}, {});
+  EXPECT_EQ(told.chosen.between, ForceBetween::band_limited);
+  EXPECT_THAT(told.chosen.law.warnings, testing::Not(testing::Contains(testing::HasSubstr("is open"))));
+}
+
 TEST(ForcedFit, TheDataSayWhichTermsThereAre) {
   const struct {
     ForcedTruth truth;

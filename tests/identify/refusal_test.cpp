@@ -60,6 +60,16 @@ TEST(Refusal, MotionWithoutReturn) {
   EXPECT_EQ(status_of(record), FitStatus::overdamped);
 }
 
+// Without damping the motion cannot follow a decay, and the frequency is lost with it: 1 ± 6 Hz is no result.
+TEST(Refusal, ALawThatLeavesTheFrequencyUnknown) {
+  const SyntheticRecord record =
+      viscous_record({.w0 = 8.168, .position = 0.05, .velocity = 0}, even_times(3000, 0.01), 5e-4);
+  const FreeDecay fit = fit_free_decay(record.record(), {.law = {.viscous = false, .cubic = true}});
+  EXPECT_TRUE(fit.status == FitStatus::too_noisy || fit.angular_frequency.standard_error < 0.05 * 8.168)
+      << fit.angular_frequency.standard_error;
+  EXPECT_NE(fit.status, FitStatus::converged);
+}
+
 TEST(Refusal, TopsCutOff) {
   SyntheticRecord record =
       viscous_record({.equilibrium = 0, .position = 0.05}, even_times(2000, 0.01), 1e-4, 1e-4);

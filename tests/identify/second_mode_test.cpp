@@ -59,12 +59,20 @@ TEST(SecondMode, TheModesOfCoupledPendulums) {
   EXPECT_NEAR(lines[0].amplitude, 0.03, 0.004);
 }
 
+TEST(SecondMode, NearTwiceTheFrequencyIsNoHarmonic) {
+  std::vector<std::string> sentences;
+  const auto lines = lines_beside(
+      [](double t) { return 0.001 * std::exp(-0.03 * t) * std::cos(2.0375 * 8.849 * t); }, &sentences);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].harmonic, 0);
+  EXPECT_THAT(sentences[0], HasSubstr("a second mode"));
+}
+
 TEST(SecondMode, HarmonicsAreCalledThat) {
-  for (const int multiple : {2, 3}) {
+  for (const int multiple : {2, 3, 5, 7}) {
     std::vector<std::string> sentences;
     const auto lines = lines_beside(
-        [&](double t) { return 0.001 * std::exp(-multiple * 0.02 * t) * std::cos(multiple * 8.849 * t); },
-        &sentences);
+        [&](double t) { return 0.001 * std::exp(-0.04 * t) * std::cos(multiple * 8.849 * t); }, &sentences);
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].harmonic, multiple);
     EXPECT_THAT(sentences[0], HasSubstr("harmonic"));

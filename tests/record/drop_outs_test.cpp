@@ -54,6 +54,11 @@ TEST(DropOuts, ShortExcursionsAreListed) {
   EXPECT_EQ(s.y[1500], 1.9);
 }
 
+TEST(DropOuts, GoodSamplesBetweenTwoSpikesAreNone) {
+  const Series s = swing([](int i, double x) { return i == 700 ? x + 0.7 : i == 707 ? x + 0.9 : x; });
+  EXPECT_EQ(outlier_lines(s), (std::vector<long>{702, 709}));
+}
+
 TEST(DropOuts, LongFlatOnesAreListed) {
   const Series s = swing([](int i, double x) { return i >= 700 && i < 790 ? 2.5 : x; });
   EXPECT_EQ(s.outliers.size(), 90u);

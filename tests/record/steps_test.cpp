@@ -57,6 +57,14 @@ TEST(Steps, AMissingSampleIsAGapAlsoAmongJitter) {
   }
 }
 
+TEST(Steps, AGapIsNoJitter) {
+  std::vector<double> t = times(3000, 0.01);
+  t.erase(t.begin() + 500, t.begin() + 800);
+  const Steps steps = describe_steps(t);
+  EXPECT_EQ(steps.gaps.size(), 1u);
+  EXPECT_LT(steps.jitter, 1e-6);
+}
+
 TEST(Steps, OneLateSampleIsNoGap) {
   std::vector<double> t = times(100, 0.01);
   t[50] += 0.007;

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -219,6 +220,25 @@ TEST(TakeSeries, StepsAndReleasesAreNoOutliers) {
       series(swing(2000, 100, 4, [](int i, double x) { return i < 300 ? 0.2 : x; })).outliers.empty());
   EXPECT_TRUE(
       series(swing(2000, 100, 3, [](int i, double) { return i % 37 == 0 ? 0.101 : 0.1; })).outliers.empty());
+}
+
+TEST(TakeSeries, TopsThatAreCutOffAreSaid) {
+  const auto says = [](const Series& s) {
+    return std::any_of(s.warnings.begin(), s.warnings.end(),
+                       [](const std::string& w) { return w.find("cut off") != std::string::npos; });
+  };
+  for (const int decimals : {2, 3, 4, 6})
+    EXPECT_FALSE(says(series(swing(4000, 100, decimals, unspoiled)))) << decimals;
+  EXPECT_TRUE(says(series(swing(4000, 100, 4, [](int, double x) { return std::min(x, 0.2); }))));
+}
+
+TEST(TakeSeries, WhatNeverChangesHasNoOutliers) {
+  EXPECT_TRUE(series(swing(3000, 100, 4, [](int, double) { return 0.3; })).outliers.empty());
+}
+
+TEST(TakeSeries, AnUnknownUnitIsNotTakenForMetres) {
+  EXPECT_EQ(series("t (s),x (px)\n0,1.5\n1,2\n2,1\n").quantity, "");
+  EXPECT_EQ(series("t (s),x (mm)\n0,1.5\n1,2\n2,1\n").quantity, "position");
 }
 
 TEST(TakeSeries, SpikesAreListedAndStay) {

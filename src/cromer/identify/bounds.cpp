@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "cromer/identify/mean_decay.h"
+
 namespace cromer {
 namespace {
 
@@ -38,7 +40,7 @@ Parameters lower_bounds(const FittedParameters& fitted) {
   return lower;
 }
 
-void set_intervals(FreeDecay& fit, const MotionParameters& free_minimum) {
+void set_intervals(FreeDecay& fit, const MotionParameters& free_minimum, const Record& record) {
   move(fit.angular_frequency, free_minimum.angular_frequency, false);
   if (fit.law.viscous) move(fit.decay_rate, free_minimum.decay_rate, true);
   if (fit.drag) move(*fit.drag, free_minimum.drag, true);
@@ -48,6 +50,24 @@ void set_intervals(FreeDecay& fit, const MotionParameters& free_minimum) {
   move(fit.position, free_minimum.position, false);
   move(fit.velocity, free_minimum.velocity, false);
 
+  const auto unsure = [](const Estimate& term) { return term.low <= 0; };
+  const bool any_unsure = (fit.law.viscous && unsure(fit.decay_rate)) || (fit.drag && unsure(*fit.drag)) ||
+                          (fit.friction && unsure(*fit.friction));
+  if (any_unsure && dampings_are_collinear(fit)) {
+    std::string cut;
+    const auto add = [&](bool there, const Estimate& term, const char* name) {
+      if (there && unsure(term)) cut += (cut.empty() ? "" : " and the ") + std::string(name);
+    };
+    const Estimate none;
+    add(fit.law.viscous, fit.decay_rate, "decay rate");
+    add(fit.drag.has_value(), fit.drag.value_or(none), "drag");
+    add(fit.friction.has_value(), fit.friction.value_or(none), "friction");
+    fit.warnings.push_back(fmt::format(
+        "the damping terms of {} cannot be told apart here: their sum is known, {}, its parts are "
+        "not, and the interval of the {} is cut at its bound 0",
+        to_text(fit.law), to_text(mean_decay(fit, record)), cut));
+    return;
+  }
   if (fit.law.viscous) warn(fit, fit.decay_rate, "decay rate", "viscous damping");
   if (fit.drag) warn(fit, *fit.drag, "drag", "drag");
   if (fit.friction) warn(fit, *fit.friction, "friction", "dry friction");

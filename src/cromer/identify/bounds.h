@@ -12,7 +12,7 @@ Parameters lower_bounds(const FittedParameters& fitted);
 
 /// Moves the 95 % intervals of a fit that was described about its bounded minimum: each is centred on the
 /// minimum without bounds, is cut at its bound, and holds the estimate. A warning says which of them touch
-/// their bound.
-void set_intervals(FreeDecay& fit, const MotionParameters& free_minimum);
+/// their bound; where two dampings are traded for each other, what is known of their sum instead.
+void set_intervals(FreeDecay& fit, const MotionParameters& free_minimum, const Record& record);
 
 }  // namespace cromer

@@ -10,6 +10,7 @@
 #include "cromer/identify/fit_motion.h"
 #include "cromer/identify/outliers.h"
 #include "cromer/identify/refusal.h"
+#include "cromer/identify/rival_laws.h"
 
 namespace cromer {
 namespace {
@@ -65,10 +66,24 @@ std::vector<Law> candidate_laws(bool angle) {
   return laws;
 }
 
-void mark_interrupted(FreeDecay& fit) {
+// A choice among some of the laws is none: which ones it lacks is said.
+void mark_interrupted(LawChoice& choice, const std::vector<Law>& laws) {
+  FreeDecay& fit = choice.chosen;
   if (fit.status != FitStatus::converged) return;
   fit.status = FitStatus::iteration_limit;
-  fit.message = "interrupted before all laws were tried";
+  std::string missing;
+  for (const Law& law : laws) {
+    const bool done = std::any_of(choice.candidates.begin(), choice.candidates.end(),
+                                  [&](const FreeDecay& candidate) { return candidate.law == law; });
+    if (!done) missing += (missing.empty() ? "" : ", ") + to_text(law);
+  }
+  fit.message = missing.empty()
+                    ? "interrupted before all laws were tried: none is missing, but the last steps of the "
+                      "comparison are"
+                    : fmt::format(
+                          "interrupted before all laws were tried: {} is only the best of {}, and not "
+                          "compared yet are {}",
+                          to_text(fit.law), choice.candidates.size(), missing);
 }
 
 // Place of the candidate of lowest BIC but one.
@@ -88,9 +103,14 @@ LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const
   const Beginning beginning = begin_fit(record, options, watch);
   candidates.push_back(beginning.viscous);
   choice.chosen = beginning.viscous;
-  if (!beginning.usable() || watch.interrupted()) return choice;
-
-  const std::vector<Law> laws = candidate_laws(options.angle);
+  if (!beginning.usable()) return choice;
+  std::vector<Law> laws = candidate_laws(options.angle);
+  const auto too_many_terms = [&](const Law& law) { return refuse_record(record, law).has_value(); };
+  laws.erase(std::remove_if(laws.begin() + 1, laws.end(), too_many_terms), laws.end());
+  if (watch.interrupted()) {
+    mark_interrupted(choice, laws);
+    return choice;
+  }
   const auto progress = [&](std::size_t done) {
     if (watch.progress)
       watch.progress(progress_end * static_cast<double>(done) / static_cast<double>(laws.size()));
@@ -101,7 +121,6 @@ LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const
   FreeDecayOptions one = options;
   for (std::size_t i = 1; i < laws.size() && !watch.interrupted(); ++i) {
     one.law = laws[i];
-    if (refuse_record(record, one.law)) continue;  // too few samples for its parameters
     FreeDecay fit = fit_motion(record, one, beginning.known(one.law, record.t.front()), watch, true);
     if (watch.interrupted()) break;
     candidates.push_back(std::move(fit));
@@ -124,7 +143,9 @@ LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const
     if (next && fine[*next]) break;
   }
   choice.chosen = candidates[best];
-  if (watch.interrupted()) mark_interrupted(choice.chosen);
+  if (const std::string rivals = rival_laws(record, candidates, best); !rivals.empty())
+    choice.chosen.warnings.push_back(rivals);
+  if (watch.interrupted()) mark_interrupted(choice, laws);
   return choice;
 }
 
@@ -137,7 +158,12 @@ LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, 
   FreeDecayOptions one = options;
   one.law = Law{};
   const FreeDecay viscous = fit_free_decay(record, one, watch);
-  if (!has_values(viscous) || watch.interrupted()) return {viscous, {viscous}};
+  if (!has_values(viscous)) return {viscous, {viscous}};
+  if (watch.interrupted()) {
+    LawChoice choice{viscous, {viscous}};
+    mark_interrupted(choice, candidate_laws(options.angle));
+    return choice;
+  }
   const Selection part = select(record, viscous.angular_frequency.value);
   LawChoice choice = choose_on(part.record(), options, watch, 0.5);
   if (!has_values(choice.chosen) || choice.chosen.law == Law{}) {
@@ -147,7 +173,7 @@ LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, 
     one.start = KnownMotion{choice.chosen.motion(), part.end, viscous.decay_rate.value};
     choice.chosen = fit_free_decay(record, one, watch);
   }
-  if (watch.interrupted()) mark_interrupted(choice.chosen);
+  if (watch.interrupted()) mark_interrupted(choice, candidate_laws(options.angle));
   choice.chosen.warnings.push_back(fmt::format(
       "the laws were compared on {} of the {} samples, one in {} up to {:.6g} s; the one chosen is "
       "fitted to all",

@@ -1,5 +1,6 @@
 #include "cromer/identify/criterion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cromer {
@@ -36,17 +37,22 @@ std::size_t choose_candidate(std::vector<FreeDecay>& candidates) {
     if (fit.status != FitStatus::converged || !every_term_shows(fit)) continue;
     if (candidates[best].status != FitStatus::converged || fit.bic < candidates[best].bic) best = i;
   }
-  // Evidence that is not strong does not speak against a simpler law, or one met more often: the fewest terms
-  // then, and the first.
-  constexpr double strong = 6;
+  // Evidence that is not strong does not speak against a simpler law: the fewest terms then. Of as many terms
+  // a law met more often stays unless the other is clearly better; rival_laws.h says where neither is.
+  constexpr double strong = 6, clear = 5;
   const double lowest = candidates[best].bic;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const FreeDecay& fit = candidates[i];
-    if (fit.status != FitStatus::converged || !every_term_shows(fit) || !(fit.bic < lowest + strong))
-      continue;
-    const std::size_t terms = candidates[best].names.size();
-    if (fit.names.size() < terms || (fit.names.size() == terms && i < best)) best = i;
-  }
+  const auto eligible = [&](const FreeDecay& fit) {
+    return fit.status == FitStatus::converged && every_term_shows(fit) && fit.bic < lowest + strong;
+  };
+  std::size_t fewest = candidates[best].names.size();
+  for (const FreeDecay& fit : candidates)
+    if (eligible(fit)) fewest = std::min(fewest, fit.names.size());
+  double least = HUGE_VAL;
+  for (const FreeDecay& fit : candidates)
+    if (eligible(fit) && fit.names.size() == fewest) least = std::min(least, fit.bic);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (eligible(candidates[i]) && candidates[i].names.size() == fewest && candidates[i].bic < least + clear)
+      return i;
   return best;
 }
 

@@ -12,7 +12,8 @@ namespace cromer {
 /// excludes zero; 0 where none is. Sets the candidates' BIC, all of the number of samples which the closest
 /// candidate's residuals leave independent. Schwarz, Ann. Stat. 6, 461 (1978). Of candidates within 6 of the
 /// lowest (less than strong evidence: Kass & Raftery, J. Am. Stat. Assoc. 90, 773 (1995)) the one with the
-/// fewest parameters, then the first. `candidates` is not empty and begins with the simplest law.
+/// fewest parameters, and of as many the lowest, or the first that is within 5 of it: laws met more often
+/// come first. `candidates` is not empty and begins with the simplest law.
 std::size_t choose_candidate(std::vector<FreeDecay>& candidates);
 
 }  // namespace cromer

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/identify/departures.h"
+#include "cromer/identify/mean_decay.h"
+
 namespace cromer {
 namespace {
 
@@ -63,8 +66,9 @@ std::string rise(const Record& record, double period, double noise) {
   if (to.value - from.value < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
   return fmt::format(
       "the amplitude rises {} between {:.4g} and {:.4g} s, and a free swing's never does: something drives "
-      "it, "
-      "or two motions beat. The frequency may then be the drive's, and the stiffness not the spring's",
+      "or "
+      "pushes it, or two motions beat. The frequency may then be the drive's, and the stiffness not the "
+      "spring's",
       to.value < 2 * from.value ? fmt::format("by {:.0f} %", 100 * (to.value / from.value - 1))
                                 : fmt::format("{:.2g}-fold", to.value / from.value),
       from.t, to.t);
@@ -72,7 +76,8 @@ std::string rise(const Record& record, double period, double noise) {
 
 }  // namespace
 
-std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
+std::vector<std::string> doubts(const Record& record, const FreeDecay& fit, bool only_law,
+                                std::string_view unit) {
   std::vector<std::string> found;
   const double period = two_pi / fit.angular_frequency.value;
   const double duration = record.t.back() - record.t.front();
@@ -81,8 +86,8 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
   const std::string rises = rise(record, period, noise);
   if (!rises.empty()) found.push_back(rises);
 
-  const bool falls = (fit.law.viscous && fit.decay_rate.low > 0) || (fit.drag && fit.drag->low > 0) ||
-                     (fit.friction && fit.friction->low > 0);
+  // The terms may be traded for each other: what falls is known of their sum.
+  const bool falls = mean_decay(fit, record).rate.low > 0;
   if (rises.empty() && duration >= 20 * period && !falls)
     found.push_back(
         fmt::format("the swing does not die down over {:.0f} periods. If something drives it, the frequency "
@@ -90,16 +95,37 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit) {
                     "and the stiffness that follows from it is not the spring's",
                     duration / period));
 
+  if (const std::string few = few_samples(record, fit.angular_frequency.value); !few.empty())
+    found.push_back(few);
   // Where a period has many samples, what a wrong law leaves is smooth.
   const double samples_per_period = period * static_cast<double>(record.t.size() - 1) / duration;
-  if (samples_per_period >= 12 && fit.residual.autocorrelation > 0.5 &&
-      fit.residual.rms > std::max(2 * noise, record.resolution))
-    found.push_back(
-        fmt::format("no law tried describes this recording: what is left is {:.0f} times the noise from "
-                    "sample to sample, and "
-                    "the uncertainties cannot be trusted",
-                    std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))));
+  if (samples_per_period < 12 || fit.residual.autocorrelation <= 0.5 || residuals.size() != record.t.size() ||
+      fit.residual.rms <= std::max(2 * noise, record.resolution))
+    return found;
+  const bool line = leaves_a_line(record, fit, residuals);
+  const std::string stop = line && rises.empty() ? sudden_stop(record, period, unit) : "";
+  const std::string zero = stop.empty() ? wandering_zero(record, residuals, unit) : "";
+  for (const std::string& named : {stop, zero})
+    if (!named.empty()) found.push_back(named);
+  if (!line) return found;
+  found.push_back(fmt::format(
+      "{} this recording: what is left is {:.0f} times the noise from sample to sample, and the "
+      "uncertainties "
+      "cannot be trusted",
+      only_law ? fmt::format("the law {} does not describe", to_text(fit.law)) : "no law tried describes",
+      std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))));
   return found;
+}
+
+std::string widening(const FreeDecay& fit, std::size_t samples) {
+  if (fit.residual.white || !(fit.independent_samples > 0)) return {};
+  const std::string correlated = fmt::format("the residuals are correlated ({:.3f} from sample to sample)",
+                                             fit.residual.autocorrelation);
+  if (fit.independent_samples > 0.95 * static_cast<double>(samples))
+    return correlated +
+           ", but not at the swing's frequency: of its uncertainties only the equilibrium's is widened";
+  return fmt::format("{}: the uncertainties are widened to those of {:.0f} independent samples", correlated,
+                     fit.independent_samples);
 }
 
 }  // namespace cromer

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/identify/free_decay.h"
@@ -9,7 +10,13 @@
 namespace cromer {
 
 /// Sentences for the user; none where nothing is suspicious. Looked for are an amplitude that rises, one that
-/// does not fall over twenty periods, and residuals well above the noise from sample to sample.
-std::vector<std::string> doubts(const Record& record, const FreeDecay& fit);
+/// does not fall over twenty periods, what departures.h names, and residuals well above the noise from sample
+/// to sample that stand out about the swing's own frequency. `only_law`: no other law was tried. `unit` is
+/// the record's.
+std::vector<std::string> doubts(const Record& record, const FreeDecay& fit, bool only_law = false,
+                                std::string_view unit = {});
+
+/// What residuals that are correlated have done to the uncertainties; empty where they are white.
+std::string widening(const FreeDecay& fit, std::size_t samples);
 
 }  // namespace cromer

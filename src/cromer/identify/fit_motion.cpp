@@ -9,6 +9,7 @@
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/fit_viscous.h"
+#include "cromer/identify/refusal.h"
 #include "cromer/identify/rest_minima.h"
 #include "cromer/identify/rounding_bias.h"
 
@@ -182,9 +183,13 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
       for (int j = 0; j < fitted.count; ++j) bias[i] += inverse_matrix[i][j] * pull.right[j];
   }
   describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
-  set_intervals(fit, unpack(fitted, minimum.free.parameters));
+  set_intervals(fit, unpack(fitted, minimum.free.parameters), record);
   spread_over(fit, minima);
   set_status(fit, minimum.bounded.reason);
+  if (const auto refusal = refuse_frequency(fit); refusal && fit.status == FitStatus::converged) {
+    fit.status = refusal->status;
+    fit.message = refusal->message;
+  }
   return fit;
 }
 

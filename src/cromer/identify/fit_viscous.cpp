@@ -127,7 +127,7 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, co
         for (int k = 0; k < n; ++k) bias[i] += jacobian[i][k] * phasor_inverse[k][j] * right[j];
   }
   describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
-  set_intervals(fit, motion_of_phasor(minimum.free.parameters, record.derivative));
+  set_intervals(fit, motion_of_phasor(minimum.free.parameters, record.derivative), record);
   fit.step = motion_step(motion.angular_frequency, record.t.back() - record.t.front(), 1e-9);
   set_status(fit, minimum.bounded.reason);
   if (const auto refusal = refuse_fit(record, fit)) {

@@ -41,6 +41,67 @@ void set_criterion(std::vector<ForcedFit>& fits, double independent, double reso
                     static_cast<double>(fit.law.names.size()) * std::log(independent);
 }
 
+constexpr double strong = 6;  // see criterion.h
+
+// What one fit makes of the coefficients that another makes otherwise, in its own standard errors.
+std::string differences(const ForcedFit& chosen, const ForcedFit& other) {
+  std::string text;
+  const auto compare = [&](const char* what, const Estimate& here, const Estimate& there) {
+    const double off = std::abs(there.value - here.value) / here.standard_error;
+    if (!(off > 1)) return;
+    text += fmt::format("{}{} {:.6g} ({:.1f} of its standard errors away)", text.empty() ? "" : ", ", what,
+                        there.value, off);
+  };
+  const auto compare_both = [&](const char* what, const std::optional<Estimate>& here,
+                                const std::optional<Estimate>& there) {
+    if (here && there) compare(what, *here, *there);
+  };
+  compare("angular frequency", chosen.law.angular_frequency, other.law.angular_frequency);
+  compare("decay rate", chosen.law.decay_rate, other.law.decay_rate);
+  compare_both("drag", chosen.law.drag, other.law.drag);
+  compare_both("cubic", chosen.law.cubic, other.law.cubic);
+  compare_both("force gain", chosen.force_gain, other.force_gain);
+  return text;
+}
+
+// Other readings of the force, under the same law, that leave about as little. Fills the choice's candidates
+// with them; where the straight line between samples is one of them it is taken, as the plainest.
+void settle_reading(ForcedChoice& choice, const ForcedRecord& record, double independent,
+                    const Watch& watch) {
+  if (!converged(choice.chosen)) return;
+  const ForcedTerms terms = terms_of(choice.chosen);
+  const auto criterion_off = [&](const ForcedFit& other, const ForcedFit& same_law) {
+    return independent * 2 * std::log(other.law.residual.rms / same_law.law.residual.rms);
+  };
+  std::vector<ForcedFit> alike;
+  for (const ForcedFit& reading : std::vector<ForcedFit>(choice.candidates)) {
+    if (!converged(reading) || reading.between == choice.chosen.between || watch.interrupted()) continue;
+    constexpr double worth_a_fit = 30;
+    if (criterion_off(reading, choice.chosen) > worth_a_fit) continue;
+    ForcedFit fit = reading;
+    if (terms_of(reading) != terms || reading.motion.empty()) {
+      const ForcedStart from{
+          adapt_forced(reading.parameters, terms_of(reading), terms, RecordedForce::parameters)};
+      fit = fit_recorded_force(record, terms, reading.between, from, watch);
+      if (terms_of(reading) != terms) choice.candidates.push_back(fit);
+    }
+    if (converged(fit) && std::abs(criterion_off(fit, choice.chosen)) < strong)
+      alike.push_back(std::move(fit));
+  }
+  if (alike.empty()) return;
+  for (ForcedFit& fit : alike)
+    if (fit.between == ForceBetween::linear) std::swap(fit, choice.chosen);
+  for (const ForcedFit& other : alike) {
+    const std::string differ = differences(choice.chosen, other);
+    choice.chosen.law.warnings.push_back(
+        fmt::format("what the force did between its samples is open: taken as {} it leaves {:.4g}, as {} "
+                    "{:.4g}, too little "
+                    "apart to tell{}{}; --between-samples says which, if it is known",
+                    name(choice.chosen.between), choice.chosen.law.residual.rms, name(other.between),
+                    other.law.residual.rms, differ.empty() ? "" : "; the other would make the ", differ));
+  }
+}
+
 ForcedChoice choose_on(const ForcedRecord& record, const std::optional<ForcedTerms>& terms,
                        const std::optional<ForceBetween>& between, const Watch& watch) {
   ForcedTerms first = terms.value_or(ForcedTerms{.curved = true});
@@ -76,6 +137,7 @@ ForcedChoice choose_on(const ForcedRecord& record, const std::optional<ForcedTer
   const double independent = laws[closest(laws)].law.independent_samples;
   choice.candidates = std::move(laws);
   std::move(by_reading.begin(), by_reading.end(), std::back_inserter(choice.candidates));
+  if (!between) settle_reading(choice, record, independent, watch);
   set_criterion(choice.candidates, independent, record.resolution);
   for (ForcedFit& fit : choice.candidates) fit.motion = {};
   if (watch.interrupted() && converged(choice.chosen)) {

@@ -15,7 +15,8 @@ struct ForcedChoice {
 
 /// Fits what is not given both ways: the readings of the force first, with all of stiffness but no drag, and
 /// then, with the reading that leaves least, the laws. The law is that of lowest BIC among those whose extra
-/// terms' intervals exclude zero. Of records above 200,000 samples the first 100,000 decide.
+/// terms' intervals exclude zero. Readings that leave about as little under that law are named in a warning,
+/// and the linear one is preferred to them. Of records above 200,000 samples the first 100,000 decide.
 ForcedChoice choose_forced(const ForcedRecord& record, const std::optional<ForcedTerms>& terms,
                            const std::optional<ForceBetween>& between, const Watch& watch = {});
 

@@ -20,6 +20,10 @@ constexpr std::array<Term, 5> terms{{{"viscous", &Law::viscous},
                                      {"pendulum", &Law::pendulum}}};
 
 Error unknown_term(std::string_view term) {
+  if (term == "auto")
+    return Error{
+        "--law: auto chooses the terms itself and stands alone; for a sum name its terms, for instance "
+        "viscous+drag"};
   constexpr std::array<std::string_view, 6> names{"viscous", "drag", "friction", "cubic", "pendulum", "auto"};
   const std::string suggestion = nearest(term, names);
   std::string message = "--law: \"" + std::string(term) + "\" is not a term";

@@ -103,10 +103,18 @@ std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
         FitStatus::clipped,
         "the motion's tops are cut off at the same value again and again: the sensor was out of its range; "
         "choose the later part by --from"};
-  if (fit.angular_frequency.standard_error > 0.05 * w0)
-    return Refusal{FitStatus::too_noisy, fmt::format("too noisy: the frequency is known to {:.0f} % only",
-                                                     100 * fit.angular_frequency.standard_error / w0)};
-  return std::nullopt;
+  return refuse_frequency(fit);
+}
+
+std::optional<Refusal> refuse_frequency(const FreeDecay& fit) {
+  const Estimate& w = fit.angular_frequency;
+  if (w.standard_error <= 0.05 * w.value) return std::nullopt;
+  return Refusal{FitStatus::too_noisy,
+                 w.standard_error < w.value
+                     ? fmt::format("too noisy: the frequency is known to {:.0f} % only",
+                                   100 * w.standard_error / w.value)
+                     : fmt::format("the law {} leaves so much that the frequency is not known at all",
+                                   to_text(fit.law))};
 }
 
 }  // namespace cromer

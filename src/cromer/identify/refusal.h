@@ -19,4 +19,7 @@ std::optional<Refusal> refuse_record(const Record& record, const Law& law);
 /// cut off.
 std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit);
 
+/// A frequency that is known to no more than a twentieth, by whatever law.
+std::optional<Refusal> refuse_frequency(const FreeDecay& fit);
+
 }  // namespace cromer

@@ -9,7 +9,9 @@
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/median.h"
 #include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
+#include "cromer/identify/levenberg_marquardt.h"
 
 namespace cromer {
 namespace {
@@ -55,18 +57,55 @@ double median_around(const std::vector<double>& a, std::size_t k, std::size_t re
   return around.empty() ? 0 : upper_median(around);
 }
 
-// Amplitude at the first sample and decay rate of one line.
+// Amplitude at the first sample, decay rate and frequency of one line: from a grid of decay rates by least
+// squares.
 void measure(const Record& residuals, ResidualLine& line) {
   const double duration = residuals.t.back() - residuals.t.front();
   const DampedPhasor phasor(residuals);
   double least = HUGE_VAL;
+  Parameters start{};
+  start[DampedPhasor::angular_frequency] = line.angular_frequency;
   for (double g = 0; g * duration<20; g = g> 0 ? 1.6 * g : 0.3 / duration) {
     const DampedPhasor::Linear linear = phasor.best_linear(line.angular_frequency, g);
     if (!(linear.sum_of_squares < least)) continue;
     least = linear.sum_of_squares;
-    line.decay_rate = g;
+    line.decay_rate = start[DampedPhasor::decay_rate] = g;
     line.amplitude = std::hypot(linear.cosine, linear.sine);
+    start[DampedPhasor::equilibrium] = linear.equilibrium;
+    start[DampedPhasor::cosine] = linear.cosine;
+    start[DampedPhasor::sine] = linear.sine;
   }
+  line.frequency_error = two_pi / duration;
+  const auto n = static_cast<double>(residuals.t.size());
+  LeastSquaresOptions options;
+  options.scale = centred_norm(residuals.y);
+  options.residuals = static_cast<int>(residuals.t.size());
+  options.iteration_limit = 20;
+  options.error_tolerance = 1e-2;
+  options.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
+  options.lower[DampedPhasor::decay_rate] = 0;
+  const LeastSquaresSummary fit = minimise(phasor, start, options);
+  const double w = fit.parameters[DampedPhasor::angular_frequency];
+  if (fit.reason != LeastSquaresReason::converged || std::abs(w - line.angular_frequency) > two_pi / duration)
+    return;
+  const SquareMatrix covariance = inverse(fit.equations.matrix, DampedPhasor::parameter_count);
+  const double variance = fit.equations.sum_of_squares / n;
+  const double error = std::sqrt(variance * covariance[0][0]);
+  if (!std::isfinite(error)) return;
+  line.angular_frequency = w;
+  line.frequency_error = error;
+  line.decay_rate = fit.parameters[DampedPhasor::decay_rate];
+  line.amplitude = std::hypot(fit.parameters[DampedPhasor::cosine], fit.parameters[DampedPhasor::sine]);
+}
+
+// Which multiple of the swing's own frequency a line is, as far as both are known; 0 where it is none.
+int harmonic_of(const ResidualLine& line, const Band& own, double own_error) {
+  constexpr int most = 15;
+  for (int multiple = 2; multiple <= most; ++multiple)
+    if (own.holds(line.angular_frequency, multiple,
+                  3 * std::hypot(line.frequency_error, multiple * own_error)))
+      return multiple;
+  return 0;
 }
 
 std::string name_of(const ResidualLine& line) {
@@ -75,6 +114,10 @@ std::string name_of(const ResidualLine& line) {
   if (line.harmonic == 3)
     return "three times the swing's own: its third harmonic, from a spring, a damping or a sensor that is "
            "not linear in another way than the law";
+  if (line.harmonic > 3)
+    return fmt::format(
+        "{} times the swing's own: a harmonic of it, as of a motion with corners or cut-off tops",
+        line.harmonic);
   return "a second mode, as of a coupled or a sideways swing, or something that shakes the mount";
 }
 
@@ -109,9 +152,6 @@ std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, 
     line.angular_frequency =
         w + (left + right < 0 ? 0.5 * (left - right) / (left + right) : 0) * spectrum.step;
     line.amplitude = a[k];
-    for (int multiple : {2, 3})
-      if (own.holds(line.angular_frequency, multiple, 2 * resolution + multiple * fit.decay_rate.value))
-        line.harmonic = multiple;
     lines.push_back(line);
   }
   return lines;
@@ -139,7 +179,10 @@ std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& 
     });
     if (!near && distinct.size() < 3) distinct.push_back(line);
   }
-  for (ResidualLine& line : distinct) measure({part.t, r, 0}, line);
+  for (ResidualLine& line : distinct) {
+    measure({part.t, r, 0}, line);
+    line.harmonic = harmonic_of(line, own_band(fit), fit.angular_frequency.standard_error);
+  }
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < record.resolution; };
   distinct.erase(std::remove_if(distinct.begin(), distinct.end(), rounding), distinct.end());

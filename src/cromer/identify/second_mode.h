@@ -11,9 +11,11 @@ namespace cromer {
 
 struct ResidualLine {
   double angular_frequency = 0;  // [rad/s]
+  double frequency_error = 0;    // [rad/s] its standard error
   double amplitude = 0;          ///< at the first sample, in the unit of the record
   double decay_rate = 0;         // [1/s] roughly
-  int harmonic = 0;              ///< 2 or 3 where it is that multiple of the swing's own frequency; else 0
+  int harmonic = 0;              ///< 2 to 15 where it is that multiple of the swing's own frequency, to three
+                                 ///< standard errors of both; else 0
 };
 
 /// Lines of the residuals' spectrum, the strongest first, at most three: each stands six times above its

@@ -44,6 +44,23 @@ Result<void> make_folder(const std::string& folder) {
   return check_writable(folder + "/index.html");
 }
 
+// A folder that was made for a report which was then not written goes again.
+class FolderInWaiting {
+ public:
+  explicit FolderInWaiting(const std::string& folder)
+      : folder_(folder), was_there_(std::filesystem::exists(folder)) {}
+  ~FolderInWaiting() {
+    std::error_code none;
+    if (!was_there_ && std::filesystem::is_empty(folder_, none)) std::filesystem::remove(folder_, none);
+  }
+  FolderInWaiting(const FolderInWaiting&) = delete;
+  FolderInWaiting& operator=(const FolderInWaiting&) = delete;
+
+ private:
+  std::string folder_;
+  bool was_there_;
+};
+
 }  // namespace
 
 Result<WrittenReport> write_report(const std::string& study_path, const std::string& folder,
@@ -53,6 +70,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   if (!bytes) return bytes.error();
   auto study = read_study(*bytes, study_path);
   if (!study) return study.error();
+  const FolderInWaiting in_waiting(folder);
   if (const auto made = make_folder(folder); !made) return made.error();
 
   auto run = run_study(*study, watch, progress);

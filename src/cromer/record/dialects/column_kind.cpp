@@ -20,7 +20,7 @@ constexpr std::array measures{
     Measure{"angle", "rad"},
     Measure{"velocity", "m/s"},
     Measure{"angular velocity", "rad/s"},
-    Measure{"acceleration", "m/s^2"},
+    Measure{"acceleration", "m/s²"},
     Measure{"force", "N"},
     Measure{"voltage", "V"},
 };

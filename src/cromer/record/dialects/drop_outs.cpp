@@ -34,6 +34,13 @@ bool is_drop_out(const Signal& signal, std::size_t first, std::size_t end, bool 
   if (in * out <= 0) return false;
   const double size = std::min(std::fabs(in), std::fabs(out)), usual = signal.usual(first, end);
   if (usual == 0 || size <= std::max(signal.floor, signal.limit * usual)) return false;
+  // Where what lies beyond both neighbours is like the stretch, the neighbours are two spikes.
+  const auto like_the_stretch = [&](double beyond, double inside) {
+    return std::fabs(beyond - inside) < 0.5 * size;
+  };
+  if (first >= 2 && end + 1 < y.size() && like_the_stretch(y[first - 2], y[first]) &&
+      like_the_stretch(y[end + 1], y[end - 1]))
+    return false;
   if (flat) return true;
   if (std::fabs(y[end] - y[first - 1]) > 0.5 * size) return false;
   const double sign = in > 0 ? 1 : -1,

@@ -3,19 +3,26 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace cromer::dialects {
 namespace {
 
-/// Units in the last decimal place, if six decimals write nearly all values (a logger may print 0.00 as
-/// -3.75e-5 now and then); else 0.
+/// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
+/// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
 double decimal_step(std::span<const double> values) {
   constexpr double nearly_all = 0.9;
-  double scale = 1;
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::fabs(value));
+  if (!(largest > 1e-290)) return 0;
+  const int first = largest < 1 ? static_cast<int>(-std::floor(std::log10(largest))) - 1 : 0;
+  double scale = std::pow(10.0, first);
   for (int decimals = 0; decimals <= 6; ++decimals, scale *= 10) {
     const auto exact = std::count_if(values.begin(), values.end(), [&](double value) {
-      const double scaled = value * scale;
-      return std::fabs(scaled - std::nearbyint(scaled)) <= 1e-9 * std::max(1.0, std::fabs(scaled));
+      const double scaled = value * scale, whole = std::nearbyint(scaled);
+      // What is next to nothing beside a unit is not written by whole units.
+      if (whole == 0 && value != 0) return false;
+      return std::fabs(scaled - whole) <= 1e-9 * std::max(1.0, std::fabs(scaled));
     });
     if (static_cast<double>(exact) >= nearly_all * static_cast<double>(values.size())) return 1 / scale;
   }
@@ -131,6 +138,7 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   }
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   const double everywhere = robust * median(size);
+  if (*low == *high) return found;
   const double floor =
       std::max({limit * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
   // A spike at an end spoils the distances next to it.
@@ -155,6 +163,42 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+bool tops_cut_off(std::span<const double> y, double step, double resolution) {
+  constexpr std::size_t fewest = 32, fewest_crossings = 4;
+  if (y.size() < fewest) return false;
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double amplitude = 0.5 * (*high - *low), middle = 0.5 * (*high + *low);
+  if (!(amplitude > 0) || resolution >= amplitude) return false;
+  // Crossings from well below to well above the middle, which noise does not make.
+  std::size_t crossings = 0;
+  int side = 0;
+  for (const double value : y) {
+    if (std::fabs(value - middle) < 0.2 * amplitude) continue;
+    const int now = value > middle ? 1 : -1;
+    crossings += side != 0 && now != side;
+    side = now;
+  }
+  if (crossings < fewest_crossings) return false;
+  const double half_period = static_cast<double>(y.size()) * step / static_cast<double>(crossings);
+  const double dwell = 2 * std::acos(1 - resolution / amplitude) * half_period / std::numbers::pi;
+  for (const double top : {*low, *high}) {
+    std::size_t run = 0, longest = 0, plateaus = 0;
+    for (std::size_t i = 0; i <= y.size(); ++i) {
+      if (i < y.size() && y[i] == top) {
+        ++run;
+        continue;
+      }
+      plateaus += run >= 3;
+      longest = std::max(longest, run);
+      run = 0;
+    }
+    // A top that is all of the half period is a rectangle, not one cut off.
+    const double length = static_cast<double>(longest) * step;
+    if (plateaus >= 2 && length > 1.5 * dwell + 3 * step && length < 0.9 * half_period) return true;
+  }
+  return false;
 }
 
 }  // namespace cromer::dialects

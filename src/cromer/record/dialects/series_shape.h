@@ -22,4 +22,8 @@ double rounding_step(std::span<const double> values);
 std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
                                 double resolution);
 
+/// The swing's tops are cut off: its largest or least value comes again and again, in runs longer than a
+/// sinusoid of this size and frequency stays within one `resolution` of its top. `step` [s] between samples.
+bool tops_cut_off(std::span<const double> y, double step, double resolution);
+
 }  // namespace cromer::dialects

@@ -58,15 +58,18 @@ Steps describe_steps(std::span<const double> t) {
       4 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(t.front()), std::fabs(t.back())) / step;
   result.rate = round_within(1 / step, rounding);
 
-  double mean = 0, squares = 0;
-  for (const double h : steps) mean += h / static_cast<double>(steps.size());
-  for (const double h : steps) squares += (h - mean) * (h - mean);
-  const double jitter = std::sqrt(squares / static_cast<double>(steps.size())) / step;
-  result.jitter = jitter > rounding ? jitter : 0;
-
+  // A gap is no jitter.
+  std::vector<double> kept;
   for (std::size_t i = 0; i < steps.size(); ++i)
     if (steps[i] > gap_of_steps * step && lateness(t, i, step) > lost_of_steps * step)
       result.gaps.push_back({t[i], steps[i]});
+    else
+      kept.push_back(steps[i]);
+  double mean = 0, squares = 0;
+  for (const double h : kept) mean += h / static_cast<double>(kept.size());
+  for (const double h : kept) squares += (h - mean) * (h - mean);
+  const double jitter = kept.empty() ? 0 : std::sqrt(squares / static_cast<double>(kept.size())) / step;
+  result.jitter = jitter > rounding ? jitter : 0;
   return result;
 }
 

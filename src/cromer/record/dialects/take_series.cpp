@@ -119,6 +119,12 @@ void set_aside(Series& series) {
 void describe_values(Series& series, const std::vector<double>& as_written) {
   series.resolution = dialects::rounding_step(as_written) * series.to_si;
   if (series.rate > 0) set_aside(series);
+  if (series.rate > 0 && is_motion(series) &&
+      dialects::tops_cut_off(series.y, 1 / series.rate, series.resolution))
+    series.warnings.push_back(
+        concat({"column \"", series.column,
+                "\": the motion's tops are cut off at the same value again and again, as "
+                "where a sensor is out of its range"}));
   const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
   if (!series.y.empty() && *low == *high)
     series.warnings.push_back(concat({"column \"", series.column, "\" never changes"}));
@@ -200,6 +206,9 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
                           shortest(series.t[1]),
                           " is no step of time: seconds are expected, or a unit behind the name"}));
   describe_values(series, as_written);
+  // Pixels are no metres: a displacement in a unit of its own has none that is known.
+  const bool displacement = series.quantity == "position" || series.quantity == "angle";
+  if (displacement && !series.unit.empty() && !to_si(value).known) series.quantity.clear();
   return series;
 }
 

@@ -114,6 +114,30 @@ Json textbook(const FittedRecording& fitted) {
   return object;
 }
 
+// Of the fitted parameters; the diagonal is the squares of their standard errors.
+Json covariance(const FreeDecay& fit) {
+  Json matrix = Json::array();
+  const std::size_t n = fit.names.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    Json row = Json::array();
+    for (std::size_t j = 0; j < n; ++j) row.push_back(fit.covariance[i * n + j]);
+    matrix.push_back(std::move(row));
+  }
+  return {{"parameters", fit.names}, {"matrix", std::move(matrix)}};
+}
+
+Json modes(const std::vector<Mode>& found) {
+  Json list = Json::array();
+  for (const Mode& mode : found)
+    list.push_back({{"angular_frequency", mode.angular_frequency.value},
+                    {"angular_frequency_standard_error", mode.angular_frequency.standard_error},
+                    {"decay_rate", mode.decay_rate.value},
+                    {"decay_rate_standard_error", mode.decay_rate.standard_error},
+                    {"amplitude", mode.amplitude},
+                    {"amplitude_standard_error", mode.amplitude_error}});
+  return list;
+}
+
 }  // namespace
 
 Json fit_object(const FittedRecording& fitted) {
@@ -128,6 +152,7 @@ Json fit_object(const FittedRecording& fitted) {
   // Only a recorded force has anything between its samples.
   object["between_samples"] = or_null(fitted.between_samples);
   object["parameters"] = quantities(fitted.parameters);
+  object["covariance"] = fitted.parameters.empty() ? Json(nullptr) : covariance(fit);
   object["derived"] = quantities(fitted.derived);
   object["simulate"] = or_null(fitted.simulate);
   object["residual"] = {{"rms", fit.residual.rms},
@@ -139,6 +164,7 @@ Json fit_object(const FittedRecording& fitted) {
     candidates.push_back({{"law", to_text(candidate.law)}, {"rms", candidate.rms}, {"bic", candidate.bic}});
     if (!candidate.between_samples.empty()) candidates.back()["between_samples"] = candidate.between_samples;
   }
+  object["modes"] = modes(fitted.modes);
   if (fitted.held_out)
     object["held_out"] = {{"from", fitted.held_out->from},
                           {"to", fitted.held_out->to},

@@ -8,6 +8,7 @@
 
 #include "cromer/identify/doubts.h"
 #include "cromer/methods/all.h"
+#include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/compared_curve.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/part_of_work.h"
@@ -84,7 +85,9 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     samples.t.insert(samples.t.begin(), series.t.front());
     samples.y.insert(samples.y.begin(), series.y.front());
   }
-  result.doubts = doubts({samples.t, samples.y, series.resolution}, fit);
+  const bool only_law = !(options.fit.law.empty() || options.fit.law == "auto");
+  result.doubts =
+      doubts({samples.t, samples.y, series.resolution}, fit, only_law, si_unit_of(series.quantity));
   const double period = two_pi / fit.angular_frequency.value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / 200;
   const double step = options.step.value_or(default_step(spacing, period));

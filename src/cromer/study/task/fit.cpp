@@ -10,6 +10,7 @@
 #include "cromer/analysis/reynolds.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/choose_law.h"
+#include "cromer/identify/departures.h"
 #include "cromer/identify/doubts.h"
 #include "cromer/identify/free_part.h"
 #include "cromer/identify/second_mode.h"
@@ -256,6 +257,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   const Record record{samples.t, samples.y, result.series.resolution,
                       std::max(0, derivative_order(result.series.quantity))};
 
+  if (result.series.quantity == "angle")
+    if (const std::string over = turning_over(record); !over.empty()) result.warnings.push_back(over);
   Result<LawChoice> choice = fit_law(record, result.series, options, result.warnings, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;
@@ -293,15 +296,13 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
     return result;
   }
-  const std::vector<std::string> doubtful = doubts(record, result.fit);
-  result.warnings.insert(result.warnings.end(), doubtful.begin(), doubtful.end());
-  const std::vector<std::string> modes = second_modes(record, result.fit, si_unit_of(result.series.quantity));
-  result.warnings.insert(result.warnings.end(), modes.begin(), modes.end());
-  if (!result.fit.residual.white)
-    result.warnings.push_back(fmt::format(
-        "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "
-        "of {:.0f} independent samples",
-        result.fit.residual.autocorrelation, result.fit.independent_samples));
+  const bool only_law = !(options.law.empty() || options.law == "auto");
+  const std::string_view unit = si_unit_of(result.series.quantity);
+  for (const auto& sentences :
+       {doubts(record, result.fit, only_law, unit), second_modes(record, result.fit, unit)})
+    result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
+  if (const std::string wide = widening(result.fit, record.t.size()); !wide.empty())
+    result.warnings.push_back(wide);
   return result;
 }
 
@@ -311,12 +312,15 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
                                 const FitOptions& options, const Watch& watch) {
   const Result<Series> series = take_series(recording, options.column, run, options.read);
   if (!series) return series.error();
-  if (!options.drive_frequency.empty()) return fit_driven(*series, file, options, watch);
+  if (!options.drive_frequency.empty()) {
+    Result<FittedRecording> driven = fit_driven(*series, file, options, watch);
+    if (!driven) return driven;
+    return check_drive(*std::move(driven), *series, options, watch);
+  }
   if (options.force_column.empty()) {
     Result<FittedRecording> free = fit_series(*series, file, options, watch);
     if (!free) return free;
-    if (auto driven = recognise_drive(*free, *series, options, watch)) return *std::move(driven);
-    return free;
+    return recognise_drive(*std::move(free), *series, options, watch);
   }
   const Result<Series> force = take_series(recording, options.force_column, run, options.read);
   if (!force) return Error{"--force-column: " + force.error().message};
@@ -340,7 +344,9 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
     Result<FittedRecording> one = fit_run(*recording, run, file, options, part);
     if (one) {
       any_read = true;
-      one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
+      // What is said of the file is said once.
+      if (fits.empty())
+        one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
       fits.push_back(std::move(*one));
       continue;
     }

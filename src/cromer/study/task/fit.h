@@ -12,6 +12,7 @@
 #include "cromer/base/result.h"
 #include "cromer/identify/forced_fit.h"
 #include "cromer/identify/free_decay.h"
+#include "cromer/identify/two_modes.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/study/task/decay_by_amplitude.h"
 #include "cromer/study/task/decay_segments.h"
@@ -94,6 +95,7 @@ struct FittedRecording {
   std::optional<RecordingPlan> plan;
   std::optional<TextbookDamping> textbook;
   std::optional<ForcedFit> forced{};  ///< of a forced or driven motion; its motion at the series' times
+  std::vector<Mode> modes{};          ///< where two oscillations were found, the larger first
   std::string between_samples{};      ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
   std::vector<std::string> warnings;

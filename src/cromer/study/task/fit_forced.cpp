@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "cromer/identify/doubts.h"
 #include "cromer/identify/driven_fit.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/derived_quantities.h"
@@ -71,11 +72,8 @@ void describe(FittedRecording& result, ForcedChoice&& choice, std::string_view f
                     "something else "
                     "drives it as well, or drives it instead",
                     100 * result.fit.explained));
-  if (!result.fit.residual.white && result.fit.independent_samples > 0)
-    result.warnings.push_back(fmt::format(
-        "the residuals are correlated ({:.3f} from sample to sample): the uncertainties are widened to those "
-        "of {:.0f} independent samples",
-        result.fit.residual.autocorrelation, result.fit.independent_samples));
+  if (const std::string wide = widening(result.fit, result.series.t.size()); !wide.empty())
+    result.warnings.push_back(wide);
 }
 
 // The command that simulates a harmonically driven law; it has no quadratic term.
@@ -225,8 +223,6 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
       fit, series, options.mass ? Body{options.mass, options.spring_mass}.effective_mass().value : 1);
   if (result.fit.status == FitStatus::converged) {
     constexpr double two_pi = 2 * std::numbers::pi;
-    if (fit.drive_amplitude->low <= 0)
-      result.warnings.emplace_back("the drive's amplitude is not told from none: the motion looks free");
     const double T = t.back() - t.front();
     if (*drive && std::abs(fit.drive_frequency->value - **drive) > 4 * two_pi / T)
       result.warnings.push_back(

@@ -12,7 +12,8 @@ namespace cromer {
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch = {});
 
-/// One run's motion under a harmonic drive of known or (--drive-frequency auto) unknown frequency.
+/// One run's motion under a harmonic drive of known or (--drive-frequency auto) unknown frequency; whether
+/// there is one, check_drive tells.
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 

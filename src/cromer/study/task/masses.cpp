@@ -23,13 +23,21 @@ Result<std::vector<Quantity>> parse_masses(std::string_view text) {
     if (end == std::string_view::npos) break;
     begin = end + 1;
   }
-  std::string unit;
-  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
-    if (part->empty()) return Error{"--masses: a mass is missing between two commas"};
-    if (const auto own = unit_in(*part); !own.empty())
-      unit = own;
-    else if (!unit.empty())
-      *part += " " + unit;
+  std::size_t with_unit = 0;
+  for (const std::string& part : parts) {
+    if (part.empty()) return Error{"--masses: a mass is missing between two commas"};
+    with_unit += !unit_in(part).empty();
+  }
+  // One unit at the end is that of all; some with and some without one could mean anything.
+  const std::string unit(unit_in(parts.back()));
+  for (std::string& part : parts) {
+    if (with_unit == parts.size() || with_unit == 0 || !unit_in(part).empty()) continue;
+    if (with_unit > 1 || unit.empty())
+      return Error{
+          "--masses: " + part +
+          " has no unit and others have: give each its unit, or only the last one, which is then that "
+          "of all"};
+    part += " " + unit;
   }
   std::vector<Quantity> masses;
   for (const std::string& part : parts) {

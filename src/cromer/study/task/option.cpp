@@ -40,7 +40,8 @@ Result<void> check_value(const Option& option, double value) {
   if (in_range(option.range, value)) return {};
   const std::string_view rule = option.range == Range::any ? "be a finite number" : constraint(option.range);
   return wrong(option, fmt::format("it must {}, not {}{}{}", rule, shortest(value),
-                                   option.unit.empty() ? "" : " ", option.unit));
+                                   option.unit.empty() || option.unit == "1" ? "" : " ",
+                                   option.unit == "1" ? "" : option.unit));
 }
 
 Result<Quantity> parse_value(const Option& option, std::string_view text) {

@@ -186,7 +186,9 @@ Result<Goal> parse_goal(std::string_view text) {
   if (goal.relative) {
     const auto part = parse_quantity(goal.text, "");
     if (!part) return Error{"--goal: " + part.error().message};
-    if (!(part->value > 0)) return Error{fmt::format("--goal: {} must be positive", goal.text)};
+    if (!(part->value > 0))
+      return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
+                               goal.text)};
   }
   return goal;
 }
@@ -205,7 +207,9 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
   const bool plain = now->unit == "1";
   const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
   if (!wanted) return Error{"--goal: " + wanted.error().message};
-  if (!(wanted->value > 0)) return Error{fmt::format("--goal: {} must be positive", goal.text)};
+  if (!(wanted->value > 0))
+    return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
+                             goal.text)};
 
   RecordingPlan plan;
   plan.quantity = goal.quantity;

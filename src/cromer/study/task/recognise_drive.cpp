@@ -2,47 +2,155 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "cromer/identify/kind_of_motion.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/used_samples.h"
 
 namespace cromer {
+namespace {
 
-std::optional<FittedRecording> recognise_drive(const FittedRecording& free, const Series& motion,
-                                               const FitOptions& options, const Watch& watch) {
-  const bool automatic =
-      options.recognise_drive && (options.law.empty() || options.law == "auto") && !is_driven(options);
-  constexpr double structured = 0.3, unstructured = 0.5;  // autocorrelation of residuals
-  if (!automatic || free.parameters.empty() || free.fit.residual.autocorrelation < structured ||
-      watch.interrupted())
-    return std::nullopt;
-  FitOptions driven = options;
-  driven.drive_frequency = "auto";
-  Result<FittedRecording> result = fit_driven(motion, free.file, driven, watch);
-  if (!result || result->fit.status != FitStatus::converged) return std::nullopt;
-  const ForcedFit& fit = *result->forced;
-  const Residual &left = fit.law.residual, &left_free = free.fit.residual;
-  if (!(left.rms < 0.9 * left_free.rms) || std::abs(left.autocorrelation) > unstructured ||
-      !(fit.drive_amplitude->low > 0))
-    return std::nullopt;
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr double structured = 0.3, unstructured = 0.5;  // autocorrelation of residuals
+
+MotionJudgement judged(const FittedRecording& free, const FittedRecording& driven, bool frequency_known) {
+  const FittedSamples samples = without_outliers(driven.series);
+  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, *driven.forced,
+                      frequency_known);
+}
+
+// Amplitude of the steady oscillation over that of a lasting sinusoid with the record's variance.
+double share_of_steady(const FittedRecording& driven) {
+  const ForcedFit& fit = *driven.forced;
   const double w0 = fit.law.angular_frequency.value, w = fit.drive_frequency->value;
-  const double steady = std::pow(w, std::max(0, derivative_order(motion.quantity))) *
+  const double steady = std::pow(w, std::max(0, derivative_order(driven.series.quantity))) *
                         fit.drive_amplitude->value /
                         std::hypot(w0 * w0 - w * w, 2 * fit.law.decay_rate.value * w);
   double square = 0;
-  for (double y : result->series.y)
+  for (const double y : driven.series.y)
     square += (y - fit.law.equilibrium.value) * (y - fit.law.equilibrium.value);
-  const double rms = std::sqrt(square / static_cast<double>(result->series.y.size()));
-  if (steady < 0.3 * rms * std::numbers::sqrt2) return std::nullopt;
-  result->options = options;
-  result->warnings.push_back(fmt::format(
-      "the motion is driven, at {:.6g} Hz: a free motion would leave {:.3g}, this leaves {:.3g}; say "
-      "--drive-frequency if it is known, or choose a free part with --from and --to",
-      w / (2 * std::numbers::pi), left_free.rms, left.rms));
-  return *std::move(result);
+  return steady / std::sqrt(2 * square / static_cast<double>(driven.series.y.size()));
+}
+
+bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& free) {
+  if (driven.fit.status != FitStatus::converged) return false;
+  const Residual &left = driven.fit.residual, &left_free = free.fit.residual;
+  return left.rms < 0.9 * left_free.rms && std::abs(left.autocorrelation) <= unstructured &&
+         driven.forced->drive_amplitude->low > 0 && share_of_steady(driven) >= 0.3;
+}
+
+std::string said(const Mode& mode) {
+  return fmt::format("{:.6g} ± {:.1g} Hz (amplitude {:.3g}, decay rate {:.2g} ± {:.1g} 1/s)",
+                     mode.angular_frequency.value / two_pi, mode.angular_frequency.standard_error / two_pi,
+                     mode.amplitude, mode.decay_rate.value, mode.decay_rate.standard_error);
+}
+
+// Of a motion in which neither line decays.
+std::string either_reading(const TwoModes& modes) {
+  return fmt::format(
+      "two oscillations that do not decay, at {} and {}: a drive on a swing without damping, or two modes, "
+      "as "
+      "of coupled pendulums, are the same signal; the numbers here are those of the first reading",
+      said(modes.modes[0]), said(modes.modes[1]));
+}
+
+void say_two_modes(FittedRecording& result, const TwoModes& found) {
+  result.modes.assign(found.modes.begin(), found.modes.end());
+  result.warnings.push_back(
+      fmt::format("two modes swing here, and both decay, as of coupled pendulums: {} and {}; together they "
+                  "leave {:.3g}, and the law {:.3g}",
+                  said(found.modes[0]), said(found.modes[1]), found.residual.rms, result.fit.residual.rms));
+}
+
+bool is_free_law(const FitOptions& options) { return options.law.empty() || options.law == "auto"; }
+
+}  // namespace
+
+FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
+                                const Watch& watch) {
+  const bool automatic = options.recognise_drive && is_free_law(options) && !is_driven(options);
+  if (!automatic || free.parameters.empty() || free.fit.residual.autocorrelation < structured ||
+      watch.interrupted())
+    return free;
+  FitOptions same = options;
+  same.drive_frequency = "auto";
+  same.from = free.series.t.front();
+  same.to = free.series.t.back();
+  Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
+  if (!driven || watch.interrupted()) return free;
+  const MotionJudgement judgement = judged(free, *driven, false);
+  if (judgement.kind == MotionKind::two_modes &&
+      judgement.modes->residual.rms < 0.9 * free.fit.residual.rms) {
+    say_two_modes(free, *judgement.modes);
+    return free;
+  }
+  const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
+  if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
+  driven->options = options;
+  if (undecided) {
+    driven->modes.assign(judgement.modes->modes.begin(), judgement.modes->modes.end());
+    driven->warnings.push_back(either_reading(*judgement.modes));
+  } else {
+    driven->warnings.push_back(fmt::format(
+        "the motion is driven, at {:.6g} Hz: a free motion would leave {:.3g}, this leaves {:.3g}; say "
+        "--drive-frequency if it is known, or choose a free part with --from and --to",
+        driven->forced->drive_frequency->value / two_pi, free.fit.residual.rms, driven->fit.residual.rms));
+  }
+  return *std::move(driven);
+}
+
+Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
+                                    const Watch& watch) {
+  // A search that ends nowhere has found no drive either, if the motion is a free one.
+  const bool searched = options.drive_frequency == "auto";
+  const bool settled = !driven.parameters.empty() && driven.fit.status == FitStatus::converged;
+  if (!(settled || (searched && driven.fit.status == FitStatus::iteration_limit)) || watch.interrupted())
+    return driven;
+  FitOptions without = options;
+  without.drive_frequency.clear();
+  without.recognise_drive = false;
+  without.from = driven.series.t.front();
+  without.to = driven.series.t.back();
+  Result<FittedRecording> free = fit_series(motion, driven.file, without, watch);
+  if (!free || free->parameters.empty() || watch.interrupted()) return driven;
+  if (!settled && free->fit.status != FitStatus::converged) return driven;
+  const MotionJudgement judgement = judged(*free, driven, !searched);
+  if (judgement.kind == MotionKind::driven_or_two_modes && searched)
+    driven.warnings.push_back(either_reading(*judgement.modes));
+  if (judgement.kind == MotionKind::two_modes) {
+    FittedRecording& result = searched ? *free : driven;
+    result.options = options;
+    say_two_modes(result, *judgement.modes);
+    return result;
+  }
+  if (judgement.kind != MotionKind::free && (!settled || driven.forced->drive_amplitude->low > 0))
+    return driven;
+  const std::string compared = fmt::format("a free law leaves {:.4g}, the driven one {:.4g}",
+                                           free->fit.residual.rms, driven.fit.residual.rms);
+  if (searched) {
+    free->options = options;
+    free->warnings.push_back(
+        fmt::format("no drive is seen at any frequency ({}): fitted as a free motion", compared));
+    return free;
+  }
+  const double asked = **drive_of(options) / two_pi;
+  if (!driven.fit.residual.white && driven.fit.residual.autocorrelation > structured) {
+    driven.fit.status = FitStatus::no_oscillation;
+    driven.fit.message = fmt::format(
+        "nothing drives this motion at {:.6g} Hz, and it is not a free one either ({}); "
+        "--drive-frequency auto looks for the drive",
+        asked, compared);
+    return driven;
+  }
+  driven.warnings.push_back(
+      fmt::format("nothing is seen to drive this motion at {:.6g} Hz ({}): it looks free; "
+                  "--drive-frequency auto looks for a drive elsewhere",
+                  asked, compared));
+  return driven;
 }
 
 }  // namespace cromer

@@ -92,6 +92,20 @@ std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
   return joined;
 }
 
+/// More mass, more extension, as far as the positions are known: the sensor may look from either side.
+bool goes_one_way(std::vector<UncertainPoint> points) {
+  std::sort(points.begin(), points.end(),
+            [](const UncertainPoint& one, const UncertainPoint& other) { return one.x < other.x; });
+  bool up = false, down = false;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double change = points[i].y - points[i - 1].y;
+    const double error = 3 * std::hypot(points[i].y_error, points[i - 1].y_error);
+    up = up || change > error;
+    down = down || change < -error;
+  }
+  return !(up && down);
+}
+
 }  // namespace
 
 Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::string_view file,
@@ -159,6 +173,9 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
           "{}, run {}, {:.4g} to {:.4g} s is not at rest: it moves by {:.2g} m (rms), and its mean is taken; "
           "choose a quiet part by --from and --to, or fit its swing without --static",
           hold.file, hold.run, hold.from, hold.to, hold.scatter));
+  if (!goes_one_way(points))
+    result.warnings.emplace_back(
+        "the position does not go one way with the mass: are --masses in the order of the holds?");
   if (holds.size() == 2)
     result.warnings.emplace_back("two masses give a line whatever they are: nothing shows whether it is one");
   result.holds = std::move(holds);

@@ -8,6 +8,23 @@
 #include "cromer/identify/drop_outs.h"
 
 namespace cromer {
+namespace {
+
+// Sums of squares must neither overflow nor vanish.
+Result<void> check_size(const Series& series) {
+  std::vector<double> sizes;
+  for (const double y : series.y) sizes.push_back(std::abs(y));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  const double largest = *std::max_element(sizes.begin(), sizes.end());
+  constexpr double most = 1e100, least = 1e-100;
+  if (*middle < most && (largest == 0 || largest > least)) return {};
+  return Error{
+      fmt::format("column \"{}\": values like {:.3g} are too {} to be squared; give them in another unit",
+                  series.column, *middle, *middle < 1 ? "small" : "large")};
+}
+
+}  // namespace
 
 Result<Series> used_part(const Series& series, const FitOptions& options) {
   if (series.t.empty()) return Error{fmt::format("column \"{}\" has no values", series.column)};
@@ -21,6 +38,7 @@ Result<Series> used_part(const Series& series, const FitOptions& options) {
                              : !options.from ? fmt::format("--to {}", to)
                                              : fmt::format("--from {} --to {}", from, to),
                              series.t.front(), series.t.back())};
+  if (const Result<void> good = check_size(series); !good) return good.error();
   Series used = series;
   const auto cut = [&](auto& values) {
     if (values.size() != series.t.size()) return;

@@ -1,0 +1,31 @@
+// What a recording shows beside a free swing, by its name: a zero that drifts or jumps, a hand that stops it,
+// samples too few to tell its frequency.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "cromer/identify/free_decay.h"
+
+namespace cromer {
+
+/// The zero drifts, or jumps: a straight line or one step accounts for three tenths of the residuals'
+/// variance. Empty where neither does.
+std::string wandering_zero(const Record& record, std::span<const double> residuals, std::string_view unit);
+
+/// From one period to the next the swing ends, a tenth of its amplitude left, and does not come back. Empty
+/// where it does not; a law with friction ends so too, and then describes the record.
+std::string sudden_stop(const Record& record, double period, std::string_view unit);
+
+/// Even samples, fewer than four in a period: which other frequencies would look the same. Else empty.
+std::string few_samples(const Record& record, double angular_frequency);
+
+/// An angle [rad] that goes through more than a full turn: the pendulum turns over. Else empty.
+std::string turning_over(const Record& record);
+
+/// The residuals stand out about the swing's own frequency, thirty times in power above the median on either
+/// side: what noise leaves has no line there, what a wrong law leaves has.
+bool leaves_a_line(const Record& record, const FreeDecay& fit, std::span<const double> residuals);
+
+}  // namespace cromer

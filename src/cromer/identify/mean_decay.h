@@ -1,0 +1,24 @@
+// The decay rate that all damping terms of a law make together, where a record knows it best.
+#pragma once
+
+#include <string>
+
+#include "cromer/identify/free_decay.h"
+
+namespace cromer {
+
+struct MeanDecay {
+  double amplitude = 0;  ///< of a lasting sinusoid with the record's variance, in the displacement's unit
+  Estimate rate;         // [1/s] of the amplitude there, averaged over a cycle
+};
+
+/// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record.
+MeanDecay mean_decay(const FreeDecay& fit, const Record& record);
+
+/// Two damping terms are traded for each other: their estimates' correlation is below -0.9.
+bool dampings_are_collinear(const FreeDecay& fit);
+
+/// "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude"
+std::string to_text(const MeanDecay& decay);
+
+}  // namespace cromer

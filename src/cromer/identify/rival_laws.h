@@ -1,0 +1,18 @@
+// Laws that a record speaks against no more than against the one chosen, and that would change its numbers.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cromer/identify/free_decay.h"
+
+namespace cromer {
+
+/// A sentence for the user, empty where no rival is left. A rival lies within 6 of the chosen candidate's BIC
+/// (see criterion.h), has as many terms or one more, and puts a coefficient that both share, or the
+/// frequency, further off than three of the standard errors that the chosen one claims; or it has another
+/// damping in the place of its own.
+std::string rival_laws(const Record& record, const std::vector<FreeDecay>& candidates, std::size_t chosen);
+
+}  // namespace cromer

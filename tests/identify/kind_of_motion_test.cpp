@@ -1,0 +1,50 @@
+#include "cromer/identify/kind_of_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cromer/identify/driven_fit.h"
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+// Two lines of amplitude 0.03 with decay rates g and f.
+SyntheticRecord two_lines(double g, double f, double apart, unsigned seed) {
+  SyntheticRecord record =
+      viscous_record({.w0 = 8, .g = g, .equilibrium = 0, .position = 0.03, .velocity = 0},
+                     even_times(1500, 0.02), 3e-4, 0, seed);
+  for (std::size_t i = 0; i < record.t.size(); ++i)
+    record.y[i] += 0.03 * std::exp(-f * record.t[i]) * std::cos((8 + apart) * record.t[i]);
+  return record;
+}
+
+MotionJudgement judged(const SyntheticRecord& record) {
+  const FreeDecay free = fit_free_decay(record.record(), {});
+  return judge_motion(record.record(), free, choose_driven(record.record(), {}, {}).chosen, false);
+}
+
+TEST(KindOfMotion, AFreeSwingIsNotDriven) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const SyntheticRecord record =
+        viscous_record({.g = 0.01, .position = 0.05}, even_times(1500, 0.02), 1e-3, 0, seed);
+    EXPECT_EQ(judged(record).kind, MotionKind::free) << seed;
+  }
+}
+
+TEST(KindOfMotion, DampingTellsTwoModesFromADrive) {
+  for (const double apart : {0.16, 0.5, 2.0, 8.3}) {
+    const MotionJudgement coupled = judged(two_lines(0.01, 0.01, apart, 1));
+    ASSERT_EQ(coupled.kind, MotionKind::two_modes) << apart;
+    for (const Mode& mode : coupled.modes->modes) {
+      EXPECT_NEAR(mode.decay_rate.value, 0.01, 4 * mode.decay_rate.standard_error);
+      EXPECT_NEAR(mode.amplitude, 0.03, 4 * mode.amplitude_error);
+    }
+    EXPECT_EQ(judged(two_lines(0.01, 0, apart, 2)).kind, MotionKind::driven) << apart;
+    EXPECT_EQ(judged(two_lines(0, 0, apart, 3)).kind, MotionKind::driven_or_two_modes) << apart;
+  }
+}
+
+}  // namespace
+}  // namespace cromer

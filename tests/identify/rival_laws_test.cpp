@@ -1,0 +1,80 @@
+#include "cromer/identify/rival_laws.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cromer/identify/choose_law.h"
+#include "cromer/identify/mean_decay.h"
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+SyntheticRecord record_of(const MotionParameters& truth, std::size_t n, double h, double noise,
+                          unsigned seed) {
+  SyntheticRecord record{even_times(n, h), {}, 0};
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, noise);
+  for (const double x : free_motion(truth, record.t, 0.01).x) record.y.push_back(x + normal(engine));
+  return record;
+}
+
+// Viscous damping and drag over so short a time that each could be the other: the coefficients are off by
+// many of their errors, and what the record does know holds.
+TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
+  const MotionParameters truth{
+      .angular_frequency = 8.944, .decay_rate = 0.01, .drag = 0.15, .position = 0.05};
+  int said = 0, simple = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const SyntheticRecord record = record_of(truth, 701, 0.02, 1e-3, seed);
+    const LawChoice choice = choose_law(record.record(), {});
+    if (choice.chosen.law == Law{.viscous = true, .drag = true}) continue;
+    ++simple;
+    for (const std::string& warning : choice.chosen.warnings)
+      said += warning.find("cannot tell") != std::string::npos;
+    const MeanDecay decay = mean_decay(choice.chosen, record.record());
+    const double amplitude = decay.amplitude;
+    const double true_rate = 0.01 + 4 * 0.15 * 8.944 / (3 * 3.14159265) * amplitude;
+    EXPECT_NEAR(decay.rate.value, true_rate, 4 * decay.rate.standard_error + 0.02 * true_rate) << seed;
+  }
+  EXPECT_GE(simple, 5);
+  EXPECT_GE(said, simple - 1);
+}
+
+TEST(RivalLaws, OfAsManyTermsTheClearlyLowestWins) {
+  const MotionParameters truth{.angular_frequency = 8.944, .drag = 0.3, .position = 0.05};
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const LawChoice choice = choose_law(record_of(truth, 500, 0.02, 1e-3, seed).record(), {});
+    for (const FreeDecay& other : choice.candidates)
+      if (other.names.size() == choice.chosen.names.size() && other.status == FitStatus::converged) {
+        EXPECT_GE(other.bic, choice.chosen.bic - 5) << seed << " " << to_text(other.law);
+      }
+  }
+}
+
+TEST(RivalLaws, NoneWhereTheRecordTells) {
+  const MotionParameters truth{.angular_frequency = 8.944, .decay_rate = 0.02, .drag = 0.5, .position = 0.05};
+  const LawChoice choice = choose_law(record_of(truth, 12000, 0.02, 2e-4, 1).record(), {});
+  EXPECT_EQ(to_text(choice.chosen.law), "viscous+drag");
+  EXPECT_THAT(choice.chosen.warnings, Not(Contains(HasSubstr("cannot tell"))));
+}
+
+TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
+  const SyntheticRecord record =
+      viscous_record({.w0 = 9.09, .g = 0.005, .position = 0.03, .velocity = 0}, even_times(2001, 0.01), 3e-4);
+  const FreeDecay fit = fit_free_decay(record.record(), {.law = {.viscous = true, .drag = true}});
+  ASSERT_EQ(fit.status, FitStatus::converged);
+  EXPECT_TRUE(dampings_are_collinear(fit));
+  const MeanDecay decay = mean_decay(fit, record.record());
+  EXPECT_NEAR(decay.rate.value, 0.005, 4 * decay.rate.standard_error);
+  EXPECT_LT(decay.rate.standard_error, 2e-4);
+  EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("shows no viscous"))));
+  EXPECT_THAT(fit.warnings, Contains(HasSubstr("cannot be told apart")));
+}
+
+}  // namespace
+}  // namespace cromer
