@@ -27,4 +27,10 @@ std::vector<double> medians(const std::vector<Work>& works, int rounds) {
   return result;
 }
 
+/// The median time of one piece of work [s].
+template <class Work>
+double median_seconds(const Work& work, int rounds) {
+  return medians(std::vector<Work>{work}, rounds).front();
+}
+
 }  // namespace cromer::bench

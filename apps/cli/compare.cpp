@@ -12,6 +12,7 @@
 #include "cromer/report/read_file.h"
 #include "cromer/study/json/documents.h"
 #include "exit_status.h"
+#include "fit_text.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -34,31 +35,40 @@ std::string number(double value, int decimals) {
                                                    : fmt::format("{:.{}g}", value, decimals);
 }
 
+/// What is known about the apparatus, and what else was asked, says nothing of the curves: it is answered by
+/// the fit.
+bool asks_for_the_fit(const FitOptions& options) {
+  return options.mass || options.disc_diameter || !options.goal.empty() || options.textbook;
+}
+
 std::string table(const std::vector<CompareResult>& comparisons) {
   std::string out;
   for (const auto& comparison : comparisons) {
     const FittedRecording& recording = comparison.recording;
+    if (asks_for_the_fit(recording.options)) out += fit_text({recording}) + "\n";
     out += fmt::format("{}, {}, run {}\n", recording.file, recording.series.column, recording.series.run);
     std::vector<std::vector<std::string>> rows{{with_unit("rms", comparison), "R squared",
                                                 "amplitude ratio at the end", "phase drift (rad)", "method",
                                                 "simulated"}};
     for (const auto& curve : comparison.curves)
-      rows.push_back({std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "",
-                      number(curve.r_squared, 6), number(curve.amplitude_ratio_end, 4),
-                      number(curve.phase_drift, 4), curve.method, curve.label});
+      rows.push_back(
+          {std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "", number(curve.r_squared, 6),
+           number(curve.amplitude_ratio_end, 4), number(curve.phase_drift, 4), curve.method,
+           curve.measured_at_rest ? curve.label + ", at the end the measured motion rests" : curve.label});
     if (!comparison.curves.empty()) out += text_table(rows, 0, 4);
     if (const std::string sentence = explanation(comparison); !sentence.empty()) out += sentence + "\n";
   }
   return out;
 }
 
+/// All but the figure, whose failure shall not take the rest with it.
 Result<void> write_files(const std::vector<CompareResult>& comparisons, const OutputOptions& output) {
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
     if (auto good = write_file(output.output, csv ? compare_csv(comparisons) : to_json(comparisons)); !good)
       return good;
   }
-  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, compare_figure(comparisons));
+  return {};
 }
 
 }  // namespace
@@ -97,6 +107,9 @@ int run_compare(const Arguments& arguments) {
   if (auto good = write_files(*comparisons, output); !good) return refuse(good.error().message);
   if (output.output != "-" && !print(output.json ? to_json(*comparisons) : table(*comparisons)))
     return refuse("standard output cannot be written");
+  if (!output.plot.empty())
+    if (auto drawn = write_plot(output.plot, compare_figure(*comparisons)); !drawn)
+      return refuse(drawn.error().message);
   return ok ? done : no_success;
 }
 

@@ -51,17 +51,19 @@ struct Answer {
     const std::string of_fits = many || line ? fit_table(fits) : fit_text(fits);
     return line ? of_fits + mass_line_text(*line) : of_fits;
   }
+  std::string csv() const { return line ? mass_line_csv(*line) : fit_csv(fits); }
   Figure figure() const { return line ? mass_line_figure(*line) : fit_figure(fits); }
 };
 
+/// All but the figure, whose failure shall not take the rest with it.
 Result<void> write_files(const Answer& answer, const OutputOptions& output, const std::string& motion) {
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
-    if (auto good = write_file(output.output, csv ? fit_csv(answer.fits) : answer.json()); !good) return good;
+    if (auto good = write_file(output.output, csv ? answer.csv() : answer.json()); !good) return good;
   }
   if (!motion.empty())
     if (auto good = write_file(motion, motion_csv(answer.fits)); !good) return good;
-  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, answer.figure());
+  return {};
 }
 
 /// That the file of --motion can be written and nothing is lost by it.
@@ -95,16 +97,20 @@ bool say_what_is_wrong(const std::vector<FittedRecording>& fits, bool many, bool
 int run_fit(const Arguments& arguments) {
   FitOptions options;
   OutputOptions output;
-  Syntax syntax{.command = "fit",
-                .description =
-                    "The law of motion of a free or a driven oscillation, with uncertainties, from its "
-                    "recording. No start values are needed.",
-                .files = "FILE|FOLDER...",
-                .options = options_of(options),
-                .example =
-                    "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
-                    "s\" --plot fit.svg\n"
-                    "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
+  Syntax syntax{
+      .command = "fit",
+      .description =
+          "The law of motion of a free or a driven oscillation, with uncertainties, from its "
+          "recording. No start values are needed. A FOLDER stands for the recordings right in it, by "
+          "their endings (.csv, .txt, .lvm, .zip, ...); folders in it are not searched. Frequency, "
+          "damping ratio, quality factor and decrement are those of the whole law at the amplitude of "
+          "the first used sample.",
+      .files = "FILE|FOLDER...",
+      .options = options_of(options),
+      .example =
+          "  cromer fit lab.csv --mass \"217.6 ± 0.3 g\" --disc-diameter \"12 cm\" --segment \"30 "
+          "s\" --plot fit.svg\n"
+          "  cromer fit rig.csv --force-column Force --hold-out \"25 %\""};
   SpringOptions spring;
   const auto of_spring = options_of(spring);
   syntax.options.insert(syntax.options.end(), of_spring.begin(), of_spring.end());
@@ -124,6 +130,8 @@ int run_fit(const Arguments& arguments) {
   if (auto good = check_outputs(output, found->files); !good) return refuse(good.error().message);
   if (auto good = check_motion(motion, output, found->files); !good) return refuse(good.error().message);
   warn(found->notes, output.quiet);
+  if (spring.held && !motion.empty())
+    return refuse("--motion has no meaning with --static: a mass at rest has no motion");
   if (spring.held) return run_static(found->files, options, spring, output);
 
   const Watch watch = watching(output.quiet);
@@ -145,6 +153,8 @@ int run_fit(const Arguments& arguments) {
   if (auto written = write_files(answer, output, motion); !written) return refuse(written.error().message);
   if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))
     return refuse("standard output cannot be written");
+  if (!output.plot.empty())
+    if (auto drawn = write_plot(output.plot, answer.figure()); !drawn) return refuse(drawn.error().message);
   return good ? done : no_success;
 }
 

@@ -26,6 +26,8 @@ struct Quantity {
 std::vector<NamedEstimate> numbers_of(const FittedRecording& fitted) {
   std::vector<NamedEstimate> all = fitted.parameters;
   all.insert(all.end(), fitted.derived.begin(), fitted.derived.end());
+  for (std::size_t i = 0; i < fitted.segments.size(); ++i)
+    all.push_back({fmt::format("decay_rate_segment_{}", i + 1), fitted.segments[i].rate, "1/s"});
   if (fitted.decay_rate_mean) all.push_back({"decay_rate_mean", *fitted.decay_rate_mean, "1/s"});
   if (fitted.reynolds_max) all.push_back({"reynolds_max", *fitted.reynolds_max, "1"});
   if (fitted.keulegan_carpenter) all.push_back({"keulegan_carpenter_max", *fitted.keulegan_carpenter, "1"});
@@ -58,9 +60,12 @@ void append_row(std::string& out, const FittedRecording& fitted, const std::vect
     const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const NamedEstimate& number) {
       return number.name == quantity.name && number.unit == quantity.unit;
     });
-    const Estimate estimate = found == numbers.end() ? Estimate{HUGE_VAL, HUGE_VAL, 0, 0} : found->estimate;
+    const Estimate estimate =
+        found == numbers.end() ? Estimate{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL} : found->estimate;
     cells.push_back(or_empty(estimate.value));
     cells.push_back(or_empty(estimate.standard_error));
+    cells.push_back(or_empty(estimate.low));
+    cells.push_back(or_empty(estimate.high));
   }
   cells.push_back(or_empty(fitted.parameters.empty() ? HUGE_VAL : fitted.fit.residual.rms));
   const auto cell = [&](std::size_t i) { return std::span<const double>(&cells[i], 1); };
@@ -71,8 +76,10 @@ void append_row(std::string& out, const FittedRecording& fitted, const std::vect
                                  {"law", fitted.parameters.empty() ? "" : to_text(fitted.fit.law)},
                                  {"status", std::string(fitted.status())}};
   for (std::size_t i = 0; i < head.size(); ++i) {
-    columns.push_back({head[i].heading(""), cell(2 * i)});
-    columns.push_back({head[i].heading(" standard error"), cell(2 * i + 1)});
+    columns.push_back({head[i].heading(""), cell(4 * i)});
+    columns.push_back({head[i].heading(" standard error"), cell(4 * i + 1)});
+    columns.push_back({head[i].heading(" 95 % low"), cell(4 * i + 2)});
+    columns.push_back({head[i].heading(" 95 % high"), cell(4 * i + 3)});
   }
   columns.push_back({"residual rms (SI unit of the column)", cell(cells.size() - 1)});
   columns.push_back({"message", fitted.fit.message});

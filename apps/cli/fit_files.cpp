@@ -1,6 +1,6 @@
 #include "fit_files.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,16 +10,17 @@
 #include <string_view>
 #include <thread>
 
+#include "cromer/base/ascii.h"
 #include "cromer/report/read_file.h"
 
 namespace cromer::cli {
 namespace {
 
+constexpr std::string_view endings[] = {".csv", ".txt", ".tsv", ".dat", ".lvm", ".asc",
+                                        ".zip", ".at2", ".vt2", ".dt2", ".uff", ".unv"};
+
 bool is_recording(const std::filesystem::path& path) {
-  constexpr std::string_view endings[] = {".csv", ".txt", ".tsv", ".dat", ".lvm", ".asc",
-                                          ".zip", ".at2", ".vt2", ".dt2", ".uff", ".unv"};
-  std::string ending = path.extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const std::string ending = lower(path.extension().string());
   const bool hidden = path.filename().string().starts_with('.');
   return !hidden && std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
@@ -39,10 +40,9 @@ Result<void> open_folder(const std::string& folder, RecordingFiles& found) {
   if (problem) return Error{fmt::format("{}: cannot be read: {}", folder, problem.message())};
   if (names.empty())
     return Error{
-        fmt::format("{}: the folder holds no recording (a file ending in .csv, .txt, .tsv, .dat, .lvm or "
-                    ".zip; folders in "
-                    "it are not searched)",
-                    folder)};
+        fmt::format("{}: the folder holds no recording (a file ending in one of {}; folders in it are not "
+                    "searched)",
+                    folder, fmt::join(endings, ", "))};
   if (left_aside > 0)
     found.notes.push_back(
         fmt::format("{}: {} of {} entries are no recordings by their ending and are left aside", folder,

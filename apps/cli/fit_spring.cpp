@@ -13,15 +13,13 @@
 #include "cromer/study/task/fit_static.h"
 #include "cromer/study/task/masses.h"
 #include "exit_status.h"
+#include "interval_text.h"
 #include "message.h"
 #include "text_table.h"
+#include "words.h"
 
 namespace cromer::cli {
 namespace {
-
-std::string quantity(const Estimate& estimate, std::string_view unit) {
-  return format_quantity({estimate.value, estimate.standard_error}, unit);
-}
 
 /// Measured points with error bars, masses in grams; where they lie close to a line they are ringed.
 void add_points(Panel& panel, const std::vector<UncertainPoint>& points, double y_unit) {
@@ -56,7 +54,7 @@ Figure line_figure(const std::vector<UncertainPoint>& points, const LineWithErro
   }
   straight.role = zero.role = "fitted";
   straight.name = zero.name = "straight line";
-  straight.remark = "{/:Italic k} = " + quantity(stiffness, "N/m");
+  straight.remark = "{/:Italic k} = " + in_words(stiffness, "N/m");
   through.y = y;
   through.curves.push_back(std::move(straight));
   add_points(through, points, y_unit);
@@ -101,8 +99,8 @@ std::string static_text(const StaticStiffness& found) {
                     format_quantity(hold.mass, "kg"),
                     format_quantity({hold.position, hold.standard_error}, "m")});
   std::string out = text_table(rows, 1, 5);
-  out += fmt::format("stiffness  {}, 95 % between {:.4g} and {:.4g} N/m (with g = {})\n",
-                     quantity(found.stiffness, "N/m"), found.stiffness.low, found.stiffness.high,
+  out += fmt::format("stiffness  {}, 95 % {} N/m (with g = {})\n", in_words(found.stiffness, "N/m"),
+                     interval_text(found.stiffness.low, found.stiffness.high),
                      format_quantity(found.gravity, "m/s²"));
   return out;
 }
@@ -118,10 +116,14 @@ std::string static_csv(const StaticStiffness& found) {
                                  {"to (s)", cell(hold.to)},
                                  {"samples", cell(n)},
                                  {"mass (kg)", cell(hold.mass.value)},
+                                 {"mass standard error (kg)", cell(hold.mass.uncertainty)},
                                  {"position (m)", cell(hold.position)},
                                  {"position standard error (m)", cell(hold.standard_error)},
                                  {"stiffness (N/m)", cell(found.stiffness.value)},
-                                 {"stiffness standard error (N/m)", cell(found.stiffness.standard_error)}};
+                                 {"stiffness standard error (N/m)", cell(found.stiffness.standard_error)},
+                                 {"stiffness 95 % low (N/m)", cell(found.stiffness.low)},
+                                 {"stiffness 95 % high (N/m)", cell(found.stiffness.high)},
+                                 {"gravity (m/s²)", cell(found.gravity.value)}};
     append_csv(out, columns, {}, out.empty());
   }
   return out;
@@ -177,22 +179,48 @@ int run_static(const std::vector<std::string>& files, const FitOptions& fit, con
     if (auto good = write_file(output.output, csv ? static_csv(*found) : to_json(*found)); !good)
       return refuse(good.error().message);
   }
+  if (output.output != "-" && !print(output.json ? to_json(*found) : static_text(*found)))
+    return refuse("standard output cannot be written");
   if (!output.plot.empty())
     if (auto good = write_plot(output.plot, static_figure(*found)); !good)
       return refuse(good.error().message);
-  if (output.output == "-") return done;
-  return print(output.json ? to_json(*found) : static_text(*found))
-             ? done
-             : refuse("standard output cannot be written");
+  return done;
+}
+
+std::string mass_line_csv(const MassLine& line) {
+  std::string out;
+  const auto cell = [](const double& value) { return std::span<const double>(&value, 1); };
+  for (const MassLinePoint& point : line.points) {
+    const double rest =
+        point.period_square.value - (line.line.intercept + line.line.slope * point.mass.value);
+    std::vector<CsvColumn> columns{
+        {"file", point.file},
+        {"run", fmt::format("{}", point.run)},
+        {"mass (kg)", cell(point.mass.value)},
+        {"mass standard error (kg)", cell(point.mass.uncertainty)},
+        {"period squared (s²)", cell(point.period_square.value)},
+        {"period squared standard error (s²)", cell(point.period_square.standard_error)},
+        {"residual (s²)", cell(rest)}};
+    const auto add = [&](const std::string& name, const Estimate& estimate, const std::string& unit) {
+      columns.push_back({name + unit, cell(estimate.value)});
+      columns.push_back({name + " standard error" + unit, cell(estimate.standard_error)});
+      columns.push_back({name + " 95 % low" + unit, cell(estimate.low)});
+      columns.push_back({name + " 95 % high" + unit, cell(estimate.high)});
+    };
+    add("stiffness", line.stiffness, " (N/m)");
+    add("moving along", line.effective_mass, " (kg)");
+    add("spring mass", line.spring_mass, " (kg)");
+    append_csv(out, columns, {}, out.empty());
+  }
+  return out;
 }
 
 std::string mass_line_text(const MassLine& line) {
   return fmt::format(
-      "T² against mass, {} recordings: stiffness {}, 95 % between {:.4g} and {:.4g} N/m; moving along {}, so "
-      "a "
-      "spring of {}\n",
-      line.points.size(), quantity(line.stiffness, "N/m"), line.stiffness.low, line.stiffness.high,
-      quantity(line.effective_mass, "kg"), quantity(line.spring_mass, "kg"));
+      "T² against mass, {} recordings: stiffness {}, 95 % {} N/m; moving along {}, so a spring of {}\n",
+      line.points.size(), in_words(line.stiffness, "N/m"),
+      interval_text(line.stiffness.low, line.stiffness.high), in_words(line.effective_mass, "kg"),
+      in_words(line.spring_mass, "kg"));
 }
 
 Figure mass_line_figure(const MassLine& line) {

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "text_table.h"
+#include "words.h"
 
 namespace cromer::cli {
 namespace {
@@ -31,12 +33,6 @@ std::vector<std::string_view> columns_of(const std::vector<FittedRecording>& fit
   return names;
 }
 
-std::string in_words(std::string_view name) {
-  std::string words(name);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
-
 std::string_view without_folder(std::string_view file) {
   const auto slash = file.find_last_of('/');
   return slash == std::string_view::npos ? file : file.substr(slash + 1);
@@ -44,10 +40,10 @@ std::string_view without_folder(std::string_view file) {
 
 /// Files of different folders may have one name: then all keep their folders.
 bool names_suffice(const std::vector<FittedRecording>& fits) {
-  for (const auto& one : fits)
-    for (const auto& other : fits)
-      if (one.file != other.file && without_folder(one.file) == without_folder(other.file)) return false;
-  return true;
+  std::map<std::string_view, std::string_view> file_of;
+  return std::all_of(fits.begin(), fits.end(), [&](const FittedRecording& fitted) {
+    return file_of.emplace(without_folder(fitted.file), fitted.file).first->second == fitted.file;
+  });
 }
 
 std::vector<std::string> row_of(const FittedRecording& fitted, const std::string& name,

@@ -2,26 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "cromer/base/quantity.h"
+#include "interval_text.h"
 #include "percent.h"
 #include "text_table.h"
+#include "words.h"
 
 namespace cromer::cli {
 namespace {
-
-/// "  decay rate" for decay_rate.
-std::string in_words(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return fmt::format("  {}", name);
-}
-
-std::string quantity(const Estimate& estimate, std::string_view unit) {
-  return format_quantity({estimate.value, estimate.standard_error}, unit == "1" ? "" : unit);
-}
 
 Estimate in_hertz(const Estimate& angular) {
   constexpr double turn = 2 * std::numbers::pi;
@@ -33,7 +24,7 @@ std::string drive_in_words(const FittedRecording& fitted) {
   if (!fitted.forced) return "";
   if (fitted.between_samples.empty())
     return fmt::format("  the motion is driven, at {}\n",
-                       quantity(in_hertz(*fitted.forced->drive_frequency), "Hz"));
+                       in_words(in_hertz(*fitted.forced->drive_frequency), "Hz"));
   return fmt::format("  driven by \"{}\", taken as {} between its samples\n", fitted.options.force_column,
                      fitted.between_samples);
 }
@@ -41,19 +32,12 @@ std::string drive_in_words(const FittedRecording& fitted) {
 std::string heading(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   std::string text =
-      fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, name(fitted.fit.status));
+      fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, fitted.status());
   if (fitted.fit.status != FitStatus::converged) return text + ", " + fitted.fit.message + "\n";
   return text +
          fmt::format(", {} of {} samples, {:.6g} to {:.6g} s, law {}\n", series.t.size(), fitted.samples,
                      series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
          drive_in_words(fitted);
-}
-
-// Of the column.
-std::string si_unit(const FittedRecording& fitted) {
-  for (const auto& parameter : fitted.parameters)
-    if (parameter.name == "equilibrium") return parameter.unit;
-  return "";
 }
 
 // The law that comes next, and by how much.
@@ -66,7 +50,7 @@ std::string runner_up(const FittedRecording& fitted) {
     else if (!second || candidate.bic < second->bic)
       second = &candidate;
   if (!chosen || !second) return "";
-  const std::string unit = si_unit(fitted);
+  const std::string unit = fitted_unit(fitted);
   return fmt::format("  chosen of {} laws; next is {}: residual {:.4g}{}, BIC {} than that of {}\n",
                      fitted.candidates.size(), to_text(second->law), second->rms,
                      unit.empty() ? "" : " " + unit,
@@ -83,7 +67,7 @@ std::string budget(const std::vector<Contribution>& contributions) {
   std::string out;
   for (const auto& each : contributions)
     out += fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
-                       in_words(each.quantity).substr(2), each.contribution, percent(each.share));
+                       in_words(each.quantity), each.contribution, percent(each.share));
   return out;
 }
 
@@ -91,9 +75,9 @@ std::string checked(const FittedRecording& fitted) {
   const MonteCarlo& trials = *fitted.monte_carlo;
   const Estimate& propagated = *fitted.find("stiffness");
   const Quantity drawn{trials.mean, trials.standard_deviation};
-  return fmt::format(
-      "  spring constant by {} trials: {}, 95 % between {:.7g} and {:.7g}; propagated {:.7g} to {:.7g}\n",
-      trials.trials, format_quantity(drawn, "N/m"), trials.low, trials.high, propagated.low, propagated.high);
+  return fmt::format("  spring constant by {} trials: {}, 95 % {}; propagated {}\n", trials.trials,
+                     format_quantity(drawn, "N/m"), interval_text(trials.low, trials.high),
+                     interval_text(propagated.low, propagated.high));
 }
 
 /// Each with what is wrong about it.
@@ -131,28 +115,29 @@ std::string one_fit(const FittedRecording& fitted) {
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& entry : *list)
       if (std::isfinite(entry.estimate.value))
-        rows.push_back({in_words(entry.name), quantity(entry.estimate, entry.unit)});
+        rows.push_back({"  " + in_words(entry.name), in_words(entry.estimate, entry.unit)});
   for (const auto& segment : fitted.segments)
     rows.push_back({fmt::format("  decay rate {:.6g} to {:.6g} s", segment.from, segment.to),
-                    quantity(segment.rate, "1/s")});
+                    in_words(segment.rate, "1/s")});
   if (fitted.decay_rate_mean)
-    rows.push_back({"  decay rate, mean", quantity(*fitted.decay_rate_mean, "1/s")});
+    rows.push_back({"  decay rate, mean", in_words(*fitted.decay_rate_mean, "1/s")});
   if (fitted.reynolds_max)
     rows.push_back({fmt::format("  largest Reynolds number, at {:.6g} s", fitted.reynolds_max_t),
-                    quantity(*fitted.reynolds_max, "")});
+                    in_words(*fitted.reynolds_max, "")});
   if (fitted.keulegan_carpenter)
-    rows.push_back({"  largest Keulegan-Carpenter number", quantity(*fitted.keulegan_carpenter, "")});
+    rows.push_back({"  largest Keulegan-Carpenter number", in_words(*fitted.keulegan_carpenter, "")});
   if (!fitted.parameters.empty())
-    rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, si_unit(fitted))});
+    rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, fitted_unit(fitted))});
   if (fitted.held_out)
     rows.push_back(
         {fmt::format("  residual held out, {:.6g} to {:.6g} s", fitted.held_out->from, fitted.held_out->to),
-         format_quantity({fitted.held_out->rms, 0}, si_unit(fitted))});
+         format_quantity({fitted.held_out->rms, 0}, fitted_unit(fitted))});
   out += text_table(rows, 0, 0);
-  // What a recorded force did between its samples is chosen together with the law: all that was tried is told.
+  // What a recorded force did between its samples is chosen together with the law: all that was tried is
+  // told.
   const bool forced = !fitted.candidates.empty() && !fitted.candidates.front().between_samples.empty();
   if (!forced) out += runner_up(fitted);
-  const std::string unit = si_unit(fitted);
+  const std::string unit = fitted_unit(fitted);
   if (forced && fitted.candidates.size() > 1)
     for (const auto& candidate : fitted.candidates)
       out += fmt::format("  candidate {}, {}: residual {:.4g}{}, BIC {}\n", to_text(candidate.law),

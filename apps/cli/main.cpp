@@ -22,6 +22,7 @@ constexpr Command commands[] = {
     {"fit", "find the law of motion from a recording", run_fit},
     {"compare", "lay simulations beside a recording", run_compare},
     {"sweep", "run it over grids of its options: resonance curves, maps", run_sweep},
+    {"spectrum", "response and shock spectra of a recorded acceleration", run_spectrum},
     {"report", "run a study and write its figures and page", run_report},
 };
 

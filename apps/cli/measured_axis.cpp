@@ -4,20 +4,42 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string_view>
 
-#include "cromer/analysis/envelope.h"
+#include "cromer/report/text_width.h"
+#include "cromer/study/task/used_samples.h"
 #include "length_unit.h"
+#include "words.h"
 
 namespace cromer::cli {
 namespace {
 
-// With more, the lines of two motions run into each other.
-constexpr std::size_t most_swings = 20;
-
 std::string unit_of(const FittedRecording& fitted) {
-  for (const auto& parameter : fitted.parameters)
-    if (parameter.name == "equilibrium") return parameter.unit;
-  return fitted.series.quantity == "position" ? "m" : "";
+  const std::string unit = fitted_unit(fitted);
+  return unit.empty() && fitted.series.quantity == "position" ? "m" : unit;
+}
+
+bool in_degrees(const Series& series) {
+  return series.unit.find("deg") != std::string::npos || series.unit.find("°") != std::string::npos;
+}
+
+/// Seconds, milliseconds or microseconds; from the first sample where ticks of the whole time would all read
+/// alike.
+void set_time(MeasuredAxis& axis, const std::vector<double>& t) {
+  constexpr double far_from_zero = 20;  // durations
+  if (t.empty()) return;
+  const double duration = t.back() - t.front();
+  std::string_view unit = "s";
+  if (duration > 0 && duration < 0.5) {
+    const bool milli = duration >= 5e-4;
+    unit = milli ? "ms" : "µs";
+    axis.time_unit = milli ? 1e-3 : 1e-6;
+  }
+  const bool far = std::abs(t.front()) > far_from_zero * duration;
+  if (far) axis.time_from = t.front();
+  axis.time_name = far ? fmt::format("time {{/:Italic t}} from {:.10g} s on ({})", axis.time_from, unit)
+                       : fmt::format("time {{/:Italic t}} ({})", unit);
 }
 
 }  // namespace
@@ -32,49 +54,47 @@ std::vector<double> MeasuredAxis::scaled(std::vector<double> values) const {
   return values;
 }
 
+std::vector<double> MeasuredAxis::times(std::vector<double> t) const {
+  for (double& each : t) each = (each - time_from) / time_unit;
+  return t;
+}
+
 MeasuredAxis measured_axis(const FittedRecording& fitted) {
   MeasuredAxis axis;
   const bool centred = fitted.fit.status == FitStatus::converged;
+  const Series& series = fitted.series;
   axis.equilibrium = centred ? fitted.fit.equilibrium.value : 0;
-  axis.unit = unit_of(fitted);
-  double size = 0;
-  for (const double y : fitted.series.y) size = std::max(size, std::abs(y - axis.equilibrium));
-  if (axis.unit == "m") {
+  const std::string si = unit_of(fitted);
+  axis.unit = figure_text(si);
+  if (series.to_si != 1 && !series.unit.empty()) {
+    axis.unit = figure_text(series.unit);
+    axis.unit_size = series.to_si;
+  } else if (si == "m") {
+    double size = 0;
+    for (const double y : without_outliers(series).y) size = std::max(size, std::abs(y - axis.equilibrium));
     const LengthUnit unit = length_unit(size);
     axis.unit = unit.symbol;
     axis.unit_size = unit.metres;
   }
-  const std::string quantity = fitted.series.quantity.empty() ? "reading" : fitted.series.quantity;
-  axis.name = (quantity == "position" && centred ? "displacement {/:Italic x}" : quantity) +
+  const std::string quantity = series.quantity.empty() ? "reading" : series.quantity;
+  axis.name = (quantity == "position" && centred ? "displacement {/:Italic x}" : figure_text(quantity)) +
               (axis.unit.empty() ? "" : " (" + axis.unit + ")");
+  set_time(axis, series.t);
   return axis;
 }
 
-Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
-  Curve curve;
-  curve.x = fitted.series.t;
-  curve.y = axis.displacements(fitted.series.y);
-  curve.role = "measured";
-  curve.name = "measured";
-  curve.remark = fmt::format("{} samples", fitted.series.t.size());
-  curve.mark = Mark::dots;
-  return curve;
-}
-
-void add_motion(Panel& panel, Curve motion) {
-  Envelope around = envelope(motion.x, motion.y);
-  if (around.top.size() <= most_swings || around.bottom.empty()) {
-    panel.curves.push_back(std::move(motion));
-    return;
+AmplitudeUnit amplitude_unit(const FittedRecording& fitted, double largest) {
+  const Series& series = fitted.series;
+  const std::string& quantity = series.quantity;
+  if (quantity.starts_with("ang"))
+    return in_degrees(series) ? AmplitudeUnit{"°", std::numbers::pi / 180} : AmplitudeUnit{"rad", 1};
+  if (quantity == "position" && series.to_si != 1 && !series.unit.empty())
+    return {figure_text(series.unit), series.to_si};
+  if (quantity == "position" || quantity == "velocity" || quantity == "acceleration") {
+    const LengthUnit unit = length_unit(largest);
+    return {std::string(unit.symbol), unit.metres};
   }
-  Curve below = motion;
-  below.name = below.remark = "";
-  below.x = std::move(around.bottom_t);
-  below.y = std::move(around.bottom);
-  motion.x = std::move(around.top_t);
-  motion.y = std::move(around.top);
-  panel.curves.push_back(std::move(motion));
-  panel.curves.push_back(std::move(below));
+  return {figure_text(series.unit), series.to_si};
 }
 
 }  // namespace cromer::cli

@@ -1,33 +1,40 @@
-// The axis measured motions are drawn on: displacement from the fitted equilibrium in a unit that suits it.
+// The axes measured motions are drawn on: displacement from the fitted equilibrium against time, in units
+// that suit them.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "cromer/report/figure.h"
 #include "cromer/study/task/fit.h"
 
 namespace cromer::cli {
 
+/// Names and units are safe for a figure's text.
 struct MeasuredAxis {
   std::string name;      ///< "displacement {/:Italic x} (cm)"
-  std::string unit;      ///< "cm"
+  std::string unit;      ///< "cm"; the file's own but for metres
   double unit_size = 1;  ///< in the SI unit of the column
   double equilibrium = 0;
+  std::string time_name;  ///< "time {/:Italic t} (s)"; with what was taken off where times are far from 0
+  double time_unit = 1;   // [s]
+  double time_from = 0;   // [s] drawn as 0
 
   /// SI values of the recording as displacements in `unit`.
   std::vector<double> displacements(std::vector<double> values) const;
   /// SI displacements in `unit`.
   std::vector<double> scaled(std::vector<double> values) const;
+  /// Seconds as they are drawn.
+  std::vector<double> times(std::vector<double> t) const;
 };
 
 MeasuredAxis measured_axis(const FittedRecording& fitted);
 
-/// The samples used, as dots on that axis.
-Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis);
-
-/// Adds a computed motion to a panel of measured samples: as a line, or, where its swings are too many to be
-/// told apart, as its envelope above and below.
-void add_motion(Panel& panel, Curve motion);
+/// The unit amplitudes of the motion behind the column are drawn in: of the displacement, whatever was
+/// recorded.
+struct AmplitudeUnit {
+  std::string symbol;  ///< safe for a figure's text
+  double size = 1;     ///< in the SI unit of the displacement
+};
+AmplitudeUnit amplitude_unit(const FittedRecording& fitted, double largest);
 
 }  // namespace cromer::cli

@@ -21,9 +21,9 @@ std::string table(const std::vector<MethodRow>& methods) {
   std::vector<std::vector<std::string>> rows{
       {"method", "order", "implicit", "symplectic", "reversible", "A-stable", "adaptive", "source"}};
   for (const auto& method : methods)
-    rows.push_back({std::string(method.name), method.order ? fmt::format("{}", *method.order) : "exact",
-                    yes(method.implicit), yes(method.symplectic), yes(method.reversible),
-                    yes(method.a_stable), yes(method.adaptive), std::string(method.source)});
+    rows.push_back({std::string(method.name), method.order_text, yes(method.implicit), yes(method.symplectic),
+                    yes(method.reversible), yes(method.a_stable), yes(method.adaptive),
+                    std::string(method.source)});
   return text_table(rows, 1, 2) +
          "\nimplicit: a step solves an equation; symplectic (without damping): energy is kept for good, "
          "within "

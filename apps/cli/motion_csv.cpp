@@ -19,6 +19,17 @@ std::string_view displacement_unit(const std::string& quantity) {
   return quantity.starts_with("ang") ? "rad" : "m";
 }
 
+/// 1 for a sample that is in no fit, else 0.
+std::vector<double> set_aside(const FittedRecording& fitted, const std::vector<double>& t) {
+  std::vector<double> aside(t.size(), 0.0);
+  const auto& outliers = fitted.series.outliers;
+  for (std::size_t i = 0, k = 0; i < t.size(); ++i) {
+    while (k < outliers.size() && outliers[k].t < t[i]) ++k;
+    if (k < outliers.size() && outliers[k].t == t[i]) aside[i] = 1;
+  }
+  return aside;
+}
+
 }  // namespace
 
 std::string motion_csv(const std::vector<FittedRecording>& fits) {
@@ -40,6 +51,8 @@ std::string motion_csv(const std::vector<FittedRecording>& fits) {
                                    {heading("residual", measured), std::span<const double>(motion.residual)}};
     if (!motion.local_velocity.empty())
       columns.push_back({heading("v from the samples", v), std::span<const double>(motion.local_velocity)});
+    const std::vector<double> aside = set_aside(fitted, motion.t);
+    columns.push_back({"set aside", std::span<const double>(aside)});
     append_csv(out, columns, {}, out.empty());
   }
   return out;

@@ -8,8 +8,8 @@
 
 namespace cromer::cli {
 
-/// "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),v from the samples (m/s)" of every fit
-/// that has values; the units are the column's.
+/// "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),v from the samples (m/s),set aside" of
+/// every fit that has values; the units are the column's.
 std::string motion_csv(const std::vector<FittedRecording>& fits);
 
 }  // namespace cromer::cli

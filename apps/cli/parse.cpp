@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "cromer/base/nearest.h"
+#include "cromer/study/task/option_owner.h"
 #include "exit_status.h"
 #include "message.h"
 #include "syntax.h"
@@ -29,7 +30,11 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
   for (const auto& option : syntax.options) names.push_back(option.name);
   const std::string_view bare =
       std::string_view(typed).substr(std::min(typed.size(), typed.find_first_not_of('-')));
-  const std::string near = nearest(bare.substr(0, bare.find('=')), names);
+  const std::string_view name = bare.substr(0, bare.find('='));
+  if (const std::string_view owner = option_owner(name); !owner.empty())
+    return refuse(fmt::format("--{} is an option of cromer {}, not of cromer {}; see cromer {} --help", name,
+                              owner, syntax.command, syntax.command));
+  const std::string near = nearest(name, names);
   return refuse(fmt::format("unknown option {}{} See cromer {} --help", typed,
                             near.empty() ? "." : fmt::format("; did you mean --{}?", near), syntax.command));
 }

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
@@ -58,11 +59,23 @@ int run_report(const Arguments& arguments) {
 
   Watch watch = watching(output.quiet);
   watch.progress = {};
+  // What is said before a run is not said again at the end.
+  std::vector<std::string> said;
+  watch.warn = [&](const std::vector<std::string>& warnings) {
+    if (!output.quiet && isatty(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
+    warn(warnings, output.quiet);
+    said.insert(said.end(), warnings.begin(), warnings.end());
+  };
   const auto progress = progress_line(output.quiet);
   const auto report = write_report(files.front(), folder, today(), "cromer " CROMER_VERSION, watch, progress);
   if (progress) std::fputs("\r\033[K", stderr);
   if (!report) return refuse(report.error().message);
-  warn(report->warnings, output.quiet);
+  std::vector<std::string> unsaid;
+  for (const std::string& warning : report->warnings)
+    if (std::find(said.begin(), said.end(), warning) == said.end()) unsaid.push_back(warning);
+  warn(unsaid, output.quiet);
+  if (!output.quiet)
+    for (const std::string& shown : report->shown) complain("as this study is to show, " + shown);
   if (!report->failure.empty()) complain(report->failure);
   if (output.json && !print(to_json(*report))) return refuse("standard output cannot be written");
   if (!report->failure.empty()) return no_success;

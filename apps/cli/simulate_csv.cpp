@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "command_line.h"
 #include "cromer/analysis/energy.h"
 #include "cromer/model/sensor.h"
 #include "command_line.h"

@@ -48,9 +48,12 @@ Watch watching(bool quiet) {
   Watch watch = interruptible();
   if (quiet || !isatty(STDERR_FILENO)) return watch;
   const auto begin = Clock::now();
-  watch.progress = [begin, next = begin + std::chrono::milliseconds(500)](double fraction) mutable {
+  // Parts of the work may begin anew, the number does not.
+  watch.progress = [begin, next = begin + std::chrono::milliseconds(500),
+                    furthest = 0.0](double fraction) mutable {
     const auto now = Clock::now();
-    if (now < next) return;
+    if (!(fraction > furthest) || now < next) return;
+    furthest = fraction;
     next = now + std::chrono::milliseconds(100);
     std::fprintf(stderr, "\r%3.0f %%%-20s", 100 * fraction, time_left(fraction, now - begin).c_str());
     progress_shown = true;

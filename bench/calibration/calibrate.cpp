@@ -33,7 +33,10 @@ std::vector<Motion> motions(const Oscillator<double>& oscillator, const Law& law
         motion_equations(law, record.truth.packed(fitted), record.record(), waveform.step);
     const SquareMatrix covariance = inverse(equations.matrix, fitted.count);
     for (int j = 0; j < fitted.count; ++j)
-      result[i].bound[j] = effective_noise(condition) * std::sqrt(covariance[j][j]);
+      result[i].bound[j] =
+          effective_noise(condition,
+                          fitted.name[j] == std::string_view("equilibrium") ? 0 : natural_frequency) *
+          std::sqrt(covariance[j][j]);
   }
   return result;
 }
@@ -188,7 +191,7 @@ Choices choose(const TrueLaw& truth, const Condition& condition, double strength
   std::vector<Law> chosen(records);
   in_parallel(records, progress, [&](std::size_t i) {
     const SimulatedRecord record =
-        simulate_record(all[i % phases].waveform, condition, seed_of(truth.law, condition.name, i));
+        simulate_record(all[i % phases].waveform, condition, seed_of(truth.law, "choice", i));
     chosen[i] = choose_law(record.record(), {}).chosen.law;
   });
   Choices choices{truth.law, condition.name, records, HUGE_VAL};

@@ -69,10 +69,10 @@ SimulatedRecord simulate_record(const Waveform& waveform, const Condition& condi
   return result;
 }
 
-double effective_noise(const Condition& condition) {
+double effective_noise(const Condition& condition, double angular_frequency) {
   const double noise = noise_of(condition), r = condition.correlation;
   // An AR(1) process has the density (1 - r²)/|1 - r exp(-i w h)|².
-  const double density = (1 - r * r) / (1 - 2 * r * std::cos(natural_frequency * sample_step) + r * r);
+  const double density = (1 - r * r) / (1 - 2 * r * std::cos(angular_frequency * sample_step) + r * r);
   return std::sqrt(noise * noise * density + condition.resolution * condition.resolution / 12);
 }
 

@@ -35,8 +35,8 @@ struct SimulatedRecord {
 /// The same seed gives the same record everywhere.
 SimulatedRecord simulate_record(const Waveform& waveform, const Condition& condition, std::uint64_t seed);
 
-/// Standard deviation [m] of the condition's noise, as far as it spreads over frequencies like white noise at
-/// the oscillation's: what a bound on the scatter is made of.
-double effective_noise(const Condition& condition);
+/// Standard deviation [m] of the white noise that has the density of the condition's noise at a frequency
+/// [rad/s]: what a bound on the scatter is made of.
+double effective_noise(const Condition& condition, double angular_frequency);
 
 }  // namespace cromer::bench

@@ -31,6 +31,10 @@ TEST(Program, HelpOfSimulateStatesTheDefaults) {
     EXPECT_THAT(end.out, HasSubstr(text));
 }
 
+TEST(Program, HelpOfFitSaysWhatAFolderStandsFor) {
+  EXPECT_THAT(Folder().run({"fit", "--help"}).out, HasSubstr("folders in it are not searched"));
+}
+
 TEST(Methods, AreListedWithTheirOrders) {
   const Finished end = Folder().run({"methods", "--json"});
   ASSERT_EQ(end.status, 0);

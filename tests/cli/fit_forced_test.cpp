@@ -110,7 +110,7 @@ TEST(FitForced, BadInputIsRefusedAndWritesNothing) {
   }
   const Finished compared = folder.run({"compare", "still.csv", "--force-column", "Force"});
   EXPECT_EQ(compared.status, 2);
-  EXPECT_THAT(compared.err, HasSubstr("options of fit"));
+  EXPECT_THAT(compared.err, HasSubstr("option of cromer fit"));
 }
 
 TEST(FitForced, AFailedFitHasAStatus) {

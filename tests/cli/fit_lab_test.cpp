@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 #include "program.h"
 
@@ -34,6 +36,79 @@ TEST(FitLab, TellsBudgetTrialsAndPlan) {
   EXPECT_NEAR(fit["keulegan_carpenter"]["max"].get<double>(), 2 * M_PI * 0.036 / 0.12, 0.003);
   EXPECT_GE(fit["decay_by_amplitude"].size(), 10u);
   EXPECT_TRUE(fit["textbook"].is_null());
+}
+
+TEST(FitLab, IsSaidByCompareAsWell) {
+  const std::vector<std::string> asked{
+      "compare",        disc,         "--mass",          "217.6 ± 0.3 g", "--monte-carlo", "2000", "--goal",
+      "decay_rate 1 %", "--textbook", "--disc-diameter", "12 cm"};
+  const Finished words = Folder().run(asked);
+  ASSERT_EQ(words.status, 0) << words.err;
+  for (const char* each : {"stiffness ", "2000 trials", "to record:", "textbook:", "Reynolds", "R squared"})
+    EXPECT_THAT(words.out, HasSubstr(each));
+  std::vector<std::string> json = asked;
+  json.emplace_back("--json");
+  const auto fit = Folder().run(json).json()["fit"];
+  for (const char* each : {"monte_carlo", "plan", "textbook", "reynolds"}) EXPECT_FALSE(fit[each].is_null());
+  EXPECT_NEAR(fit["parameters"]["stiffness"]["value"].get<double>(), 17.04, 0.05);
+}
+
+TEST(FitLab, OfAMassAtRestTellsNothingOfAMotion) {
+  for (const auto& [option, value] : {std::pair("--mass", "1"),
+                                      {"--law", "viscous"},
+                                      {"--goal", "decay_rate 1 %"},
+                                      {"--segments", "2"},
+                                      {"--motion", "motion.csv"}}) {
+    const Finished end = Folder().run({"fit", "--static", "--masses", "48 g, 68 g", disc, option, value});
+    EXPECT_EQ(end.status, 2) << option;
+    EXPECT_THAT(end.err, HasSubstr(option));
+    EXPECT_THAT(end.err, HasSubstr("a mass at rest has no motion"));
+  }
+}
+
+TEST(FitLab, SaysThatAMassHeldIsNotAtRest) {
+  const std::string other = CROMER_SOURCE_DIR "/data/recording1.csv";
+  const Finished end = Folder().run({"fit", "--static", "--masses", "200 g, 210 g", disc, other});
+  EXPECT_THAT(end.err, HasSubstr("recording2.csv, run 1, 0 to 120 s is not at rest"));
+  EXPECT_THAT(end.err, HasSubstr("recording1.csv, run 1"));
+}
+
+TEST(FitLab, TheMotionMarksSamplesSetAsideAndTakesNoVelocityFromThem) {
+  Folder folder;
+  std::string spoilt = recording(1000);
+  std::size_t line = 0;  // of a sample near 2 s
+  for (int i = 0; i < 201; ++i) line = spoilt.find('\n', line) + 1;
+  const std::size_t comma = spoilt.find(',', line), end = spoilt.find('\n', line);
+  const std::string clean = spoilt;
+  spoilt.replace(comma + 1, end - comma - 1, "7");
+  folder.write("clean.csv", clean);
+  folder.write("spoilt.csv", spoilt);
+  const auto rows = [&](const std::string& name) {
+    EXPECT_EQ(
+        folder.run({"fit", name + ".csv", "--law", "viscous", "--motion", name + ".motion.csv", "--quiet"})
+            .status,
+        0);
+    std::istringstream lines(folder.read(name + ".motion.csv"));
+    std::vector<std::vector<std::string>> table;
+    for (std::string row; std::getline(lines, row);) {
+      if (row.empty() || row[0] == '#') continue;
+      auto& cells = table.emplace_back();
+      std::istringstream in(row);
+      for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    }
+    return table;
+  };
+  const auto good = rows("clean"), bad = rows("spoilt");
+  ASSERT_EQ(bad.size(), good.size());
+  ASSERT_EQ(bad[0].back(), "set aside");
+  const std::size_t v = bad[0].size() - 2;
+  int marked = 0;
+  for (std::size_t i = 1; i < bad.size(); ++i) {
+    marked += bad[i].back() == "1";
+    if (good[i][v].empty()) continue;
+    EXPECT_NEAR(std::stod(bad[i][v]), std::stod(good[i][v]), 1e-3) << i;
+  }
+  EXPECT_EQ(marked, 1);
 }
 
 TEST(FitLab, WritesTheMotionSampleBySample) {
@@ -87,6 +162,18 @@ TEST(FitLab, DrawsTheLineOfPeriodsSquaredAgainstMass) {
   Finished end = folder.run(words);
   ASSERT_EQ(end.status, 0) << end.err;
   EXPECT_THAT(end.out, HasSubstr("T² against mass, 3 recordings: stiffness 1"));
+  // The interval is written with enough digits to be one: its ends differ.
+  double low = 0, high = 0;
+  const std::size_t between = end.out.find("95 % between ");
+  ASSERT_NE(between, std::string::npos);
+  ASSERT_EQ(std::sscanf(end.out.c_str() + between, "95 %% between %lf and %lf", &low, &high), 2);
+  EXPECT_LT(low, high);
+  std::vector<std::string> with_table = words;
+  with_table.insert(with_table.end(), {"-o", "line.csv"});
+  ASSERT_EQ(folder.run(with_table).status, 0);
+  EXPECT_THAT(folder.read("line.csv"),
+              testing::StartsWith("file,run,mass (kg),mass standard error (kg),period squared (s²),"));
+  EXPECT_THAT(folder.read("line.csv"), HasSubstr("stiffness 95 % low (N/m)"));
   words.push_back("--json");
   const auto line = folder.run(words).json()["mass_line"];
   const auto near = [](const auto& object, double truth, double relative) {
@@ -96,6 +183,17 @@ TEST(FitLab, DrawsTheLineOfPeriodsSquaredAgainstMass) {
   };
   near(line["stiffness"], k, 1e-3);
   near(line["spring_mass"], spring, 0.02);
+}
+
+TEST(FitLab, ItsTableHasBoundsAndTheRatesOfSegments) {
+  Folder folder;
+  folder.write("lab.csv", swing(6, 3));
+  ASSERT_EQ(folder.run({"fit", "lab.csv", "--law", "viscous", "--segments", "2", "-o", "lab.csv.csv"}).status,
+            0);
+  const std::string csv = folder.read("lab.csv.csv");
+  for (const char* column : {"decay_rate 95 % low (1/s)", "decay_rate 95 % high (1/s)",
+                             "decay_rate_segment_1 (1/s)", "decay_rate_segment_2 standard error (1/s)"})
+    EXPECT_THAT(csv, HasSubstr(column));
 }
 
 TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "program.h"
@@ -40,6 +41,38 @@ TEST(FitMany, AFoldersRowsStandInItsNamesOrder) {
   EXPECT_THAT(end.err, HasSubstr("1 of 7 entries"));
 }
 
+TEST(FitMany, OfManyRecordingsTheFigureShowsSomeAndSaysSo) {
+  Folder folder;
+  std::filesystem::create_directory(folder.path("runs"));
+  for (int i = 10; i < 36; ++i)
+    folder.write("runs/a_" + std::to_string(i) + ".csv", recording(300, 0.01 * i));
+  const Finished end = folder.run({"fit", "runs", "--law", "viscous", "--quiet", "--plot", "runs.svg"});
+  EXPECT_THAT(end.out, HasSubstr("26 of 26 fits succeeded"));
+  if (end.status == 2 && end.err.find("gnuplot") != std::string::npos) GTEST_SKIP() << "no gnuplot here";
+  EXPECT_EQ(end.status, 0) << end.err;
+  const std::string figure = folder.read("runs.svg");
+  EXPECT_THAT(figure, HasSubstr("The first 24 of 26 recordings."));
+  EXPECT_THAT(figure, HasSubstr("a_10.csv, run 1: viscous"));
+}
+
+TEST(FitMany, AFigureThatFailsLeavesTheResult) {
+  Folder folder;
+  folder.write("lab.csv", recording(1000));
+  const char* path = std::getenv("PATH");
+  const std::string before = path ? path : "";
+  setenv("PATH", folder.path("nothing").c_str(), 1);  // no gnuplot
+  const Finished fitted = folder.run({"fit", "lab.csv", "--law", "viscous", "--plot", "lab.svg"}),
+                 compared = folder.run({"compare", "lab.csv", "--law", "viscous", "--plot", "lab.svg"});
+  setenv("PATH", before.c_str(), 1);
+  for (const Finished& end : {fitted, compared}) {
+    EXPECT_EQ(end.status, 2);
+    EXPECT_THAT(end.err, HasSubstr("gnuplot"));
+    EXPECT_FALSE(folder.has("lab.svg"));
+  }
+  EXPECT_THAT(fitted.out, HasSubstr("decay rate"));
+  EXPECT_THAT(compared.out, HasSubstr("One decay rate is enough"));
+}
+
 TEST(FitMany, EachIsFittedAsIfItWereAlone) {
   Folder folder;
   fill(folder);
@@ -74,7 +107,8 @@ TEST(FitMany, AnEmptyFolderOrAWrongOptionEndsItAll) {
   std::filesystem::create_directory(folder.path("empty"));
   Finished end = folder.run({"fit", "empty", "-o", "all.csv"});
   EXPECT_EQ(end.status, 2);
-  EXPECT_THAT(end.err, HasSubstr("empty: the folder holds no recording"));
+  EXPECT_THAT(end.err, HasSubstr("empty: the folder holds no recording (a file ending in one of .csv"));
+  EXPECT_THAT(end.err, HasSubstr(".unv; folders in it are not searched)"));
   EXPECT_FALSE(folder.has("all.csv"));
   end = folder.run({"fit", "runs", "--law", "drg"});
   EXPECT_EQ(end.status, 2);
@@ -99,6 +133,7 @@ TEST(FitMany, OneRunThatCannotBeReadLeavesTheOthers) {
   EXPECT_EQ(document["fits"][0]["status"], "converged");
   EXPECT_EQ(document["fits"][1]["status"], "wrong_input");
   EXPECT_EQ(document["fits"][1]["recording"]["run"], 2);
+  EXPECT_THAT(folder.run({"fit", "two.csv", "--law", "viscous"}).out, HasSubstr("run 2: wrong_input"));
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ void check_table(const cromer::Table& table) {
 }
 
 void check_series(const cromer::Series& series) {
+  require(series.t.size() < 2 || (series.rate > 0 && std::isfinite(series.rate)));
   require(series.t.size() == series.y.size() && series.t.size() == series.lines.size());
   for (std::size_t i = 0; i < series.t.size(); ++i) {
     require(std::isfinite(series.t[i]) && std::isfinite(series.y[i]));

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "cromer/identify/uncertainty.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {
@@ -24,8 +28,21 @@ TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
   }
 }
 
+TEST(DescribeFit, SlowNoiseLeavesAnEquilibriumFewDegreesOfFreedom) {
+  SyntheticRecord record = viscous_record({}, even_times(1000, 0.015));
+  std::mt19937_64 engine(4);
+  std::normal_distribution<double> normal(0, 1e-3);
+  double slow = normal(engine);
+  for (double& y : record.y) y += slow = 0.9 * slow + std::sqrt(1 - 0.81) * normal(engine);
+  const FreeDecay fit = fit_free_decay(record.record(), {});
+  const double t = (fit.equilibrium.high - fit.equilibrium.value) / fit.equilibrium.standard_error;
+  // An AR(1) noise: the logarithm of its density at 0 has the variance (2 + 4 (1 + a)/(1 - a))/n.
+  EXPECT_NEAR(t, student_95(1000 / (1 + 2 * 1.9 / 0.1) - 5), 0.03);
+  EXPECT_GT(t, fit.student);
+}
+
 TEST(DescribeFit, FewerSamplesThanParametersSayNothingOfThem) {
-  // Seven parameters and eight samples a period apart from rest: no law of three terms follows.
+  // A fit wants three samples more than there are parameters, and this law has seven.
   const SyntheticRecord record = viscous_record({}, even_times(9, 0.1));
   const FreeDecay fit =
       fit_free_decay(record.record(), {.law = {.viscous = true, .drag = true, .cubic = true}});

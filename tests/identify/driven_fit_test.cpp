@@ -140,5 +140,34 @@ TEST(DrivenFit, RefusesNoise) {
   EXPECT_NE(choose_driven(record.record(), {}, {}).chosen.law.status, FitStatus::converged);
 }
 
+// Sixty records of each, as of a gyroscope or an accelerometer on what is driven.
+TEST(DrivenFit, VelocitiesAndAccelerationsAreFittedAsThat) {
+  const ForcedTruth truth{
+      .w0 = 7.2, .g = 0.1, .gain = 1, .equilibrium = 0.3, .position = 0.02, .velocity = 0.1};
+  const auto force = [](double t) { return 0.25 * std::cos(7.58 * t + 1.1); };
+  for (const int derivative : {1, 2}) {
+    int inside = 0, all = 0;
+    for (unsigned seed = 0; seed < 60; ++seed) {
+      const auto record =
+          forced_synthetic(truth, force, 2000, 0.02, 1e-3 * std::pow(truth.w0, derivative), seed, derivative);
+      const ForcedFit fit = fit_driven({record.t, record.y, 0, derivative}, {}, {});
+      ASSERT_EQ(fit.law.status, FitStatus::converged) << fit.law.message;
+      const auto count = [&](const Estimate& e, double value) {
+        inside += e.low <= value && value <= e.high;
+        ++all;
+      };
+      count(fit.law.angular_frequency, truth.w0);
+      count(fit.law.decay_rate, truth.g);
+      count(*fit.drive_frequency, 7.58);
+      count(*fit.drive_amplitude, 0.25);
+      count(*fit.drive_phase, 1.1);
+      count(fit.law.equilibrium, truth.equilibrium);
+      count(fit.law.position, truth.position);
+      count(fit.law.velocity, truth.velocity);
+    }
+    EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 4 * std::sqrt(0.05 * 0.95 / all)) << derivative;
+  }
+}
+
 }  // namespace
 }  // namespace cromer

@@ -192,5 +192,46 @@ TEST(ForcedFit, RefusesWhatItCannotFit) {
   EXPECT_FALSE(fit.law.message.empty());
 }
 
+// Sixty records of each; every interval is counted.
+TEST(ForcedFit, VelocitiesAndAccelerationsAreFittedAsThat) {
+  const ForcedTruth truth{.offset = 0, .equilibrium = 0.3};  // the sensor's offset
+  for (const int derivative : {1, 2}) {
+    int inside = 0, all = 0;
+    for (unsigned seed = 0; seed < 60; ++seed) {
+      const auto record = forced_synthetic(truth, multisine(20, seed + 1), 400, 0.03,
+                                           5e-3 * std::pow(truth.w0, derivative), seed, derivative);
+      const ForcedFit fit = fit_recorded_force(record.record(), {}, ForceBetween::band_limited);
+      ASSERT_EQ(fit.law.status, FitStatus::converged) << fit.law.message;
+      EXPECT_FALSE(fit.force_offset);
+      const auto count = [&](const Estimate& e, double value) {
+        inside += e.low <= value && value <= e.high;
+        ++all;
+      };
+      count(fit.law.angular_frequency, truth.w0);
+      count(fit.law.decay_rate, truth.g);
+      count(*fit.force_gain, truth.gain);
+      count(fit.law.equilibrium, truth.equilibrium);
+      count(fit.law.position, truth.position);
+      count(fit.law.velocity, truth.velocity);
+      EXPECT_NEAR(fit.states.x.front(), fit.law.position.value, 1e-12);
+    }
+    EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 4 * std::sqrt(0.05 * 0.95 / all)) << derivative;
+  }
+}
+
+TEST(ForcedFit, ACurvedSpringShowsInAccelerations) {
+  const ForcedTruth truth{.quadratic = 40, .cubic = 900};
+  for (const int derivative : {1, 2}) {
+    const auto record = forced_synthetic(truth, multisine(40, 3), 3000, 0.03,
+                                         1e-3 * std::pow(truth.w0, derivative), 3, derivative);
+    const ForcedChoice choice = choose_forced(record.record(), {}, {});
+    ASSERT_EQ(to_text(choice.chosen.law.law), "viscous+cubic");
+    const ForcedFit& fit = choice.chosen;
+    EXPECT_NEAR(fit.law.cubic->value, 900, 4 * fit.law.cubic->standard_error);
+    EXPECT_NEAR(fit.quadratic->value, 40, 4 * fit.quadratic->standard_error);
+    EXPECT_LT(fit.law.cubic->standard_error, 50);
+  }
+}
+
 }  // namespace
 }  // namespace cromer

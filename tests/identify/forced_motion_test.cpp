@@ -29,19 +29,21 @@ void expect_exact_derivatives(const MakeDrive& drive, ForcedTerms terms, const P
 
 TEST(ForcedMotion, DerivativesByAllParametersAreExact) {
   const auto record = forced_synthetic({}, multisine(40, 1), 200, 0.03, 0.02, 1);
-  const ForcedSamples samples{record.t, record.y};
-  const ForcedTerms terms{.drag = true, .curved = true};
-  {
-    const Parameters p{2.4, 0.1, 0.3, 0.2, 140, 5, 100, 0.1, -0.3};
-    const auto drive = [&](const Parameters&) {
-      return RecordedForce(record.force, 0.03, 0, ForceBetween::band_limited, 4);
-    };
-    expect_exact_derivatives(drive, terms, p, samples, 0.03 / 4);
-  }
-  {
-    const Parameters p{2.4, -1, 11, 0.1, 0.3, 0.2, 140, 5, 100, 0.1, -0.3};
-    const auto drive = [&](const Parameters& q) { return SinusoidalForce(q[2]); };
-    expect_exact_derivatives(drive, terms, p, samples, 0.03 / 4);
+  for (const int derivative : {0, 1, 2}) {
+    const ForcedSamples samples{record.t, record.y, derivative};
+    const ForcedTerms terms{.drag = true, .curved = true};
+    {
+      const Parameters p{2.4, 0.1, 0.3, 0.2, 140, 5, 100, 0.1, -0.3};
+      const auto drive = [&](const Parameters&) {
+        return RecordedForce(record.force, 0.03, 0, ForceBetween::band_limited, 4);
+      };
+      expect_exact_derivatives(drive, terms, p, samples, 0.03 / 4);
+    }
+    {
+      const Parameters p{2.4, -1, 11, 0.1, 0.3, 0.2, 140, 5, 100, 0.1, -0.3};
+      const auto drive = [&](const Parameters& q) { return SinusoidalForce(q[2]); };
+      expect_exact_derivatives(drive, terms, p, samples, 0.03 / 4);
+    }
   }
 }
 
@@ -52,7 +54,7 @@ TEST(ForcedMotion, IsOfFourthOrder) {
   const Parameters p{truth.gain, 0, truth.g, truth.w0 * truth.w0, 0, truth.cubic, 0.1, -0.4};
   const auto motion = [&](int steps) {
     return forced_motion({.curved = true}, p,
-                         RecordedForce(record.force, 0.05, 0, ForceBetween::linear, steps), record.t,
+                         RecordedForce(record.force, 0.05, 0, ForceBetween::linear, steps), record.t, 0,
                          0.05 / steps);
   };
   const auto rms = [](const std::vector<double>& a, const std::vector<double>& b) {

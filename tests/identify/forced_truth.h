@@ -45,17 +45,25 @@ inline std::function<double(double)> read_between(const std::vector<double>& sam
 struct ForcedSynthetic {
   std::vector<double> t, force, y;
   double spacing = 0;
+  int derivative = 0;
 
   ForcedRecord record() const {
-    return {
-        .force = force, .spacing = spacing, .first = 0, .t = t, .y = y, .fitted = y.size(), .resolution = 0};
+    return {.force = force,
+            .spacing = spacing,
+            .first = 0,
+            .t = t,
+            .y = y,
+            .fitted = y.size(),
+            .resolution = 0,
+            .derivative = derivative};
   }
 };
 
-/// Samples of the motion; `force` acts and is recorded. The integration starts anew at each sample and ends a
-/// hair before the next, so that a force may jump there.
+/// Samples of the motion, or of that derivative of it; `force` acts and is recorded. The integration starts
+/// anew at each sample and ends a hair before the next, so that a force may jump there.
 inline ForcedSynthetic forced_synthetic(const ForcedTruth& truth, const std::function<double(double)>& force,
-                                        std::size_t n, double spacing, double noise, unsigned seed) {
+                                        std::size_t n, double spacing, double noise, unsigned seed,
+                                        int derivative = 0) {
   struct System {
     const ForcedTruth& p;
     const std::function<double(double)>& u;
@@ -67,6 +75,7 @@ inline ForcedSynthetic forced_synthetic(const ForcedTruth& truth, const std::fun
   };
   ForcedSynthetic record;
   record.spacing = spacing;
+  record.derivative = derivative;
   std::mt19937_64 engine(seed);
   std::normal_distribution<double> normal;
   State<double> y{truth.position, truth.velocity};
@@ -76,8 +85,9 @@ inline ForcedSynthetic forced_synthetic(const ForcedTruth& truth, const std::fun
     const double t = static_cast<double>(i) * spacing;
     record.t.push_back(t);
     record.force.push_back(force(t));
-    record.y.push_back(truth.equilibrium + y.x + noise * normal(engine));
     const System system{truth, force, t + spacing * (1 - 1e-7)};
+    const double observed = derivative == 0 ? y.x : derivative == 1 ? y.v : system.acceleration(t, y.x, y.v);
+    record.y.push_back(truth.equilibrium + observed + noise * normal(engine));
     auto memory = method.start(system, t, y);
     for (int k = 0; k < steps; ++k)
       y = method.step(system, t + k * spacing / steps, spacing / steps, y, memory).y;

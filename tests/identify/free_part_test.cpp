@@ -39,6 +39,60 @@ TEST(FreePart, ADriveThatStops) {
   }
 }
 
+TEST(FreePart, ADriveThatStopsShortlyBeforeTheEnd) {
+  // What is left at the end: from 90 % to 20 % of the steady swing.
+  for (const double left : {0.9, 0.8, 0.7, 0.5, 0.35, 0.2})
+    for (const double rate : {0.02, 0.05})
+      for (const double noise : {1e-4, 0.01}) {
+        const double fall = -std::log(left) / rate, stop = 120;
+        if (fall < 10) continue;  // too few periods to tell
+        const auto record = recorded(stop + fall, noise, [&](double t) {
+          return (t < stop ? 1 - std::exp(-2 * rate * t) : 1 - std::exp(-2 * rate * stop)) *
+                     decay(t - stop, rate) * std::cos(6 * t) +
+                 0.3;
+        });
+        const auto part = find_free_part(record.record());
+        ASSERT_TRUE(part.has_value()) << left << " " << rate << " " << noise;
+        EXPECT_GE(part->from, stop - 0.1) << left << " " << rate << " " << noise;
+        EXPECT_LE(part->from, stop + 4) << left << " " << rate << " " << noise;
+      }
+}
+
+TEST(FreePart, NoFreeDecayOrBeatCutAnywhereIsADriveThatStops) {
+  int seen = 0;
+  for (const double duration : {20.0, 35.0, 60.0, 90.0, 130.0}) {
+    for (const double noise : {1e-4, 0.01, 0.05})
+      for (const double rate : {0.001, 0.003, 0.01, 0.02, 0.05}) {
+        const auto record =
+            recorded(duration, noise, [&](double t) { return decay(t, rate) * std::cos(6 * t); });
+        seen += find_free_part(record.record()).has_value();
+      }
+    for (const MotionParameters& motion :
+         {MotionParameters{.angular_frequency = 6, .friction = 0.1, .position = 1},
+          MotionParameters{.angular_frequency = 6, .friction = 0.3, .position = 1},
+          MotionParameters{.angular_frequency = 6, .decay_rate = 0.01, .drag = 0.03, .position = 1},
+          MotionParameters{.angular_frequency = 6, .drag = 0.1, .cubic = -8, .position = 1},
+          MotionParameters{.angular_frequency = 4, .decay_rate = 0.01, .position = 2.5, .pendulum = true},
+          MotionParameters{.angular_frequency = 6, .decay_rate = 0.004, .friction = 0.05, .position = 1}}) {
+      SyntheticRecord record{even_times(static_cast<std::size_t>(duration * 50), 0.02), {}, 0};
+      record.y = free_motion(motion, record.t, 5e-3).x;
+      seen += find_free_part(record.record()).has_value();
+    }
+    for (const double beat : {0.02, 0.05, 0.1, 0.2, 0.3})
+      for (const double share : {0.05, 0.1, 0.2, 0.3, 0.6, 0.9})
+        for (const double phase : {-3.0, -2.0, -1.0, 0.0, 1.0, 2.0, 3.0})
+          for (const double rate : {0.0, 0.005}) {
+            const auto record = recorded(duration, 0.005, [&](double t) {
+              return decay(t, rate) * (std::cos(6 * t) + share * std::cos((6 + beat) * t + phase));
+            });
+            const bool told = find_free_part(record.record()).has_value();
+            EXPECT_FALSE(told) << duration << " " << beat << " " << share << " " << phase << " " << rate;
+            seen += told;
+          }
+  }
+  EXPECT_EQ(seen, 0);
+}
+
 TEST(FreePart, HeldDisplacedAndLetGo) {
   for (const double release : {0.8, 3.0, 20.0}) {
     const auto record = recorded(80, 0.005, [&](double t) {

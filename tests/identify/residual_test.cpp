@@ -61,6 +61,25 @@ TEST(Residual, FactorIsTheSpectralDensityOfTheNoise) {
     }
 }
 
+TEST(Residual, DegreesSayHowWellTheFactorIsKnown) {
+  // The variance of the logarithm of what it makes of the residuals' variance is two over the degrees.
+  for (double w : {0.0, 0.125}) {
+    double mean = 0, squares = 0, said = 0;
+    constexpr int trials = 400;
+    for (unsigned seed = 0; seed < trials; ++seed) {
+      const std::vector<double> r = autoregressive(2000, 0.9, seed);
+      const Correlation c = correlation(r, autocorrelations(r, first_lags(r.size())), w);
+      const double rms = describe_residual(r).rms, density = std::log(c.factor * rms * rms);
+      mean += density / trials;
+      squares += density * density / trials;
+      said += 2 / c.degrees / trials;
+    }
+    EXPECT_NEAR(squares - mean * mean, said, 0.35 * said) << w;
+  }
+  const std::vector<double> r = white(1000, 7);
+  EXPECT_EQ(correlation(r, autocorrelations(r, 20), 0.1).degrees, 1000);
+}
+
 TEST(Residual, NothingLeftIsNoCorrelation) {
   const std::vector<double> zeros(100, 0.0);
   EXPECT_EQ(correlation_factor(zeros, 0.1), 1);

@@ -67,18 +67,5 @@ TEST(BadCell, MostRowsLostIsSaidFirst) {
                     HasSubstr("thousands")));
 }
 
-TEST(Encoding, Utf16IsSeenWithoutItsMark) {
-  for (const bool big : {false, true}) {
-    std::string text;
-    for (const char c : std::string("t,x\n0,1.5\n1,2.5\n")) {
-      if (big) text += '\0';
-      text += c;
-      if (!big) text += '\0';
-    }
-    EXPECT_THAT(refusal(text), HasSubstr("the text is UTF-16: save it as UTF-8"));
-  }
-  EXPECT_THAT(refusal(std::string(1000, '\0')), HasSubstr("binary"));
-}
-
 }  // namespace
 }  // namespace cromer

@@ -5,6 +5,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/record/dialects/time.h"
 
 namespace cromer {
 namespace {
@@ -54,6 +55,15 @@ TEST(Runs, TracksAreCalledByTheirNames) {
   EXPECT_EQ(series->y.front(), 3);
 }
 
+TEST(MissingValues, SlowerSensors) {
+  for (const auto& [stride, said] :
+       {std::pair{3, "every 3rd row"}, std::pair{12, "every 12th row"}, std::pair{22, "every 22nd row"}}) {
+    std::string text = "Time (s),Pos A (mm),Pos B (mm)\n";
+    for (int i = 0; i < 5 * stride; ++i) text += concat({std::to_string(i), i % stride ? ",1,\n" : ",1,2\n"});
+    EXPECT_THAT(read(text).warnings, Contains(HasSubstr(said)));
+  }
+}
+
 TEST(MissingValues, SensorsSampledInTurn) {
   std::string text = "Time (s),Pos A (mm),Pos B (mm)\n";
   for (int i = 0; i < 10; ++i) text += concat({"0.", std::to_string(i), i % 2 ? ",1,\n" : ",,2\n"});
@@ -69,6 +79,50 @@ TEST(MissingValues, SensorsSampledInTurn) {
 TEST(Columns, APeriodIsNoTime) {
   const Recording r = read("Period [s],Spectral acceleration [g]\n0.01,0.5\n0.02,0.75\n0.05,1\n");
   EXPECT_EQ(r.table.columns.at(0).quantity, "");
+}
+
+TEST(Columns, RunsAreNamedInALineOfTheirOwn) {
+  const std::string rows = "0,1,0,3\n0.5,2,0.5,4\n1,2,1,5\n";
+  const std::string names = "Time (s),Position (m),Time (s),Position (m)\n";
+  for (const std::string above : {"Run #1,,Run #2,\n", "\"Run #1\",\"\",\"Run #2\",\"\"\r\n",
+                                  "Run #1,Run #1,Run #2,Run #2\n", "My lab\nRun #1,,Run #2\n"}) {
+    const Recording r = read(above + names + rows);
+    EXPECT_EQ(r.dialect.name, "PASCO Capstone") << above;
+    EXPECT_THAT(runs(r), ElementsAre(1, 2)) << above;
+    EXPECT_EQ(r.table.columns.at(3).name, "Position");
+    EXPECT_EQ(r.table.columns.at(3).run, 2);
+    EXPECT_THAT(r.warnings, ElementsAre()) << above;
+  }
+  // A label counts, not the order.
+  const Recording later = read("Run #3,,Run #7,\n" + names + rows);
+  EXPECT_THAT(later.warnings, ElementsAre("run 1 is called \"Run #3\" in the file",
+                                          "run 2 is called \"Run #7\" in the file"));
+  // One time for all.
+  const Recording shared =
+      read(",Run #1,Run #2\nTime (s),Position (m),Position (m)\n0,1,2\n0.5,2,3\n1,4,5\n");
+  EXPECT_THAT(runs(shared), ElementsAre(1, 2));
+  const auto series = take_series(shared, "", 2, {});
+  ASSERT_TRUE(series.ok()) << series.error().message;
+  EXPECT_THAT(series->t, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(series->y, ElementsAre(2, 3, 5));
+  // Other words above the names are a title.
+  EXPECT_EQ(read("Run #1,by me,,\n" + names + rows).dialect.name, "plain");
+  EXPECT_EQ(read("Run #1\n" + names + rows).dialect.name, "plain");
+}
+
+TEST(Columns, TheTimesOfAllAreThoseOfEach) {
+  // Times before and behind what they belong to, in runs that interleave, and in none.
+  std::uint32_t state = 1;
+  const auto random = [&](std::uint32_t most) { return (state = state * 1664525 + 1013904223) >> 16 & most; };
+  for (int trial = 0; trial < 200; ++trial) {
+    Table table;
+    for (std::uint32_t j = random(15); j > 0; --j)
+      table.columns.push_back(
+          {"c", random(3) == 0 ? "time" : "position", "", static_cast<int>(random(3)), {}});
+    const auto all = dialects::time_columns_of(table);
+    for (std::size_t j = 0; j < table.columns.size(); ++j)
+      EXPECT_EQ(all[j], dialects::time_column_of(table, j));
+  }
 }
 
 TEST(Commas, WholeNumbersAmongDecimalCommasAreRefused) {

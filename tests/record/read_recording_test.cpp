@@ -181,10 +181,6 @@ TEST(ReadRecording, WhatIsNoRecordingIsRefusedClearly) {
                                   6)),
               HasSubstr("binary file (a zero byte at offset 4)"));
   EXPECT_THAT(refusal("PK\x03\x04rest"), HasSubstr("ZIP"));
-  EXPECT_THAT(refusal(std::string("\xFF\xFE"
-                                  "t\0",
-                                  4)),
-              HasSubstr("UTF-16"));
   EXPECT_THAT(refusal("LabVIEW Measurement\t\n1\t2\n"), HasSubstr("no segment with rows"));
   EXPECT_THAT(refusal("1 2\n3 4\n", {.delimiter = "|", .decimal = {}, .time_column = {}}),
               HasSubstr("--delimiter"));

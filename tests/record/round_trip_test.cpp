@@ -45,6 +45,7 @@ std::string seed(const std::string& name) {
 std::vector<std::string> readable_seeds() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(seeds)) {
+    if (!entry.is_regular_file()) continue;  // found/ holds fragments
     const std::string name = entry.path().filename().string();
     const auto recording = read_recording(seed(name), name, {});
     if (recording && clean_table(*recording, {})) names.push_back(name);

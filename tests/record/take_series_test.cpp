@@ -161,6 +161,10 @@ TEST(TakeSeries, RepeatedAndBackwardTimesAreLeftOut) {
 TEST(TakeSeries, ATimeThatNeverRisesIsRefused) {
   EXPECT_THAT(refusal("t,x\n3,1\n2,2\n1,3\n0,4\n"), HasSubstr("column \"t\": the time runs backward"));
   EXPECT_THAT(refusal("t,x\n3,1\n3,2\n3,3\n"), HasSubstr("the time stands still"));
+  // Steps whose rate, or whose length, no double holds.
+  EXPECT_THAT(refusal("t,x\n0,1\n5e-324,2\n1e-323,3\n"),
+              HasSubstr("\"t\": from 0 to 5e-324 is no step of time"));
+  EXPECT_THAT(refusal("t,x\n-1.7e308,1\n1.7e308,2\n"), HasSubstr("is no step of time"));
 }
 
 TEST(TakeSeries, ARestartBeginsTheNextRun) {

@@ -169,6 +169,54 @@ TEST(FigureLayout, DenseDotsBecomeABandAndFewStayDots) {
   EXPECT_EQ(lay_out(of({few}), Typeface::lato).panels[0].curves[0].mark, Mark::line);
 }
 
+TEST(FigureLayout, CrossesStayInTheFrameAndSetNoAxis) {
+  Panel panel = three_methods();
+  const PlacedPanel without = lay_out(of({panel}), Typeface::lato).panels[0];
+  Curve aside;
+  aside.role = "set-aside";
+  aside.x = {1, 2, 3};
+  aside.y = {50, 0, -1e6};
+  aside.mark = Mark::crosses;
+  aside.sets_axes = false;
+  panel.curves.push_back(aside);
+  const PlacedPanel placed = lay_out(of({panel}), Typeface::lato).panels[0];
+  ASSERT_EQ(placed.y_ticks.size(), without.y_ticks.size());
+  const PlacedCurve& crosses = placed.curves.back();
+  ASSERT_EQ(crosses.pieces.size(), 6u);  // two strokes each
+  for (const auto& stroke : crosses.pieces)
+    for (const Spot& p : stroke) {
+      EXPECT_GT(p.y, placed.frame.y);
+      EXPECT_LT(p.y, placed.frame.bottom());
+    }
+}
+
+TEST(FigureLayout, ABandIsBrokenWhereNothingWasMeasured) {
+  Panel panel = dense(Mark::dots);
+  Curve& curve = panel.curves[0];
+  for (std::size_t i = 0; i < curve.x.size(); ++i)
+    if (curve.x[i] > 40 && curve.x[i] < 60) curve.y[i] = std::nan("");
+  const PlacedPanel placed = lay_out(of({panel}), Typeface::lato).panels[0];
+  const Band& band = placed.curves[0].band;
+  ASSERT_EQ(placed.curves[0].mark, Mark::band);
+  EXPECT_EQ(std::count_if(band.x.begin(), band.x.end(), [](double x) { return std::isnan(x); }), 1);
+  const double from = placed.frame.x + placed.frame.width * 41 / 120,
+               to = placed.frame.x + placed.frame.width * 59 / 120;
+  for (const double x : band.x) EXPECT_FALSE(x > from && x < to) << x;
+}
+
+TEST(FigureLayout, LettersGoOnAfterZAndTheNoteStandsBelow) {
+  Figure figure = of(std::vector<Panel>(28, three_methods()));
+  figure.columns = 4;
+  const double height = lay_out(figure, Typeface::lato).height;
+  figure.note = "The first 28 of 40";
+  const Layout layout = lay_out(figure, Typeface::lato);
+  EXPECT_GT(layout.height, height);
+  std::vector<std::string> words;
+  for (const PlacedText& text : texts_of(layout)) words.push_back(text.text);
+  EXPECT_THAT(words, testing::IsSupersetOf({"a", "z", "aa", "ab", "The first 28 of 40"}));
+  EXPECT_GT(layout.panels.back().texts.back().at.y, height);
+}
+
 TEST(FigureLayout, TicksAreFewAndTheAxisReachesTheLast) {
   for (const Figure& figure : examples()) {
     for (const PlacedPanel& panel : lay_out(figure, Typeface::dejavu_sans).panels) {
@@ -198,6 +246,14 @@ TEST(FigureScript, IsPureAndRunsNothing) {
     EXPECT_EQ(std::count(line.begin(), line.end(), '\'') % 2, 0) << line;
     start = end + 1;
   }
+}
+
+TEST(FigureScript, AStepBeyondTheAxisLeavesItWithoutTicks) {
+  Figure figure = of({three_methods()});
+  figure.panels[0].y.low = 0.01;
+  figure.panels[0].y.high = 3;
+  figure.panels[0].y.step = 99;
+  EXPECT_THAT(gnuplot_script(figure, FigureFormat::svg), HasSubstr("unset ytics"));
 }
 
 TEST(FigureScript, SaysSizeAndFontOfEachFormat) {

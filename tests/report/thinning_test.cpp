@@ -90,6 +90,22 @@ TEST(MinMaxBand, HoldsEveryPointAndHasNoGaps) {
   EXPECT_TRUE(min_max_band({}, 1).x.empty());
 }
 
+TEST(Extremes, KeepEveryPeakAndAreFew) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 100000; ++i) {
+    x.push_back(i);
+    y.push_back(std::sin(0.37 * i));
+  }
+  y[77777] = 9;
+  y[500] = std::nan("");
+  const std::vector<std::size_t> kept = extremes(x, y, 200);
+  EXPECT_LE(kept.size(), 4u * 202);
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  for (const std::size_t wanted : {0u, 500u, 77777u, 99999u})
+    EXPECT_TRUE(std::binary_search(kept.begin(), kept.end(), wanted)) << wanted;
+  EXPECT_EQ(extremes(std::span(x).first(700), std::span(y).first(700), 200).size(), 700u);
+}
+
 TEST(ColumnsPerPeriod, CountsCrossings) {
   EXPECT_NEAR(columns_per_period(sine(12000, 340, 170)), 2, 0.05);
   EXPECT_NEAR(columns_per_period(sine(2000, 600, 20)), 30, 2);

@@ -11,18 +11,22 @@
 namespace cromer {
 
 /// Coefficients per unit mass, terms that a law lacks 0.
-struct AmplitudeDecay {
-  double angular_frequency = 1;  // [rad/s] > 0
-  double decay_rate = 0;         // [1/s] b
-  double drag = 0;               // [1/unit] d
-  double friction = 0;           // [unit/s^2] f
+template <class Real>
+struct CycleDecay {
+  Real angular_frequency = 1;  // [rad/s] > 0
+  Real decay_rate = 0;         // [1/s] b
+  Real drag = 0;               // [1/unit] d
+  Real friction = 0;           // [unit/s^2] f
 
-  /// -dA/dt over A [1/s] at amplitude A > 0 [unit]: s/A + b + q A.
-  double rate(double A) const {
+  /// -dA/dt over A [1/s] at amplitude A > 0 [unit]: s/A + b + q A. It is also the viscous rate that takes as
+  /// much energy in a cycle.
+  Real rate(const Real& A) const {
     constexpr double pi = std::numbers::pi;
     return 2 * friction / (pi * angular_frequency) / A + decay_rate +
            4 * drag * angular_frequency / (3 * pi) * A;
   }
 };
+
+using AmplitudeDecay = CycleDecay<double>;
 
 }  // namespace cromer

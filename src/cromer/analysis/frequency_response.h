@@ -23,6 +23,17 @@ inline SteadyState frequency_response(const Oscillator<double>& oscillator, doub
   return {force_amplitude / std::hypot(in_phase, quadrature), std::atan2(quadrature, in_phase)};
 }
 
+/// The same of a spring with hysteretic (structural) damping, k (1 + i eta) with the loss factor eta >= 0 in
+/// place of the damper: X = F/|k - m w^2 + i eta k|, as much damping as a damper's at resonance with the
+/// damping ratio eta/2, and at other frequencies as much again. It is said of steady states alone: no law in
+/// time gives it (S. H. Crandall, J. Sound Vib. 11, 3 (1970)).
+inline SteadyState hysteretic_response(const Oscillator<double>& oscillator, double loss_factor,
+                                       double force_amplitude, double w) {
+  const double in_phase = oscillator.stiffness - oscillator.mass * (w * w);
+  const double quadrature = loss_factor * oscillator.stiffness;
+  return {force_amplitude / std::hypot(in_phase, quadrature), std::atan2(quadrature, in_phase)};
+}
+
 /// A ratio of amplitudes, and how far the answer lags.
 struct Transmission {
   double amplitude = 1;  ///< of the answer over that of the cause

@@ -60,6 +60,14 @@ struct Dual {
   friend constexpr Dual operator+(Dual a, const Dual& b) { return a += b; }
   friend constexpr Dual operator-(Dual a, const Dual& b) { return a -= b; }
   friend constexpr Dual operator*(Dual a, const Dual& b) { return a *= b; }
+  // A constant's zero derivatives need no products.
+  friend constexpr Dual operator*(const Real& c, const Dual& b) { return b.chain(c * b.value, c); }
+  template <class Number>
+  requires(std::is_arithmetic_v<Number> && !std::same_as<Number, Real>)  //
+      friend constexpr Dual
+      operator*(Number c, const Dual& b) {
+    return Real(c) * b;
+  }
   friend constexpr Dual operator/(Dual a, const Dual& b) { return a /= b; }
 
   // A factor without derivatives spares the products with its zeros.

@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "cromer/base/ascii.h"
+
 namespace cromer {
 namespace {
 
 constexpr std::size_t longest_name = 200;  // nobody means a name of ours with more
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 /// Optimal string alignment distance; three rows of the usual table are enough for swaps.
 std::size_t edit_distance(std::string_view a, std::string_view b) {

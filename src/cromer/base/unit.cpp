@@ -71,6 +71,8 @@ constexpr std::array symbols{
     Symbol{"°", degree, {0, 0, 0, 0, 0, 1}},
     Symbol{"in", 0.0254, {0, 1}},
     Symbol{"ft", 0.3048, {0, 1}},
+    Symbol{"Gal", 1e-2, acceleration},
+    Symbol{"gal", 1e-2, acceleration},  // as seismologists write it
     Symbol{"%", 0.01, none},
     Symbol{"1", 1, none},
     Symbol{"°C", 1, {0, 0, 0, 1}},

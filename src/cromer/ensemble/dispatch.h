@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cromer/base/result.h"
+#include "cromer/ensemble/filter_walk.h"
 #include "cromer/ensemble/group.h"
 
 namespace cromer {
@@ -13,6 +14,7 @@ namespace cromer {
 struct KernelUnit {
   std::string_view name;          ///< baseline, avx2 or avx512
   cromer_group::Advance advance;  ///< runs a group
+  cromer_walk::Function walk;     ///< walks response filters
 };
 
 /// Those that this machine can run, the fastest last.

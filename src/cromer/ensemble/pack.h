@@ -60,6 +60,7 @@ struct Pack {
   friend Pack value_of(const Pack& a) { return a; }
   friend Pack abs(const Pack& a) { return Pack(xsimd::abs(a.lanes)); }
   friend Pack larger(const Pack& a, const Pack& b) { return Pack(xsimd::max(a.lanes, b.lanes)); }
+  friend Pack smaller(const Pack& a, const Pack& b) { return Pack(xsimd::min(a.lanes, b.lanes)); }
   friend Pack cos(const Pack& a) { return Pack(xsimd::cos(a.lanes)); }
   friend Pack sin(const Pack& a) { return Pack(xsimd::sin(a.lanes)); }
   friend Pack choose(const Mask<Arch>& truth, const Pack& yes, const Pack& no) {

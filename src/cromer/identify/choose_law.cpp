@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 
@@ -29,7 +28,7 @@ struct Selection {
   Record record() const { return {t, y, resolution, derivative}; }
 };
 
-// Every so manieth sample, at least sixteen in a period, of as long a beginning as then suffices.
+// One sample in so many, at least sixteen in a period, of as long a beginning as then suffices.
 Selection select(const Record& record, double angular_frequency) {
   Selection part;
   part.resolution = record.resolution;

@@ -238,9 +238,7 @@ DampedPhasor::Linear DampedPhasor::best_linear(double w, double g) const {
     right[i] = basis.right[i];
     for (int j = 0; j < 3; ++j) matrix[i][j] = basis.gram[i][j];
   }
-  std::array<bool, max_parameters> all{};
-  all.fill(true);
-  const ScaledCholesky factor(matrix, 3, 0, all);
+  const ScaledCholesky factor(matrix, 3, 0, all_free);
   if (!factor.ok()) return {0, 0, 0, basis.sum_of_squares};
   const Parameters x = factor.solve(right);
   double explained = 0;

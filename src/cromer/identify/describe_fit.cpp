@@ -48,12 +48,13 @@ void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& 
   const double sum_of_squares = fit.residual.rms * fit.residual.rms * n;
   fit.explained = 1 - sum_of_squares / (norm * norm);
 
+  const Correlation resting = correlation(residuals, rho, 0);
   const Widening widening{std::min(n, correlation_factor(residuals, rho, motion.angular_frequency * h)),
-                          std::min(n, correlation_factor(residuals, rho, 0))};
+                          std::min(n, resting.factor)};
   fit.independent_samples = n / widening.oscillation;
   const double k = fitted.count;
-  const auto student_of = [&](double factor) { return student_95(std::max(1.0, n / factor - k)); };
-  fit.student = student_of(widening.oscillation);
+  const auto student_of = [&](double degrees) { return student_95(std::max(1.0, degrees - k)); };
+  fit.student = student_of(fit.independent_samples);
   fit.bic = fit.independent_samples * 2 * std::log(fit.residual.rms) + k * std::log(fit.independent_samples);
   // Each parameter takes as much from the sum of squares as the residuals' spectrum holds where it lives.
   // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
@@ -72,7 +73,8 @@ void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& 
           rounding_bias[i] * rounding_bias[j];
   }
   const auto estimate = [&](std::string_view parameter, double value) {
-    return make_estimate(value, standard_error(fit.covariance_of(parameter, parameter)), fit.student);
+    const double student = parameter == "equilibrium" ? student_of(resting.degrees) : fit.student;
+    return make_estimate(value, standard_error(fit.covariance_of(parameter, parameter)), student);
   };
   fit.angular_frequency = estimate("angular_frequency", motion.angular_frequency);
   if (fit.law.viscous) fit.decay_rate = estimate("decay_rate", motion.decay_rate);

@@ -32,25 +32,30 @@ ForcedFit fit_driven(const Record& record, ForcedTerms terms, std::optional<doub
   if (!(rms_of(z) > 1e-14 * std::abs(level)))
     return refuse(FitStatus::no_oscillation, "nothing moves: all values are equal");
 
+  const ForcedSamples samples{record.t, z, record.derivative};
   std::optional<Parameters> first = start;
   if (!first) {
-    first = driven_start({record.t, z, record.resolution}, drive);
+    first = driven_start({record.t, z, record.resolution, record.derivative}, drive);
     if (!first) return refuse(FitStatus::no_oscillation, "no oscillation found: the spectrum has no line");
     first = adapt_forced(*first, {}, terms, SinusoidalForce::parameters);
   }
   const auto make_drive = [&](const Parameters& p, double) {
     return SinusoidalForce(p[SinusoidalForce::frequency]);
   };
-  ForcedMinimum minimum = minimise_forced(make_drive, terms, *first, {record.t, z}, HUGE_VAL, watch);
+  ForcedMinimum minimum = minimise_forced(make_drive, terms, *first, samples, HUGE_VAL, watch);
   if (watch.interrupted()) return refuse(FitStatus::iteration_limit, "interrupted before the fit was done");
   fit.parameters = minimum.summary.parameters;
-  fit.motion = forced_motion(terms, fit.parameters, make_drive(fit.parameters, 0), record.t, minimum.step);
-  find_rounding_bias(minimum, make_drive, terms, {record.t, z}, fit.motion, record.resolution);
+  fit.motion = forced_motion(terms, fit.parameters, make_drive(fit.parameters, 0), record.t,
+                             record.derivative, minimum.step);
+  find_rounding_bias(minimum, make_drive, terms, samples, fit.motion, record.resolution);
   for (double& value : fit.motion) value += level;
-  const ForcedQuantities quantities = driven_quantities(fit.parameters, terms, level);
+  const ForcedQuantities quantities = driven_quantities(fit.parameters, terms, level, record.derivative);
   if (!(quantities.values.front() > 0))
     return refuse(FitStatus::no_oscillation, "no oscillation found: the law has no stiffness where it rests");
   describe_forced(fit, minimum, quantities, record.t, record.y, record.resolution);
+  fit.states = states_from_rest(forced_states(terms, fit.parameters, make_drive(fit.parameters, 0), record.t,
+                                              record.derivative, minimum.step),
+                                fit.law);
   if (explains_too_little(fit))
     return refuse(FitStatus::too_noisy,
                   fmt::format("a decaying and a steady oscillation account for {:.1f} % of the variance only",

@@ -8,6 +8,7 @@
 
 #include "cromer/analysis/spectrum.h"
 #include "cromer/identify/forced_law.h"
+#include "cromer/identify/forced_minimum.h"
 #include "cromer/identify/sinusoidal_force.h"
 
 namespace cromer {
@@ -82,9 +83,7 @@ Linear best_linear(const Samples& samples, double w, double g, double drive) {
     b = {b.real() * drive_turn.real() - b.imag() * drive_turn.imag(),
          b.real() * drive_turn.imag() + b.imag() * drive_turn.real()};
   }
-  std::array<bool, max_parameters> all{};
-  all.fill(true);
-  const ScaledCholesky factor(equations.matrix, linear_size, 1e-9, all);
+  const ScaledCholesky factor(equations.matrix, linear_size, 1e-9, all_free);
   Linear result;
   if (!factor.ok()) return result;
   result.p = factor.solve(equations.right);
@@ -150,6 +149,12 @@ std::optional<Parameters> driven_start(const Record& record, std::optional<doubl
   start[at.stiffness] = s1;
   start[at.position] = best.p[0] + best.p[1] + best.p[3];
   start[at.velocity] = w_best * best.p[2] - g_best * best.p[1] + drive_best * best.p[4];
+  for (int d = record.derivative; d > 0; --d) {
+    const double cosine = start[SinusoidalForce::cosine];
+    start[SinusoidalForce::cosine] = -start[SinusoidalForce::sine] / drive_best;
+    start[SinusoidalForce::sine] = cosine / drive_best;
+    integrate_start(start, at, start[SinusoidalForce::cosine], d == record.derivative);
+  }
   return start;
 }
 

@@ -1,7 +1,6 @@
 #include "cromer/identify/envelope_track.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,9 +19,7 @@ struct LinearFit {
 
 LinearFit solve(const NormalEquations& equations) {
   LinearFit fit;
-  std::array<bool, max_parameters> all{};
-  all.fill(true);
-  const ScaledCholesky factor(equations.matrix, equations.size, 0, all);
+  const ScaledCholesky factor(equations.matrix, equations.size, 0, all_free);
   if (!factor.ok()) return fit;
   fit.ok = true;
   fit.x = factor.solve(equations.right);

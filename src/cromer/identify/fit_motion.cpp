@@ -9,6 +9,7 @@
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/fit_viscous.h"
+#include "cromer/identify/rest_minima.h"
 #include "cromer/identify/rounding_bias.h"
 
 namespace cromer {
@@ -150,6 +151,18 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
     }
   }
 
+  // Of the minima for several numbers of half swings before a rest the lowest counts.
+  std::vector<LeastSquaresSummary> minima =
+      rest_minima(record, options.law, minimum.bounded, settings, h, watch);
+  if (minima.front().equations.sum_of_squares < minimum.bounded.equations.sum_of_squares) {
+    minimum = minimise_both(model_of(record, options.law, h, watch), minima.front().parameters, settings);
+    fit.iterations += minimum.bounded.iterations;
+  }
+  if (minimum.bounded.reason == LeastSquaresReason::iteration_limit)
+    minimum.bounded = minimum.free =
+        end_of_band_minimum(record, options.law, minimum.bounded, settings, h, watch);
+  minima.front() = minimum.bounded;
+
   if (watch.interrupted()) return interrupted_fit(options.law);
   fit.step = h;
   const MotionParameters motion = unpack(fitted, minimum.bounded.parameters);
@@ -170,6 +183,7 @@ FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, cons
   }
   describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
   set_intervals(fit, unpack(fitted, minimum.free.parameters));
+  spread_over(fit, minima);
   set_status(fit, minimum.bounded.reason);
   return fit;
 }

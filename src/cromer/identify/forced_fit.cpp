@@ -56,6 +56,17 @@ Parameters grow(const MakeDrive& drive, ForcedTerms terms, const Parameters& sta
   return misfit(grown) < before ? grown : start;
 }
 
+/// By central differences; for where a fit begins, noise does no harm.
+std::vector<double> slopes(const std::vector<double>& values, double spacing) {
+  const std::size_t last = values.size() - 1;
+  std::vector<double> result(values.size());
+  for (std::size_t i = 0; i <= last; ++i) {
+    const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, last);
+    result[i] = (values[after] - values[before]) / (static_cast<double>(after - before) * spacing);
+  }
+  return result;
+}
+
 }  // namespace
 
 ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, ForceBetween between,
@@ -82,7 +93,8 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   const double rms = rms_of(z);
   if (!(rms > 1e-14 * std::abs(level)))
     return refuse(FitStatus::no_oscillation, "nothing moves: all values are equal");
-  const ForcedSamples samples{record.t.first(record.fitted), z};
+  const int derivative = record.derivative;
+  const ForcedSamples samples{record.t.first(record.fitted), z, derivative};
 
   const auto drive = [&](const Parameters&, double h) {
     const int steps = std::max(1, static_cast<int>(std::ceil(record.spacing / h - 1e-9)));
@@ -92,9 +104,22 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   if (start) {
     first = start->parameters;
   } else {
-    const Parameters found = forced_start(record.force.subspan(record.first, record.fitted), samples,
-                                          record.spacing, terms.curved);
-    first = adapt_forced(found, {.curved = terms.curved}, terms, RecordedForce::parameters);
+    // The derivative of a linear motion is the motion under the force's derivative.
+    const bool curved = terms.curved && derivative == 0;
+    std::vector<double> force(
+        record.force.begin() + static_cast<std::ptrdiff_t>(record.first),
+        record.force.begin() + static_cast<std::ptrdiff_t>(record.first + record.fitted));
+    std::vector<double> before(static_cast<std::size_t>(derivative), 0.0);  // the force's first values
+    for (double& value : before) {
+      value = force.front();
+      force = slopes(force, record.spacing);
+    }
+    Parameters found = forced_start(force, samples, record.spacing, curved);
+    const ForcedLayout linear = forced_layout(RecordedForce::parameters, {});
+    for (int d = derivative; d > 0; --d)
+      integrate_start(found, linear, found[RecordedForce::gain] * before[static_cast<std::size_t>(d - 1)],
+                      d == derivative);
+    first = adapt_forced(found, {.curved = curved}, terms, RecordedForce::parameters);
   }
   if (!(first[at.stiffness] > 0))
     return refuse(FitStatus::no_oscillation, "no oscillation found: the force explains no resonance");
@@ -104,15 +129,18 @@ ForcedFit fit_recorded_force(const ForcedRecord& record, ForcedTerms terms, Forc
   if (watch.interrupted()) return refuse(FitStatus::iteration_limit, "interrupted before the fit was done");
 
   fit.parameters = minimum.summary.parameters;
-  fit.motion =
-      forced_motion(terms, fit.parameters, drive(fit.parameters, minimum.step), record.t, minimum.step);
+  fit.motion = forced_motion(terms, fit.parameters, drive(fit.parameters, minimum.step), record.t, derivative,
+                             minimum.step);
   find_rounding_bias(minimum, drive, terms, samples, fit.motion, record.resolution);
   for (double& value : fit.motion) value += level;
   const ForcedQuantities quantities =
-      recorded_quantities(fit.parameters, terms, level, zero_is_amid(level, rms));
+      recorded_quantities(fit.parameters, terms, level, derivative, zero_is_amid(level, rms));
   if (!(quantities.values.front() > 0))
     return refuse(FitStatus::no_oscillation, "no oscillation found: the law has no stiffness where it rests");
   describe_forced(fit, minimum, quantities, samples.t, seen, record.resolution);
+  fit.states = states_from_rest(forced_states(terms, fit.parameters, drive(fit.parameters, minimum.step),
+                                              record.t, derivative, minimum.step),
+                                fit.law);
   if (explains_too_little(fit))
     return refuse(FitStatus::too_noisy,
                   fmt::format("the force accounts for {:.1f} % of the motion's variance only",

@@ -3,7 +3,8 @@
 //   x'' = force_gain (u(t) + force_offset) - w0^2 x - 2 g x' - q x'|x'| - k2 x^2 - k3 x^3,   x = y -
 //   equilibrium
 //
-// The whole waveform is fitted, beginning included; no start values are asked for.
+// The whole waveform is fitted, beginning included; no start values are asked for. A record of velocities or
+// accelerations is fitted as what it is: then the equilibrium is the sensor's offset.
 //
 // Force offset, equilibrium and quadratic stiffness: any one of them can be traded for the other two without
 // changing the motion (a shift of x turns a cubic into a cubic), so that no record tells all three. An
@@ -21,10 +22,11 @@
 #include "cromer/identify/forced_law.h"
 #include "cromer/identify/free_decay.h"
 #include "cromer/identify/recorded_force.h"
+#include "cromer/run/trajectory.h"
 
 namespace cromer {
 
-/// A position record with the force that acted.
+/// A record of the motion with the force that acted.
 struct ForcedRecord {
   std::span<const double> force;  ///< every `spacing`, before and after the motion as well if there is more
   double spacing = 1;             // [s] > 0
@@ -33,6 +35,7 @@ struct ForcedRecord {
   std::span<const double> y;      ///< NaN where a sample is missing or set aside
   std::size_t fitted = 0;         ///< how many of the motion's samples the fit may see
   double resolution = 0;          ///< rounding step of y, 0 if unknown
+  int derivative = 0;             ///< 1 or 2 where y are velocities or accelerations
 };
 
 struct ForcedFit {
@@ -48,6 +51,7 @@ struct ForcedFit {
   ForceBetween between = ForceBetween::linear;
   Parameters parameters{};     ///< in the order of forced_layout
   std::vector<double> motion;  ///< y of the law at every time of the record, unfitted ones included
+  Trajectory states;           ///< displacement from the equilibrium and velocity there
 };
 
 /// Where a fit begins, and what it is up against.

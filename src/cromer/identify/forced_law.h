@@ -3,7 +3,8 @@
 //   z'' = drive(t) + a - 2 g z' - q z'|z'| - s1 z - s2 z^2 - s3 z^3,   z from a fixed level near its mean
 //
 // The bias a holds what force and level are off by; which part is whose comes after the fit
-// (forced_quantities.h).
+// (forced_quantities.h). Of a record of velocities or accelerations z is measured from where the law rests,
+// and the parameter bias is the sensor's offset, from the record's mean.
 #pragma once
 
 #include "cromer/identify/normal_equations.h"

@@ -31,6 +31,21 @@ std::size_t samples_of(std::span<const double> z) {
       std::count_if(z.begin(), z.end(), [](double value) { return !std::isnan(value); }));
 }
 
+void integrate_start(Parameters& p, const ForcedLayout& at, double pull, bool observed) {
+  const double rest = observed ? p[at.bias] / p[at.stiffness] : 0;
+  const double v = p[at.position] - rest, acceleration = p[at.velocity];
+  p[at.position] = (pull - 2 * p[at.decay] * v - acceleration) / p[at.stiffness];
+  p[at.velocity] = v;
+  if (observed) p[at.bias] = rest;
+}
+
+Trajectory states_from_rest(Trajectory states, const FreeDecay& law) {
+  if (states.x.empty()) return states;
+  const double rest = states.x.front() - law.position.value;
+  for (double& x : states.x) x -= rest;
+  return states;
+}
+
 void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQuantities& quantities,
                      std::span<const double> t, std::span<const double> y, double resolution) {
   FreeDecay& law = fit.law;

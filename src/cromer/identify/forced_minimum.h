@@ -30,10 +30,12 @@ std::size_t samples_of(std::span<const double> z);
 
 /// The rms difference between the motions at steps of h and of h/2.
 template <class MakeDrive>
-double method_error(const MakeDrive& drive, ForcedTerms terms, const Parameters& p, std::span<const double> t,
-                    double h) {
-  const std::vector<double> z = forced_motion(terms, p, drive(p, h), t, h);
-  const std::vector<double> finer = forced_motion(terms, p, drive(p, h / 2), t, h / 2);
+double method_error(const MakeDrive& drive, ForcedTerms terms, const Parameters& p,
+                    const ForcedSamples& samples, double h) {
+  const auto motion = [&](double step) {
+    return forced_motion(terms, p, drive(p, step), samples.t, samples.derivative, step);
+  };
+  const std::vector<double> z = motion(h), finer = motion(h / 2);
   double sum = 0;
   const std::size_t n = std::min(z.size(), finer.size());
   for (std::size_t i = 0; i < n; ++i) sum += (z[i] - finer[i]) * (z[i] - finer[i]);
@@ -48,7 +50,7 @@ double coarse_step(const MakeDrive& drive, ForcedTerms terms, const Parameters& 
   const ForcedLayout at = forced_layout(decltype(drive(start, 1.0))::parameters, terms);
   const double spacing = (samples.t.back() - samples.t.front()) / static_cast<double>(samples.t.size() - 1);
   double h = std::min(spacing, 0.5 / std::sqrt(start[at.stiffness]));
-  const auto beginning = samples.t.first(std::min<std::size_t>(samples.t.size(), 1000));
+  const auto beginning = samples.first(std::min<std::size_t>(samples.t.size(), 1000));
   const double enough = 0.005 * rms_of(samples.z);
   for (int halvings = 0; halvings < 4; ++halvings, h /= 2)
     if (method_error(drive, terms, start, beginning, h) < enough) break;
@@ -92,7 +94,7 @@ ForcedMinimum minimise_forced(const MakeDrive& drive, ForcedTerms terms, const P
   minimise_at(1e-2, 40);
   if (summary.equations.sum_of_squares > 1.44 * rms_to_beat * rms_to_beat * n) return at_minimum;
   for (int halvings = 0; halvings < 6 && summary.reason == LeastSquaresReason::converged; ++halvings) {
-    const double error = method_error(drive, terms, summary.parameters, samples.t, h);
+    const double error = method_error(drive, terms, summary.parameters, samples, h);
     // A standard error moves the motion by one residual's rms in all.
     if (error * error * n <= 0.01 * summary.equations.sum_of_squares / n) break;
     h /= 2;
@@ -113,12 +115,20 @@ void find_rounding_bias(ForcedMinimum& minimum, const MakeDrive& drive, ForcedTe
   if (rounded.empty()) return;
   const LeastSquaresSummary& summary = minimum.summary;
   const Parameters& p = summary.parameters;
-  const NormalEquations pull =
-      forced_equations(terms, p, drive(p, minimum.step), {samples.t, rounded}, minimum.step);
+  const NormalEquations pull = forced_equations(terms, p, drive(p, minimum.step),
+                                                {samples.t, rounded, samples.derivative}, minimum.step);
   const SquareMatrix inverse_matrix = inverse(summary.equations.matrix, pull.size);
   for (int i = 0; i < pull.size; ++i)
     for (int j = 0; j < pull.size; ++j) minimum.rounding_bias[i] += inverse_matrix[i][j] * pull.right[j];
 }
+
+/// The parameters of a linear motion Y as those of the motion x whose derivative it is, from where x rests;
+/// `pull` is the drive's acceleration of x at the first time. What Y rests at becomes the sensor's offset if
+/// `observed`.
+void integrate_start(Parameters& parameters, const ForcedLayout& at, double pull, bool observed);
+
+/// Of states as forced_layout has them, the displacements from the law's equilibrium.
+Trajectory states_from_rest(Trajectory states, const FreeDecay& law);
 
 /// Fills a fit from its minimum; its motion is there already, at all times `t` at least.
 void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQuantities& quantities,

@@ -14,8 +14,9 @@ using Real = Dual<double, max_parameters>;
 // The parameters by name, as functions of themselves.
 struct Coefficients {
   Real bias, decay, drag, s1, s2, s3, position, velocity;
+  int derivative;  // of the record
 
-  Coefficients(const Parameters& p, const ForcedLayout& at)
+  Coefficients(const Parameters& p, const ForcedLayout& at, int of_record)
       : bias(of(p, at.bias)),
         decay(of(p, at.decay)),
         drag(of(p, at.drag)),
@@ -23,7 +24,8 @@ struct Coefficients {
         s2(of(p, at.quadratic)),
         s3(of(p, at.cubic)),
         position(of(p, at.position)),
-        velocity(of(p, at.velocity)) {}
+        velocity(of(p, at.velocity)),
+        derivative(of_record) {}
 
   static Real of(const Parameters& p, int i) {
     return i < 0 ? Real(0.0) : Real::variable(p[static_cast<std::size_t>(i)], static_cast<std::size_t>(i));
@@ -35,6 +37,7 @@ struct Coefficients {
   // The z nearest 0 at which nothing pulls; Newton's iteration, whose last step has the exact derivatives.
   Real rest() const {
     Real z(0.0);
+    if (derivative > 0) return z;  // it is measured from there
     for (int i = 0; i < 50; ++i) z = Real(z.value) + pull(Real(z.value)) / stiffness_at(Real(z.value));
     return z;
   }
@@ -58,7 +61,7 @@ void add_law(ForcedQuantities& list, const Coefficients& c, ForcedTerms terms, c
 }
 
 void add_start(ForcedQuantities& list, const Coefficients& c, double level, const Real& e) {
-  add(list, "equilibrium", Real(level) + e);
+  add(list, "equilibrium", Real(level) + (c.derivative == 0 ? e : c.bias));
   add(list, "position", c.position - e);
   add(list, "velocity", c.velocity);
 }
@@ -66,20 +69,22 @@ void add_start(ForcedQuantities& list, const Coefficients& c, double level, cons
 }  // namespace
 
 ForcedQuantities recorded_quantities(const Parameters& parameters, ForcedTerms terms, double level,
-                                     bool zero_is_equilibrium) {
-  const Coefficients c(parameters, forced_layout(RecordedForce::parameters, terms));
+                                     int derivative, bool zero_is_equilibrium) {
+  const Coefficients c(parameters, forced_layout(RecordedForce::parameters, terms), derivative);
   const Real gain = Coefficients::of(parameters, RecordedForce::gain);
-  const Real e = zero_is_equilibrium ? Real(-level) : c.rest();
+  const bool amid = derivative == 0 && zero_is_equilibrium;
+  const Real e = amid ? Real(-level) : c.rest();
   ForcedQuantities list;
   add_law(list, c, terms, e);
   add(list, "force_gain", gain);
-  add(list, "force_offset", zero_is_equilibrium ? c.pull(e) / gain : Real(0.0));
+  if (derivative == 0) add(list, "force_offset", amid ? c.pull(e) / gain : Real(0.0));
   add_start(list, c, level, e);
   return list;
 }
 
-ForcedQuantities driven_quantities(const Parameters& parameters, ForcedTerms terms, double level) {
-  const Coefficients c(parameters, forced_layout(SinusoidalForce::parameters, terms));
+ForcedQuantities driven_quantities(const Parameters& parameters, ForcedTerms terms, double level,
+                                   int derivative) {
+  const Coefficients c(parameters, forced_layout(SinusoidalForce::parameters, terms), derivative);
   const Real cosine = Coefficients::of(parameters, SinusoidalForce::cosine);
   const Real sine = Coefficients::of(parameters, SinusoidalForce::sine);
   const Real e = c.rest();

@@ -17,11 +17,14 @@ struct ForcedQuantities {
 };
 
 /// Of a recorded force. `level` is what the parameters' z is measured from; with `zero_is_equilibrium` the
-/// equilibrium is y = 0 and the force has an offset, else the reverse.
+/// equilibrium is y = 0 and the force has an offset, else the reverse. Of a record of velocities or
+/// accelerations the equilibrium is the sensor's offset, and neither the force's offset nor the place of rest
+/// can be told.
 ForcedQuantities recorded_quantities(const Parameters& parameters, ForcedTerms terms, double level,
-                                     bool zero_is_equilibrium);
+                                     int derivative, bool zero_is_equilibrium);
 
 /// Of a harmonic drive.
-ForcedQuantities driven_quantities(const Parameters& parameters, ForcedTerms terms, double level);
+ForcedQuantities driven_quantities(const Parameters& parameters, ForcedTerms terms, double level,
+                                   int derivative);
 
 }  // namespace cromer

@@ -154,9 +154,7 @@ Parameters forced_start(std::span<const double> force, const ForcedSamples& samp
   Parameters found{};
   for (int round = 0; round < 4; ++round) {
     const NormalEquations equations = linear_equations(segments, spacing, length, size, s1, resistance_now);
-    std::array<bool, max_parameters> all{};
-    all.fill(true);
-    const ScaledCholesky factor(equations.matrix, size, 1e-13, all);
+    const ScaledCholesky factor(equations.matrix, size, 1e-13, all_free);
     if (!factor.ok()) break;
     found = factor.solve(equations.right);
     if (!(found[stiffness] > 0)) break;

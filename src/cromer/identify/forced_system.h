@@ -19,12 +19,14 @@ class ForcedSystem {
   static_assert(N == 0 || N == at.size);
   using Real = Tangent<N>;
 
-  ForcedSystem(const Parameters& parameters, const Drive& drive) : p_(parameters), drive_(drive) {}
+  /// `biased`: the parameter bias is part of the acceleration; else it is none of the motion's.
+  ForcedSystem(const Parameters& parameters, const Drive& drive, bool biased)
+      : p_(parameters), drive_(drive), biased_(biased) {}
 
   Real acceleration(double t, const Real& position, const Real& velocity) const {
     const double z = position.value, v = velocity.value;
     // Value, slopes and terms of the sum.
-    double sum = p_[at.bias] - 2 * p_[at.decay] * v - p_[at.stiffness] * z;
+    double sum = (biased_ ? p_[at.bias] : 0) - 2 * p_[at.decay] * v - p_[at.stiffness] * z;
     double by_z = -p_[at.stiffness], by_v = -2 * p_[at.decay];
     if constexpr (terms.drag) {
       sum -= p_[at.drag] * v * std::abs(v);
@@ -38,7 +40,7 @@ class ForcedSystem {
     if constexpr (N > 0) {
       auto& term = result.derivative;
       drive_.add_to(p_, t, sum, term.data());
-      term[at.bias] = 1;
+      term[at.bias] = biased_ ? 1 : 0;
       term[at.decay] = -2 * v;
       if constexpr (terms.drag) term[at.drag] = -v * std::abs(v);
       term[at.stiffness] = -z;
@@ -57,6 +59,7 @@ class ForcedSystem {
  private:
   const Parameters& p_;
   const Drive& drive_;
+  bool biased_;
 };
 
 }  // namespace cromer

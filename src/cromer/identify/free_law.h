@@ -6,6 +6,7 @@
 
 #include "cromer/identify/law.h"
 #include "cromer/identify/phases.h"
+#include "cromer/identify/sloped_law.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/pendulum.h"
 
@@ -50,6 +51,12 @@ auto smooth_system(const Oscillator<Real>& per_mass) {
   } else {
     return DrivenOscillator<Real, terms>(per_mass, {});
   }
+}
+
+/// The same with derivatives.
+template <Law law, std::size_t N>
+auto smooth_system(const Oscillator<Dual<double, N>>& per_mass) {
+  return SlopedLaw<law, N>(per_mass);
 }
 
 /// The motion of the law from a start over the scalar Real; `values` is the same start without derivatives.

@@ -191,6 +191,31 @@ NormalEquations motion_equations(const Law& law, const Parameters& parameters, c
   return with_constant(law, [&]<Law terms>() { return equations_of<terms>(fitted, motion, record, h); });
 }
 
+Rest rest_of(const Law& law, const Parameters& parameters, const Record& record, double h) {
+  const FittedParameters fitted = fitted_parameters(law);
+  const MotionParameters motion = unpack(fitted, parameters);
+  return with_constant(law, [&]<Law terms>() {
+    Rest rest;
+    int direction = 0;
+    follow(phases_with_derivatives<terms>(motion), record.t, h, [&](std::size_t i, const auto& seen) {
+      const int now = seen.direction();
+      if (now != 0) {
+        rest.half_swings += now != direction;
+        rest.first = i + 1;
+      } else if (rest.first == i) {
+        const auto x = seen.x();
+        rest.position = x.value;
+        for (int j = 0; j < fitted.count; ++j) {
+          const int d = derivative_index(terms, fitted.member[j]);
+          rest.derivative[j] = d == no_derivative ? 0 : x.derivative[static_cast<std::size_t>(d)];
+        }
+      }
+      direction = now;
+    });
+    return rest;
+  });
+}
+
 VelocityGradient velocity_gradient(const Law& law, const MotionParameters& motion, double duration,
                                    double h) {
   const FittedParameters fitted = fitted_parameters(law);

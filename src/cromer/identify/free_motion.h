@@ -7,6 +7,7 @@
 // stays what it is of the displacement x, whose unit is that of the record times s or s^2.
 #pragma once
 
+#include <cstddef>
 #include <span>
 
 #include "cromer/identify/law.h"
@@ -58,6 +59,15 @@ std::vector<double> motion_residuals(const MotionParameters& motion, const Recor
 /// h; derivatives by dual numbers.
 NormalEquations motion_equations(const Law& law, const Parameters& parameters, const Record& record,
                                  double h);
+
+/// The rest that dry friction brings a motion to.
+struct Rest {
+  std::size_t first = 0;    ///< sample from which it is at rest; the number of samples where it never is
+  int half_swings = 0;      ///< before it
+  double position = 0;      // [unit] from the equilibrium
+  Parameters derivative{};  ///< of the position, in the order of fitted_parameters(law)
+};
+Rest rest_of(const Law& law, const Parameters& parameters, const Record& record, double h);
 
 /// Velocity at time t (from t0, where the motion starts) and its derivatives in the order of
 /// fitted_parameters(law).

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "cromer/identify/kink.h"
+
 namespace cromer {
 namespace {
 
@@ -63,51 +65,45 @@ std::vector<Window> windows_of(const Record& record, double period) {
   return windows;
 }
 
-// The mean rate at which the amplitude falls while it is between two shares of the top, from window k on; 0
-// where it does not get there.
-double fall(const std::vector<Window>& windows, std::size_t k, double top, double from, double to) {
-  while (k < windows.size() && windows[k].amplitude > from * top) ++k;
-  const std::size_t begin = k;
-  while (k < windows.size() && windows[k].amplitude > to * top) ++k;
-  if (k >= windows.size() || k == begin) return 0;
-  return (windows[begin].amplitude - windows[k].amplitude) / (windows[k].from - windows[begin].from);
-}
-
-// A drive that stops.
+// A drive that stops: the amplitude, risen or level, has a kink and then only falls.
 std::optional<FreePart> after_the_drive(const std::vector<Window>& windows, double period) {
+  constexpr double least_fall = 0.08, least_duration = 8;  // of the top; [periods]
   double top = 0;
-  std::size_t stop = 0, rises = 0;
-  for (std::size_t k = 0; k < windows.size(); ++k) top = std::max(top, windows[k].amplitude);
-  while (rises < windows.size() && windows[rises].amplitude < 0.9 * top) ++rises;
-  // The last windows that the drive keeps at their level.
-  for (std::size_t k = windows.size(); k-- > 0;)
-    if (windows[k].amplitude >= 0.9 * top) {
-      stop = k;
-      break;
+  for (const Window& window : windows) top = std::max(top, window.amplitude);
+  // From where it is about level to where little is left: in between the fall has one curvature.
+  std::size_t first = 0, last = 0;
+  while (first < windows.size() && windows[first].amplitude < 0.95 * top) ++first;
+  while (last < windows.size() && (last <= first || windows[last].amplitude > 0.25 * top)) ++last;
+  // Means of neighbours, so that there are some 200 at most.
+  const std::size_t each = 1 + (last - first) / 200;
+  std::vector<double> t, amplitude;
+  for (std::size_t k = first; k + each <= last; k += each) {
+    double middle = 0, sum = 0;
+    for (std::size_t i = k; i < k + each; ++i) {
+      middle += 0.5 * (windows[i].from + windows[i].to) / static_cast<double>(each);
+      sum += windows[i].amplitude / static_cast<double>(each);
     }
-  if (stop <= rises || windows[stop].from - windows[rises].from < 6 * period) return std::nullopt;
-  while (stop > rises && windows[stop].amplitude < 0.98 * top) --stop;
-
-  // Free from the start, it falls as fast before this moment as after it.
-  const double before = (windows[rises].amplitude - windows[stop].amplitude) /
-                        std::max(period, windows[stop].from - windows[rises].from);
-  const double after = fall(windows, stop, top, 0.95, 0.7);
-  if (!(after > 0) || before > 0.2 * after) return std::nullopt;
-  // A beat begins to fall slowly, what is let go falls fastest at first.
-  const double later = fall(windows, stop, top, 0.6, 0.4);
-  if (!(later > 0) || after < 0.7 * later) return std::nullopt;
-  // It must fall for good, and further than it ever did while it was driven.
-  double lowest = top, lowest_driven = top;
-  for (std::size_t k = stop; k < windows.size(); ++k) {
-    if (windows[k].amplitude > lowest + 0.1 * top) return std::nullopt;
-    lowest = std::min(lowest, windows[k].amplitude);
+    t.push_back(middle);
+    amplitude.push_back(sum);
   }
-  for (std::size_t k = rises; k <= stop; ++k) lowest_driven = std::min(lowest_driven, windows[k].amplitude);
-  if (lowest > 0.7 * lowest_driven || windows.back().to - windows[stop].to < 5 * period) return std::nullopt;
-  const double from = windows[stop].to;
-  return FreePart{from, fmt::format("the amplitude {} until {:.4g} s and only falls from there, as where a "
-                                    "drive stops",
-                                    rises > 4 ? "rises and stays level" : "stays level", from)};
+  const std::optional<Kink> kink = find_kink(t, amplitude);
+  if (!kink || !(kink->after < 0) || kink->before < 0.15 * kink->after) return std::nullopt;
+  if (kink->t - t.front() < least_duration * period || windows.back().to - kink->t < least_duration * period)
+    return std::nullopt;
+  // It stays level before, and falls for good.
+  double driven = HUGE_VAL, lowest = top;
+  for (std::size_t k = first; k < windows.size(); ++k) {
+    const Window& window = windows[k];
+    if (0.5 * (window.from + window.to) < kink->t) driven = std::min(driven, window.amplitude);
+    if (window.from < kink->t) continue;
+    if (window.amplitude > lowest + 0.3 * least_fall * top) return std::nullopt;
+    lowest = std::min(lowest, window.amplitude);
+  }
+  if (driven - lowest < least_fall * top) return std::nullopt;
+  const double from = kink->t + period;
+  return FreePart{from, fmt::format("the amplitude stays level until {:.4g} s and only falls from there, as "
+                                    "where a drive stops",
+                                    kink->t)};
 }
 
 // Held still, displaced or at rest.

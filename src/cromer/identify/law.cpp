@@ -1,8 +1,8 @@
 #include "cromer/identify/law.h"
 
 #include <array>
-#include <cctype>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 
 namespace cromer {
@@ -18,12 +18,6 @@ constexpr std::array<Term, 5> terms{{{"viscous", &Law::viscous},
                                      {"friction", &Law::friction},
                                      {"cubic", &Law::cubic},
                                      {"pendulum", &Law::pendulum}}};
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
-  return text;
-}
 
 Error unknown_term(std::string_view term) {
   constexpr std::array<std::string_view, 6> names{"viscous", "drag", "friction", "cubic", "pendulum", "auto"};

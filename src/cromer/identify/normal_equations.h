@@ -12,6 +12,13 @@ inline constexpr int max_parameters = 12;
 
 using Parameters = std::array<double, max_parameters>;
 
+/// Which parameters take part in a solution: all.
+inline constexpr std::array<bool, max_parameters> all_free = [] {
+  std::array<bool, max_parameters> all{};
+  all.fill(true);
+  return all;
+}();
+
 /// JᵀJ and Jᵀr of a model with Jacobian J = d(model)/d(parameter) and residuals r = data - model; the first
 /// `size` rows and columns count.
 struct NormalEquations {
@@ -87,9 +94,7 @@ class ScaledCholesky {
 
 /// Inverse of the first `size` rows and columns; all infinite where the matrix is singular to rounding.
 inline SquareMatrix inverse(const SquareMatrix& matrix, int size) {
-  std::array<bool, max_parameters> all{};
-  all.fill(true);
-  const ScaledCholesky factor(matrix, size, 0, all);
+  const ScaledCholesky factor(matrix, size, 0, all_free);
   SquareMatrix result{};
   for (int j = 0; j < size; ++j) {
     Parameters unit{};

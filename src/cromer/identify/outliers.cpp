@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/median.h"
+
 namespace cromer {
 namespace {
 
 constexpr double normal = 1.4826;            // standard deviation over median absolute deviation
 constexpr std::size_t neighbours = 10;       // on either side
 constexpr std::size_t enough_values = 4096;  // for a scale known to 2 %
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Median and robust standard deviation.
 struct Spread {
@@ -23,9 +19,9 @@ struct Spread {
 
 Spread spread_of(std::vector<double>& values) {
   Spread spread;
-  spread.centre = median(values);
+  spread.centre = upper_median(values);
   for (double& value : values) value = std::abs(value - spread.centre);
-  spread.deviation = normal * median(values);
+  spread.deviation = normal * upper_median(values);
   return spread;
 }
 

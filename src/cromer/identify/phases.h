@@ -46,7 +46,8 @@ Real velocity_within(const DormandPrince::Memory<Real>& step, double h, double s
          a1 * step.acceleration_to;
 }
 
-/// A smooth system's motion. step(t, h) takes a step of h and returns its length; last() are its ends.
+/// A smooth system's motion. step(t, h) takes a step of h and returns its length; last() are its ends,
+/// direction() is the sign of the velocity between them, 0 at rest.
 template <class System, class Real>
 class SmoothPhases {
  public:
@@ -58,6 +59,7 @@ class SmoothPhases {
     return h;
   }
   const DormandPrince::Memory<Real>& last() const { return last_; }
+  int direction() const { return value_of(last_.from.v + last_.to.v) < 0 ? -1 : 1; }
   Real acceleration(double t, const Real& x, const Real& v) const { return system_.acceleration(t, x, v); }
 
  private:
@@ -105,6 +107,7 @@ class StickSlipPhases {
     return h;
   }
   const DormandPrince::Memory<Real>& last() const { return last_; }
+  int direction() const { return direction_; }
   Real acceleration(double t, const Real& x, const Real& v) const {
     return direction_ == 0 ? Real(0) : system_.sliding(direction_).acceleration(t, x, v);
   }
@@ -149,7 +152,11 @@ class Seen {
   Seen(const Phases& phases, double t, double length, double share)
       : phases_(phases), t_(t), length_(length), share_(share) {}
 
-  auto x() const { return displacement_within(phases_.last(), length_, share_); }
+  int direction() const { return phases_.direction(); }
+  auto x() const {
+    return phases_.direction() == 0 ? phases_.last().to.x
+                                    : displacement_within(phases_.last(), length_, share_);
+  }
   auto v() const { return velocity_within(phases_.last(), length_, share_); }
   auto a() const { return phases_.acceleration(t_, x(), v()); }
 

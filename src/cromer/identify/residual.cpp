@@ -58,6 +58,29 @@ struct Autoregression {
       response -= coefficients[k] * std::polar(1.0, -static_cast<double>(k + 1) * angle);
     return innovation / std::norm(response);
   }
+
+  // Variance of the logarithm of that density, estimated from so many samples: those of the innovation and of
+  // the coefficients, whose covariance is the inverse of the Toeplitz matrix of autocovariances times
+  // innovation over samples. I. Gohberg & A. Semencul give that inverse as A Aᵀ - B Bᵀ, triangular both.
+  double log_variance(double angle, double samples) const {
+    const std::size_t p = coefficients.size();
+    std::complex<double> response = 1;
+    for (std::size_t k = 0; k < p; ++k)
+      response -= coefficients[k] * std::polar(1.0, -static_cast<double>(k + 1) * angle);
+    std::vector<double> slope(p);
+    for (std::size_t k = 0; k < p; ++k)
+      slope[k] = 2 * (std::polar(1.0, -static_cast<double>(k + 1) * angle) / response).real();
+    double form = 0;
+    for (std::size_t j = 0; j < p; ++j) {
+      double a = slope[j], b = 0;
+      for (std::size_t i = j; i < p; ++i) {
+        if (i > j) a -= slope[i] * coefficients[i - j - 1];
+        b += slope[i] * coefficients[p - 1 - (i - j)];
+      }
+      form += a * a - b * b;
+    }
+    return (2 + form) / samples;
+  }
 };
 
 // The Yule-Walker solution (Levinson-Durbin recursion) of the best order up to `most` < rho.size().
@@ -148,6 +171,10 @@ double correlation_factor(std::span<const double> r, double phase_step) {
 }
 
 double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
+  return correlation(r, rho, phase_step).factor;
+}
+
+Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
   const std::size_t most = std::min<std::size_t>(512, r.size() / 4);
   Autoregression model = autoregression(rho, r.size(), std::min(rho.size() - 1, most));
   // An order near the most that was tried may not be enough.
@@ -155,7 +182,8 @@ double correlation_factor(std::span<const double> r, const std::vector<double>& 
     tried = std::min(4 * tried, most);
     model = autoregression(autocorrelations(r, tried), r.size(), tried);
   }
-  return std::max(1.0, model.density(phase_step));
+  const double n = static_cast<double>(r.size()), factor = std::max(1.0, model.density(phase_step));
+  return {factor, std::min(n / factor, 2 / model.log_variance(phase_step, n))};
 }
 
 }  // namespace cromer

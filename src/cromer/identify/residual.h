@@ -33,6 +33,14 @@ double correlation_factor(std::span<const double> r, double phase_step);
 /// The same, given autocorrelations(r, first_lags(r.size())).
 double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step);
 
+/// That factor, and how well it is known: degrees of freedom of the variance that it makes, no more than
+/// there are independent samples. From two over the variance of the density's logarithm (E. Parzen, IEEE
+/// Trans. Autom. Control 19, 723 (1974)): strong correlations leave few at frequency 0.
+struct Correlation {
+  double factor = 1, degrees = 0;
+};
+Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step);
+
 /// As many lags as white residuals need.
 std::size_t first_lags(std::size_t samples);
 

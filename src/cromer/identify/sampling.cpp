@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/median.h"
+
 namespace cromer {
 namespace {
 
@@ -13,9 +15,7 @@ double median_step(std::span<const double> t) {
   if (farthest < 1e-6 * mean) return mean;  // equal steps to rounding: the mean is the more accurate
   std::vector<double> steps(t.size() - 1);
   for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
+  return upper_median(steps);
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "cromer/analysis/spectrum.h"
+#include "cromer/base/median.h"
 #include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/fit_settings.h"
 
 namespace cromer {
 namespace {
@@ -50,10 +52,7 @@ double median_around(const std::vector<double>& a, std::size_t k, std::size_t re
   std::vector<double> around;
   for (std::size_t i = k > reach ? k - reach : 1; i < std::min(a.size(), k + reach + 1); ++i)
     if (i + 4 < k || i > k + 4) around.push_back(a[i]);
-  if (around.empty()) return 0;
-  const auto middle = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 2);
-  std::nth_element(around.begin(), middle, around.end());
-  return *middle;
+  return around.empty() ? 0 : upper_median(around);
 }
 
 // Amplitude at the first sample and decay rate of one line.
@@ -79,26 +78,22 @@ std::string name_of(const ResidualLine& line) {
   return "a second mode, as of a coupled or a sideways swing, or something that shakes the mount";
 }
 
-}  // namespace
+// How far the skirts of a line reach on either side, [rad/s].
+double skirt_of(double duration, const FreeDecay& fit) {
+  return 4 * std::max(two_pi / duration, fit.decay_rate.value);
+}
 
-std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& fit) {
-  const std::size_t n = std::min(record.t.size(), most_samples);
-  if (n < 64 || fit.status != FitStatus::converged) return {};
-  Record part = record;
-  part.t = record.t.first(n);
-  part.y = record.y.first(n);
-  const std::vector<double> r = motion_residuals(fit.motion(), part, fit.step);
-  if (r.size() != n) return {};
-  const double duration = part.t.back() - part.t.front(), h = duration / static_cast<double>(n - 1);
-  const std::vector<double> values = even(part.t, r, h);
+// The lines that stand out of a spectrum of the residuals at even times, over `duration` [s], and are not the
+// swing's own.
+std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, double duration,
+                                   const FreeDecay& fit) {
   const Spectrum spectrum = amplitude_spectrum(values, h);
   const std::vector<double>& a = spectrum.amplitude;
-
   double power = 0;
-  for (const double value : values) power += value * value / static_cast<double>(n);
+  for (const double value : values) power += value * value / static_cast<double>(values.size());
   const Band own = own_band(fit);
   const double resolution = two_pi / duration;
-  const double skirt = 4 * std::max(resolution, fit.decay_rate.value);
+  const double skirt = skirt_of(duration, fit);
   const auto bins = static_cast<std::size_t>(std::max(1.0, std::round(resolution / spectrum.step)));
 
   std::vector<ResidualLine> lines;
@@ -119,10 +114,24 @@ std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& 
         line.harmonic = multiple;
     lines.push_back(line);
   }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& fit) {
+  const std::size_t n = std::min(record.t.size(), most_samples);
+  if (n < 64 || fit.status != FitStatus::converged) return {};
+  const Record part = first_part(record, n);
+  const std::vector<double> r = motion_residuals(fit.motion(), part, fit.step);
+  if (r.size() != n) return {};
+  const double duration = part.t.back() - part.t.front(), h = duration / static_cast<double>(n - 1);
+  std::vector<ResidualLine> lines = lines_of(even(part.t, r, h), h, duration, fit);
   std::sort(lines.begin(), lines.end(), [](const ResidualLine& one, const ResidualLine& other) {
     return one.amplitude > other.amplitude;
   });
   // The skirts of a strong line are none of their own.
+  const double skirt = skirt_of(duration, fit);
   std::vector<ResidualLine> distinct;
   for (const ResidualLine& line : lines) {
     const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const ResidualLine& stronger) {

@@ -72,7 +72,7 @@ Samples group_means(const Record& record, std::size_t groups) {
   return means;
 }
 
-// Every so manieth sample, few enough for a grid search and at least eight a period.
+// One sample in so many, few enough for a grid search and at least eight a period.
 Samples thinned(const Samples& all, double w) {
   const double h = all.duration() / static_cast<double>(all.t.size() - 1);
   const auto most = static_cast<std::size_t>(std::max(1.0, two_pi / (8 * w * h)));
@@ -101,10 +101,6 @@ GridPoint search(const DampedPhasor& model, double duration, double w_low, doubl
   }
   return best;
 }
-
-}  // namespace
-
-namespace {
 
 double step_of(const Samples& samples) {
   return samples.duration() / static_cast<double>(samples.t.size() - 1);

@@ -115,6 +115,7 @@ AxisRange y_range(const Panel& panel, const AxisRange& x) {
   const bool logarithmic = panel.y.logarithmic;
   Extent e;
   for (const Curve& curve : panel.curves) {
+    if (!curve.sets_axes) continue;
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
       if (curve.x[i] >= x.low && curve.x[i] <= x.high) e.take(curve.y[i], logarithmic);
     }

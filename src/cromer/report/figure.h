@@ -13,8 +13,8 @@
 namespace cromer {
 
 /// How a curve's points are drawn. Dots too dense to be told apart are drawn as a band, a band that is not
-/// dense as a line.
-enum class Mark { line, dots, band };
+/// dense as a line. Crosses stand at the frame's edge where their place is outside.
+enum class Mark { line, dots, band, crosses };
 
 /// One curve. `role` says what it means and with it its colour, width and dash (palette.h): "exact",
 /// "measured", "fitted", "forward-euler", "euler-cromer", ... (any method's name), "constant-rate",
@@ -27,6 +27,7 @@ struct Curve {
   std::string remark;  ///< what it does, under the name: "grows, -0.060 1/s"
   Mark mark = Mark::line;
   bool dashed = false;
+  bool sets_axes = true;  ///< the vertical axis makes room for it
   /// Where the word's leader line points to, in data units (label_y alone is optional: the curve's own height
   /// at label_x). Without label_x the word stands outside at right, or, where names are inside, in a free
   /// place near the curve.
@@ -91,6 +92,7 @@ struct Figure {
   FigureSize size = FigureSize::single;
   std::vector<Panel> panels;
   int columns = 1;        ///< panels per row
+  std::string note;       ///< one line under the panels; "" none
   bool shared_x = false;  ///< only the lowest row writes the numbers and the name of its x axis
 };
 

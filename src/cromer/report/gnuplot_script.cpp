@@ -115,7 +115,10 @@ class Script {
       fmt::format_to(std::back_inserter(list), "{}'' {:.2f}{}", list.empty() ? "" : ", ",
                      upwards ? up(tick.at) : tick.at, tick.minor ? " 1" : "");
     }
-    line("set {}tics ({})", axis, list);
+    if (list.empty())
+      line("unset {}tics", axis);  // an empty list would be gnuplot's own choice
+    else
+      line("set {}tics ({})", axis, list);
   }
 
   void add_text(const PlacedText& text) {
@@ -144,7 +147,10 @@ class Script {
   void data(const PlacedCurve& curve, std::size_t panel, std::size_t index) {
     line("$curve_{}_{} << EOD", panel + 1, index + 1);
     for (std::size_t i = 0; i < curve.band.x.size(); ++i) {
-      line("{:.2f} {:.2f} {:.2f}", curve.band.x[i], up(curve.band.low[i]), up(curve.band.high[i]));
+      if (std::isnan(curve.band.x[i]))
+        line("");
+      else
+        line("{:.2f} {:.2f} {:.2f}", curve.band.x[i], up(curve.band.low[i]), up(curve.band.high[i]));
     }
     for (const auto& piece : curve.pieces) {
       for (const Spot& p : piece) line("{:.2f} {:.2f}", p.x, up(p.y));
@@ -195,6 +201,7 @@ class Script {
         return fmt::format("{} using 1:2 with points pt 7 ps {} lw 1 lc rgb '{}'", name,
                            terminal_of(format_).point_size, curve.colour);
       case Mark::line:
+      case Mark::crosses:
         break;
     }
     return fmt::format("{} using 1:2 with lines lc rgb '{}' lw {:.3g} dt {}", name, curve.colour, curve.width,

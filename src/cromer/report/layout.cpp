@@ -44,6 +44,14 @@ Canvas canvas_of(const Figure& figure, int rows) {
   return {760, 440, 1};
 }
 
+// a, b, ... z, aa, ab, ...
+std::string letter_of(std::size_t panel) {
+  std::string letter;
+  for (std::size_t n = panel + 1; n > 0; n = (n - 1) / 26)
+    letter.insert(letter.begin(), static_cast<char>('a' + (n - 1) % 26));
+  return letter;
+}
+
 // Panels in rows: one row after the other, each as many columns wide as it says.
 std::vector<std::vector<std::size_t>> rows_of(const Figure& figure) {
   std::vector<std::vector<std::size_t>> rows;
@@ -234,11 +242,12 @@ void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
   placed.map = std::move(drawn);
 }
 
-// Bands, then the exact road, then dots, then the rest as given.
+// Bands, then the exact road, then a fitted law, the dots it was fitted to, then the rest as given.
 int layer_of(const Curve& curve, const PlacedCurve& placed) {
   if (placed.mark == Mark::band) return 0;
   if (curve.role == "exact") return 1;
-  return placed.mark == Mark::dots || curve.role == "measured" ? 2 : 3;
+  if (curve.role == "fitted") return 2;
+  return placed.mark == Mark::dots || curve.role == "measured" ? 3 : 4;
 }
 
 PlacedPanel place_panel(Cell& cell, const Fonts& fonts) {
@@ -328,8 +337,7 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
     const bool mixed = std::any_of(rows[r].begin(), rows[r].end(),
                                    [&](std::size_t i) { return !figure.panels[i].phase_portrait; });
     for (const std::size_t i : rows[r]) {
-      const std::string letter =
-          figure.panels.size() > 1 ? std::string(1, static_cast<char>('a' + i % 26)) : "";
+      const std::string letter = figure.panels.size() > 1 ? letter_of(i) : "";
       Cell cell{
           &figure.panels[i], {0, y, canvas.width / columns, height}, lowest, letter, mixed, {}, {}, {}, {}};
       cell.box.width *= std::clamp(cell.panel->span, 1, columns);
@@ -340,6 +348,8 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
     y += height;
   }
   layout.height = y;
+  const double note_height = figure.note.empty() ? 0 : 2 * fonts.sizes.remark;
+  layout.height += note_height;
 
   // Panels below each other share their left and right edge where rows hold the same number of panels.
   for (auto& row : cells) {
@@ -361,6 +371,9 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
       layout.panels.push_back(place_panel(cells[r][c], fonts));
     }
   }
+  if (!figure.note.empty())
+    layout.panels.back().texts.push_back(text(figure.note, {edge, y + note_height / 2 - 2}, Align::left,
+                                              fonts.sizes.remark, light_surface.text_2, fonts));
   return layout;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "cromer/base/ascii.h"
 #include "cromer/report/escape.h"
 
 namespace cromer {
@@ -10,7 +11,6 @@ namespace {
 constexpr std::string_view no_break = "\u00A0";
 
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool starts_with(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
 
 // Where the run opened by `mark` before text[from] closes; npos where it does not.

@@ -15,11 +15,12 @@ constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3,
 
 // Hue is the family, dash the member. Where LOOK.md gives one colour only, the word's is darkened (lightened)
 // to 4.5:1.
-constexpr std::array<RoleStyle, 24> roles{{
+constexpr std::array<RoleStyle, 25> roles{{
     {"exact", "#8A93A0", "#5B6573", "#7F8A98", "#AAB4C0", 4, solid},
     {"measured", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 2.6, solid},
     {"fitted", "#AA4488", "#983A79", "#E08CC0", "#EBA3CF", 2, solid},
     {"drive", "#6A55C7", "#6A55C7", "#A99BF5", "#A99BF5", 1.5, solid},
+    {"set-aside", "#626C7A", "#626C7A", "#949FAE", "#949FAE", 1, solid},
     {"constant-rate", "#626C7A", "#626C7A", "#949FAE", "#949FAE", 1.5, dashes},
 
     {"forward-euler", "#D55E00", "#B84E00", "#F2803B", "#F79A60", 1.5, solid},
@@ -45,6 +46,9 @@ constexpr std::array<RoleStyle, 24> roles{{
     {"implicit-family:4", "#469F84", "#2A7560", "#2FA583", "#4DBB99", 1.5, solid},
 }};
 
+// Lines to read by, not to look at: they need no contrast.
+constexpr RoleStyle grid_line{"grid", "#D5DAE1", "#626C7A", "#323B47", "#949FAE", 0.8, solid};
+
 constexpr RoleStyle unknown{"", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 1.5, solid};
 
 }  // namespace
@@ -55,6 +59,7 @@ const RoleStyle& style_of(std::string_view role) {
   for (const RoleStyle& style : roles) {
     if (style.role == role) return style;
   }
+  if (role == grid_line.role) return grid_line;
   return unknown;
 }
 

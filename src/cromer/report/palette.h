@@ -42,7 +42,7 @@ std::string map_colour(double share);
 /// method's name.
 std::span<const RoleStyle> palette();
 
-/// The style of `role`; an unknown role is drawn in ink.
+/// The style of `role`, or of "grid", thin lines under the curves; an unknown role is drawn in ink.
 const RoleStyle& style_of(std::string_view role);
 
 }  // namespace cromer

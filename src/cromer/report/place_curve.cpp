@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <utility>
 
 #include "cromer/report/palette.h"
 
@@ -13,6 +15,7 @@ constexpr double figure_width = 1.3 / 1.5;  // a figure's curves against the pag
 constexpr double exact_width = 4.5, exact_width_phase = 3;
 constexpr double dense_dots = 4;      // per pixel column: dots cannot be told apart
 constexpr double band_columns = 6;    // columns per period from which on a band is filled
+constexpr double crosses_within = 4;  // [px] of the frame
 constexpr double far_outside = 3000;  // [px] beyond this a point is held, so that the line's direction stays
 
 bool is_dense(const std::vector<Spot>& spots) {
@@ -30,12 +33,42 @@ bool is_dense(const std::vector<Spot>& spots) {
   return thickness > 2 * static_cast<double>(band.x.size());
 }
 
+/// A band for each piece, so that none is drawn where nothing was measured.
+Band band_of_pieces(const std::vector<Spot>& spots, int columns) {
+  Band all;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& piece : unbroken(spots)) {
+    const Band band = min_max_band(piece, columns);
+    if (!all.x.empty())
+      for (auto* values : {&all.x, &all.low, &all.high}) values->push_back(none);
+    all.x.insert(all.x.end(), band.x.begin(), band.x.end());
+    all.low.insert(all.low.end(), band.low.begin(), band.low.end());
+    all.high.insert(all.high.end(), band.high.begin(), band.high.end());
+  }
+  return all;
+}
+
+/// Two strokes for each spot; one cross for all that would cover each other.
+std::vector<std::vector<Spot>> crosses(const std::vector<Spot>& spots) {
+  constexpr double reach = 2.2;  // [px]
+  std::vector<std::vector<Spot>> strokes;
+  std::set<std::pair<long, long>> taken;
+  for (const Spot& p : spots) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    if (!taken.emplace(std::lround(p.x / reach), std::lround(p.y / reach)).second) continue;
+    strokes.push_back({{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}});
+    strokes.push_back({{p.x - reach, p.y + reach}, {p.x + reach, p.y - reach}});
+  }
+  return strokes;
+}
+
 }  // namespace
 
 std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRange& y) {
   const std::size_t n = std::min(curve.x.size(), curve.y.size());
   std::vector<Spot> spots(n);
-  const double low_y = std::min(y.from, y.to) - far_outside, high_y = std::max(y.from, y.to) + far_outside;
+  const double beyond = curve.mark == Mark::crosses ? -crosses_within : far_outside;
+  const double low_y = std::min(y.from, y.to) - beyond, high_y = std::max(y.from, y.to) + beyond;
   const double low_x = std::min(x.from, x.to) - far_outside, high_x = std::max(x.from, x.to) + far_outside;
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (std::size_t i = 0; i < n; ++i) {
@@ -56,12 +89,17 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool
   placed.width = curve.role == "exact" ? (phase ? exact_width_phase : exact_width)
                                        : style.width * (alone ? 1 : figure_width);
   placed.mark = curve.mark;
+  if (curve.mark == Mark::crosses) {
+    placed.mark = Mark::line;
+    placed.pieces = crosses(spots);
+    return placed;
+  }
   if (curve.mark != Mark::line) {
     const double columns = columns_per_period(spots);
     const bool dense = is_dense(spots);
     if (dense && columns <= band_columns) {
       placed.mark = Mark::band;
-      placed.band = min_max_band(spots, std::max(1, static_cast<int>(std::ceil(columns)) + 1));
+      placed.band = band_of_pieces(spots, std::max(1, static_cast<int>(std::ceil(columns)) + 1));
       return placed;
     }
     if (curve.mark == Mark::band || dense) {

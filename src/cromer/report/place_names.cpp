@@ -106,6 +106,7 @@ void draw_on(Occupancy& drawn, const PlacedCurve& curve) {
     }
   }
   for (std::size_t i = 0; i < curve.band.x.size(); ++i) {
+    if (std::isnan(curve.band.x[i])) continue;
     drawn.add_box({curve.band.x[i], std::min(curve.band.low[i], curve.band.high[i]), 1,
                    std::abs(curve.band.high[i] - curve.band.low[i])});
   }
@@ -126,8 +127,12 @@ void place_outside(Words& words, const PlacedPanel& placed, const Panel& panel,
     heights.push_back(block.height);
     gaps.push_back(panel.curves[i].remark.empty() ? 0 : 6);
   }
+  // Beside the plot where there is room for all, not beside what stands below it.
+  double needed = 0;
+  for (std::size_t i = 0; i < blocks.size(); ++i) needed += heights[i] + gaps[i];
+  const double top = std::max(cell.y, placed.frame.y - 6), beside = placed.frame.bottom() + 2;
   const std::vector<double> placed_at =
-      spread(centres, heights, gaps, std::max(cell.y, placed.frame.y - 6), cell.bottom());
+      spread(centres, heights, gaps, top, needed <= beside - top ? beside : cell.bottom());
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     words.put(blocks[i],
               {placed.frame.right() + off, placed_at[i] - heights[i] / 2, blocks[i].width, heights[i]},
@@ -239,9 +244,9 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
       } else if (in_order[i].mark == Mark::band && !curve.label_x) {
         const Band& band = in_order[i].band;
         const double middle_x = frame.x + frame.width / 2;
-        const auto column = static_cast<std::size_t>(
-            std::lower_bound(band.x.begin(), band.x.end(), middle_x) - band.x.begin());
-        const std::size_t k = std::min(column, band.x.size() - 1);
+        std::size_t k = 0;  // the column nearest to the middle
+        for (std::size_t column = 0; column < band.x.size(); ++column)
+          if (std::abs(band.x[column] - middle_x) < std::abs(band.x[k] - middle_x)) k = column;
         const Box box{middle_x - block.width / 2, (band.low[k] + band.high[k]) / 2 - block.height / 2,
                       block.width, block.height};
         words.put(block, box, Align::centre, true);

@@ -51,6 +51,31 @@ std::vector<std::vector<Spot>> unbroken(std::span<const Spot> points) {
   return pieces;
 }
 
+std::vector<std::size_t> extremes(std::span<const double> x, std::span<const double> y, std::size_t columns) {
+  const std::size_t n = x.size();
+  std::vector<std::size_t> kept;
+  if (n <= 4 * columns || n == 0) {
+    for (std::size_t i = 0; i < n; ++i) kept.push_back(i);
+    return kept;
+  }
+  const double width = (x[n - 1] - x[0]) / static_cast<double>(columns);
+  const auto column_of = [&](std::size_t i) { return std::floor((x[i] - x[0]) / width); };
+  for (std::size_t begin = 0; begin < n;) {
+    if (!std::isfinite(x[begin]) || !std::isfinite(y[begin])) {
+      kept.push_back(begin++);
+      continue;
+    }
+    std::size_t end = begin + 1, low = begin, high = begin;
+    for (; end < n && std::isfinite(y[end]) && column_of(end) == column_of(begin); ++end) {
+      if (y[end] < y[low]) low = end;
+      if (y[end] > y[high]) high = end;
+    }
+    for (const std::size_t i : std::set<std::size_t>{begin, low, high, end - 1}) kept.push_back(i);
+    begin = end;
+  }
+  return kept;
+}
+
 std::vector<Spot> thin_line(std::span<const Spot> piece, double tolerance) {
   const std::vector<Spot> points =
       never_goes_back(piece) ? peaks_of_columns(piece) : std::vector<Spot>(piece.begin(), piece.end());
@@ -126,12 +151,16 @@ Band min_max_band(std::span<const Spot> points, int columns) {
 }
 
 double columns_per_period(std::span<const Spot> points) {
-  double low = std::numeric_limits<double>::infinity(), high = -low, left = low, right = high, sum = 0;
+  double low = std::numeric_limits<double>::infinity(), high = -low, sum = 0;
+  double columns = 0;  // without the gaps
   std::size_t count = 0;
+  const Spot* before = nullptr;
   for (const Spot& p : points) {
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    const bool finite = std::isfinite(p.x) && std::isfinite(p.y);
+    if (finite && before) columns += std::abs(p.x - before->x);
+    before = finite ? &p : nullptr;
+    if (!finite) continue;
     low = std::min(low, p.y), high = std::max(high, p.y);
-    left = std::min(left, p.x), right = std::max(right, p.x);
     sum += p.y;
     ++count;
   }
@@ -144,7 +173,7 @@ double columns_per_period(std::span<const Spot> points) {
     if (now != 0 && side != 0 && now != side) ++crossings;
     if (now != 0) side = now;
   }
-  return crossings < 2 ? std::numeric_limits<double>::infinity() : 2 * (right - left) / crossings;
+  return crossings < 2 ? std::numeric_limits<double>::infinity() : 2 * columns / crossings;
 }
 
 }  // namespace cromer

@@ -25,6 +25,11 @@ std::vector<Spot> thin_line(std::span<const Spot> piece, double tolerance = 0.08
 /// One dot per quarter pixel: what lies under another dot is left out.
 std::vector<Spot> thin_dots(std::span<const Spot> dots);
 
+/// Indices of the samples that a picture of so many columns needs: of each column the first, the lowest, the
+/// highest and the last one, in order; all where they are no more than four a column. `x` does not go back;
+/// what is not finite is kept, as it breaks the line.
+std::vector<std::size_t> extremes(std::span<const double> x, std::span<const double> y, std::size_t columns);
+
 /// A filled band: lowest and highest y at each x.
 struct Band {
   std::vector<double> x, low, high;
@@ -34,8 +39,8 @@ struct Band {
 /// the next column.
 Band min_max_band(std::span<const Spot> points, int columns);
 
-/// How many pixel columns one period of the signal takes: from the crossings of its middle; infinite where it
-/// never crosses.
+/// How many pixel columns one period of the signal takes: from the crossings of its middle, gaps left out;
+/// infinite where it never crosses.
 double columns_per_period(std::span<const Spot> points);
 
 }  // namespace cromer

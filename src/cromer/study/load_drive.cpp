@@ -12,8 +12,9 @@ Result<void> load_drive(SimulateOptions& options, const std::string& folder) {
   if (file.empty()) return {};
   const auto bytes = read_file((std::filesystem::path(folder) / file).string());
   if (!bytes) return Error{(ground ? "--base-motion: " : "--drive-file: ") + bytes.error().message};
-  auto record =
-      read_drive_record(*bytes, file, ground ? "acceleration" : "force", options.drive_column, options.read);
+  auto record = read_drive_record(
+      *bytes, file, {.quantity = ground ? "acceleration" : "force", .column = options.drive_column},
+      options.read);
   if (!record) return record.error();
   options.drive_record = *std::move(record);
   return {};

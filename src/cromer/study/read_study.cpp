@@ -9,9 +9,8 @@
 namespace cromer {
 namespace {
 
-constexpr std::string_view commands[] = {"simulate",  "fit",         "compare",
-                                         "resonance", "local_error", "difference",
-                                         "method_map", "work_precision"};
+constexpr std::string_view commands[] = {"simulate",    "fit",        "compare",    "resonance",
+                                         "local_error", "difference", "method_map", "work_precision"};
 
 /// Reads one table with a function that asks a TomlReader for its keys.
 template <class Read>
@@ -50,8 +49,9 @@ TaskSpec read_task(TomlReader& toml) {
       task.command = with_hyphens(std::string(command));
       task.id = toml.text(command);
     }
+  task.shows = toml.text("shows");
   for (const std::string& key : toml.keys()) {
-    if (with_hyphens(key) == task.command) continue;
+    if (with_hyphens(key) == task.command || key == "shows") continue;
     task.settings.push_back({with_hyphens(key), toml.values(key), toml.place_of_key(key)});
   }
   return task;

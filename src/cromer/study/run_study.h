@@ -16,6 +16,7 @@ namespace cromer {
 struct StudyRun {
   Results results;
   std::vector<std::string> warnings;
+  std::vector<std::string> shown;  ///< warnings that are what their task is to show
   std::string failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why;
                         ///< the study ended there
 };
@@ -29,7 +30,8 @@ struct TaskReport {
 /// Called before each task with what it is ("fit two") and the share done.
 using StudyProgress = std::function<void(const std::string& what, double fraction)>;
 
-/// Bad input is an Error that names the place in the study file.
+/// Bad input is an Error that names the place in the study file. What is wrong about a run is said to
+/// watch.warn before it begins, and is among the warnings at the end as well.
 Result<StudyRun> run_study(const Study& study, const Watch& watch = {}, const StudyProgress& progress = {});
 
 /// Runs one task and adds what it found under its id.

@@ -36,6 +36,7 @@ struct TaskSpec {
                         ///< work-precision, difference
   std::string id;       ///< what its results are called
   std::vector<Setting> settings;
+  std::string shows;  ///< part of a warning that is what the task is to show; "" where none is
   Place place;
 };
 

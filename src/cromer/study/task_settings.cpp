@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cromer/base/nearest.h"
+#include "cromer/study/task/option_owner.h"
 #include "cromer/study/text.h"
 
 namespace cromer {
@@ -19,7 +20,10 @@ Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Op
   for (const Option& option : options) names.push_back(option.name);
   const std::string near = nearest(setting.option, names);
   std::string message = "\"" + as_key(setting.option) + "\" is no option of " + task.command;
-  if (!near.empty()) message += "; did you mean \"" + as_key(near) + "\"?";
+  if (const std::string_view owner = option_owner(setting.option); !owner.empty())
+    message += "; it is one of " + std::string(owner);
+  else if (!near.empty())
+    message += "; did you mean \"" + as_key(near) + "\"?";
   return setting.place.error(message);
 }
 

@@ -57,7 +57,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
 
   auto run = run_study(*study, watch, progress);
   if (!run) return run.error();
-  WrittenReport written{"", {}, run->warnings, run->failure};
+  WrittenReport written{"", {}, run->warnings, run->shown, run->failure};
   if (!run->failure.empty()) return written;
   if (progress) progress("figures", 1);
   const auto figures = draw_figures(*study, run->results, watch);

@@ -14,6 +14,7 @@ struct WrittenReport {
   std::string index;                 ///< path of index.html; empty if a task failed
   std::vector<std::string> figures;  ///< paths
   std::vector<std::string> warnings;
+  std::vector<std::string> shown;  ///< warnings that are what the study is to show
   std::string failure;  ///< which task did not succeed, where in the study, and why; then nothing was written
 };
 

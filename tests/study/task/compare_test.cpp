@@ -3,6 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "cromer/identify/free_motion.h"
 #include "cromer/methods/all.h"
 #include "tests/study/task/disc_recording.h"
 
@@ -136,6 +141,137 @@ TEST(CompareTask, ARunThatDivergesIsAWarning) {
   ASSERT_EQ(result.curves.size(), 2u);
   EXPECT_TRUE(std::isnan(result.curves[1].rms));
   EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("not_finite")));
+}
+
+// A motion of one law, sampled 100 times a second with noise.
+Series recording_of(const MotionParameters& law, double duration, double noise, const char* quantity) {
+  Series series;
+  series.column = "x";
+  series.quantity = quantity;
+  series.rate = 100;
+  for (int i = 0; i <= static_cast<int>(100 * duration); ++i) series.t.push_back(i / 100.0);
+  std::mt19937_64 engine(11);
+  std::normal_distribution<double> normal(0, noise);
+  for (const double x : free_motion(law, series.t, 1e-3).x)
+    series.y.push_back(law.equilibrium + x + normal(engine));
+  series.lines.resize(series.t.size());
+  return series;
+}
+
+TEST(CompareTask, SamplesThatFitSetsAsideCountNowhere) {
+  Series series = disc_recording(4, 30);
+  for (std::size_t i = 100; i < series.y.size(); i += 400)
+    for (std::size_t k = i; k < i + 4; ++k) series.y[k] = 0;
+  series.y[333] = 1;
+  CompareOptions options;
+  options.fit.law = "viscous+drag";
+  options.method = "rk4";
+  const CompareResult result = compared(series, options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
+  EXPECT_GT(result.curves[1].r_squared, 0.999);
+  EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("set aside")));
+  EXPECT_EQ(result.curves[1].trajectory.size(), series.t.size());
+}
+
+TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
+  // A third of the sample spacing: Euler-Cromer's own frequency is higher by (w h)²/24 and, at a decay rate
+  // b, by b h/2; what it calls the position is half a step ahead. The mean of b is that of the envelope's
+  // closed form.
+  CompareOptions options;
+  options.fit.law = "viscous+drag";
+  const CompareResult result = compared(disc_recording(), options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  const ComparedCurve& law = result.curves[1];
+  const double w = std::sqrt(17.04 / 0.2176), h = 0.01 / 3;
+  EXPECT_NEAR(law.step, h, 1e-12);
+  EXPECT_NEAR(law.law_rms, 3e-4, 0.1e-4);
+  EXPECT_GT(law.rms, 1.5 * law.law_rms);
+  const double g = 0.000789 / (2 * 0.2176), q = 4 * 0.02043 * w / (3 * std::numbers::pi * 0.2176);
+  const double shrunk = std::exp(-g * 120) / (1 + q * 0.036 / g * (1 - std::exp(-g * 120)));
+  const double b = -std::log(shrunk) / 120;
+  EXPECT_NEAR(law.method_phase, w * (w * w * h * h / 24 + b * h / 2) * 120 + w * h / 2, 5e-4);
+  const std::string sentence = explanation(result);
+  EXPECT_THAT(sentence, HasSubstr("with viscous+drag 0.00030"));
+  EXPECT_THAT(sentence, HasSubstr("Simulated by euler-cromer in steps of 0.00333"));
+  EXPECT_THAT(sentence, HasSubstr("the method adds a phase of 0.069"));
+}
+
+TEST(CompareTask, AStepTooLongForTheMethodIsNoWordOnTheLaw) {
+  CompareOptions options;
+  options.fit.law = "viscous";
+  options.step = 100;
+  const CompareResult result = compared(disc_recording(4, 20), options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_TRUE(result.curves[0].diverged);
+  EXPECT_THAT(explanation(result), HasSubstr("the motion runs away"));
+}
+
+TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
+  // The amplitude falls by 4 f/w² a cycle: it rests after 8 of them, 10 s.
+  const MotionParameters cart{
+      .angular_frequency = 5, .decay_rate = 0.01, .friction = 0.08, .equilibrium = 0, .position = 0.1};
+  const Series series = recording_of(cart, 30, 3e-4, "position");
+  CompareOptions options;
+  options.fit.law = "viscous+friction";
+  for (const char* method : {"rk4", "exact"}) {
+    options.method = method;
+    const CompareResult result = compared(series, options);
+    ASSERT_EQ(result.curves.size(), 2u);
+    for (const ComparedCurve& curve : result.curves) {
+      EXPECT_TRUE(curve.measured_at_rest);
+      EXPECT_TRUE(std::isnan(curve.amplitude_ratio_end));
+      EXPECT_TRUE(std::isnan(curve.phase_drift));
+    }
+    EXPECT_TRUE(result.curves[1].at_rest);
+    EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
+    EXPECT_THAT(explanation(result), HasSubstr("swings where the measured motion has died down"));
+  }
+}
+
+TEST(CompareTask, APendulumIsSimulatedAsOne) {
+  const MotionParameters pendulum{
+      .angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
+  CompareOptions options;
+  options.fit.law = "viscous+pendulum";
+  options.method = "rk4";
+  const CompareResult result = compared(recording_of(pendulum, 60, 0.005, "angle"), options);
+  ASSERT_EQ(result.curves.size(), 2u) << result.recording.fit.message;
+  EXPECT_EQ(result.curves[1].label, "viscous+pendulum");
+  EXPECT_NEAR(result.curves[1].rms, 0.005, 0.0003);
+  EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
+  EXPECT_GT(result.curves[0].rms, 0.1);
+}
+
+TEST(CompareTask, ProgressNeverGoesBack) {
+  std::string file = "Time (s),Position (m),Run 2: Position (m)\n";
+  const Series series = disc_recording(4, 20);
+  for (std::size_t i = 0; i < series.t.size(); ++i)
+    file += std::to_string(series.t[i]) + "," + std::to_string(series.y[i]) + "," +
+            std::to_string(series.y[i]) + "\n";
+  CompareOptions options;
+  options.fit.law = "auto";
+  options.fit.column = "Position";
+  double furthest = 0;
+  bool back = false;
+  const Watch watch{nullptr, [&](double fraction) {
+                      back = back || fraction < furthest - 1e-9;
+                      furthest = std::max(furthest, fraction);
+                    }};
+  const auto result = compare(file, "two.csv", options, watch);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_FALSE(back);
+  EXPECT_NEAR(furthest, 1, 1e-9);
+}
+
+TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
+  Series series = disc_recording(4, 30);
+  for (std::size_t i = 0; i < series.t.size(); ++i) series.y[i] += 0.002 * series.t[i];
+  const CompareResult result = compared(series, by_method("rk4"));
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("no law tried describes")));
+  EXPECT_THAT(explanation(result), HasSubstr("No verdict on the damping"));
+  EXPECT_THAT(explanation(result), testing::Not(HasSubstr("enough")));
 }
 
 }  // namespace

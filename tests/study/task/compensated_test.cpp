@@ -9,6 +9,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/study/task/run_law.h"
 #include "cromer/study/task/simulate.h"
+#include "tests/support/simulated.h"
 
 namespace cromer {
 namespace {
@@ -16,17 +17,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-SimulatedRun run(const SimulateOptions& options) {
-  auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
-  return result ? std::move(result->runs.front()) : SimulatedRun{};
-}
-
-std::string refusal(const SimulateOptions& options) {
-  const auto result = simulate(options);
-  return result ? "" : result.error().message;
-}
 
 /// x after n steps of Euler-Cromer on the undamped linear law from rest at 1: a rotation by theta a step, sin
 /// theta/2 = w h/2.

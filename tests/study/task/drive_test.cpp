@@ -11,22 +11,12 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/simulate.h"
+#include "tests/support/simulated.h"
 
 namespace cromer {
 namespace {
 
 using ::testing::HasSubstr;
-
-SimulatedRun run(const SimulateOptions& options) {
-  auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
-  return result ? std::move(result->runs.front()) : SimulatedRun{};
-}
-
-std::string refusal(const SimulateOptions& options) {
-  const auto result = simulate(options);
-  return result ? "" : result.error().message;
-}
 
 /// A recorded force of these samples.
 SimulateOptions recorded(std::vector<double> values, double spacing) {
@@ -87,7 +77,7 @@ TEST(Drive, MeetsChoprasTheoreticalHalfSine) {
 TEST(Drive, MeetsChoprasPeaksOfElCentro) {
   const std::string bytes = measured("ground-motion/elcentro_chopra.csv");
   if (bytes.empty()) GTEST_SKIP() << "no ../shared/data";
-  const auto record = read_drive_record(bytes, "elcentro_chopra.csv", "acceleration", "", {});
+  const auto record = read_drive_record(bytes, "elcentro_chopra.csv", {.quantity = "acceleration"}, {});
   ASSERT_TRUE(record.ok()) << record.error().message;
   EXPECT_EQ(record->values.size(), 1560u);
   EXPECT_NEAR(record->spacing, 0.02, 1e-12);
@@ -280,7 +270,7 @@ TEST(Drive, RefusesARecordingShorterThanTheRun) {
 
 std::string file_refusal(const std::string& bytes, const std::string& quantity = "force",
                          const ReadOptions& read = {}) {
-  const auto record = read_drive_record(bytes, "drive.csv", quantity, "", read);
+  const auto record = read_drive_record(bytes, "drive.csv", {.quantity = quantity}, read);
   return record ? "" : record.error().message;
 }
 
@@ -312,13 +302,13 @@ TEST(Drive, AFileMustBeEvenAndWhole) {
 
 TEST(Drive, AFileInItsUnits) {
   const auto record =
-      read_drive_record("Time (ms),Force (kN)\n0,1\n10,2\n20,-1\n", "drive.csv", "force", "", {});
+      read_drive_record("Time (ms),Force (kN)\n0,1\n10,2\n20,-1\n", "drive.csv", {.quantity = "force"}, {});
   ASSERT_TRUE(record.ok()) << record.error().message;
   EXPECT_THAT(record->values, ::testing::ElementsAre(1000, 2000, -1000));
   EXPECT_DOUBLE_EQ(record->spacing, 0.01);
   ReadOptions rate;
   rate.rate = 50;
-  const auto bare = read_drive_record("Force (N)\n1\n2\n3\n", "drive.csv", "force", "", rate);
+  const auto bare = read_drive_record("Force (N)\n1\n2\n3\n", "drive.csv", {.quantity = "force"}, rate);
   ASSERT_TRUE(bare.ok()) << bare.error().message;
   EXPECT_DOUBLE_EQ(bare->spacing, 0.02);
 }
@@ -326,7 +316,7 @@ TEST(Drive, AFileInItsUnits) {
 TEST(Drive, SeveralColumnsAreAsked) {
   const std::string bytes = "Time (s),Force x (N),Force y (N)\n0,1,4\n1,2,5\n2,3,6\n";
   EXPECT_THAT(file_refusal(bytes), HasSubstr("--drive-column"));
-  const auto record = read_drive_record(bytes, "drive.csv", "force", "Force y", {});
+  const auto record = read_drive_record(bytes, "drive.csv", {.quantity = "force", .column = "Force y"}, {});
   ASSERT_TRUE(record.ok()) << record.error().message;
   EXPECT_EQ(record->values.front(), 4);
 }

@@ -1,4 +1,5 @@
 #include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/fitted_motion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include <sstream>
 
 #include "tests/identify/forced_truth.h"
+#include "tests/support/shared_data.h"
 
 namespace cromer {
 namespace {
@@ -64,7 +66,13 @@ TEST(FitForced, NamesFollowTheContract) {
   EXPECT_NEAR(result.find("stiffness")->value, 0.25 * 144, 0.3);
   EXPECT_GE(result.find("stiffness")->standard_error, 36 * 0.004 * 0.99);  // the mass's own
   EXPECT_NEAR(result.find("cubic_stiffness")->value, 500, 4 * result.find("cubic_stiffness")->standard_error);
-  EXPECT_NEAR(result.find("damping_ratio")->value, 0.35 / 12, 1e-3);
+  // At the motion's amplitude the spring is stiffer than at rest: rate over frequency there, not over 12
+  // rad/s.
+  const double ratio = result.find("damping_ratio")->value;
+  const double there = 2 * std::numbers::pi * result.find("frequency")->value / std::sqrt(1 - ratio * ratio);
+  EXPECT_NEAR(ratio * there, result.find("decay_rate")->value, 1e-9);
+  EXPECT_NEAR(ratio * there, 0.35, 0.012);
+  EXPECT_GT(there, 12.3);
   EXPECT_EQ(result.forced->motion.size(), result.series.t.size());
 }
 
@@ -199,6 +207,52 @@ TEST(FitDriven, SaysTheDrive) {
   EXPECT_THAT(result.simulate, HasSubstr(" --drive-frequency 7.5"));
 }
 
+TEST(FitDriven, AGyroscopesRecordIsOneOfAngularVelocities) {
+  // The derivative of the beats by central differences, which is theirs but for a factor near 1.
+  std::istringstream angles(beats(0.3));
+  std::string line;
+  std::getline(angles, line);
+  std::vector<double> t, x;
+  while (std::getline(angles, line)) {
+    t.push_back(std::stod(line));
+    x.push_back(std::stod(line.substr(line.find(',') + 1)));
+  }
+  std::ostringstream rates;
+  rates.precision(12);
+  rates << "Time (s),Gyro z (rad/s)\n";
+  for (std::size_t i = 1; i + 1 < t.size(); ++i)
+    rates << t[i] << ',' << (x[i + 1] - x[i - 1]) / (t[i + 1] - t[i - 1]) + 0.01 << '\n';
+  const FittedRecording result = fitted(rates.str(), {});
+  ASSERT_NE(result.find("drive_frequency"), nullptr);
+  EXPECT_NEAR(result.find("drive_frequency")->value, 7.58, 2e-3);
+  EXPECT_NEAR(result.find("angular_frequency")->value, 7.2, 1e-2);
+  EXPECT_NEAR(result.find("drive_amplitude")->value, 0.3, 0.01);
+  EXPECT_NEAR(result.find("equilibrium")->value, 0.01, 2e-3);
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("holds angular velocity: it is fitted as that")));
+}
+
+TEST(FitDriven, WritesTheMotionUnderTheDrive) {
+  FitOptions options;
+  options.drive_frequency = "1.206 Hz";
+  const FittedRecording result = fitted(beats(0.3), options);
+  const FittedMotion motion = fitted_motion(result);
+  ASSERT_EQ(motion.x.size(), result.series.t.size());
+  for (std::size_t i = 1; i + 1 < motion.x.size(); ++i) {
+    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium.value + motion.residual[i], result.series.y[i], 1e-12);
+    const double slope = (motion.x[i + 1] - motion.x[i - 1]) / (motion.t[i + 1] - motion.t[i - 1]);
+    EXPECT_NEAR(motion.v[i], slope, 0.02 * 7.58 * 0.3);
+  }
+}
+
+TEST(FitDriven, SaysWhyNothingSimulatesACurvedSpring) {
+  FitOptions options;
+  options.drive_frequency = "1.206 Hz";
+  options.law = "viscous+cubic";
+  const FittedRecording result = fitted(beats(0.3), options);
+  EXPECT_EQ(result.simulate, "");
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("no quadratic stiffness")));
+}
+
 TEST(FitDriven, IsRecognisedUnlessTheMotionIsFree) {
   const FittedRecording driven = fitted(beats(0.3), {});
   ASSERT_NE(driven.find("drive_frequency"), nullptr);
@@ -207,18 +261,6 @@ TEST(FitDriven, IsRecognisedUnlessTheMotionIsFree) {
   EXPECT_EQ(fitted(beats(0), {}).find("drive_frequency"), nullptr);
   EXPECT_EQ(fitted(beats(0.3), {.law = "viscous"}).find("drive_frequency"), nullptr);
 }
-
-std::string data(const char* name) { return std::string(CROMER_SOURCE_DIR) + "/../shared/data/" + name; }
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
-#define SKIP_WITHOUT(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here"
 
 TEST(FitForced, ForetellsTheSilverbox) {
   const std::string path = data("silverbox/silverbox_train.csv");

@@ -10,6 +10,7 @@
 
 #include "cromer/analysis/air.h"
 #include "tests/study/task/disc_recording.h"
+#include "tests/support/shared_data.h"
 
 namespace cromer {
 namespace {
@@ -225,18 +226,6 @@ TEST(FitTask, AVelocityIsFittedByTheViscousLaw) {
   EXPECT_NEAR(result.find("position")->value, 0.1, 1e-8);
 }
 
-std::string data(const char* name) { return std::string(CROMER_SOURCE_DIR) + "/../shared/data/" + name; }
-
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
-#define SKIP_WITHOUT(path) \
-  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here"
-
 TEST(FitTask, AgreesWithTheAuthorsOfTheCompactDisc) {
   const std::string path = data("spring-disc-capstone-mm/Oscillazioni non_pretensionata_cd_3e1masse.csv");
   SKIP_WITHOUT(path);
@@ -287,10 +276,6 @@ TEST(FitTask, APendulumOnFilmDecaysAsItsAuthorsSay) {
 TEST(FitTask, ARecordingWithoutOscillationIsRefused) {
   const std::string path = data("seismometer-datastudio/train2.txt");
   SKIP_WITHOUT(path);
-  FitOptions options;
-  options.column = "Voltage";
-  const auto recording = read_recording(bytes_of(path), path, {});
-  if (!recording.ok()) GTEST_SKIP() << "not read yet: " << recording.error().message;
   const auto result = fit(bytes_of(path), path, {});
   ASSERT_TRUE(result.ok()) << result.error().message;
   EXPECT_EQ(result->front().fit.status, FitStatus::no_oscillation);

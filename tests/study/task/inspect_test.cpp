@@ -99,7 +99,8 @@ TEST(Inspect, BadFilesAreErrors) {
 TEST(Inspect, TheFuzzersCorpusEndsInAnswers) {
   const auto corpus = std::filesystem::path(CROMER_SOURCE_DIR) / "tests" / "fuzz" / "corpus";
   std::size_t files = 0, read = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(corpus)) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(corpus)) {
+    if (!entry.is_regular_file()) continue;
     std::ifstream file(entry.path(), std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(file), {}};
     ASSERT_FALSE(bytes.empty());

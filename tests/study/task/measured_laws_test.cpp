@@ -4,9 +4,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "cromer/study/task/fit.h"
+#include "tests/support/shared_data.h"
 
 namespace cromer {
 namespace {
@@ -14,28 +16,23 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-std::string data(const char* name) { return std::string(CROMER_SOURCE_DIR) + "/../shared/data/" + name; }
-
 // Nothing where the recording is not here.
 std::optional<FittedRecording> fitted(const char* name, const FitOptions& options) {
   const std::string path = data(name);
   if (!std::filesystem::exists(path)) return std::nullopt;
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream bytes;
-  bytes << file.rdbuf();
-  auto fits = fit(bytes.str(), path, options);
+  auto fits = fit(bytes_of(path), path, options);
   EXPECT_TRUE(fits.ok()) << fits.error().message;
   if (!fits.ok()) return std::nullopt;
   EXPECT_EQ(fits->front().fit.status, FitStatus::converged) << fits->front().fit.message;
   return std::move(fits->front());
 }
 
-#define SKIP_WITHOUT(result) \
+#define SKIP_WITHOUT_FIT(result) \
   if (!result) GTEST_SKIP() << "the recording is not here"
 
 TEST(MeasuredLaws, TheFullDiscsResidualIsThatOfAnIndependentFit) {
   const auto result = fitted("spring-disc-pasco/molla_durissima_discopieno_14.91945_0.2016_1.csv", {});
-  SKIP_WITHOUT(result);
+  SKIP_WITHOUT_FIT(result);
   EXPECT_LT(result->fit.residual.rms, 0.9e-3);  // drag, cubic and viscous elsewhere: 0.882 mm
   EXPECT_EQ(to_text(result->fit.law), "viscous+drag+cubic");
 }
@@ -47,7 +44,7 @@ TEST(MeasuredLaws, TheSpringConstantIsTheStaticOne) {
     FitOptions options{.run = run, .mass = Quantity{masses[run - 1], 0}, .spring_mass = Quantity{0.01543, 0}};
     options.read.rate = 100;
     const auto result = fitted(file, options);
-    SKIP_WITHOUT(result);
+    SKIP_WITHOUT_FIT(result);
     EXPECT_LT(result->fit.residual.rms, residuals[run - 1]);
     EXPECT_NEAR(result->find("stiffness")->value, 3.226, 0.015 * 3.226);
   }
@@ -55,20 +52,20 @@ TEST(MeasuredLaws, TheSpringConstantIsTheStaticOne) {
 
 TEST(MeasuredLaws, APendulumOnFilm) {
   const auto result = fitted("pendulum-tracker/8047.txt", {.column = "x"});
-  SKIP_WITHOUT(result);
+  SKIP_WITHOUT_FIT(result);
   EXPECT_LT(result->fit.residual.rms, 1.8e-3);  // 9.9 mm with one exponential
 }
 
 TEST(MeasuredLaws, APendulumOnAnEncoderIsAPendulum) {
   const auto result = fitted("pendulum-plain/encoder_comma_space.csv", {});
-  SKIP_WITHOUT(result);
+  SKIP_WITHOUT_FIT(result);
   EXPECT_TRUE(result->fit.law.pendulum);
   EXPECT_LT(result->fit.residual.rms, 0.03);  // 0.43 with one exponential
 }
 
 TEST(MeasuredLaws, TheReleaseOfADrivenPendulumIsFound) {
   const auto result = fitted("torsion-50hz/0.96500.1.csv", {.column = "Pendolo"});
-  SKIP_WITHOUT(result);
+  SKIP_WITHOUT_FIT(result);
   EXPECT_NEAR(result->series.t.front(), 210.06, 2);  // where its drive's own column ends
   EXPECT_GE(result->series.t.front(), 210.06);
   EXPECT_THAT(result->warnings, Contains(HasSubstr("as where a drive stops")));
@@ -81,7 +78,7 @@ TEST(MeasuredLaws, TheReleaseOfADrivenPendulumIsFound) {
 TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {
   const auto result =
       fitted("wheel-gyro/bicycle-wheel-radial-inertia-rate-gyro-measurement.csv", {.law = "viscous"});
-  SKIP_WITHOUT(result);
+  SKIP_WITHOUT_FIT(result);
   EXPECT_EQ(result->fit.names.size(), 5u);
   for (const NamedEstimate& parameter : result->parameters) {
     if (parameter.name == "equilibrium") {

@@ -115,6 +115,9 @@ TEST(PlanRecording, KnowsThatTheMassLimitsTheSpring) {
 TEST(PlanRecording, RefusesGoalsThatAreNone) {
   EXPECT_THAT(parse_goal("dcay_rate 1 %").error().message, HasSubstr("did you mean decay_rate?"));
   EXPECT_THAT(parse_goal("decay_rate").error().message, HasSubstr("decay_rate 0.5 %"));
+  EXPECT_THAT(parse_goal("decay rate 1 %").error().message, HasSubstr("did you mean decay_rate?"));
+  EXPECT_THAT(parse_goal("loudness 1 %").error().message,
+              HasSubstr("there are angular_frequency, decay_rate"));
   EXPECT_FALSE(parse_goal("decay_rate -1 %").ok());
   FitOptions options;
   options.law = "viscous";
@@ -123,6 +126,9 @@ TEST(PlanRecording, RefusesGoalsThatAreNone) {
     const auto result = fit_series(decay(10, 0.05, 1e-3, 1), "lab.csv", options);
     ASSERT_FALSE(result.ok()) << goal;
     EXPECT_THAT(result.error().message, HasSubstr("--goal"));
+    if (std::string(goal) == "drag 1 %") {
+      EXPECT_THAT(result.error().message, HasSubstr("fit one with drag by --law"));
+    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include "cromer/analysis/effective_oscillator.h"
 #include "cromer/methods/all.h"
 #include "cromer/study/task/simulate.h"
+#include "tests/support/simulated.h"
 
 namespace cromer {
 namespace {
@@ -20,18 +21,12 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-SimulateResult run(SimulateOptions options) {
-  auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << result.error().message;
-  return *std::move(result);
-}
-
 TEST(RunEffect, EveryLinearRunSaysWhatItReallySimulates) {
-  const auto result = run({.stiffness = 36,
-                           .damping = 0.3,
-                           .method = {"forward-euler", "euler-cromer", "exact", "dormand-prince"},
-                           .step = 0.01,
-                           .until = 1});
+  const auto result = simulated({.stiffness = 36,
+                                 .damping = 0.3,
+                                 .method = {"forward-euler", "euler-cromer", "exact", "dormand-prince"},
+                                 .step = 0.01,
+                                 .until = 1});
   EXPECT_NEAR(*result.runs[0].effect->effective.decay_rate, -0.030, 5e-4);
   EXPECT_THAT(effect_in_words(result.runs[0]), HasSubstr("turns your damping of 0.15 1/s into growth"));
   EXPECT_NEAR(*result.runs[1].effect->effective.decay_rate, 0.1502, 5e-5);
@@ -40,13 +35,13 @@ TEST(RunEffect, EveryLinearRunSaysWhatItReallySimulates) {
 }
 
 TEST(RunEffect, ADrivenRunSettlesWhereItIsSaidTo) {
-  const auto result = run({.stiffness = 36,
-                           .damping = 1.2,
-                           .drive_amplitude = 1.5,
-                           .drive_frequency = {4},
-                           .method = {"euler-cromer"},
-                           .step = 0.05,
-                           .until = 100});
+  const auto result = simulated({.stiffness = 36,
+                                 .damping = 1.2,
+                                 .drive_amplitude = 1.5,
+                                 .drive_frequency = {4},
+                                 .method = {"euler-cromer"},
+                                 .step = 0.05,
+                                 .until = 100});
   const auto& steady = *result.runs[0].effect->effective.steady_state;
   EXPECT_NEAR(result.runs[0].outcome.y.x,
               steady.amplitude * std::cos(4 * result.runs[0].outcome.t - steady.phase_lag), 1e-12);
@@ -71,9 +66,9 @@ TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
   EXPECT_THAT(said,
               Contains(HasSubstr("--step: 0.34 s is beyond the stability limit of euler-cromer for this law, "
                                  "0.333333 s")));
-  EXPECT_THAT(run({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.33, .until = 3.3}).warnings,
+  EXPECT_THAT(simulated({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.33, .until = 3.3}).warnings,
               testing::IsEmpty());
-  EXPECT_THAT(run({.stiffness = 36, .method = {"forward-euler"}, .step = 0.01, .until = 1}).warnings,
+  EXPECT_THAT(simulated({.stiffness = 36, .method = {"forward-euler"}, .step = 0.01, .until = 1}).warnings,
               Contains(HasSubstr("forward-euler is unstable for this law whatever the step")));
 }
 
@@ -81,7 +76,7 @@ TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
 std::vector<std::string> warnings(SimulateOptions options, double step) {
   options.step = step;
   options.until = 3 * step;
-  return run(std::move(options)).warnings;
+  return simulated(std::move(options)).warnings;
 }
 
 TEST(RunEffect, AHardeningSpringIsWarnedOfWhereTheMotionBegins) {
@@ -146,13 +141,13 @@ TEST(RunEffect, LawsThatAreNotLinearAreWarnedOfBySmallMotions) {
 }
 
 TEST(RunEffect, NonlinearLawsHaveNone) {
-  EXPECT_FALSE(run({.drag = 0.1, .step = 0.01, .until = 0.1}).runs[0].effect);
-  EXPECT_FALSE(run({.cubic = 1, .step = 0.01, .until = 0.1}).runs[0].effect);
+  EXPECT_FALSE(simulated({.drag = 0.1, .step = 0.01, .until = 0.1}).runs[0].effect);
+  EXPECT_FALSE(simulated({.cubic = 1, .step = 0.01, .until = 0.1}).runs[0].effect);
 }
 
 TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   const auto result =
-      run({.drag = 0.2, .method = {"implicit-euler", "dormand-prince"}, .step = 0.03, .until = 120});
+      simulated({.drag = 0.2, .method = {"implicit-euler", "dormand-prince"}, .step = 0.03, .until = 120});
   const std::string lossy = effect_in_words(result.runs[0]), exact = effect_in_words(result.runs[1]);
   EXPECT_THAT(exact, HasSubstr("swung at 0.9994"));
   EXPECT_THAT(exact, HasSubstr("the method itself nothing"));
@@ -161,16 +156,16 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   const auto& balance = *result.runs[0].energy_balance;
   EXPECT_LT(balance.method(), -0.1 * balance.start);
   EXPECT_THAT(lossy, HasSubstr("the method itself 2"));
-  const auto spring = run({.cubic = 1, .method = {"euler-cromer", "rk4"}, .step = 0.02, .until = 60});
+  const auto spring = simulated({.cubic = 1, .method = {"euler-cromer", "rk4"}, .step = 0.02, .until = 60});
   EXPECT_THAT(effect_in_words(spring.runs[1]), HasSubstr("m to each side; kept its 0.75 J"));
   EXPECT_THAT(effect_in_words(spring.runs[0]), HasSubstr("which comes and goes"));
-  const auto driven = run({.damping = 0.1,
-                           .cubic = 1,
-                           .drive_amplitude = 1,
-                           .drive_frequency = {1.2},
-                           .method = {"implicit-euler"},
-                           .step = 0.02,
-                           .until = 60});
+  const auto driven = simulated({.damping = 0.1,
+                                 .cubic = 1,
+                                 .drive_amplitude = 1,
+                                 .drive_frequency = {1.2},
+                                 .method = {"implicit-euler"},
+                                 .step = 0.02,
+                                 .until = 60});
   EXPECT_EQ(effect_in_words(driven.runs[0]).find("had "), 0u);
   EXPECT_THAT(effect_in_words(driven.runs[0]), HasSubstr("with what the drive gave, of which damping took "));
 }
@@ -178,11 +173,11 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
 TEST(RunEffect, OptionsOfTheMethodReachIt) {
   // The central difference is Verlet's method.
   const auto result =
-      run({.stiffness = 36, .method = {"newmark", "verlet"}, .step = 0.1, .until = 1, .beta = 0.0});
+      simulated({.stiffness = 36, .method = {"newmark", "verlet"}, .step = 0.1, .until = 1, .beta = 0.0});
   EXPECT_NEAR(result.runs[0].outcome.y.x, result.runs[1].outcome.y.x, 1e-13);
   EXPECT_THAT(result.warnings, Contains("--beta has no effect on verlet"));
-  const auto damped =
-      run({.stiffness = 36, .method = {"generalized-alpha"}, .step = 1000, .until = 2000, .rho_inf = 0.3});
+  const auto damped = simulated(
+      {.stiffness = 36, .method = {"generalized-alpha"}, .step = 1000, .until = 2000, .rho_inf = 0.3});
   EXPECT_NEAR(damped.runs[0].effect->effective.spectral_radius, 0.3, 0.02);
 
   const auto refused = simulate({.method = {"generalized-alpha"}, .rho_inf = 1.2});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/study/task/simulate.h"
+#include "tests/support/simulated.h"
 
 namespace cromer {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
-
-SimulatedRun run(const SimulateOptions& options) {
-  auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
-  return result ? std::move(result->runs.front()) : SimulatedRun{};
-}
 
 const SimulateOptions spring{
     .mass = 2, .stiffness = 72, .position = 0.5, .velocity = 1, .step = 0.01, .until = 100};

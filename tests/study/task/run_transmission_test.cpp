@@ -8,15 +8,10 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/methods/all.h"
 #include "cromer/study/task/simulate.h"
+#include "tests/support/simulated.h"
 
 namespace cromer {
 namespace {
-
-SimulateResult run(const SimulateOptions& options) {
-  auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << result.error().message;
-  return *std::move(result);
-}
 
 /// What arrives, measured on the last cycles of a run.
 MeasuredSteadyState measured(const SimulatedRun& run, double base) {
@@ -42,7 +37,7 @@ SimulateOptions mount(double w) {
 /// Every method but forward Euler, which grows, for long: the steady state it is said to have is the one its
 /// run gets to, and near the exact one.
 void check(const SimulateOptions& options, double sent) {
-  for (const SimulatedRun& run : run(options).runs) {
+  for (const SimulatedRun& run : simulated(options).runs) {
     ASSERT_TRUE(run.transmission) << run.method;
     const RunTransmission& found = *run.transmission;
     const bool base = options.base_displacement.has_value();
@@ -92,12 +87,12 @@ TEST(RunTransmission, IsWhatALongRunPassesOn) {
 TEST(RunTransmission, ThereIsNoneWhereNothingSettlesOrShakes) {
   SimulateOptions options{.natural_frequency = 3.0};
   options.until = 1;
-  EXPECT_FALSE(run(options).runs[0].transmission) << "nothing drives";
+  EXPECT_FALSE(simulated(options).runs[0].transmission) << "nothing drives";
   options.drive_amplitude = 1;
   options.drive_frequency = {3};
   options.method = {"exact", "forward-euler", "implicit-euler"};
   options.step = 0.01;
-  const auto undamped = run(options);
+  const auto undamped = simulated(options);
   EXPECT_FALSE(undamped.runs[0].transmission->bounded());
   EXPECT_FALSE(undamped.runs[0].transmission->simulated);
   EXPECT_FALSE(undamped.runs[1].transmission->simulated) << "it grows";
@@ -107,10 +102,10 @@ TEST(RunTransmission, ThereIsNoneWhereNothingSettlesOrShakes) {
   EXPECT_FALSE(undamped.runs[2].transmission->error());
   options.method = {"rk4"};
   options.drag = 0.1;
-  EXPECT_FALSE(run(options).runs[0].transmission) << "not linear";
+  EXPECT_FALSE(simulated(options).runs[0].transmission) << "not linear";
   options.drag = 0;
   options.drive_frequency = {0};
-  EXPECT_FALSE(run(options).runs[0].transmission) << "a constant force";
+  EXPECT_FALSE(simulated(options).runs[0].transmission) << "a constant force";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "cromer/methods/all.h"
 #include "cromer/study/task/simulate_setup.h"
+#include "tests/support/simulated.h"
 
 namespace cromer {
 namespace {
@@ -17,19 +18,8 @@ using ::testing::HasSubstr;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-SimulateResult run(const SimulateOptions& options) {
-  auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
-  return result ? *std::move(result) : SimulateResult{};
-}
-
-std::string refusal(const SimulateOptions& options) {
-  const auto result = simulate(options);
-  return result ? "" : result.error().message;
-}
-
 TEST(Simulate, DefaultsAreThoseOfTheContract) {
-  const auto result = run({});
+  const auto result = simulated({});
   ASSERT_EQ(result.runs.size(), 1u);
   const auto& only = result.runs.front();
   EXPECT_EQ(only.method, "euler-cromer");
@@ -41,12 +31,13 @@ TEST(Simulate, DefaultsAreThoseOfTheContract) {
 }
 
 TEST(Simulate, AMotionThatIsSetGoingStartsAtRestAtZero) {
-  EXPECT_EQ(run({.velocity = 2}).runs.front().start, (State<double>{0, 2}));
-  EXPECT_EQ(run({.drive_amplitude = 1, .drive_frequency = {3}}).runs.front().start, (State<double>{0, 0}));
+  EXPECT_EQ(simulated({.velocity = 2}).runs.front().start, (State<double>{0, 2}));
+  EXPECT_EQ(simulated({.drive_amplitude = 1, .drive_frequency = {3}}).runs.front().start,
+            (State<double>{0, 0}));
 }
 
 TEST(Simulate, TheShorterPeriodSetsTheStep) {
-  const auto result = run({.stiffness = 9, .drive_amplitude = 1, .drive_frequency = {1, 10}});
+  const auto result = simulated({.stiffness = 9, .drive_amplitude = 1, .drive_frequency = {1, 10}});
   EXPECT_DOUBLE_EQ(result.runs[0].step, two_pi / 3 / 200);
   EXPECT_DOUBLE_EQ(result.runs[1].step, two_pi / 10 / 200);
   EXPECT_DOUBLE_EQ(result.runs[1].until, 20 * two_pi / 3);
@@ -54,17 +45,17 @@ TEST(Simulate, TheShorterPeriodSetsTheStep) {
 
 TEST(Simulate, FrequencyAndRatioSetSpringAndDamping) {
   const Oscillator<double> law =
-      run({.mass = 0.5, .natural_frequency = 6, .damping_ratio = 0.1}).runs.front().oscillator;
+      simulated({.mass = 0.5, .natural_frequency = 6, .damping_ratio = 0.1}).runs.front().oscillator;
   EXPECT_DOUBLE_EQ(law.stiffness, 18);
   EXPECT_DOUBLE_EQ(law.damping, 2 * 0.1 * std::sqrt(18 * 0.5));
-  EXPECT_DOUBLE_EQ(run({.stiffness = 9, .quality_factor = 15}).runs.front().oscillator.damping, 0.2);
+  EXPECT_DOUBLE_EQ(simulated({.stiffness = 9, .quality_factor = 15}).runs.front().oscillator.damping, 0.2);
 }
 
 TEST(Simulate, AgreesWithTheClosedForm) {
   // x = exp(-b t)(cos wd t + b/wd sin wd t), b = 0.1, w = 3.
   SimulateOptions options{
       .stiffness = 9, .damping = 0.2, .method = {"exact", "rk4"}, .step = 0.01, .until = 10};
-  const auto result = run(options);
+  const auto result = simulated(options);
   const double wd = std::sqrt(9 - 0.01);
   for (std::size_t i = 0; i < result.runs[0].trajectory.size(); ++i) {
     const double t = result.runs[0].trajectory.t[i];
@@ -77,7 +68,7 @@ TEST(Simulate, AgreesWithTheClosedForm) {
 TEST(Simulate, EveryMethodRunsInTheOrderAsked) {
   SimulateOptions options{.drive_amplitude = 1, .drive_frequency = {2, 0.5}, .step = 0.05, .until = 1};
   for (const auto name : method_names) options.method.emplace_back(name);
-  const auto result = run(options);
+  const auto result = simulated(options);
   ASSERT_EQ(result.runs.size(), 2 * method_names.size());
   for (std::size_t i = 0; i < result.runs.size(); ++i) {
     EXPECT_EQ(result.runs[i].method, method_names[i / 2]);
@@ -87,7 +78,7 @@ TEST(Simulate, EveryMethodRunsInTheOrderAsked) {
 }
 
 TEST(Simulate, KeepsEveryNthState) {
-  const auto result = run({.step = 0.01, .until = 1, .every = 10});
+  const auto result = simulated({.step = 0.01, .until = 1, .every = 10});
   ASSERT_EQ(result.runs.front().trajectory.size(), 11u);
   EXPECT_DOUBLE_EQ(result.runs.front().trajectory.t[3], 0.3);
 }
@@ -114,13 +105,13 @@ TEST(Simulate, ADoubleWellHasThePeriodOfItsBottom) {
   // k = -1, k3 = 1: wells at x = +-1 with stiffness 2.
   EXPECT_DOUBLE_EQ(natural_period({.stiffness = -1, .cubic = 1}), two_pi / std::sqrt(2));
   EXPECT_EQ(natural_period({.stiffness = -1}), 0);
-  const auto result = run({.stiffness = -1, .cubic = 1, .position = 1.001, .method = {"rk4"}});
+  const auto result = simulated({.stiffness = -1, .cubic = 1, .position = 1.001, .method = {"rk4"}});
   const auto& x = result.runs.front().trajectory.x;
   EXPECT_NEAR(x[200], x[0], 1e-6);
 }
 
 TEST(Simulate, SaysWhenARunDivergedAndEndsFinite) {
-  const auto result = run({.method = {"forward-euler"}, .step = 1, .until = 1e5});
+  const auto result = simulated({.method = {"forward-euler"}, .step = 1, .until = 1e5});
   const auto& only = result.runs.front();
   EXPECT_FALSE(result.ok());
   EXPECT_EQ(only.outcome.status, Status::not_finite);
@@ -134,7 +125,7 @@ TEST(Simulate, SaysWhenARunDivergedAndEndsFinite) {
 TEST(Simulate, WarnsOfWhatHasNoEffect) {
   const auto warnings = [](const SimulateOptions& options) {
     std::string all;
-    for (const auto& warning : run(options).warnings) all += warning + "\n";
+    for (const auto& warning : simulated(options).warnings) all += warning + "\n";
     return all;
   };
   EXPECT_EQ(warnings({}), "");
@@ -158,7 +149,7 @@ TEST(Simulate, AnInterruptKeepsWhatIsThere) {
 TEST(Simulate, ASensorReadsEveryKeptState) {
   SimulateOptions options{.step = 0.01, .until = 1, .every = 10};
   options.sensor = {.noise = 0, .resolution = 1e-3, .offset = 0.2, .seed = 1, .used = true};
-  const SimulatedRun only = run(options).runs.front();
+  const SimulatedRun only = simulated(options).runs.front();
   ASSERT_EQ(only.sensor.size(), only.trajectory.size());
   EXPECT_EQ(only.sensor.front(), 1.2);
   EXPECT_NEAR(only.sensor.back(), 0.2 + std::cos(1.0), 0.01);

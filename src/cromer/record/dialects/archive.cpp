@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/cells.h"
 #include "cromer/record/dialects/set.h"
@@ -15,10 +16,8 @@ namespace {
 
 bool ends_as_text(std::string_view name) {
   constexpr std::array<std::string_view, 4> endings{".csv", ".txt", ".tsv", ".dat"};
-  std::string small(name.substr(name.size() - std::min<std::size_t>(4, name.size())));
-  for (char& c : small)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return std::find(endings.begin(), endings.end(), small) != endings.end();
+  const std::string ending = lower(name.substr(name.size() - std::min<std::size_t>(4, name.size())));
+  return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
 /// "Raw Data" of "export/Raw Data.csv".

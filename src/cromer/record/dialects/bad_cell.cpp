@@ -1,16 +1,14 @@
 #include "cromer/record/dialects/bad_cell.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/record/dialects/cells.h"
 
 namespace cromer::dialects {
 namespace {
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Digits become 0, runs of them one: "12:00:00.50" is "0:0:0.0".
 std::string shape_of(std::string_view cell) {

@@ -5,19 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/number.h"
 #include "cromer/record/dialects/lines.h"
 
 namespace cromer::dialects {
 namespace {
 
-bool equal_without_case(std::string_view a, std::string_view lower) {
-  if (a.size() != lower.size()) return false;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const char c = a[i] >= 'A' && a[i] <= 'Z' ? static_cast<char>(a[i] - 'A' + 'a') : a[i];
-    if (c != lower[i]) return false;
-  }
-  return true;
+bool equal_without_case(std::string_view a, std::string_view small) {
+  return std::equal(a.begin(), a.end(), small.begin(), small.end(),
+                    [](char one, char other) { return lower(one) == other; });
 }
 
 bool is_missing_mark(std::string_view cell) {
@@ -28,6 +25,8 @@ bool is_missing_mark(std::string_view cell) {
 }
 
 }  // namespace
+
+std::string too_many_columns() { return "there are more than " + std::to_string(most_columns) + " columns"; }
 
 bool commas_pair_up(std::string_view line, const Layout& layout) {
   if (!layout.paired) return true;

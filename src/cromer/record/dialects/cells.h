@@ -7,6 +7,9 @@
 
 namespace cromer::dialects {
 
+/// Wider tables are refused: each column costs memory of its own, however little a file says of it.
+constexpr std::size_t most_columns = 2000;
+
 /// How rows are written. Blanks (' ') stand for any run of spaces and tabs; 0: one value a line.
 struct Layout {
   char separator = ',';  // , ; \t ' ' or 0
@@ -15,6 +18,9 @@ struct Layout {
   /// Commas separate and mark decimals, without quotes to tell them apart: each value has one of its own.
   bool paired = false;
 };
+
+/// "there are more than 2000 columns".
+std::string too_many_columns();
 
 /// Whether the commas of a line can be told apart under this layout: where they are paired, a whole number
 /// without a fraction shifts all that follows.

@@ -10,37 +10,24 @@
 #include "cromer/record/dialects/time.h"
 
 namespace cromer {
-namespace {
-
-/// Rows of a run up to the last that has any value.
-std::size_t length_of(const Table& table, int run) {
-  std::size_t length = 0;
-  for (const Column& column : table.columns) {
-    if (column.run != run) continue;
-    for (std::size_t i = column.values.size(); i > length; --i)
-      if (!std::isnan(column.values[i - 1])) length = i;
-  }
-  return length;
-}
-
-}  // namespace
 
 Result<Table> clean_table(const Recording& recording, const ReadOptions& options) {
   const Table& table = recording.table;
   Table clean;
   std::size_t longest = 0;
+  const auto times = dialects::time_columns_of(table);
   for (const int run : runs(recording)) {
     // Columns follow their own time: two sensors sampled in turn keep two time columns.
-    const std::size_t rows_of_run = length_of(table, run);
+    const std::size_t end = rows_of_run(table, run);
     std::vector<bool> done(table.columns.size(), false);
     for (std::size_t j = 0; j < table.columns.size(); ++j) {
       if (done[j] || table.columns[j].run != run || table.columns[j].quantity == "time") continue;
-      const auto time = dialects::time_column_of(table, j);
+      const auto time = times[j];
       Column seconds{time ? table.columns[*time].name : "Time", "time", "s", run, {}};
       const double factor = time ? to_si(table.columns[*time]).factor : 1;
       std::vector<std::size_t> rows;
       std::vector<long> lines;
-      for (std::size_t i = 0; i < rows_of_run; ++i) {
+      for (std::size_t i = 0; i < end; ++i) {
         const double t =
             time ? table.columns[*time].values[i] * factor
                  : (options.rate > 0 ? static_cast<double>(i) / options.rate : static_cast<double>(i));
@@ -58,9 +45,7 @@ Result<Table> clean_table(const Recording& recording, const ReadOptions& options
       if (time || options.rate > 0) clean.columns.push_back(std::move(seconds));
       for (std::size_t k = j; k < table.columns.size(); ++k) {
         const Column& column = table.columns[k];
-        if (done[k] || column.run != run || column.quantity == "time" ||
-            dialects::time_column_of(table, k) != time)
-          continue;
+        if (done[k] || column.run != run || column.quantity == "time" || times[k] != time) continue;
         done[k] = true;
         Column copy{column.name, column.quantity, column.unit, run, {}};
         for (const std::size_t i : rising->kept) copy.values.push_back(column.values[rows[i]]);

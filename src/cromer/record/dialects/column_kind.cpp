@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 
 namespace cromer {
@@ -108,8 +109,6 @@ constexpr std::array symbols{
     Word{"ay", "acceleration"}, Word{"F", "force"},
 };
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
 
 /// Runs of letters, in lower case.
@@ -148,7 +147,7 @@ std::string_view quantity_of_name(std::string_view name) {
   std::string symbol;
   for (const char c : name)
     if (std::string_view(" _{}").find(c) == std::string_view::npos) symbol += c;
-  while (!symbol.empty() && symbol.back() >= '0' && symbol.back() <= '9') symbol.pop_back();
+  while (!symbol.empty() && is_digit(symbol.back())) symbol.pop_back();
   for (const Word& word : symbols)
     if (word.word == symbol) return word.quantity;
   return unit_as_name(name).empty() ? std::string_view{} : "time";
@@ -171,9 +170,7 @@ const Dimension* dimension_of(std::string_view si_unit) {
 Result<Unit> unit_of(std::string_view unit, std::string_view quantity) {
   const auto known = parse_unit(unit, dimension_of(si_unit_of(quantity)));
   if (known || quantity != "time") return known;
-  std::string small;
-  for (const char c : unit) small += lower(c);
-  return parse_unit(small);
+  return parse_unit(lower(unit));
 }
 
 }  // namespace

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
+#include "cromer/base/median.h"
 #include "cromer/base/nearest.h"
 #include "cromer/record/dialects/column_kind.h"
 
@@ -12,7 +14,7 @@ namespace cromer {
 namespace {
 
 std::string without_subscript(std::string name) {
-  while (name.size() > 1 && name.back() >= '0' && name.back() <= '9') name.pop_back();
+  while (name.size() > 1 && is_digit(name.back())) name.pop_back();
   return name;
 }
 
@@ -25,10 +27,7 @@ bool runs_evenly_upward(const std::vector<double>& values) {
     if (std::isfinite(step)) steps.push_back(step);
   }
   if (steps.size() < 2) return false;
-  std::vector<double> sorted = steps;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                   sorted.end());
-  const double median = sorted[sorted.size() / 2];
+  const double median = upper_median(steps);
   if (!(median > 0)) return false;
   const auto even = std::count_if(steps.begin(), steps.end(),
                                   [&](double step) { return std::fabs(step - median) < 0.5 * median; });
@@ -72,6 +71,13 @@ std::size_t stride_of(const std::vector<double>& values) {
   return count >= fewest ? stride : 1;
 }
 
+/// "2nd", "12th", "22nd".
+std::string ordinal(std::size_t n) {
+  constexpr std::array<std::string_view, 10> endings{"th", "st", "nd", "rd", "th",
+                                                     "th", "th", "th", "th", "th"};
+  return concat({std::to_string(n), n / 10 % 10 == 1 ? "th" : endings[n % 10]});
+}
+
 /// A time is never scaled by guess: a unit that is unknown or measures something else is an Error, unless
 /// another column is a good time.
 Result<void> check_time_units(std::vector<Column>& columns, bool asked) {
@@ -109,12 +115,23 @@ std::string counted(std::size_t count, std::string_view noun) {
   return concat({std::to_string(count), " ", noun, count == 1 ? "" : "s"});
 }
 
+std::size_t rows_of_run(const Table& table, int run) {
+  std::size_t rows = 0;
+  for (const Column& column : table.columns)
+    for (std::size_t i = column.values.size(); column.run == run && i > rows; --i)
+      if (!std::isnan(column.values[i - 1])) rows = i;
+  return rows;
+}
+
 Result<std::size_t> find_column(const Table& table, std::string_view name, int run) {
   const auto& columns = table.columns;
+  std::vector<std::size_t> of_run;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (run == 0 || columns[j].run == run) of_run.push_back(j);
   const auto matching = [&](auto&& matches) {
     std::vector<std::size_t> found;
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      if ((run == 0 || columns[j].run == run) && matches(columns[j])) found.push_back(j);
+    for (const std::size_t j : of_run)
+      if (matches(columns[j])) found.push_back(j);
     return found;
   };
   auto found = matching([&](const Column& column) { return column_title(column) == name; });
@@ -129,10 +146,9 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
 
   std::string list;
   std::vector<std::string_view> names;
-  for (const Column& column : columns) {
-    if (run != 0 && column.run != run) continue;
-    names.push_back(column.name);
-    list += concat({list.empty() ? "" : ", ", "\"", column_title(column), "\""});
+  for (const std::size_t j : of_run) {
+    names.push_back(columns[j].name);
+    list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
   }
   if (!found.empty()) return Error{concat({"\"", name, "\" fits several columns; there are ", list})};
   const std::string near = nearest(name, names);
@@ -232,11 +248,7 @@ void count_missing(Recording& recording) {
         concat({"column \"", column_title(column), "\"",
                 several ? concat({" of run ", std::to_string(column.run)}) : std::string{}});
     if (const std::size_t stride = stride_of(column.values); stride > 1)
-      recording.warnings.push_back(concat({name, " is measured in every ", std::to_string(stride),
-                                           stride == 2   ? "nd"
-                                           : stride == 3 ? "rd"
-                                                         : "th",
-                                           " row only"}));
+      recording.warnings.push_back(concat({name, " is measured in every ", ordinal(stride), " row only"}));
     else
       recording.warnings.push_back(concat(
           {name, ": ", counted(missing, "missing value"), ", the first in line ", std::to_string(first)}));

@@ -17,6 +17,9 @@ std::string column_title(const Column& column);
 /// "1 value", "3 values".
 std::string counted(std::size_t count, std::string_view noun);
 
+/// Rows of a run up to the last that has any value.
+std::size_t rows_of_run(const Table& table, int run);
+
 /// The column meant by `name` among those of `run` (0: of all runs): exactly, else without case, decoration
 /// and unit, else without a subscript. Not found, or several: an Error that lists the columns (without the
 /// file's name).

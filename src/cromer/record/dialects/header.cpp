@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/lines.h"
@@ -10,8 +11,6 @@ namespace cromer::dialects {
 namespace {
 
 using Cells = std::vector<std::string_view>;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Takes " Run #12" from the end of a heading.
 std::string take_run(std::string_view& text) {
@@ -118,15 +117,19 @@ Cells split_at_blanks(std::string_view line) {
   Cells cells;
   split_cells(line, Layout{' ', '.', 1}, cells);
   Cells joined;
+  bool opened = false, closed = false;  // brackets of the last name
   for (const std::string_view cell : cells) {
-    const bool belongs = !joined.empty() && (cell.front() == '(' || cell.front() == '[');
-    const bool open = !joined.empty() && joined.back().find_first_of("([") != std::string_view::npos &&
-                      joined.back().find_first_of(")]") == std::string_view::npos;
-    if (belongs || open)
+    const bool belongs = cell.starts_with('(') || cell.starts_with('[');
+    const bool open = opened && !closed;
+    if (joined.empty() || (!belongs && !open)) {
+      joined.push_back(cell);
+      opened = closed = false;
+    } else {
       joined.back() = {joined.back().data(),
                        static_cast<std::size_t>(cell.data() + cell.size() - joined.back().data())};
-    else
-      joined.push_back(cell);
+    }
+    opened = opened || cell.find_first_of("([") != std::string_view::npos;
+    closed = closed || cell.find_first_of(")]") != std::string_view::npos;
   }
   return joined;
 }

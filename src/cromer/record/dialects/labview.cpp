@@ -53,7 +53,7 @@ std::vector<Column> columns_of(std::string_view names, const LabviewSegment& seg
   };
   std::vector<Column> columns;
   std::size_t channel = 0;
-  for (std::size_t j = 0; j < cells.size(); ++j) {
+  for (std::size_t j = 0; j < std::min(cells.size(), most_columns + 1); ++j) {
     const bool x = file.times == Times::multi ? cells[j] == "X_Value" : j == 0;
     Column column;
     if (x) {
@@ -152,6 +152,8 @@ Result<Sets> read_labview(const Source& source) {
     set.columns = columns_of(lines[segment.names], segment, file);
     if (set.columns.size() < 2)
       return Error{concat({":", std::to_string(segment.names + 1), ": no channel is named"})};
+    if (set.columns.size() > most_columns)
+      return Error{concat({":", std::to_string(segment.names + 1), ": ", too_many_columns()})};
     const std::vector<std::string_view> part(lines.begin() + static_cast<std::ptrdiff_t>(segment.names) + 1,
                                              lines.begin() + static_cast<std::ptrdiff_t>(to));
     found.decimal = decimal_of(part, file.separator, source.options);

@@ -50,7 +50,7 @@ LabviewSegment labview_segment(const std::vector<std::string_view>& lines, std::
     if (cells.front() == "***Start_Special***") special = true;
     if (!special) {
       while (cells.size() > 1 && cells.back().empty()) cells.pop_back();
-      segment.tags.push_back({cells.front(), {cells.begin() + 1, cells.end()}, i});
+      segment.tags.push_back({cells.front(), {cells.begin() + 1, cells.end()}});
     }
     if (cells.front() == "***End_Special***") special = false;
   }

@@ -19,7 +19,6 @@ struct LabviewFile {
 struct LabviewTag {
   std::string_view name;
   std::vector<std::string_view> values;
-  std::size_t line = 0;  ///< index
 };
 
 struct LabviewSegment {

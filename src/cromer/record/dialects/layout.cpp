@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/record/dialects/column_kind.h"
@@ -14,7 +15,6 @@ namespace {
 
 constexpr std::size_t sampled_at_start = 50;
 constexpr std::size_t sampled_in_all = 250;
-constexpr std::size_t most_columns = 2000;
 
 /// Lines that may be rows: all of a short file, else its start and an even choice of the rest.
 std::vector<std::string_view> sample(const std::vector<std::string_view>& lines) {
@@ -77,9 +77,7 @@ char decimal_of(const std::vector<std::string_view>& lines) {
   for (const std::string_view line : lines) {
     if (is_comment(line)) continue;
     for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-      const bool between_digits =
-          line[i - 1] >= '0' && line[i - 1] <= '9' && line[i + 1] >= '0' && line[i + 1] <= '9';
-      if (!between_digits) continue;
+      if (!is_digit(line[i - 1]) || !is_digit(line[i + 1])) continue;
       if (line[i] == '.') return '.';
       comma = comma || line[i] == ',';
     }
@@ -133,8 +131,7 @@ Result<Layout> find_layout(const std::vector<std::string_view>& lines, const Rea
       }
     }
   if (best.rows == 0) return Error{"no rows of numbers are found: a table of numbers in columns is expected"};
-  if (best.layout.columns > most_columns)
-    return Error{concat({"there are more than ", std::to_string(most_columns), " columns"})};
+  if (best.layout.columns > most_columns) return Error{too_many_columns()};
   if (decimal_open) best.layout.decimal = decimal_of(lines);
   if (best.layout.columns == 1 && options.delimiter.empty()) best.layout.separator = 0;
   if (best.layout.separator == 0) best.layout.paired = false;

@@ -11,12 +11,13 @@
 namespace cromer::dialects {
 
 Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, std::size_t from,
-                                  std::size_t most, bool until_words) {
+                                  std::size_t most, bool until_words, long lines_before) {
   NumberStream stream;
   stream.end = std::min(from, lines.size());
   for (std::size_t i = stream.end; i < lines.size() && stream.values.size() < most; ++i) {
     std::string_view rest = lines[i];
     const std::size_t before = stream.values.size();
+    const long number_of_line = lines_before + static_cast<long>(i) + 1;
     while (stream.values.size() < most) {
       rest.remove_prefix(std::min(rest.find_first_not_of(" \t\r,"), rest.size()));
       if (rest.empty()) break;
@@ -29,11 +30,11 @@ Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, st
         if (until_words && stream.values.size() == before) return stream;
         const std::string_view cell = rest.substr(0, rest.find_first_of(" \t\r,"));
         const std::string seen = bad_cell(cell, '.');
-        return Error{concat({":", std::to_string(i + 1), ": ", quoted(cell), " is not a number",
+        return Error{concat({":", std::to_string(number_of_line), ": ", quoted(cell), " is not a number",
                              seen.empty() ? "" : "; ", seen})};
       }
       stream.values.push_back(number->value);
-      stream.lines.push_back(static_cast<long>(i) + 1);
+      stream.lines.push_back(number_of_line);
       rest = behind;
     }
     stream.end = i + 1;

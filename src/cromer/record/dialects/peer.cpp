@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
@@ -83,8 +84,7 @@ Column values_of(const std::vector<std::string_view>& lines, std::size_t header,
   if (!found) return {"column 2", "", "", 1, {}};
   if (unit.empty())
     return {std::string(found->name), std::string(found->quantity), std::string(found->unit), 1, {}};
-  for (char& c : unit)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  unit = lower(unit);
   if (unit.ends_with("/sec2") || unit.ends_with("/sec/sec"))
     unit = unit.substr(0, unit.find('/')).append("/s^2");
   if (unit.ends_with("/sec")) unit.resize(unit.size() - 2);

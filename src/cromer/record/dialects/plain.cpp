@@ -2,6 +2,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/record/dialects/capstone.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/dialect_name.h"
 #include "cromer/record/dialects/header.h"
@@ -60,6 +61,7 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   const std::size_t data = find_data(lines, *layout);
   Header header = find_header(lines, data, *layout);
   name_tracks(header);
+  name_runs_above(header);
   Recording recording;
   auto& columns = recording.table.columns;
   columns = name_columns(header, layout->columns);

@@ -1,5 +1,6 @@
 #include "cromer/record/dialects/rows.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "cromer/base/concat.h"
@@ -21,10 +22,13 @@ std::string complaint(std::string_view cell, const std::string& name, char decim
 
 Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
                        const std::vector<std::string>& names, const RowRules& rules) {
-  const std::size_t count_of_lines = rules.to - rules.from;
   // Rows much shorter than the table is wide would cost memory that the file's size does not announce.
-  std::size_t bytes = 0;
-  for (std::size_t i = rules.from; i < rules.to; ++i) bytes += lines[i].size() + 1;
+  std::size_t count_of_lines = 0, bytes = 0;
+  for (std::size_t i = rules.from; i < rules.to; ++i) {
+    if (lines[i].empty()) continue;
+    ++count_of_lines;
+    bytes += lines[i].size() + 1;
+  }
   if (layout.columns > 16 && count_of_lines > 16 * bytes / layout.columns + 64)
     return Error{concat(
         {": most rows are far shorter than the widest of ", std::to_string(layout.columns), " columns"})};
@@ -32,8 +36,10 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Rows rows;
   rows.columns.resize(layout.columns);
-  for (auto& column : rows.columns) column.reserve(count_of_lines);
-  rows.lines.reserve(count_of_lines);
+  // A row has a byte for each column, and more.
+  const std::size_t expected = std::min(count_of_lines, bytes / (layout.columns + 1) + 64);
+  for (auto& column : rows.columns) column.reserve(expected);
+  rows.lines.reserve(expected);
   std::vector<double> row(layout.columns);
   for (std::size_t i = rules.from; i < rules.to; ++i) {
     const std::string_view line = lines[i];
@@ -41,9 +47,13 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
     CellReader reader(line, layout);
     std::size_t count = 0;
     std::string bad;
+    // Only the first bad row is spoken of: a name may be as long as the file.
+    const auto complain = [&](auto&& of) { bad = rows.bad_rows == 0 ? of() : std::string(cure); };
     if (!commas_pair_up(line, layout))
-      bad = concat({quoted(line), ": it is open which commas are decimal marks; write the file with ",
-                    "another separator, or with points", cure});
+      complain([&] {
+        return concat({quoted(line), ": it is open which commas are decimal marks; write the file with ",
+                       "another separator, or with points", cure});
+      });
     for (std::string_view text; bad.empty();) {
       if (count < layout.columns && reader.next_number(row[count])) {
         ++count;
@@ -53,11 +63,15 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
       if (count >= layout.columns) {
         if (rules.ignore_beyond) break;
         if (text.empty()) continue;
-        bad = concat({"there are more values than the ", std::to_string(layout.columns), " columns", cure});
+        complain([&] {
+          return concat(
+              {"there are more values than the ", std::to_string(layout.columns), " columns", cure});
+        });
         break;
       }
       const Cell cell = read_cell(text, layout.decimal);
-      if (cell.kind == CellKind::word) bad = complaint(text, names[count], layout.decimal);
+      if (cell.kind == CellKind::word)
+        complain([&] { return complaint(text, names[count], layout.decimal); });
       row[count++] = cell.value;
     }
     const long number = static_cast<long>(rules.lines_before + i) + 1;

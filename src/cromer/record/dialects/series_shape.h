@@ -1,4 +1,4 @@
-// Stage 8: what the samples of a series are like: steps, gaps, rounding, spikes.
+// Stage 8: what the values of a series are like: rounding, spikes.
 #pragma once
 
 #include <span>

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
+#include <tuple>
 
 #include "cromer/base/concat.h"
 
@@ -11,28 +14,29 @@ namespace {
 
 bool is_time(const Column& column) { return column.quantity == "time"; }
 
-bool same_title(const Column& a, const Column& b) { return a.name == b.name && a.unit == b.unit; }
+/// What is laid down already, by run.
+struct Laid {
+  std::map<std::string, int> run_of_label;                     // the last of that label
+  std::set<std::tuple<int, std::string, std::string>> titles;  // run, name and unit of what is no time
+  std::map<int, std::size_t> time_of_run;                      // the last
 
-bool has_column_of(const std::vector<Column>& table, int run, const Set& set) {
-  return std::any_of(set.columns.begin(), set.columns.end(), [&](const Column& column) {
-    return !is_time(column) && std::any_of(table.begin(), table.end(), [&](const Column& other) {
-      return other.run == run && same_title(other, column);
+  bool has_column_of(int run, const Set& set) const {
+    return std::any_of(set.columns.begin(), set.columns.end(), [&](const Column& column) {
+      return !is_time(column) && titles.count({run, column.name, column.unit}) > 0;
     });
-  });
-}
+  }
 
-/// The last time of the run, if it is the same as this one: then the columns that follow have theirs.
-bool has_time(const std::vector<Column>& table, int run, const Column& time) {
-  for (std::size_t j = table.size(); j-- > 0;)
-    if (table[j].run == run && is_time(table[j])) {
-      const auto& known = table[j].values;  // padded
-      const auto end = known.begin() + static_cast<std::ptrdiff_t>(time.values.size());
-      return table[j].unit == time.unit &&
-             std::equal(time.values.begin(), time.values.end(), known.begin()) &&
-             std::all_of(end, known.end(), [](double value) { return std::isnan(value); });
-    }
-  return false;
-}
+  /// The last time of the run, if it is the same as this one: then the columns that follow have theirs.
+  bool has_time(const std::vector<Column>& table, int run, const Column& time) const {
+    const auto last = time_of_run.find(run);
+    if (last == time_of_run.end()) return false;
+    const auto& known = table[last->second].values;  // padded
+    const auto end = known.begin() + static_cast<std::ptrdiff_t>(time.values.size());
+    return table[last->second].unit == time.unit &&
+           std::equal(time.values.begin(), time.values.end(), known.begin()) &&
+           std::all_of(end, known.end(), [](double value) { return std::isnan(value); });
+  }
+};
 
 }  // namespace
 
@@ -47,7 +51,7 @@ void say_labels(const std::vector<std::string>& labels, std::vector<std::string>
 }
 
 Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording) {
-  constexpr std::size_t most_sets = 10'000;
+  constexpr std::size_t most_sets = 10'000, most_laid = 100'000;
   if (sets.size() > most_sets)
     return Error{concat({": the file holds ", std::to_string(sets.size()),
                          " tables: ", std::to_string(most_sets), " at most are read"})};
@@ -60,23 +64,31 @@ Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording) {
   if (longest * columns > 16 * cells + 100'000)
     return Error{concat({": the ", std::to_string(sets.size()),
                          " tables of the file are too unequal in length to be laid side by side"})};
+  if (columns > most_laid)
+    return Error{concat({": the tables of the file have ", std::to_string(columns),
+                         " columns: ", std::to_string(most_laid), " at most are read"})};
   auto& table = recording.table.columns;
   std::vector<std::string> labels;  // of the runs
   std::vector<std::size_t> set_of_column;
+  Laid laid;
   table.clear();
   for (std::size_t k = 0; k < sets.size(); ++k) {
     Set& set = sets[k];
-    int run = 0;
-    for (std::size_t i = 0; i < labels.size() && !set.label.empty(); ++i)
-      if (labels[i] == set.label) run = static_cast<int>(i) + 1;
-    if (run == 0 || has_column_of(table, run, set)) {
+    const auto known = set.label.empty() ? laid.run_of_label.end() : laid.run_of_label.find(set.label);
+    int run = known == laid.run_of_label.end() ? 0 : known->second;
+    if (run == 0 || laid.has_column_of(run, set)) {
       labels.push_back(set.label);
       run = static_cast<int>(labels.size());
+      laid.run_of_label[set.label] = run;
     }
     for (Column& column : set.columns) {
-      if (is_time(column) && has_time(table, run, column)) continue;
+      if (is_time(column) && laid.has_time(table, run, column)) continue;
       column.run = run;
       column.values.resize(longest, std::numeric_limits<double>::quiet_NaN());
+      if (is_time(column))
+        laid.time_of_run[run] = table.size();
+      else
+        laid.titles.insert({run, column.name, column.unit});
       table.push_back(std::move(column));
       set_of_column.push_back(k);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cromer/base/ascii.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/header.h"
 #include "cromer/record/dialects/lines.h"
@@ -17,7 +18,7 @@ bool begins_as_row(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t\"+-.,");
   if (first == std::string_view::npos) return false;
   if (line.substr(first).starts_with("\u2212")) return true;
-  return line[first] >= '0' && line[first] <= '9';
+  return is_digit(line[first]);
 }
 
 /// Several names, the first of which is a time.
@@ -48,7 +49,7 @@ std::vector<std::size_t> find_tables(const std::vector<std::string_view>& lines)
   bool rows = false;
   std::size_t top = 0, header = 0;  // of the lines of words at work
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const bool digit = !lines[i].empty() && lines[i][0] >= '0' && lines[i][0] <= '9';  // nearly always
+    const bool digit = !lines[i].empty() && is_digit(lines[i][0]);  // nearly always
     if (digit && rows && above.empty()) continue;
     if (!digit && (is_blank(lines[i]) || is_comment(lines[i]))) continue;
     if (!digit && !begins_as_row(lines[i])) {

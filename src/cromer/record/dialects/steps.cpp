@@ -13,6 +13,7 @@ namespace {
 
 /// `value` to so many significant digits.
 double to_digits(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value;
   const int places = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
   if (std::abs(places) > 300) return value;
   const double scale = std::pow(10.0, std::abs(places));  // a whole power of ten: dividing by it rounds once

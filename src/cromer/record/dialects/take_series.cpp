@@ -31,10 +31,13 @@ Result<std::size_t> main_column(const Recording& recording, int run, std::vector
   constexpr std::array<std::string_view, 5> wanted{"position", "angle", "angular velocity", "velocity",
                                                    "acceleration"};
   const auto& columns = recording.table.columns;
+  std::vector<std::size_t> of_run;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (columns[j].run == run) of_run.push_back(j);
   for (const std::string_view quantity : wanted) {
     std::vector<std::size_t> alike;
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      if (columns[j].run == run && columns[j].quantity == quantity) alike.push_back(j);
+    for (const std::size_t j : of_run)
+      if (columns[j].quantity == quantity) alike.push_back(j);
     if (alike.size() == 1) return alike.front();
     if (alike.empty()) continue;
     return Error{
@@ -42,9 +45,8 @@ Result<std::size_t> main_column(const Recording& recording, int run, std::vector
                 "; say which with --column, for instance --column \"", columns[alike.front()].name, "\""})};
   }
   std::vector<std::size_t> left;
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    if (columns[j].run == run && columns[j].quantity != "time" && columns[j].quantity != "index")
-      left.push_back(j);
+  for (const std::size_t j : of_run)
+    if (columns[j].quantity != "time" && columns[j].quantity != "index") left.push_back(j);
   if (left.empty()) return Error{"there is no column beside the time"};
   const std::string list = titles(columns, left);
   const std::string_view first = columns[left.front()].name;
@@ -134,11 +136,11 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
                            const ReadOptions& options) {
   const auto refuse = [&](std::string_view reason) { return Error{concat({recording.file, ": ", reason})}; };
   const auto& columns = recording.table.columns;
-  if (const auto known = runs(recording); std::find(known.begin(), known.end(), run) == known.end())
-    return refuse(known.size() == 1
-                      ? concat({"there is no run ", std::to_string(run), ": the file has one run"})
-                      : concat({"there is no run ", std::to_string(run), ": the file has ",
-                                counted(known.size(), "run")}));
+  if (std::none_of(columns.begin(), columns.end(), [&](const Column& of) { return of.run == run; })) {
+    const std::size_t known = runs(recording).size();
+    return refuse(concat({"there is no run ", std::to_string(run), ": the file has ",
+                          known == 1 ? "one run" : counted(known, "run")}));
+  }
   Series series;
   const auto chosen = column.empty() ? main_column(recording, run, series.warnings)
                                      : find_column(recording.table, column, run);
@@ -193,6 +195,10 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     series.lines.push_back(lines[i]);
   }
   describe_times(series, time ? 0 : options.rate);
+  if (series.t.size() > 1 && !(series.rate > 0 && std::isfinite(series.rate)))
+    return refuse(concat({"column \"", series.time_column, "\": from ", shortest(series.t[0]), " to ",
+                          shortest(series.t[1]),
+                          " is no step of time: seconds are expected, or a unit behind the name"}));
   describe_values(series, as_written);
   return series;
 }

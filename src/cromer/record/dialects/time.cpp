@@ -1,6 +1,7 @@
 #include "cromer/record/dialects/time.h"
 
 #include <cmath>
+#include <map>
 
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/columns.h"
@@ -70,6 +71,34 @@ std::optional<std::size_t> time_column_of(const Table& table, std::size_t j) {
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (is_time(k)) return k;
   return std::nullopt;
+}
+
+std::vector<std::optional<std::size_t>> time_columns_of(const Table& table) {
+  const auto& columns = table.columns;
+  const auto is_time = [&](std::size_t k) { return columns[k].quantity == "time"; };
+  std::vector<std::optional<std::size_t>> found(columns.size());
+  std::map<int, std::size_t> last_of_run;
+  std::size_t times = 0, first = 0, second = 0;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (const auto last = last_of_run.find(columns[j].run); last != last_of_run.end())
+      found[j] = last->second;
+    if (!is_time(j)) continue;
+    last_of_run[columns[j].run] = j;
+    if (times++ == 0) first = j;
+    if (times == 2) second = j;
+  }
+  last_of_run.clear();
+  for (std::size_t j = columns.size(); j-- > 0;) {
+    if (const auto last = last_of_run.find(columns[j].run); !found[j] && last != last_of_run.end())
+      found[j] = last->second;
+    if (is_time(j)) last_of_run[columns[j].run] = j;
+  }
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (found[j] || times == 0) continue;
+    if (j != first) found[j] = first;
+    if (j == first && times > 1) found[j] = second;
+  }
+  return found;
 }
 
 Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<long>& lines) {

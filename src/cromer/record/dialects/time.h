@@ -15,6 +15,9 @@ namespace cromer::dialects {
 /// else the first of all.
 std::optional<std::size_t> time_column_of(const Table& table, std::size_t j);
 
+/// The same for all columns.
+std::vector<std::optional<std::size_t>> time_columns_of(const Table& table);
+
 /// Rows where the times start again from near their beginning and go on from there. Missing times are passed
 /// over.
 std::vector<std::size_t> restarts(const std::vector<double>& t);

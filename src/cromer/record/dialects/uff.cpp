@@ -123,40 +123,38 @@ class Responses {
     } else {
       std::vector<std::string_view> rows;
       while (!reader.at_end() && !is_delimiter(reader.peek_line())) rows.push_back(reader.next_line());
-      auto stream = read_numbers(rows, 0, static_cast<std::size_t>(-1), false);
-      if (!stream) return Error{moved(stream.error().message, first - 1)};
+      auto stream = read_numbers(rows, 0, static_cast<std::size_t>(-1), false, first - 1);
+      if (!stream) return stream.error();
       numbers = std::move(stream->values);
-      for (const long line : stream->lines) at.push_back(line + first - 1);
+      at = std::move(stream->lines);
     }
     keep(head, std::move(numbers), at, begins);
     return {};
   }
 
   Sets take() && {
-    for (const auto& [reason, count] : left_out_)
-      found_.warnings.push_back(concat({counted(count, "dataset"), " left out: ", reason}));
+    for (const auto& [reason, of] : left_out_)
+      found_.warnings.push_back(
+          concat({counted(of.count, "dataset"), " left out: ", reason,
+                  of.count > 1 ? ", the first in line " : ", in line ", std::to_string(of.line)}));
     return std::move(found_);
   }
-  void leave_out(const std::string& reason) { ++left_out_[reason]; }
-
- private:
-  /// ":3: ..." of a part of the file as ":103: ...".
-  static std::string moved(const std::string& message, long lines) {
-    const std::size_t end = message.find(':', 1);
-    return concat({":", std::to_string(std::stol(message.substr(1, end - 1)) + lines), message.substr(end)});
+  void leave_out(const std::string& reason, long line) {
+    LeftOut& of = left_out_[reason];
+    if (of.count++ == 0) of.line = line;
   }
 
+ private:
   void keep(const UffFunction& head, std::vector<double> numbers, const std::vector<long>& at, long begins) {
-    const std::string here = concat({"the one in line ", std::to_string(begins)});
-    if (head.type != 2 && head.type != 4) return leave_out("its values are complex");
+    if (head.type != 2 && head.type != 4) return leave_out("its values are complex", begins);
     const bool time = head.abscissa.kind == 17 || head.function == 1;
-    if (!time) return leave_out("it is no time response (a spectrum or a frequency response)");
-    if (head.even && !is_step(head.step)) return leave_out(here + " has no time step above 0");
+    if (!time) return leave_out("it is no time response (a spectrum or a frequency response)", begins);
+    if (head.even && !is_step(head.step)) return leave_out("it has no time step above 0", begins);
     const std::size_t stride = head.even ? 1 : 2;
     std::size_t count = numbers.size() / stride;
     if (static_cast<double>(count) > head.points && head.points > 0)
       count = static_cast<std::size_t>(head.points);
-    if (count == 0) return leave_out(here + " has no values");
+    if (count == 0) return leave_out("it has no values", begins);
     if (head.points != static_cast<double>(count))
       found_.warnings.push_back(concat({"the dataset in line ", std::to_string(begins), " announces ",
                                         shortest(head.points), " points and holds ", std::to_string(count)}));
@@ -178,7 +176,11 @@ class Responses {
   }
 
   Sets found_{.dialect = "UFF 58", .separator = ' ', .decimal = '.', .sets = {}, .warnings = {}};
-  std::map<std::string, std::size_t> left_out_;
+  struct LeftOut {
+    std::size_t count = 0;
+    long line = 0;  ///< of the first
+  };
+  std::map<std::string, LeftOut> left_out_;
 };
 
 }  // namespace
@@ -205,7 +207,7 @@ Result<Sets> read_uff(std::string_view bytes) {
     if (trimmed(number) == "58" || trimmed(number).starts_with("58b")) {
       if (const auto read = responses.read(reader, number, begins); !read) return read.error();
     } else if (trimmed(number) != "151" && trimmed(number) != "164") {  // of the model and its units
-      responses.leave_out(concat({"its kind ", quoted(readable(trimmed(number))), " is not 58"}));
+      responses.leave_out(concat({"its kind ", quoted(readable(trimmed(number))), " is not 58"}), begins);
     }
     // To the delimiter that ends it; line ends may stand before it.
     while (!reader.at_end() && !is_delimiter(reader.next_line())) continue;

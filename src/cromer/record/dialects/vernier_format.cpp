@@ -1,5 +1,7 @@
 #include "cromer/record/dialects/vernier_format.h"
 
+#include <algorithm>
+
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/columns.h"
@@ -29,7 +31,7 @@ std::vector<Column> columns_of(std::string_view long_names, std::string_view uni
   split_cells(units, tabs, unit_cells);
   while (!names.empty() && names.back().empty()) names.pop_back();
   std::vector<Column> columns;
-  for (std::size_t j = 0; j < names.size(); ++j) {
+  for (std::size_t j = 0; j < std::min(names.size(), most_columns + 1); ++j) {
     const Heading heading = parse_heading(names[j]);
     Column column{heading.name, {}, heading.unit, 1, {}};
     if (j < unit_cells.size() && !unit_cells[j].empty()) column.unit = unit_cells[j];
@@ -67,6 +69,8 @@ Result<Sets> read_vernier_format(const Source& source) {
     if (set.columns.empty())
       return Error{concat({":", std::to_string(i + 2), ": the names of the columns of set ",
                            quoted(set.label), " are missing"})};
+    if (set.columns.size() > most_columns)
+      return Error{concat({":", std::to_string(i + 2), ": ", too_many_columns()})};
     const std::size_t from = i + 4;
     std::size_t to = from;
     while (to < lines.size() && may_be_row(lines[to], found.decimal)) ++to;

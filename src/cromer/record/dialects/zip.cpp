@@ -55,7 +55,7 @@ Result<std::vector<ZipEntry>> zip_directory(std::string_view bytes) {
 }
 
 Result<std::string> unzip(std::string_view bytes, const ZipEntry& entry) {
-  constexpr std::size_t local_size = 30, most_times = 250, allowance = 1000;
+  constexpr std::size_t local_size = 30, most_times = 50, allowance = 10'000;
   if (entry.encrypted) return Error{"the ZIP archive is locked with a password: export it without"};
   if (entry.method != 0 && entry.method != 8)
     return Error{"the ZIP archive is packed by a method other than deflate"};

@@ -23,8 +23,8 @@ bool is_zip(std::string_view bytes);
 /// The directory at the end of the archive. Errors are without the file's name.
 Result<std::vector<ZipEntry>> zip_directory(std::string_view bytes);
 
-/// The bytes of one entry, checked against its size and checksum. An entry that claims more than 250 times
-/// its packed size and a kilobyte is an Error, and so are other methods, passwords and damage.
+/// The bytes of one entry, checked against its size and checksum. An entry that claims more than 50 times
+/// its packed size and ten kilobytes is an Error, and so are other methods, passwords and damage.
 Result<std::string> unzip(std::string_view bytes, const ZipEntry& entry);
 
 }  // namespace cromer::dialects

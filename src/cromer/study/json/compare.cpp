@@ -22,9 +22,16 @@ Json document(const CompareResult& comparison) {
                       {"rms", curve.rms},
                       {"r_squared", curve.r_squared},
                       {"amplitude_ratio_end", curve.amplitude_ratio_end},
-                      {"phase_drift", curve.phase_drift}});
+                      {"phase_drift", curve.phase_drift},
+                      {"step", curve.step},
+                      {"law_rms", curve.law_rms},
+                      {"method_amplitude_ratio", curve.method_amplitude_ratio},
+                      {"method_phase", curve.method_phase},
+                      {"diverged", curve.diverged}});
+  if (!comparison.curves.empty()) object["measured_at_rest"] = comparison.curves.front().measured_at_rest;
   if (const std::string sentence = explanation(comparison); !sentence.empty())
     object["explanation"] = sentence;
+  object["fit"] = fit_object(comparison.recording);
   object["warnings"] = comparison.warnings;
   return object;
 }

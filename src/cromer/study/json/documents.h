@@ -10,6 +10,7 @@
 #include "cromer/study/task/inspect.h"
 #include "cromer/study/task/mass_line.h"
 #include "cromer/study/task/methods.h"
+#include "cromer/study/task/response_spectrum.h"
 #include "cromer/study/task/simulate.h"
 #include "cromer/study/task/static_stiffness.h"
 #include "cromer/study/task/sweep.h"
@@ -40,5 +41,9 @@ std::string to_json(std::span<const FittedRecording> fits, const MassLine& line)
 
 /// The comparison's object; {"comparisons": [...]} unless there is exactly one.
 std::string to_json(std::span<const CompareResult> comparisons);
+
+/// {"components": [...], "spectra": [...], "arias_intensity", "duration_5_95", ...}; `with_fourier` adds the
+/// Fourier amplitudes, all on one line.
+std::string to_json(const SpectrumResult& result, bool with_fourier);
 
 }  // namespace cromer

@@ -1,3 +1,4 @@
+// What drives a simulated run, in its parameters.
 #pragma once
 
 #include "cromer/study/json/json.h"

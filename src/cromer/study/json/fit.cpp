@@ -1,4 +1,5 @@
 #include "cromer/study/json/documents.h"
+#include "cromer/study/json/estimate.h"
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 
@@ -7,11 +8,7 @@ namespace {
 
 Json quantities(const std::vector<NamedEstimate>& estimates) {
   Json object = Json::object();
-  for (const auto& [name, estimate, unit] : estimates)
-    object[name] = {{"value", estimate.value},
-                    {"standard_error", estimate.standard_error},
-                    {"confidence_95", {estimate.low, estimate.high}},
-                    {"unit", unit}};
+  for (const auto& [name, estimate, unit] : estimates) object[name] = estimate_object(estimate, unit);
   return object;
 }
 
@@ -117,7 +114,9 @@ Json textbook(const FittedRecording& fitted) {
   return object;
 }
 
-Json document(const FittedRecording& fitted) {
+}  // namespace
+
+Json fit_object(const FittedRecording& fitted) {
   const FreeDecay& fit = fitted.fit;
   Json object;
   object["recording"] = recording_object(fitted);
@@ -127,10 +126,10 @@ Json document(const FittedRecording& fitted) {
   if (fitted.wrong_input) return object;
   object["iterations"] = fit.iterations;
   // Only a recorded force has anything between its samples.
-  object["between_samples"] = fitted.between_samples.empty() ? Json(nullptr) : Json(fitted.between_samples);
+  object["between_samples"] = or_null(fitted.between_samples);
   object["parameters"] = quantities(fitted.parameters);
   object["derived"] = quantities(fitted.derived);
-  object["simulate"] = fitted.simulate.empty() ? Json(nullptr) : Json(fitted.simulate);
+  object["simulate"] = or_null(fitted.simulate);
   object["residual"] = {{"rms", fit.residual.rms},
                         {"normality", fit.residual.normality},
                         {"autocorrelation", fit.residual.autocorrelation},
@@ -160,15 +159,13 @@ Json document(const FittedRecording& fitted) {
   return object;
 }
 
-}  // namespace
-
 Json recording_object(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const bool any = !series.t.empty();
   Json object;
   object["file"] = fitted.file;
   object["column"] = series.column;
-  object["observed"] = series.quantity.empty() ? Json(nullptr) : Json(series.quantity);
+  object["observed"] = or_null(series.quantity);
   object["run"] = series.run;
   object["samples"] = fitted.samples;
   object["used"] = series.t.size();
@@ -182,12 +179,12 @@ Json recording_object(const FittedRecording& fitted) {
 }
 
 std::string to_json(std::span<const FittedRecording> fits, bool as_list) {
-  if (fits.size() == 1 && !as_list) return to_text(document(fits.front()));
+  if (fits.size() == 1 && !as_list) return to_text(fit_object(fits.front()));
   Json all;
   Json& list = all["fits"] = Json::array();
   std::size_t failed = 0;
   for (const auto& fitted : fits) {
-    list.push_back(document(fitted));
+    list.push_back(fit_object(fitted));
     failed += !fitted.succeeded();
   }
   if (failed > 0)

@@ -21,13 +21,13 @@ std::string to_json(const Inspection& inspection, bool with_values) {
                        {"unit", column.unit},
                        {"run", column.run},
                        {"samples", seen.samples},
-                       {"time_column", seen.time_column.empty() ? Json(nullptr) : Json(seen.time_column)}});
+                       {"time_column", or_null(seen.time_column)}});
     if (with_values) columns.back()["values"] = column.values;
   }
   document["samples"] = inspection.samples;
   document["rate"] = or_null(inspection.rate);
   document["duration"] = or_null(inspection.duration);
-  document["time_column"] = inspection.time_column.empty() ? Json(nullptr) : Json(inspection.time_column);
+  document["time_column"] = or_null(inspection.time_column);
   document["jitter"] = inspection.jitter;
   Json& gaps = document["gaps"] = Json::array();
   Json& outliers = document["outliers"] = Json::array();

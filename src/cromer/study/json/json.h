@@ -22,4 +22,7 @@ inline std::string to_text(const Json& document, bool on_one_line = false) {
 /// Zero stands for unknown in rates and durations.
 inline Json or_null(double value) { return value == 0 ? Json(nullptr) : Json(value); }
 
+/// An empty text stands for none.
+inline Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 }  // namespace cromer

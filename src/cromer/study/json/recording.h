@@ -9,4 +9,7 @@ namespace cromer {
 /// {"file", "column", "samples", "used", "from", "to", "rate", "duration", "gaps", "outliers"} and the run.
 Json recording_object(const FittedRecording& fitted);
 
+/// The document of one fit.
+Json fit_object(const FittedRecording& fitted);
+
 }  // namespace cromer

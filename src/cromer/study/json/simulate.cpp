@@ -30,13 +30,10 @@ Json sensor(const SensorOptions& options) {
 }
 
 Json accuracy(const Accuracy& found) {
-  const auto or_null = [](const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-  };
   return {{"asked", found.asked},
           {"step", found.step},
-          {"frequency_error", or_null(found.frequency_error)},
-          {"decay_error", or_null(found.decay_error)},
+          {"frequency_error", json_or_null(found.frequency_error)},
+          {"decay_error", json_or_null(found.decay_error)},
           {"amplitude_error", found.amplitude_error}};
 }
 

@@ -1,16 +1,10 @@
 #include "cromer/study/json/documents.h"
+#include "cromer/study/json/estimate.h"
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 
 namespace cromer {
 namespace {
-
-Json object_of(const Estimate& estimate, std::string_view unit) {
-  return {{"value", estimate.value},
-          {"standard_error", estimate.standard_error},
-          {"confidence_95", {estimate.low, estimate.high}},
-          {"unit", unit}};
-}
 
 Json object_of(const Quantity& quantity, std::string_view unit) {
   return {{"value", quantity.value}, {"standard_uncertainty", quantity.uncertainty}, {"unit", unit}};
@@ -34,7 +28,7 @@ Json object_of(const LineWithErrors& line, std::string_view slope_unit, std::str
 std::string to_json(const StaticStiffness& found) {
   Json object;
   object["status"] = "converged";
-  object["parameters"] = {{"stiffness", object_of(found.stiffness, "N/m")}};
+  object["parameters"] = {{"stiffness", estimate_object(found.stiffness, "N/m")}};
   object["gravity"] = object_of(found.gravity, "m/s²");
   object["line"] = object_of(found.line, "m/kg", "m");
   Json& holds = object["holds"] = Json::array();
@@ -55,16 +49,16 @@ std::string to_json(const StaticStiffness& found) {
 std::string to_json(std::span<const FittedRecording> fits, const MassLine& line) {
   Json all = Json::parse(to_json(fits, true));
   Json& object = all["mass_line"] = Json::object();
-  object["stiffness"] = object_of(line.stiffness, "N/m");
-  object["effective_mass"] = object_of(line.effective_mass, "kg");
-  object["spring_mass"] = object_of(line.spring_mass, "kg");
+  object["stiffness"] = estimate_object(line.stiffness, "N/m");
+  object["effective_mass"] = estimate_object(line.effective_mass, "kg");
+  object["spring_mass"] = estimate_object(line.spring_mass, "kg");
   object["line"] = object_of(line.line, "s²/kg", "s²");
   Json& points = object["points"] = Json::array();
   for (const MassLinePoint& point : line.points)
     points.push_back({{"file", point.file},
                       {"run", point.run},
                       {"mass", object_of(point.mass, "kg")},
-                      {"period_squared", object_of(point.period_square, "s²")}});
+                      {"period_squared", estimate_object(point.period_square, "s²")}});
   object["warnings"] = line.warnings;
   return to_text(all);
 }

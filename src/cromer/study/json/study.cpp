@@ -23,7 +23,8 @@ std::string to_json(const Results& results) {
 std::string to_json(const WrittenReport& report) {
   Json document = {{"index", report.index.empty() ? Json(nullptr) : Json(report.index)},
                    {"figures", report.figures},
-                   {"warnings", report.warnings}};
+                   {"warnings", report.warnings},
+                   {"shown", report.shown}};
   if (!report.failure.empty()) document["message"] = report.failure;
   return to_text(document);
 }

@@ -4,191 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <limits>
 #include <numbers>
 
-#include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/doubts.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
-#include "cromer/study/task/fit_forced.h"
+#include "cromer/study/task/compared_curve.h"
 #include "cromer/study/task/forced_options.h"
-#include "cromer/study/task/run_law.h"
+#include "cromer/study/task/part_of_work.h"
+#include "cromer/study/task/used_samples.h"
 
 namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double most_steps = 1e8;
+constexpr double of_fits = 0.7;  // of the work, roughly
 
 // A period has at least 200 steps, and a sample is a whole number of them.
 double default_step(double spacing, double period) {
   return spacing / std::max(1.0, std::ceil(200 * spacing / period - 1e-9));
-}
-
-// Takes the states of a run at given times; between two states by the cubic that has their positions and
-// velocities.
-class KeepAt {
- public:
-  KeepAt(const std::vector<double>& t, double slack) : t_(t), slack_(slack) {
-    kept_.t.reserve(t.size());
-    kept_.x.reserve(t.size());
-    kept_.v.reserve(t.size());
-  }
-
-  void operator()(double t, const State<double>& y) {
-    while (kept_.size() < t_.size() && t_[kept_.size()] <= t + slack_) {
-      const double at = t_[kept_.size()];
-      const State<double> here = t - at <= slack_ ? y : between(at, t, y);
-      kept_.t.push_back(at);
-      kept_.x.push_back(here.x);
-      kept_.v.push_back(here.v);
-    }
-    before_t_ = t;
-    before_ = y;
-  }
-
-  Trajectory take() { return std::move(kept_); }
-
- private:
-  State<double> between(double at, double t, const State<double>& y) const {
-    const double h = t - before_t_, s = (at - before_t_) / h;
-    const double dx = y.x - before_.x;
-    const double a = h * before_.v, b = h * y.v;
-    const double c2 = 3 * dx - 2 * a - b, c3 = a + b - 2 * dx;
-    return {before_.x + s * (a + s * (c2 + s * c3)), (a + s * (2 * c2 + 3 * s * c3)) / h};
-  }
-
-  const std::vector<double>& t_;
-  double slack_;
-  double before_t_ = 0;
-  State<double> before_{};
-  Trajectory kept_;
-};
-
-// Amplitude and phase of the sinusoid of frequency w that fits samples [first, last) best.
-std::complex<double> local_sinusoid(std::span<const double> t, std::span<const double> x, std::size_t first,
-                                    std::size_t last, double w) {
-  const Record part{t.subspan(first, last - first), x.subspan(first, last - first), 0};
-  const DampedPhasor::Linear fit = DampedPhasor(part).best_linear(w, 0);
-  return {fit.cosine, -fit.sine};  // cosine cos(wt) + sine sin(wt) = |z| cos(wt + arg z)
-}
-
-// The complex amplitude at the end of samples [first, last): the rates of change of size and phase from the
-// first half to the second, carried on by the quarter of the window that lies between the second half's
-// middle and the end.
-std::complex<double> at_end(std::span<const double> t, std::span<const double> x, std::size_t first,
-                            std::size_t last, double w) {
-  const std::size_t middle = first + (last - first) / 2;
-  const std::complex<double> early = local_sinusoid(t, x, first, middle, w),
-                             late = local_sinusoid(t, x, middle, last, w);
-  if (!(std::abs(early) > 0)) return late;
-  const std::complex<double> change = late / early;
-  return late * std::polar(std::sqrt(std::abs(change)), std::arg(change) / 2);
-}
-
-struct EndComparison {
-  double amplitude_ratio = 1;
-  double phase_drift = 0;  // [rad]
-};
-
-// Windows of ten periods follow the phase through the record, so that a drift beyond half a turn is not
-// folded back; the last, carried on to its end, gives the result.
-EndComparison compare_ends(std::span<const double> t, std::span<const double> measured,
-                           std::span<const double> simulated, double w) {
-  EndComparison end;
-  const double window = 10 * two_pi / w;
-  const double duration = t.back() - t.front();
-  const int windows = std::max(1, static_cast<int>(duration / window));
-  double drift = 0;
-  for (int i = windows; i > 0; --i) {
-    const double from = std::max(t.front(), t.back() - i * window), to = t.back() - (i - 1) * window;
-    const auto first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), from) - t.begin());
-    const auto last = static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), to) - t.begin());
-    if (last < first + 8) continue;
-    const std::complex<double> m = local_sinusoid(t, measured, first, last, w),
-                               s = local_sinusoid(t, simulated, first, last, w);
-    if (!(std::abs(m) > 0)) continue;
-    const double now = std::arg(s * std::conj(m));
-    drift = now + two_pi * std::round((drift - now) / two_pi);
-    if (i > 1) continue;
-    const std::complex<double> ratio =
-        at_end(t, simulated, first, last, w) / at_end(t, measured, first, last, w);
-    end = {std::abs(ratio), drift + std::arg(ratio * std::polar(1.0, -drift))};
-  }
-  return end;
-}
-
-struct NamedLaw {
-  std::string label;
-  Law law;
-  Oscillator<double> oscillator;  // per unit mass
-};
-
-Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const NamedLaw& law,
-                                     const CompareOptions& options, double step,
-                                     std::vector<std::string>& warnings, const Watch& watch) {
-  if (options.method == "exact")
-    if (const std::string term = why_not_exact(law.oscillator); !term.empty())
-      return Error{fmt::format(
-          "--method exact: there is no closed form with {}; choose rk4 or another method, or --law viscous",
-          term)};
-  const Series& series = recording.series;
-  const FreeDecay& fit = recording.fit;
-  const double t0 = series.t.front(), duration = series.t.back() - t0;
-  const Interval interval{t0, t0 + std::ceil(duration / step - 1e-9) * step};
-  KeepAt keep(series.t, 1e-6 * step);
-  KeepEvery each{AnyRecorder(keep)};
-  const Outcome outcome = run_law({.oscillator = law.oscillator,
-                                   .method = options.method,
-                                   .interval = interval,
-                                   .start = {fit.position.value, fit.velocity.value},
-                                   .control = step},
-                                  each, watch);
-
-  ComparedCurve curve;
-  curve.label = law.label;
-  curve.law = law.law;
-  curve.method = options.method;
-  curve.trajectory = keep.take();
-  const std::size_t n = curve.trajectory.size();
-  if (outcome.status != Status::reached_end || n < series.t.size()) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = unknown;
-    curve.complete = false;
-    warnings.push_back(outcome.interrupted
-                           ? fmt::format("{}: interrupted at {:.6g} s", law.label, outcome.t)
-                           : fmt::format("{}: {} ended at {:.6g} s with {}; a smaller --step may help",
-                                         law.label, options.method, outcome.t, name(outcome.status)));
-    return curve;
-  }
-
-  std::vector<double> measured(n);
-  double mean = 0, residual = 0, total = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    measured[i] = series.y[i] - fit.equilibrium.value;
-    mean += measured[i] / static_cast<double>(n);
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    residual += (measured[i] - curve.trajectory.x[i]) * (measured[i] - curve.trajectory.x[i]);
-    total += (measured[i] - mean) * (measured[i] - mean);
-  }
-  curve.rms = std::sqrt(residual / static_cast<double>(n));
-  curve.r_squared = 1 - residual / total;
-  const EndComparison end = compare_ends(series.t, measured, curve.trajectory.x, fit.angular_frequency.value);
-  curve.amplitude_ratio_end = end.amplitude_ratio;
-  curve.phase_drift = end.phase_drift;
-  // A free swing never exceeds its start by much: what does has grown from step to step.
-  double largest = 0,
-         start = std::hypot(fit.position.value, fit.velocity.value / fit.angular_frequency.value);
-  for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
-  if (largest > 10 * start)
-    warnings.push_back(fmt::format(
-        "{}: {} with a step of {:.6g} s grows to {:.3g} times the amplitude that it started from: it is "
-        "unstable there, and the figures say nothing of the law; take a smaller --step or another "
-        "--method",
-        law.label, options.method, step, largest / start));
-  return curve;
 }
 
 // The same recording, fitted with a law of one's own choice.
@@ -216,7 +50,14 @@ Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& wa
     g = fitted->fit.decay_rate.value;
   }
   if (recording.decay_rate_mean) g = recording.decay_rate_mean->value;
-  return NamedLaw{"one constant decay rate", Law{}, {.mass = 1, .stiffness = w0 * w0, .damping = 2 * g}};
+  const MotionParameters start = recording.fit.motion();
+  return NamedLaw{"one constant decay rate",
+                  Law{},
+                  {.angular_frequency = w0,
+                   .decay_rate = g,
+                   .equilibrium = start.equilibrium,
+                   .position = start.position,
+                   .velocity = start.velocity}};
 }
 
 }  // namespace
@@ -227,6 +68,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     return Error{"--method: " + known.error().message};
   CompareResult result;
   result.recording = recording;
+  result.warnings = recording.warnings;
   const FreeDecay& fit = recording.fit;
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
   if (!fitted || !(fit.angular_frequency.value > 0)) return result;
@@ -237,6 +79,12 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
         recording.series.column, recording.series.quantity)};
 
   const Series& series = recording.series;
+  FittedSamples samples = without_outliers(series);
+  if (samples.t.front() > series.t.front()) {  // the motion begins there
+    samples.t.insert(samples.t.begin(), series.t.front());
+    samples.y.insert(samples.y.begin(), series.y.front());
+  }
+  result.doubts = doubts({samples.t, samples.y, series.resolution}, fit);
   const double period = two_pi / fit.angular_frequency.value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / 200;
   const double step = options.step.value_or(default_step(spacing, period));
@@ -244,41 +92,46 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     return Error{fmt::format("--step {}: it must be positive and give at most {:.0e} steps over {:.6g} s",
                              step, most_steps, duration)};
 
-  MotionParameters p = fit.motion();
-  Law law_simulated = fit.law;
-  if (fit.law.pendulum) {
-    law_simulated.pendulum = false;
-    law_simulated.cubic = true;
-    const Result<FittedRecording> refitted = with_law(recording, law_simulated, watch);
-    if (!refitted) return refitted.error();
-    p = refitted->fit.motion();
-    result.warnings.push_back(
-        fmt::format("the pendulum is simulated as {}, fitted to the recording: the methods' law has no sine",
-                    to_text(law_simulated)));
-  }
-  const Result<NamedLaw> constant = constant_rate(recording, watch);
+  const Result<NamedLaw> constant = constant_rate(recording, part_of(watch, 0, 0.2));
   if (!constant) return constant.error();
   if (watch.interrupted()) {
     result.warnings.emplace_back("interrupted before anything was simulated");
     result.complete = false;
     return result;
   }
-  const NamedLaw chosen{to_text(law_simulated),
-                        law_simulated,
-                        {.mass = 1,
-                         .stiffness = p.angular_frequency * p.angular_frequency,
-                         .damping = 2 * p.decay_rate,
-                         .drag = p.drag,
-                         .friction = p.friction,
-                         .cubic = p.cubic}};
+  const NamedLaw chosen{to_text(fit.law), fit.law, fit.motion()};
   for (const NamedLaw& law : {*constant, chosen}) {
-    Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.warnings, watch);
+    const double done = result.curves.empty() ? 0.2 : 0.6;
+    const Watch part = part_of(watch, done, done + 0.4);
+    Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.warnings, part);
     if (!curve) return curve.error();
     result.complete = result.complete && curve->complete;
     result.curves.push_back(std::move(*curve));
   }
   return result;
 }
+
+namespace {
+
+// A motion that is a driven one: free ones are laid beside it all the same, and it is said.
+Result<CompareResult> compare_driven(std::string_view bytes, std::string_view file,
+                                     const FittedRecording& driven, const CompareOptions& options,
+                                     const Watch& watch) {
+  CompareOptions free = options;
+  free.fit.recognise_drive = false;
+  free.fit.run = driven.series.run;
+  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, free.fit, part_of(watch, 0, of_fits));
+  if (!fits) return fits.error();
+  Result<CompareResult> result = compare_fitted(fits->front(), free, part_of(watch, of_fits, 1));
+  if (!result) return result;
+  result->doubts.insert(result->doubts.begin(), driven.warnings.back());
+  for (const std::string& warning : driven.warnings)
+    if (std::find(result->warnings.begin(), result->warnings.end(), warning) == result->warnings.end())
+      result->warnings.push_back(warning);
+  return result;
+}
+
+}  // namespace
 
 Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_view file,
                                            const CompareOptions& options, const Watch& watch) {
@@ -287,14 +140,16 @@ Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_v
   if (is_driven(options.fit))
     return Error{
         "--force-column and --drive-frequency are options of fit: compare lays free motions side by side"};
-  FitOptions free = options.fit;
-  free.recognise_drive = false;
-  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, free, watch);
+  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, options.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
   for (const FittedRecording& recording : *fits) {
     if (recording.wrong_input) return Error{std::string(file) + ": " + recording.fit.message};
-    Result<CompareResult> one = compare_fitted(recording, options, watch);
+    const double each = (1 - of_fits) / static_cast<double>(fits->size()),
+                 done = of_fits + each * static_cast<double>(results.size());
+    const Watch part = part_of(watch, done, done + each);
+    Result<CompareResult> one = recording.forced ? compare_driven(bytes, file, recording, options, part)
+                                                 : compare_fitted(recording, options, part);
     if (!one) return one.error();
     results.push_back(std::move(*one));
   }

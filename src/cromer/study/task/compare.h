@@ -19,25 +19,35 @@ struct CompareOptions {
 };
 
 /// One simulation laid beside the recording, at the recording's own times; x is the displacement from the
-/// fitted equilibrium.
+/// fitted equilibrium. Samples that the fit set aside are in none of the figures.
 struct ComparedCurve {
   std::string label;  ///< "one constant decay rate", "viscous+drag"
   Law law;
   std::string method;
+  double step = 0;  // [s]
   Trajectory trajectory;
-  bool complete = true;  ///< reached the recording's end; the figures are NaN where not
-  double rms = 0;        // [m] or the column's SI unit
+  bool complete = true;   ///< reached the recording's end; the figures are NaN where not
+  bool diverged = false;  ///< the method is not stable at this step: the figures say nothing of the law
+  double rms = 0;         // [m] or the column's SI unit
   double r_squared = 0;
-  double amplitude_ratio_end =
-      0;                   ///< simulated over measured, at the end (carried there from the last ten periods)
-  double phase_drift = 0;  // [rad] simulated minus measured, at the end
+  double amplitude_ratio_end = 0;  ///< simulated over measured, at the end (carried there from the last ten
+                                   ///< periods); NaN where the measured motion has stopped
+  double phase_drift = 0;              // [rad] simulated minus measured, at the end; NaN likewise
+  bool measured_at_rest = false;       ///< the measured swing is below the noise at the end
+  bool at_rest = false;                ///< the simulated one is
+  double law_rms = 0;                  ///< the law itself leaves, without the method's error [as rms]
+  double law_amplitude_ratio_end = 0;  ///< of the law itself; NaN where the measured motion has stopped
+  double method_amplitude_ratio =
+      1;                    ///< simulated over the law itself, at the end; NaN where that has stopped
+  double method_phase = 0;  // [rad] simulated minus the law itself, at the end; NaN likewise
 };
 
 struct CompareResult {
   FittedRecording recording;
   std::vector<ComparedCurve> curves;
-  bool complete = true;  ///< all curves are, and none is missing but for the fit's status
-  std::vector<std::string> warnings;
+  bool complete = true;               ///< all curves are, and none is missing but for the fit's status
+  std::vector<std::string> doubts;    ///< why no law tried says what the motion is; among the warnings
+  std::vector<std::string> warnings;  ///< the fit's first
 };
 
 /// Whether one decay rate is enough, with its numbers, for people; empty where nothing was simulated to the

@@ -101,17 +101,13 @@ AmplitudeDecay amplitude_decay(const FreeDecay& fit) {
           .friction = p.friction};
 }
 
-double first_amplitude(const FreeDecay& fit) {
-  // The turning point has all of the energy.
+Swing<double> swing_of(const FreeDecay& fit) {
   const MotionParameters p = fit.motion();
-  const double w2 = p.angular_frequency * p.angular_frequency;
-  const double kinetic = 0.5 * p.velocity * p.velocity;
-  if (p.pendulum) return std::acos(std::max(-1.0, std::cos(p.position) - kinetic / w2));
-  const double energy =
-      kinetic + 0.5 * w2 * p.position * p.position + 0.25 * p.cubic * std::pow(p.position, 4);
-  if (p.cubic == 0) return std::sqrt(2 * energy / w2);
-  const double root = w2 * w2 + 4 * p.cubic * energy;
-  return std::sqrt(root > 0 ? 4 * energy / (w2 + std::sqrt(root)) : 2 * energy / w2);
+  return {.stiffness = p.angular_frequency * p.angular_frequency, .cubic = p.cubic, .pendulum = p.pendulum};
+}
+
+double first_amplitude(const FreeDecay& fit) {
+  return swing_of(fit).amplitude(fit.position.value, fit.velocity.value);
 }
 
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDecay& fit,
@@ -120,11 +116,10 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDe
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double amplitude = first_amplitude(fit);
   if (record.t.size() < 24 || !(amplitude > 0) || !std::isfinite(amplitude)) return result;
-  // The frequency at the first amplitude, of a pendulum as of the cubic spring -w^2/6 x^3; from then on each
-  // stretch starts from the one before.
-  const MotionParameters p = fit.motion();
-  const double w2 = p.angular_frequency * p.angular_frequency, cubic = p.pendulum ? -w2 / 6 : p.cubic;
-  double w = std::sqrt(std::max(0.25 * w2, w2 + 0.75 * cubic * amplitude * amplitude));
+  // The frequency at the first amplitude, not below half of that of small swings; from then on each stretch
+  // starts from the one before.
+  const double lowest = 0.5 * fit.angular_frequency.value, there = swing_of(fit).angular_frequency(amplitude);
+  double w = there > lowest ? there : lowest;
   double at = amplitude;
   StretchLength stretch(record, w);
   const auto t = record.t;

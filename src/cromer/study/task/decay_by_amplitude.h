@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cromer/analysis/amplitude_decay.h"
+#include "cromer/analysis/swing.h"
 #include "cromer/identify/free_decay.h"
 
 namespace cromer {
@@ -18,6 +19,9 @@ struct AmplitudeRate {
 
 /// What the law's damping does to the amplitude.
 AmplitudeDecay amplitude_decay(const FreeDecay& fit);
+
+/// What its springs do to a swing.
+Swing<double> swing_of(const FreeDecay& fit);
 
 /// The largest swing that the law has from the first sample on: [unit of the displacement].
 double first_amplitude(const FreeDecay& fit);

@@ -1,4 +1,4 @@
-// A recorded drive: from a file's bytes to evenly spaced samples.
+// A recorded force or acceleration: from a file's bytes to evenly spaced samples.
 #pragma once
 
 #include <string>
@@ -15,12 +15,21 @@ struct DriveRecord {
   std::vector<double> values;  ///< at least two; all finite
   double spacing = 0;          // [s] > 0
   std::vector<std::string> warnings;
+  std::string column{};    ///< as the file names it, with unit
+  bool unit_known = true;  ///< else the values are as they stand in the file
 };
 
-/// `quantity` is "force" or "acceleration"; `column` may be empty where only one can be meant. An Error for
-/// what is no such recording: another quantity, gaps or missing values, times that are not even.
+/// What is wanted of a file, and how messages call it.
+struct DriveRequest {
+  std::string_view quantity;                          ///< "force" or "acceleration"
+  std::string_view column{};                          ///< "" where only one can be meant
+  int run = 0;                                        ///< 0: the first
+  std::string_view column_option = "--drive-column";  ///< that says another column
+  std::string_view use = "drive";                     ///< what the samples are for
+};
+
+/// An Error for what is no such recording: another quantity, gaps or missing values, times that are not even.
 Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view file,
-                                      std::string_view quantity, std::string_view column,
-                                      const ReadOptions& options);
+                                      const DriveRequest& request, const ReadOptions& options);
 
 }  // namespace cromer

@@ -14,9 +14,11 @@
 #include "cromer/identify/free_part.h"
 #include "cromer/identify/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
+#include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/recognise_drive.h"
 #include "cromer/study/task/used_samples.h"
 
@@ -24,18 +26,6 @@ namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-
-// Which derivative of the displacement a quantity is: -1 where that is not known to be any.
-int derivative_order(std::string_view quantity) {
-  if (quantity == "position" || quantity == "angle") return 0;
-  if (quantity == "velocity" || quantity == "angular velocity") return 1;
-  if (quantity == "acceleration" || quantity == "angular acceleration") return 2;
-  return -1;
-}
-
-bool is_linear_quantity(std::string_view quantity) {
-  return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
-}
 
 Result<void> check_options(const FitOptions& options) {
   const auto must = [](const char* name, double value, const char* constraint) {
@@ -53,6 +43,12 @@ Result<void> check_options(const FitOptions& options) {
     return must("monte-carlo", *options.monte_carlo, "between 1000 and 10000000 trials");
   if (options.monte_carlo && !options.mass)
     return Error{"--monte-carlo needs --mass: it checks the uncertainty of the spring constant"};
+  if (options.temperature && !options.disc_diameter)
+    return Error{
+        "--temperature needs --disc-diameter: the air's warmth matters to the Reynolds number and the drag "
+        "coefficient of a disc only"};
+  if (options.seed_given && !options.monte_carlo)
+    return Error{"--seed needs --monte-carlo: it is the seed of its trials"};
   if (!options.goal.empty())
     if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
   if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");
@@ -152,11 +148,7 @@ Result<LawChoice> fit_law(const Record& record, const Series& series, const FitO
   FreeDecayOptions decay;
   decay.angle = series.quantity.starts_with("ang");
   const bool automatic = options.law.empty() || options.law == "auto";
-  if (record.derivative > 0)
-    warnings.push_back(fmt::format(
-        "column \"{}\" holds {}: it is fitted as that, and all but the equilibrium, which is the sensor's "
-        "offset, is said of the {}",
-        series.column, series.quantity, decay.angle ? "angle" : "displacement"));
+  if (record.derivative > 0) warnings.push_back(fitted_as_it_is(series.quantity, series.column));
   if (automatic) return choose_law(record, decay, watch);
   const Result<Law> law = parse_law(options.law);
   if (!law) return law.error();
@@ -252,6 +244,15 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                       part->reason, result.series.t.size(), before));
     }
   }
+  // The law's motion begins at the first sample that the fit sees, and so does the series.
+  if (!samples.t.empty() && result.series.t.front() < samples.t.front()) {
+    FitOptions later = options;
+    later.from = samples.t.front();
+    std::vector<Outlier> aside = std::move(result.series.outliers);
+    result.series.outliers.clear();
+    result.series = *used_part(result.series, later);
+    result.series.outliers = std::move(aside);
+  }
   const Record record{samples.t, samples.y, result.series.resolution,
                       std::max(0, derivative_order(result.series.quantity))};
 
@@ -275,17 +276,18 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
     result.warnings.push_back(
         fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
   }
-  result.derived = derived_quantities(result.fit);
+  result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
   result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
-  const DecaySegments segments = fit_segments(record, two_pi / result.fit.angular_frequency.value,
+  const FittedSamples good = without_outliers(result.series);
+  const Record kept{good.t, good.y, record.resolution, record.derivative};
+  const DecaySegments segments = fit_segments(kept, two_pi / result.fit.angular_frequency.value,
                                               options.segment, options.segments, watch);
   result.segments = segments.segments;
   result.decay_rate_mean = segments.mean;
   result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, temperature, watch);
-  if (const Result<void> asked = add_lab_quantities(result, record, body, watch); !asked)
-    return asked.error();
+  if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
     result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
@@ -333,7 +335,9 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   std::optional<Error> first_error;
   bool any_read = false;
   for (int run : wanted) {
-    Result<FittedRecording> one = fit_run(*recording, run, file, options, watch);
+    const auto done = static_cast<double>(fits.size()), all = static_cast<double>(wanted.size());
+    const Watch part = part_of(watch, done / all, (done + 1) / all);
+    Result<FittedRecording> one = fit_run(*recording, run, file, options, part);
     if (one) {
       any_read = true;
       one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());

@@ -38,10 +38,11 @@ struct FitOptions {
   std::string drive_frequency{};     ///< of a harmonic drive, with its unit, or auto; "" where none drives
   bool recognise_drive = true;       ///< a motion that is no free one may be fitted as a driven one
   std::optional<double> hold_out{};  ///< share of the samples, above 0: the last ones, kept from the fit
-  std::string goal{};                       ///< "decay_rate 0.5 %": how long to record
-  std::optional<int> monte_carlo{};         ///< trials, 1000 to 1e7
-  unsigned long long seed = 1;              ///< of the trials
-  bool textbook = false;                    ///< decrement and bandwidth beside the fit
+  std::string goal{};                ///< "decay_rate 0.5 %": how long to record
+  std::optional<int> monte_carlo{};  ///< trials, 1000 to 1e7
+  unsigned long long seed = 1;       ///< of the trials
+  bool seed_given = false;
+  bool textbook = false;  ///< decrement and bandwidth beside the fit
 };
 
 /// What textbooks would say of the damping; each empty where it cannot be had.
@@ -67,7 +68,8 @@ struct Candidate {
 struct HeldOut {
   double from, to;  // [s]
   std::size_t samples;
-  double rms;  ///< in the SI unit of the column
+  double rms;                                  ///< in the SI unit of the column
+  std::vector<double> t{}, measured{}, law{};  ///< at each of them; [s], SI unit of the column
 };
 
 struct FittedRecording {

@@ -9,26 +9,26 @@
 
 #include "cromer/identify/driven_fit.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/force_grid.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/forced_parameters.h"
+#include "cromer/study/task/used_samples.h"
 
 namespace cromer {
 namespace {
 
-Result<void> check_displacement(const Series& motion) {
-  if (motion.quantity.find("velocity") == std::string::npos &&
-      motion.quantity.find("acceleration") == std::string::npos)
-    return {};
-  return Error{
-      fmt::format("column \"{}\" holds {}: a driven motion is fitted to a position or an angle; choose one "
-                  "by --column",
-                  motion.column, motion.quantity)};
+bool is_outlier(const Series& series, std::size_t i) {
+  // They stand in the order of their times.
+  const auto found = std::lower_bound(series.outliers.begin(), series.outliers.end(), series.t[i],
+                                      [](const Outlier& outlier, double t) { return outlier.t < t; });
+  return found != series.outliers.end() && found->t == series.t[i];
 }
 
-bool is_outlier(const Series& series, std::size_t i) {
-  return std::any_of(series.outliers.begin(), series.outliers.end(),
-                     [&](const Outlier& outlier) { return outlier.t == series.t[i]; });
+std::vector<double> taken(const std::vector<double>& from, const std::vector<std::size_t>& places) {
+  std::vector<double> result;
+  for (const std::size_t i : places) result.push_back(from[i]);
+  return result;
 }
 
 bool has_values(const FreeDecay& fit) {
@@ -50,11 +50,19 @@ void describe(FittedRecording& result, ForcedChoice&& choice, std::string_view f
   const Body body{options.mass, options.spring_mass, options.disc_diameter,
                   options.temperature.value_or(Quantity{293.15, 0})};
   const std::string_view unit = si_unit_of(result.series.quantity);
-  result.parameters = forced_parameters(*result.forced, unit, force_unit, body);
-  if (options.mass && unit != "m" && !unit.empty())
+  const int derivative = std::max(0, derivative_order(result.series.quantity));
+  if (derivative > 0)
+    result.warnings.push_back(fitted_as_it_is(result.series.quantity, result.series.column));
+  result.parameters = forced_parameters(*result.forced, unit, derivative, force_unit, body);
+  if (options.mass && !result.find("stiffness"))
     result.warnings.push_back(
         fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
-  result.derived = forced_derived(*result.forced);
+  result.derived = derived_quantities(*result.forced, unit, derivative);
+  if (result.find("stiffness")) {
+    result.stiffness_budget = stiffness_budget(result.fit, body);
+    if (options.monte_carlo)
+      result.monte_carlo = stiffness_monte_carlo(result.fit, body, *options.monte_carlo, options.seed);
+  }
   if (result.fit.decay_rate.value >= result.fit.angular_frequency.value)
     result.warnings.emplace_back("the law is overdamped: it has no frequency and no period of its own");
   if (result.fit.explained < 0.9 && result.fit.residual.autocorrelation > 0.5)
@@ -96,10 +104,14 @@ std::string simulate_line(const ForcedFit& fit, const Series& series, double mas
 
 void say_unused(FittedRecording& result) {
   const FitOptions& options = result.options;
-  if (options.segment || options.segments)
-    result.warnings.emplace_back("--segment and --segments are not used: a driven motion has no decay");
+  for (const std::string_view unused : unused_if_driven(options))
+    result.warnings.push_back(fmt::format("{} is not used: the motion is driven", unused));
   if (options.disc_diameter)
-    result.warnings.emplace_back("--disc-diameter gives no Reynolds number of a driven motion");
+    result.warnings.push_back(
+        fmt::format("--disc-diameter gives no Reynolds number of a driven motion{}",
+                    result.find("drag_coefficient")
+                        ? ""
+                        : "; and no drag coefficient: that needs --mass and drag in the law"));
 }
 
 }  // namespace
@@ -111,7 +123,6 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
         fmt::format("--force-column: \"{}\" is the column that is fitted; say which holds the motion "
                     "with --column",
                     force.column)};
-  if (const auto good = check_displacement(motion); !good) return good.error();
   Result<Series> used = samples_in_use(motion, options);
   if (!used) return used.error();
   const Series around = force_around(force, used->t.front(), used->t.back());
@@ -131,7 +142,8 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
                       .t = t,
                       .y = y,
                       .fitted = count,
-                      .resolution = used->resolution};
+                      .resolution = used->resolution,
+                      .derivative = std::max(0, derivative_order(used->quantity))};
   if (options.hold_out)
     record.fitted =
         static_cast<std::size_t>(std::lround((1 - *options.hold_out) * static_cast<double>(count)));
@@ -151,13 +163,18 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   say_unused(result);
 
   std::vector<double>& of_law = result.forced->motion;
+  Trajectory& states = result.forced->states;
   if (of_law.size() < count) return result;
   // The series keeps what was fitted; the law goes on through what was held out.
   if (record.fitted < count) {
-    HeldOut& held = result.held_out.emplace(HeldOut{t[record.fitted], t.back(), 0, 0});
+    HeldOut& held =
+        result.held_out.emplace(HeldOut{.from = t[record.fitted], .to = t.back(), .samples = 0, .rms = 0});
     for (std::size_t i = record.fitted; i < count; ++i) {
       if (std::isnan(y[i])) continue;
       held.rms += (y[i] - of_law[i]) * (y[i] - of_law[i]);
+      held.t.push_back(t[i]);
+      held.measured.push_back(y[i]);
+      held.law.push_back(of_law[i]);
       ++held.samples;
     }
     held.rms = held.samples > 0 ? std::sqrt(held.rms / static_cast<double>(held.samples)) : 0;
@@ -165,15 +182,15 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
     cut.to = t[record.fitted - 1];
     result.series = *samples_in_use(result.series, cut);
   }
-  std::vector<double> at_samples;
-  for (std::size_t i = 0; i < result.series.t.size(); ++i) at_samples.push_back(of_law[(*places)[i] - first]);
-  of_law = std::move(at_samples);
+  std::vector<std::size_t> of_series;
+  for (std::size_t i = 0; i < result.series.t.size(); ++i) of_series.push_back((*places)[i] - first);
+  for (std::vector<double>* list : {&of_law, &states.t, &states.x, &states.v})
+    *list = taken(*list, of_series);
   return result;
 }
 
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
                                    const Watch& watch) {
-  if (const auto good = check_displacement(motion); !good) return good.error();
   Result<Series> used = samples_in_use(motion, options);
   if (!used) return used.error();
   const Result<std::optional<ForcedTerms>> terms = terms_of(options);
@@ -194,11 +211,16 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
     t.push_back(series.t[i]);
     y.push_back(series.y[i]);
   }
-  ForcedChoice choice = choose_driven({t, y, series.resolution}, *terms, *drive, watch);
+  ForcedChoice choice = choose_driven(
+      {t, y, series.resolution, std::max(0, derivative_order(series.quantity))}, *terms, *drive, watch);
   describe(result, std::move(choice), "", false);
   say_unused(result);
   const ForcedFit& fit = *result.forced;
   if (!fit.drive_frequency) return result;
+  if (fit.quadratic)
+    result.warnings.emplace_back(
+        "no command simulates this law: cromer simulate has no quadratic stiffness; --law viscous or "
+        "viscous+drag gives one that it has");
   result.simulate = simulate_line(
       fit, series, options.mass ? Body{options.mass, options.spring_mass}.effective_mass().value : 1);
   if (result.fit.status == FitStatus::converged) {
@@ -213,12 +235,14 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   }
   // Outliers have a place in the series: the law's motion there, by the nearest neighbours.
   if (t.size() != series.t.size() && fit.motion.size() == t.size()) {
-    std::vector<double> at_samples;
+    std::vector<std::size_t> of_series;
     for (std::size_t i = 0, k = 0; i < series.t.size(); ++i) {
       while (k + 1 < t.size() && t[k] < series.t[i]) ++k;
-      at_samples.push_back(fit.motion[k]);
+      of_series.push_back(k);
     }
-    result.forced->motion = std::move(at_samples);
+    ForcedFit& forced = *result.forced;
+    for (std::vector<double>* list : {&forced.motion, &forced.states.t, &forced.states.x, &forced.states.v})
+      *list = taken(*list, of_series);
   }
   return result;
 }

@@ -45,11 +45,27 @@ Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& op
   return found;
 }
 
+/// The first option given that says or asks something of a motion; empty where none does.
+std::string of_a_motion(const FitOptions& o) {
+  if (o.mass || o.spring_mass) return o.mass ? "--mass" : "--spring-mass";
+  if (!o.law.empty() && o.law != "auto") return "--law";
+  if (o.disc_diameter || o.temperature) return o.disc_diameter ? "--disc-diameter" : "--temperature";
+  if (o.segment || o.segments) return o.segment ? "--segment" : "--segments";
+  if (!o.force_column.empty() || o.hold_out) return o.hold_out ? "--hold-out" : "--force-column";
+  if (!o.drive_frequency.empty()) return "--drive-frequency";
+  if (!o.goal.empty() || o.textbook) return o.textbook ? "--textbook" : "--goal";
+  return o.monte_carlo ? "--monte-carlo" : "";
+}
+
 }  // namespace
 
 Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options) {
   const auto masses = parse_masses(options.masses);
   if (!masses) return masses.error();
+  if (const std::string unused = of_a_motion(options.fit); !unused.empty())
+    return Error{fmt::format(
+        "{} has no meaning with --static: a mass at rest has no motion; leave it out, or leave out --static",
+        unused)};
   std::vector<Hold> holds;
   std::size_t next = 0;
   for (const NamedBytes& file : files) {

@@ -17,7 +17,7 @@ struct FittedMotion {
   std::vector<double> measured;        ///< the column
   std::vector<double> residual;        ///< measured less fitted
   std::vector<double> x, v;            ///< displacement from the equilibrium and velocity of the law
-  std::vector<double> local_velocity;  ///< from the samples; NaN where the window has less than 8 of them
+  std::vector<double> local_velocity;  ///< from those not set aside; NaN where a window has less than 8
   std::vector<double> energy;          ///< of the law, with its mass [J], else per unit mass
   bool per_mass = true;
 };

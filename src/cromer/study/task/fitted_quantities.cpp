@@ -11,8 +11,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double squared(double x) { return x * x; }
-
 // "1/m" and "1/(m² s²)" from "m".
 std::string reciprocal(std::string_view unit) { return unit.empty() ? "" : "1/" + std::string(unit); }
 std::string cubic_unit(std::string_view unit) {
@@ -21,11 +19,6 @@ std::string cubic_unit(std::string_view unit) {
 std::string rate_unit(std::string_view unit) { return unit.empty() ? "1/s" : std::string(unit) + "/s"; }
 std::string acceleration_unit(std::string_view unit) {
   return unit.empty() ? "1/s²" : std::string(unit) + "/s²";
-}
-
-// "m" from "m", "m/s" or "m/s²", of a record that is the displacement's derivative.
-std::string displacement_unit(std::string_view unit, int derivative) {
-  return std::string(derivative > 0 ? unit.substr(0, unit.find('/')) : unit);
 }
 
 // c times an estimate, where c has a relative uncertainty of its own that is independent of the estimate.
@@ -42,19 +35,15 @@ Estimate scaled(const Estimate& estimate, double c, double relative_uncertainty,
   return result;
 }
 
-// A function of w0 and g with its derivatives there.
-Estimate of_rates(const FreeDecay& fit, double value, double by_w0, double by_g) {
-  const double variance = squared(by_w0) * fit.covariance_of("angular_frequency", "angular_frequency") +
-                          squared(by_g) * fit.covariance_of("decay_rate", "decay_rate") +
-                          2 * by_w0 * by_g * fit.covariance_of("angular_frequency", "decay_rate");
-  return make_estimate(value, std::sqrt(std::max(0.0, variance)), fit.student);
-}
-
 }  // namespace
 
 Quantity Body::effective_mass() const {
   const Quantity spring = spring_mass.value_or(Quantity{});
   return {mass->value + spring.value / 3, std::hypot(mass->uncertainty, spring.uncertainty / 3)};
+}
+
+std::string displacement_unit(std::string_view unit, int derivative) {
+  return std::string(derivative > 0 ? unit.substr(0, unit.find('/')) : unit);
 }
 
 std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view observed, int derivative) {
@@ -77,7 +66,8 @@ std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& bo
   const Quantity m = body.effective_mass();
   const double u_m = m.uncertainty / m.value;
   const double w0 = fit.angular_frequency.value;
-  const Estimate stiffness_per_mass = of_rates(fit, w0 * w0, 2 * w0, 0);
+  const Estimate stiffness_per_mass =
+      make_estimate(w0 * w0, 2 * w0 * fit.angular_frequency.standard_error, fit.student);
   result.push_back({"stiffness", scaled(stiffness_per_mass, m.value, u_m, fit.student), "N/m"});
   if (fit.law.viscous)
     result.push_back({"damping", scaled(fit.decay_rate, 2 * m.value, u_m, fit.student), "kg/s"});
@@ -94,20 +84,6 @@ std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& bo
         std::hypot(u_m, 2 * D.uncertainty / D.value, body.temperature.uncertainty / body.temperature.value);
     result.push_back({"drag_coefficient", scaled(*fit.drag, factor, relative, fit.student), "1"});
   }
-  return result;
-}
-
-std::vector<NamedEstimate> derived_quantities(const FreeDecay& fit) {
-  const double w0 = fit.angular_frequency.value, g = fit.decay_rate.value;
-  const double w = std::sqrt(w0 * w0 - g * g);
-  const double T = 2 * pi / w;
-  std::vector<NamedEstimate> result;
-  result.push_back({"frequency", of_rates(fit, 1 / T, w0 / w / (2 * pi), -g / w / (2 * pi)), "Hz"});
-  result.push_back({"period", of_rates(fit, T, -T * w0 / (w * w), T * g / (w * w)), "s"});
-  result.push_back({"damping_ratio", of_rates(fit, g / w0, -g / (w0 * w0), 1 / w0), "1"});
-  result.push_back({"quality_factor", of_rates(fit, w0 / (2 * g), 1 / (2 * g), -w0 / (2 * g * g)), "1"});
-  const double by_g = 2 * pi * w0 * w0 / (w * w * w), by_w0 = -2 * pi * g * w0 / (w * w * w);
-  result.push_back({"logarithmic_decrement", of_rates(fit, g * T, by_w0, by_g), "1"});
   return result;
 }
 

@@ -30,18 +30,17 @@ struct Body {
   Quantity effective_mass() const;
 };
 
+/// "m" from "m", "m/s" or "m/s²", the unit of a record that is this derivative of the displacement.
+std::string displacement_unit(std::string_view unit, int derivative);
+
 /// Per unit mass, in the contract's order; `observed` is the unit of the record, which is this derivative of
 /// the displacement.
 std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view observed, int derivative);
 
 /// With a mass and a record of lengths or its derivatives: stiffness, damping, drag_constant,
 /// friction_force, cubic_stiffness, and with a disc drag_coefficient: C_d = 2 d/(rho S), where S = pi D^2/4
-/// and rho is dry air's density at the temperature. Averaged over a cycle that is 3 pi m q/(2 rho S w), q the slope of the
-/// decay rate against amplitude.
+/// and rho is dry air's density at the temperature. Averaged over a cycle that is 3 pi m q/(2 rho S w), q the
+/// slope of the decay rate against amplitude.
 std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& body);
-
-/// frequency (damped), period, damping_ratio, quality_factor, logarithmic_decrement. Infinite where there is
-/// no viscous damping to divide by.
-std::vector<NamedEstimate> derived_quantities(const FreeDecay& fit);
 
 }  // namespace cromer

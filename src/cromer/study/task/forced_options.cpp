@@ -41,6 +41,15 @@ Result<std::optional<double>> drive_of(const FitOptions& options) {
   return std::optional<double>{frequency->value};
 }
 
+std::vector<std::string_view> unused_if_driven(const FitOptions& options) {
+  std::vector<std::string_view> unused;
+  if (options.segment) unused.emplace_back("--segment");
+  if (options.segments) unused.emplace_back("--segments");
+  if (!options.goal.empty()) unused.emplace_back("--goal");
+  if (options.textbook) unused.emplace_back("--textbook");
+  return unused;
+}
+
 bool is_driven(const FitOptions& options) {
   return !options.force_column.empty() || !options.drive_frequency.empty();
 }
@@ -66,6 +75,11 @@ Result<void> check_forced_options(const FitOptions& options) {
       return Error{fmt::format("--hold-out {}: it must lie above 0 and at most at 90 %", *options.hold_out)};
   }
   if (!is_driven(options)) return {};
+  for (const std::string_view unused : unused_if_driven(options))
+    return Error{fmt::format(
+        "{} cannot be had of a driven motion, whose amplitude the drive keeps up; fit a free decay, for "
+        "instance a part of the record after the drive has stopped, by --from and --to",
+        unused)};
   if (const auto terms = terms_of(options); !terms) return terms.error();
   if (!options.drive_frequency.empty())
     if (const auto drive = drive_of(options); !drive) return drive.error();

@@ -12,6 +12,9 @@ namespace cromer {
 /// Whether a fit of something driven is asked for.
 bool is_driven(const FitOptions& options);
 
+/// The options given that ask for something of a free decay: --segment, --segments, --goal, --textbook.
+std::vector<std::string_view> unused_if_driven(const FitOptions& options);
+
 /// That each option of a forced or driven fit stands where it has a meaning and has one of its values.
 Result<void> check_forced_options(const FitOptions& options);
 

@@ -18,10 +18,10 @@ std::string gain_unit(std::string_view unit, std::string_view force_unit) {
 
 }  // namespace
 
-std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_view unit,
+std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_view observed, int derivative,
                                              std::string_view force_unit, const Body& body) {
   const FreeDecay& law = fit.law;
-  const std::string length(unit);
+  const std::string length = displacement_unit(observed, derivative), &unit = length;
   std::vector<NamedEstimate> list{{"angular_frequency", law.angular_frequency, "rad/s"},
                                   {"decay_rate", law.decay_rate, "1/s"}};
   const auto add = [&](const char* name, const std::optional<Estimate>& estimate, std::string of_unit) {
@@ -35,7 +35,7 @@ std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_v
   add("drive_frequency", fit.drive_frequency, "rad/s");
   add("drive_amplitude", fit.drive_amplitude, times(unit, "s²"));
   add("drive_phase", fit.drive_phase, "rad");
-  add("equilibrium", law.equilibrium, length);
+  add("equilibrium", law.equilibrium, std::string(observed));
   add("position", law.position, length);
   add("velocity", law.velocity, times(unit, "s"));
   if (!body.mass || (unit != "m" && !unit.empty())) return list;
@@ -48,14 +48,6 @@ std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_v
   };
   if (fit.quadratic) add("quadratic_stiffness", scaled(*fit.quadratic), "N/m²");
   if (fit.drive_amplitude) add("drive_force", scaled(*fit.drive_amplitude), "N");
-  return list;
-}
-
-std::vector<NamedEstimate> forced_derived(const ForcedFit& fit) {
-  if (fit.law.decay_rate.value < fit.law.angular_frequency.value) return derived_quantities(fit.law);
-  std::vector<NamedEstimate> list;
-  for (NamedEstimate& number : derived_quantities(fit.law))
-    if (number.name == "damping_ratio" || number.name == "quality_factor") list.push_back(std::move(number));
   return list;
 }
 

@@ -9,12 +9,10 @@
 
 namespace cromer {
 
-/// In the contract's order, per unit mass and then, with a mass and a record of lengths, in SI. `unit` is
-/// that of the record, `force_unit` that of the force column; "" where there is none or it is not known.
-std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_view unit,
+/// In the contract's order, per unit mass and then, with a mass and a record of lengths, in SI. `observed` is
+/// the unit of the record, which is this derivative of the displacement, `force_unit` that of the force
+/// column; "" where there is none or it is not known.
+std::vector<NamedEstimate> forced_parameters(const ForcedFit& fit, std::string_view observed, int derivative,
                                              std::string_view force_unit, const Body& body);
-
-/// derived_quantities where the law oscillates; else damping_ratio and quality_factor alone.
-std::vector<NamedEstimate> forced_derived(const ForcedFit& fit);
 
 }  // namespace cromer

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/time.h"
@@ -33,23 +35,13 @@ Result<Series> main_series(const Recording& recording, int run, const ReadOption
 }
 
 /// Values that are there, and the time column they are taken with.
-InspectedColumn look_at(const Recording& recording, std::size_t j) {
+InspectedColumn look_at(const Recording& recording, std::size_t j, std::optional<std::size_t> time) {
   const Column& column = recording.table.columns[j];
   InspectedColumn found;
   found.samples = static_cast<std::size_t>(std::count_if(column.values.begin(), column.values.end(),
                                                          [](double value) { return !std::isnan(value); }));
-  if (const auto time = dialects::time_column_of(recording.table, j); time && column.quantity != "time")
-    found.time_column = column_title(recording.table.columns[*time]);
+  if (time && column.quantity != "time") found.time_column = column_title(recording.table.columns[*time]);
   return found;
-}
-
-/// Rows up to the last with a value.
-std::size_t length_of(const Recording& recording, int run) {
-  std::size_t length = 0;
-  for (const Column& column : recording.table.columns)
-    for (std::size_t i = column.values.size(); column.run == run && i > length; --i)
-      if (!std::isnan(column.values[i - 1])) length = i;
-  return length;
 }
 
 }  // namespace
@@ -60,14 +52,15 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
   Inspection inspection;
   inspection.recording = std::move(*recording);
   inspection.warnings = inspection.recording.warnings;
+  std::set<std::string> said(inspection.warnings.begin(), inspection.warnings.end());
   const auto say = [&](const std::string& warning) {
-    auto& all = inspection.warnings;
-    if (std::find(all.begin(), all.end(), warning) == all.end()) all.push_back(warning);
+    if (said.insert(warning).second) inspection.warnings.push_back(warning);
   };
-  for (std::size_t j = 0; j < inspection.recording.table.columns.size(); ++j)
-    inspection.columns.push_back(look_at(inspection.recording, j));
+  const auto times = dialects::time_columns_of(inspection.recording.table);
+  for (std::size_t j = 0; j < times.size(); ++j)
+    inspection.columns.push_back(look_at(inspection.recording, j, times[j]));
   for (const int run : runs(inspection.recording)) {
-    inspection.samples = std::max(inspection.samples, length_of(inspection.recording, run));
+    inspection.samples = std::max(inspection.samples, rows_of_run(inspection.recording.table, run));
     auto series = main_series(inspection.recording, run, options);
     if (!series) {
       const std::string prefix = std::string(file) + ": ";

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/study/task/derived_quantities.h"
 
 namespace cromer {
 namespace {
@@ -60,7 +61,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
       all.insert(all.end(), more.begin(), more.end());
     };
     if (has_forces) add(force_parameters(fit, body));
-    add(derived_quantities(fit));
+    add(derived_quantities(fit, unit, record.derivative));
     return all;
   };
   const Result<RecordingPlan> plan = plan_recording(*goal, result.fit, record, quantities_of);

@@ -11,8 +11,10 @@ namespace cromer {
 
 Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses) {
   if (fits.size() != masses.size())
-    return Error{fmt::format("--masses: {} masses are given for {} recordings and runs; each needs one",
-                             masses.size(), fits.size())};
+    return Error{
+        fmt::format("--masses: {} masses are given for {} recording{}; each recording, and each run in one, "
+                    "needs its own",
+                    masses.size(), fits.size(), fits.size() == 1 ? "" : "s")};
   constexpr double two_pi = 2 * std::numbers::pi;
   MassLine result;
   std::vector<UncertainPoint> points;

@@ -2,14 +2,10 @@
 
 #include <string>
 
+#include "cromer/base/ascii.h"
+
 namespace cromer {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 /// What follows the last digit or bracket: "g" of "48.4(2) g".
 std::string_view unit_in(std::string_view part) {

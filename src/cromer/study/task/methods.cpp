@@ -24,6 +24,12 @@ Result<void> check_options(MethodsOptions options) {
   return {};
 }
 
+std::string order_text(const MethodInfo& info) {
+  if (info.order == 0) return "exact";
+  return info.error_order == 0 ? fmt::format("{}", info.order)
+                               : fmt::format("{}({})", info.order, info.error_order);
+}
+
 }  // namespace
 
 Result<std::vector<MethodRow>> list_methods(const MethodsOptions& options) {
@@ -32,6 +38,7 @@ Result<std::vector<MethodRow>> list_methods(const MethodsOptions& options) {
   for (const MethodInfo& info : method_infos)
     rows.push_back({.name = info.name,
                     .order = info.order > 0 ? std::optional<int>(info.order) : std::nullopt,
+                    .order_text = order_text(info),
                     .implicit = info.implicit,
                     .symplectic = info.symplectic,
                     .adaptive = info.error_order > 0,
@@ -62,15 +69,12 @@ std::string methods_in_markdown() {
       "| method | order | implicit | symplectic | reversible | A-stable | evaluations a step | source |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const MethodInfo& info : method_infos) {
-    const std::string order = info.order == 0         ? "exact"
-                              : info.error_order == 0 ? fmt::format("{}", info.order)
-                                                      : fmt::format("{}({})", info.order, info.error_order);
     const std::string evaluations = !info.implicit
                                         ? fmt::format("{}", info.evaluations)
                                         : fmt::format("{} an iteration", info.iteration_evaluations);
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", info.name, order, yes(info.implicit),
-                    yes(info.symplectic), yes(info.reversible), yes(info.a_stable), evaluations, info.source);
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", info.name, order_text(info),
+                        yes(info.implicit), yes(info.symplectic), yes(info.reversible), yes(info.a_stable),
+                        evaluations, info.source);
   }
   return text;
 }

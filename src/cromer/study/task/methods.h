@@ -25,6 +25,7 @@ struct MethodsOptions {
 struct MethodRow {
   std::string_view name;
   std::optional<int> order;  ///< empty for exact
+  std::string order_text{};  ///< "4", "5(4)" with that of the error estimate, "exact"
   bool implicit = false;
   bool symplectic = false;  ///< said of the undamped law
   bool adaptive = false;

@@ -6,17 +6,13 @@
 #include <cmath>
 #include <type_traits>
 
+#include "cromer/base/ascii.h"
+
 namespace cromer {
 namespace {
 
 Error wrong(const Option& option, std::string_view what) {
   return Error{fmt::format("--{}: {}", option.name, what)};
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
 bool in_range(Range range, double value) {

@@ -18,6 +18,7 @@ struct FitOptions;
 struct CompareOptions;
 struct MethodsOptions;
 struct SweepOptions;
+struct SpectrumOptions;
 
 /// What a value must satisfy.
 enum class Range { any, positive, not_negative, fraction, tolerance, accuracy, air_temperature };
@@ -56,11 +57,13 @@ struct Option {
 /// The tables, in the order of --help. The pointers go into the struct given.
 std::vector<Option> options_of(SimulateOptions& options);
 std::vector<Option> options_of(ReadOptions& options);
-std::vector<Option> options_of(FitOptions& options);      ///< with those of its ReadOptions
-std::vector<Option> options_of(CompareOptions& options);  ///< with those of its FitOptions
+std::vector<Option> options_of(FitOptions& options);  ///< with those of its ReadOptions
+std::vector<Option> options_of(
+    CompareOptions& options);  ///< with those of its FitOptions but the driven ones
 std::vector<Option> options_of(MethodsOptions& options);
 /// Those of simulate that can have a grid are texts here, whatever their unit.
 std::vector<Option> options_of(SweepOptions& options);
+std::vector<Option> options_of(SpectrumOptions& options);  ///< with those of its ReadOptions
 
 /// Reads `text` (a quantity with unit, a whole number, a word, "true" or "false" for a flag) into the target;
 /// a list grows by one. An Error names the option, the text and what was expected.

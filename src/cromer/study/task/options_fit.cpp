@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "cromer/study/task/compare.h"
 #include "cromer/study/task/fit.h"
 #include "cromer/study/task/option.h"
@@ -61,7 +65,7 @@ std::vector<Option> options_of(FitOptions& o) {
        "a quantity and how well it is to be known, \"decay_rate 0.5 %\": how long to record", "none", more},
       {"monte-carlo", &o.monte_carlo, "", Range::positive,
        "check the spring constant's uncertainty by so many trials (1000 to 10000000)", "none", more},
-      {"seed", &o.seed, "", Range::any, "of the trials", "1", more},
+      {"seed", &o.seed, "", Range::any, "of the trials", "1", more, &o.seed_given},
       {"textbook", &o.textbook, "", Range::any,
        "logarithmic decrement from peaks and half-power bandwidth beside the fit", "not shown", more},
   };
@@ -75,7 +79,15 @@ std::vector<Option> options_of(CompareOptions& o) {
       {"step", &o.step, "s", Range::positive, "time step",
        "the sample spacing, divided to have 200 steps in a period", integration},
   };
-  return joined(options_of(o.fit), own);
+  // A driven motion has no one decay rate to be compared with.
+  constexpr std::array<std::string_view, 4> of_driven{"force-column", "between-samples", "drive-frequency",
+                                                      "hold-out"};
+  std::vector<Option> of_fit = options_of(o.fit);
+  const auto is_of_driven = [&](const Option& option) {
+    return std::find(of_driven.begin(), of_driven.end(), option.name) != of_driven.end();
+  };
+  of_fit.erase(std::remove_if(of_fit.begin(), of_fit.end(), is_of_driven), of_fit.end());
+  return joined(std::move(of_fit), own);
 }
 
 }  // namespace cromer

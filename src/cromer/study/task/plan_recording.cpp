@@ -1,6 +1,7 @@
 #include "cromer/study/task/plan_recording.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -114,7 +115,8 @@ double end_of_the_swing(const FreeDecay& fit) {
 std::string seconds(double t) { return format_quantity({std::stod(fmt::format("{:.3g}", t)), 0}, "s"); }
 
 std::string certainty(const RecordingPlan& plan, bool relative, double error) {
-  if (relative) return fmt::format("{:.2g} %", 100 * error / std::abs(plan.value));
+  const double percent = 100 * error / std::abs(plan.value);
+  if (relative) return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
   return fmt::format("{:.2g}{}{}", error, plan.unit == "1" || plan.unit.empty() ? "" : " ",
                      plan.unit == "1" ? "" : plan.unit);
 }
@@ -142,17 +144,39 @@ std::string sentence(const RecordingPlan& plan, bool relative, double present, d
       plan.noise_ratio, plan.rate_ratio);
 }
 
+/// "did you mean decay_rate?", also of "decay rate 1 %"; else all there are.
+std::string meant(std::string_view text, std::string_view quantity) {
+  std::string joined(text);
+  std::replace(joined.begin(), joined.end(), ' ', '_');
+  for (const std::string_view known : known_quantities)
+    if (joined.starts_with(known)) return fmt::format("did you mean {}?", known);
+  if (const std::string near = nearest(quantity, known_quantities); !near.empty())
+    return fmt::format("did you mean {}?", near);
+  return fmt::format("there are {}.", fmt::join(known_quantities, ", "));
+}
+
+/// Why a fit lacks a quantity that others have, and the cure.
+std::string why_not_there(std::string_view quantity, const Law& law) {
+  for (const std::string_view term : {"drag", "friction", "cubic"})
+    if (quantity == term) return fmt::format("its law is {}; fit one with {} by --law", to_text(law), term);
+  if (quantity == "decay_rate")
+    return fmt::format("its law is {}; fit one with viscous by --law", to_text(law));
+  return fmt::format(
+      "its law is {}, and quantities of force need a position (or velocity, acceleration) and --mass, a drag "
+      "coefficient --disc-diameter as well",
+      to_text(law));
+}
+
 }  // namespace
 
 Result<Goal> parse_goal(std::string_view text) {
   const auto blank = text.find(' ');
   Goal goal{std::string(text.substr(0, blank)), false, ""};
   if (std::find(known_quantities.begin(), known_quantities.end(), goal.quantity) == known_quantities.end()) {
-    const std::string near = nearest(goal.quantity, known_quantities);
-    return Error{
-        fmt::format("--goal: \"{}\" is no quantity of a fit{} Give a name and its standard "
-                    "uncertainty, for instance \"decay_rate 0.5 %\"",
-                    goal.quantity, near.empty() ? "." : "; did you mean " + near + "?")};
+    return Error{fmt::format(
+        "--goal: \"{}\" is no quantity of a fit; {} Give a name and its standard uncertainty, for instance "
+        "\"decay_rate 0.5 %\"",
+        goal.quantity, meant(text, goal.quantity))};
   }
   if (blank == std::string_view::npos)
     return Error{fmt::format("--goal: how well is {} to be known? For instance \"{} 0.5 %\"", goal.quantity,
@@ -176,10 +200,8 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
   };
   const auto now = look_up(fit);
   if (!now)
-    return Error{
-        fmt::format("--goal: there is no {} in this fit; its law is {}, and quantities of force need a "
-                    "position and --mass",
-                    goal.quantity, to_text(fit.law))};
+    return Error{fmt::format("--goal: there is no {} in this fit: {}", goal.quantity,
+                             why_not_there(goal.quantity, fit.law))};
   const bool plain = now->unit == "1";
   const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
   if (!wanted) return Error{"--goal: " + wanted.error().message};

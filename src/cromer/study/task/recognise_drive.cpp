@@ -7,6 +7,7 @@
 
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
+#include "cromer/study/task/used_samples.h"
 
 namespace cromer {
 
@@ -28,8 +29,9 @@ std::optional<FittedRecording> recognise_drive(const FittedRecording& free, cons
       !(fit.drive_amplitude->low > 0))
     return std::nullopt;
   const double w0 = fit.law.angular_frequency.value, w = fit.drive_frequency->value;
-  const double steady =
-      fit.drive_amplitude->value / std::hypot(w0 * w0 - w * w, 2 * fit.law.decay_rate.value * w);
+  const double steady = std::pow(w, std::max(0, derivative_order(motion.quantity))) *
+                        fit.drive_amplitude->value /
+                        std::hypot(w0 * w0 - w * w, 2 * fit.law.decay_rate.value * w);
   double square = 0;
   for (double y : result->series.y)
     square += (y - fit.law.equilibrium.value) * (y - fit.law.equilibrium.value);

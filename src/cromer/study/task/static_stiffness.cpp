@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/base/median.h"
 #include "cromer/identify/residual.h"
 #include "cromer/identify/uncertainty.h"
 
@@ -23,9 +24,12 @@ Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::str
                         series.y.begin() + static_cast<std::ptrdiff_t>(last));
   for (const double each : y) hold.position += each / n;
   for (double& each : y) each -= hold.position;
-  double square = 0;
+  double square = 0, steps = 0;
   for (const double each : y) square += each * each;
+  for (std::size_t i = 1; i < y.size(); ++i) steps += 0.5 * (y[i] - y[i - 1]) * (y[i] - y[i - 1]);
   hold.scatter = n > 1 ? std::sqrt(square / (n - 1)) : 0;
+  // Noise is as large from sample to sample as over the whole; a swing is much larger over the whole.
+  hold.moves = hold.scatter > 2 * series.resolution && square > 6 * steps;
   const double widening = square > 0 && y.size() > 3 ? correlation_factor(y, 0) : 1;
   // A mean of rounded values is not known better than rounding leaves it.
   const double rounding = series.resolution / std::sqrt(12.0);
@@ -42,8 +46,7 @@ struct Plateau {
 double median(const std::vector<double>& y, std::size_t first, std::size_t last) {
   std::vector<double> part(y.begin() + static_cast<std::ptrdiff_t>(first),
                            y.begin() + static_cast<std::ptrdiff_t>(last));
-  std::nth_element(part.begin(), part.begin() + static_cast<std::ptrdiff_t>(part.size() / 2), part.end());
-  return part[part.size() / 2];
+  return upper_median(part);
 }
 
 /// Stretches that stay at a level. In blocks of a fiftieth of the record for each mass a quiet block spans
@@ -110,10 +113,10 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
         list += fmt::format("{}{:.4g} to {:.4g} s", list.empty() ? ": " : ", ", series.t[each.first],
                             series.t[each.last - 1]);
       return Error{
-          fmt::format("{}: {} masses are given, and {} plateaus are found{}; choose the part with --from and "
+          fmt::format("{}: {} masses are given, and {} plateau{} found{}; choose the part with --from and "
                       "--to, or give "
                       "each hold as a run or file of its own",
-                      file, masses.size(), found.size(), list)};
+                      file, masses.size(), found.size(), found.size() == 1 ? " is" : "s are", list)};
     }
     for (const Plateau& each : found) holds.push_back(hold_of(series, each.first, each.last, file));
   } else {
@@ -150,6 +153,12 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
                     "this is added to all, "
                     "and the interval is that of {} degree{} of freedom",
                     line->extra_scatter, line->degrees, line->degrees == 1 ? "" : "s"));
+  for (const Hold& hold : holds)
+    if (hold.moves)
+      result.warnings.push_back(fmt::format(
+          "{}, run {}, {:.4g} to {:.4g} s is not at rest: it moves by {:.2g} m (rms), and its mean is taken; "
+          "choose a quiet part by --from and --to, or fit its swing without --static",
+          hold.file, hold.run, hold.from, hold.to, hold.scatter));
   if (holds.size() == 2)
     result.warnings.emplace_back("two masses give a line whatever they are: nothing shows whether it is one");
   result.holds = std::move(holds);

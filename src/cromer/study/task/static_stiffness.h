@@ -21,6 +21,7 @@ struct Hold {
   double position = 0;        // [m]
   double scatter = 0;         // [m] standard deviation of the samples
   double standard_error = 0;  // [m] of the mean, widened for correlation
+  bool moves = false;         ///< slowly, as a swing does, not from sample to sample as noise
   Quantity mass;              // [kg]
 };
 

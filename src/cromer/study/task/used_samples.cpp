@@ -54,11 +54,11 @@ FittedSamples without_outliers(const Series& series) {
 void set_drop_outs_aside(Series& series) {
   const FittedSamples kept = without_outliers(series);
   const std::vector<std::size_t> found = drop_outs({series.t, series.y, series.resolution});
-  std::size_t added = 0;
+  std::size_t added = 0, first = 0;
   for (std::size_t i : found) {
     if (!std::binary_search(kept.t.begin(), kept.t.end(), series.t[i])) continue;
     series.outliers.push_back({series.t[i], series.y[i], i < series.lines.size() ? series.lines[i] : 0});
-    ++added;
+    if (added++ == 0) first = i;
   }
   if (added == 0) return;
   std::sort(series.outliers.begin(), series.outliers.end(),
@@ -66,7 +66,7 @@ void set_drop_outs_aside(Series& series) {
   series.warnings.push_back(fmt::format(
       "{} samples in flat runs far outside the motion, the first at {:.6g} s, are taken for drop-outs "
       "of the sensor and set aside",
-      added, series.t[found.front()]));
+      added, series.t[first]));
 }
 
 void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
@@ -85,6 +85,24 @@ void list_outliers(Series& series, const FittedSamples& samples, const std::vect
       aside.size() == 1 ? "one sample" : fmt::format("{} samples", aside.size()),
       aside.size() == 1 ? "lies" : "lie", aside.size() == 1 ? "its" : "their", samples.t[aside.front()],
       aside.size() == 1 ? "is" : "are"));
+}
+
+int derivative_order(std::string_view quantity) {
+  if (quantity == "position" || quantity == "angle") return 0;
+  if (quantity == "velocity" || quantity == "angular velocity") return 1;
+  if (quantity == "acceleration" || quantity == "angular acceleration") return 2;
+  return -1;
+}
+
+bool is_linear_quantity(std::string_view quantity) {
+  return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
+}
+
+std::string fitted_as_it_is(std::string_view quantity, std::string_view column) {
+  return fmt::format(
+      "column \"{}\" holds {}: it is fitted as that, and all but the equilibrium, which is the sensor's "
+      "offset, is said of the {}",
+      column, quantity, quantity.starts_with("ang") ? "angle" : "displacement");
 }
 
 }  // namespace cromer

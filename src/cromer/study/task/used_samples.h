@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/base/result.h"
@@ -26,5 +27,14 @@ void set_drop_outs_aside(Series& series);
 /// Samples that the fit itself set aside (indices into those it saw) join the outliers too.
 void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
                    std::vector<std::string>& warnings);
+
+/// Which derivative of the displacement or angle a quantity is: -1 where that is not known to be any.
+int derivative_order(std::string_view quantity);
+
+/// Of a length or a quantity unknown, not of an angle.
+bool is_linear_quantity(std::string_view quantity);
+
+/// The warning that a column of velocities or accelerations is no displacement.
+std::string fitted_as_it_is(std::string_view quantity, std::string_view column);
 
 }  // namespace cromer

@@ -1,0 +1,113 @@
+#include <unistd.h>
+
+#include "commands.h"
+#include "cromer/report/file.h"
+#include "cromer/report/read_file.h"
+#include "cromer/study/json/documents.h"
+#include "cromer/study/task/response_spectrum.h"
+#include "exit_status.h"
+#include "message.h"
+#include "output.h"
+#include "spectrum_csv.h"
+#include "spectrum_figure.h"
+#include "spectrum_text.h"
+#include "syntax.h"
+#include "watching.h"
+
+namespace cromer::cli {
+namespace {
+
+/// What this command writes beside the common files.
+struct SpectrumOutput {
+  OutputOptions common{};
+  std::string fourier{};
+  bool tripartite = false;
+};
+
+Result<void> check(const SpectrumOutput& output, bool shock, const std::vector<std::string>& inputs) {
+  if (auto good = check_outputs(output.common, inputs); !good) return good;
+  if (output.tripartite && output.common.plot.empty())
+    return Error{"--tripartite is a way to draw; say into which file with --plot"};
+  if (output.tripartite && shock)
+    return Error{
+        "--tripartite draws pseudo-velocities, which a shock spectrum has not; leave one of them out"};
+  if (output.fourier.empty()) return {};
+  if (!output.fourier.ends_with(".csv"))
+    return Error{"--fourier: " + output.fourier + ": the amplitudes are written as .csv"};
+  if (output.fourier == output.common.output) return Error{"-o and --fourier both name " + output.fourier};
+  OutputOptions same;
+  same.output = output.fourier;
+  return check_outputs(same, inputs);
+}
+
+Result<void> write_files(const SpectrumResult& result, const SpectrumOutput& output,
+                         const Arguments& arguments) {
+  const std::string& file = output.common.output;
+  if (!file.empty()) {
+    const bool csv = *file_format(file) == FileFormat::csv;
+    if (auto good = write_file(file, csv ? spectrum_csv(result, arguments) : to_json(result, true)); !good)
+      return good;
+  }
+  if (!output.fourier.empty())
+    if (auto good = write_file(output.fourier, fourier_csv(result, arguments)); !good) return good;
+  if (output.common.plot.empty()) return {};
+  return write_plot(output.common.plot,
+                    output.tripartite ? tripartite_figure(result) : spectrum_figure(result));
+}
+
+}  // namespace
+
+int run_spectrum(const Arguments& arguments) {
+  SpectrumOptions options;
+  SpectrumOutput output;
+  Syntax syntax{
+      .command = "spectrum",
+      .description =
+          "Response spectrum of a recorded acceleration: the largest displacement, pseudo-velocity and "
+          "pseudo-acceleration that oscillators of many periods reach. Two files are the horizontal "
+          "components of one motion: geometric mean, RotD50 and RotD100 come with them.",
+      .files = "FILE...",
+      .options = options_of(options),
+      .example =
+          "  cromer spectrum quake.AT2 --damping-ratio 2%,5% --periods 0.01:10:200:log --in-g -o "
+          "spectrum.csv\n"
+          "  cromer spectrum h1.AT2 h2.AT2 --peaks peer --plot spectrum.svg\n"
+          "  cromer spectrum drop.uff --shock --frequencies \"5:5000:200:log Hz\" --in-g --plot srs.svg"};
+  add_output_options(syntax.options, output.common, {}, "the spectrum as .csv or .json");
+  syntax.options.push_back({"fourier", &output.fourier, "", Range::any,
+                            "the recording's Fourier amplitudes as .csv", "none", "Output"});
+  syntax.options.push_back({"tripartite", &output.tripartite, "", Range::any,
+                            "draw pseudo-velocity over lines of displacement and acceleration",
+                            "pseudo-acceleration", "Output"});
+  std::vector<std::string> names;
+  if (const auto status = parse(syntax, arguments, names)) return *status;
+  if (auto good = check(output, options.shock, names); !good) return refuse(good.error().message);
+  std::vector<SpectrumFile> files;
+  for (const auto& name : names) {
+    auto bytes = read_file(name);
+    if (!bytes) return refuse(bytes.error().message);
+    files.push_back({name, *std::move(bytes)});
+  }
+  // Half of the machine's: what is computed is written out once more as text.
+  options.memory =
+      0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+
+  const bool quiet = output.common.quiet;
+  Watch watch = watching(quiet);
+  watch.warn = [&](const std::vector<std::string>& warnings) { warn(warnings, quiet); };
+  const auto result = response_spectrum(files, options, watch);
+  clear_progress();
+  if (!result) return refuse(result.error().message);
+  if (result->interrupted) {
+    complain("interrupted; nothing is written");
+    if (output.common.json) print(to_json(*result, false));
+    return no_success;
+  }
+  if (auto good = write_files(*result, output, arguments); !good) return refuse(good.error().message);
+  if (output.common.output == "-") return done;
+  return print(output.common.json ? to_json(*result, false) : spectrum_text(*result))
+             ? done
+             : refuse("standard output cannot be written");
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,34 @@
+// Measures of a recorded acceleration itself: how strong, how long, at which frequencies.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cromer/model/sampled_drive.h"
+
+namespace cromer {
+
+inline constexpr double standard_gravity = 9.80665;  // [m/s^2]
+
+/// Arias intensity and the significant duration: the time from 5 to 95 % of it (A. Arias, in Seismic Design
+/// for Nuclear Power Plants, MIT Press 1970; M. D. Trifunac & A. G. Brady, Bull. Seism. Soc. Am. 65, 581
+/// (1975)).
+struct Intensity {
+  double arias = 0;     // [m/s] pi/(2 g) times the integral of a^2
+  double from = 0;      // [s] after the first sample, when 5 % of it have come
+  double duration = 0;  // [s] from there until 95 %
+};
+
+/// Of samples h [s] apart, at least two; exact for what the samples are joined to. All 0 where nothing
+/// shakes.
+Intensity intensity(std::span<const double> acceleration, double h, BetweenSamples between);
+
+/// |integral of a(t) e^{-i W t} dt| by the discrete transform, padded with zeros to a power of two.
+struct FourierAmplitude {
+  double step = 0;                // [Hz] between neighbouring values
+  std::vector<double> amplitude;  // [m/s] at 0, step, 2 step, ... up to half the sampling frequency
+};
+
+FourierAmplitude fourier_amplitude(std::span<const double> acceleration, double h);
+
+}  // namespace cromer

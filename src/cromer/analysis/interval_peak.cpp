@@ -1,0 +1,108 @@
+#include "cromer/analysis/interval_peak.h"
+
+#include <numbers>
+#include <utility>
+
+namespace cromer {
+namespace {
+
+/// q and its first three derivatives.
+struct Quantity4 {
+  double q, slope, bend, twist;
+};
+
+struct Watch {
+  const LinearLaw<double>& law;
+  const Watched<double>& watched;
+  const IntervalMotion& motion;
+
+  Quantity4 at(double t) const {
+    const IntervalMotion here(law, propagate_ramp(law, motion.f, motion.slope, t, motion.y),
+                              motion.f + motion.slope * t, motion.slope);
+    return of(here);
+  }
+  Quantity4 of(const IntervalMotion& m) const {
+    const double snap = -2 * law.decay_rate * m.jerk - law.stiffness * m.acceleration;
+    return {watched.x * m.y.x + watched.v * m.y.v, watched.x * m.y.v + watched.v * m.acceleration,
+            watched.x * m.acceleration + watched.v * m.jerk, watched.x * m.jerk + watched.v * snap};
+  }
+};
+
+/// Where between a and b a function vanishes that has there two signs, fa of one and fb of the other:
+/// Newton's steps, bisection where they leave the bracket. `function(t)` returns value and derivative.
+template <class Function>
+double root_between(double a, double fa, double b, double fb, double to_within, const Function& function) {
+  double t = a + (b - a) * (fa / (fa - fb));
+  for (int i = 0; i < 60; ++i) {
+    const auto [value, derivative] = function(t);
+    if (value == 0) return t;
+    ((value < 0) == (fa < 0) ? a : b) = t;
+    const double next = t - value / derivative;
+    const bool inside = next > a && next < b;
+    const double before = t;
+    t = inside ? next : a + (b - a) / 2;
+    if (std::abs(t - before) <= to_within || b - a <= to_within) return t;
+  }
+  return t;
+}
+
+/// The extreme on a stretch where q' is monotone.
+void include_turn(const Watch& watch, double a, const Quantity4& at_a, double b, const Quantity4& at_b,
+                  double to_within, Extremes& range) {
+  if (!((at_a.slope < 0 && at_b.slope > 0) || (at_a.slope > 0 && at_b.slope < 0))) return;
+  root_between(a, at_a.slope, b, at_b.slope, to_within, [&](double u) {
+    const Quantity4 here = watch.at(u);
+    range.include(here.q);
+    return std::pair{here.slope, here.bend};
+  });
+}
+
+}  // namespace
+
+void include_inside(const LinearLaw<double>& law, const Watched<double>& watched,
+                    const IntervalMotion& motion, double h, Extremes& range) {
+  const Watch watch{law, watched, motion};
+  const Quantity4 begin = watch.of(motion), end = watch.at(h);
+  const double to_within = 1e-7 * h;  // q is flat where it turns: good to 1e-14
+  if ((begin.bend < 0) == (end.bend < 0)) {
+    include_turn(watch, 0, begin, h, end, to_within, range);
+    return;
+  }
+  // q'' swings freely and vanishes at most once in half a period: q' turns there.
+  const double bend = root_between(0, begin.bend, h, end.bend, to_within, [&](double u) {
+    const Quantity4 here = watch.at(u);
+    return std::pair{here.bend, here.twist};
+  });
+  const Quantity4 middle = watch.at(bend);
+  include_turn(watch, 0, begin, bend, middle, to_within, range);
+  include_turn(watch, bend, middle, h, end, to_within, range);
+}
+
+void include_free(const LinearLaw<double>& law, const Watched<double>& watched, const State<double>& y,
+                  Extremes& range) {
+  const Watch watch{law, watched, IntervalMotion(law, y, 0, 0)};
+  const Quantity4 begin = watch.of(watch.motion);
+  range.include(begin.q);
+  range.include(0);
+  // q' moves as the law does, from q'(0) with the slope q''(0): it vanishes where
+  // tan(w t) = -w q'(0)/(q''(0) + b q'(0)), w the damped frequency, or tanh beyond critical damping.
+  const double b = law.decay_rate, discriminant = law.stiffness - b * b;
+  const double w = std::sqrt(std::abs(discriminant));
+  const double across = -begin.slope, along = begin.bend + b * begin.slope;
+  if (across == 0 && along == 0) return;
+  if (discriminant > 0) {
+    double angle = std::atan2(w * across, along);
+    if (angle < 0) angle += std::numbers::pi;
+    range.include(watch.at(angle / w).q);
+    range.include(watch.at((angle + std::numbers::pi) / w).q);
+    return;
+  }
+  const double ratio = across / along;
+  if (discriminant == 0) {
+    if (ratio > 0 && std::isfinite(ratio)) range.include(watch.at(ratio).q);
+  } else if (w * ratio > 0 && w * ratio < 1) {
+    range.include(watch.at(std::atanh(w * ratio) / w).q);
+  }
+}
+
+}  // namespace cromer

@@ -1,0 +1,93 @@
+// The exact recurrence of interval_map.h in the form that many oscillators at once are best walked in.
+//
+// With f the force at the samples, a quantity q = p x + r v of the motion is a filter of second order,
+//
+//   q_n = (n0 + n1/z + n2/z^2)/(1 - tr(A)/z + det(A)/z^2) f_n.
+//
+// Its denominator written as u_n - 2 u_{n-1} + u_{n-2} and what is left over gives a step like
+// Euler-Cromer's,
+//
+//   d_n = det(A) d_{n-1} - kappa u_{n-1} + f_n,   u_n = u_{n-1} + d_n,   kappa = det(I - A),
+//   q_n = gain (u_{n-1} + e0 d_n + e2 d_{n-1}),
+//
+// seven operations with the range of q. Directly, 1 - tr(A)/z + det(A)/z^2 would lose its digits as (w h)^-2;
+// here kappa is a sum of positive terms, u carries the motion and d its increments, and none are lost.
+#pragma once
+
+#include "cromer/analysis/interval_map.h"
+
+namespace cromer {
+
+/// The quantity that is watched: x + v weighted.
+template <class Real>
+struct Watched {
+  Real x;  ///< weight of the position
+  Real v;  ///< weight of the velocity
+};
+
+/// Between two steps: sum and last increment.
+template <class Real>
+struct FilterState {
+  Real u, d;
+};
+
+template <class Real>
+struct ResponseFilter {
+  Real decay;   ///< det(A) = e^{-2 b h}
+  Real kappa;   ///< det(I - A), about (w h)^2
+  Real e0, e2;  ///< weights of the increments
+  Real gain;    ///< q over what step() returns
+
+  /// Takes the force at the next sample; returns q there, over the gain.
+  template <class Force>
+  Real step(FilterState<Real>& y, const Force& f) const {
+    const Real d = (f - kappa * y.u) + decay * y.d;
+    const Real q = (y.u + e2 * y.d) + e0 * d;
+    y.u = y.u + d;
+    y.d = d;
+    return q;
+  }
+};
+
+/// How the state of the filter and that of the motion belong together: after the sample n the motion arrives
+/// at the sample n + 1 with of_u u + of_d d + to f_{n+1}.
+template <class Real>
+struct FilterToMotion {
+  State<Real> of_u, of_d;
+
+  State<Real> next(const FilterState<Real>& y, const IntervalMap<Real>& map, const Real& f) const {
+    return {of_u.x * y.u + of_d.x * y.d + map.to.x * f, of_u.v * y.u + of_d.v * y.d + map.to.v * f};
+  }
+};
+
+/// of_u = (I - adj A) G, of_d = adj(A) G, G = A to + from.
+template <class Real>
+FilterToMotion<Real> filter_to_motion(const IntervalMap<Real>& m) {
+  const State<Real> g = {m.xx * m.to.x + m.xv * m.to.v + m.from.x, m.vx * m.to.x + m.vv * m.to.v + m.from.v};
+  return {{m.v_lost * g.x + m.xv * g.v, m.vx * g.x + m.x_lost * g.v},
+          {m.vv * g.x - m.xv * g.v, m.xx * g.v - m.vx * g.x}};
+}
+
+/// The state of the filter while the motion is at rest under the force f, about to go on from there. For
+/// intervals of less than half a period: at whole halves the force alone cannot bring a motion to rest.
+template <class Real>
+FilterState<Real> at_rest(const IntervalMap<Real>& m, const Real& f) {
+  const FilterToMotion<Real> motion = filter_to_motion(m);
+  const Real x = m.from.x * f, v = m.from.v * f;
+  const Real determinant = motion.of_u.x * motion.of_d.v - motion.of_d.x * motion.of_u.v;
+  return {(x * motion.of_d.v - motion.of_d.x * v) / determinant,
+          (motion.of_u.x * v - x * motion.of_u.v) / determinant};
+}
+
+/// `watched.x` not 0.
+template <class Real>
+ResponseFilter<Real> response_filter(const IntervalMap<Real>& m, const Watched<Real>& watched) {
+  const Real kappa = m.x_lost * m.v_lost - m.xv * m.vx;
+  const Real gain = watched.x * kappa / m.stiffness;
+  const Real n0 = watched.x * m.to.x + watched.v * m.to.v;
+  const Real n2 =
+      (watched.v * m.vx - watched.x * m.vv) * m.from.x + (watched.x * m.xv - watched.v * m.xx) * m.from.v;
+  return {m.xx * m.vv - m.xv * m.vx, kappa, n0 / gain, -n2 / gain, gain};
+}
+
+}  // namespace cromer

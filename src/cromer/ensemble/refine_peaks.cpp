@@ -1,0 +1,207 @@
+#include "cromer/ensemble/refine_peaks.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cromer {
+namespace {
+
+/// The steps of one block from its beginning, with the state of the motion.
+class BlockSteps {
+ public:
+  BlockSteps(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane, std::size_t block)
+      : walk_(walk), law_(law), to_motion_(filter_to_motion(law.map)), interval_(block * walk.block) {
+    state_ = lane.state(block);
+    if (block == 0)
+      y_ = {0, 0};
+    else
+      advance_first();
+  }
+
+  const State<double>& state() const { return y_; }
+  /// The force at the present step, and its slope until the next.
+  double force() const { return at(part_); }
+  double slope() const {
+    return walk_.hold ? 0 : (to() - from()) / (law_.step * static_cast<double>(walk_.substeps));
+  }
+  std::size_t interval() const { return interval_; }
+  bool at_end() const { return interval_ + 1 >= walk_.samples; }
+
+  void advance() {
+    const double f0 = force(), f1 = walk_.hold ? f0 : at(part_ + 1);
+    y_ = law_.map(y_, f0, f1);
+    count();
+  }
+
+ private:
+  double from() const { return walk_.force[interval_]; }
+  double to() const { return walk_.force[interval_ + 1]; }
+  double at(std::size_t part) const {
+    if (walk_.hold || part == 0) return from();
+    if (part == walk_.substeps) return to();
+    return from() + static_cast<double>(part) * ((to() - from()) / static_cast<double>(walk_.substeps));
+  }
+  void advance_first() {
+    y_ = to_motion_.next(state_, law_.map, walk_.hold ? from() : at(part_ + 1));
+    count();
+  }
+  void count() {
+    if (++part_ < walk_.substeps) return;
+    part_ = 0;
+    ++interval_;
+  }
+
+  const cromer_walk::Walk& walk_;
+  const WalkedLaw& law_;
+  FilterToMotion<double> to_motion_;
+  FilterState<double> state_{};
+  State<double> y_{};
+  std::size_t interval_, part_ = 0;
+};
+
+double value(const Watched<double>& watched, const State<double>& y) {
+  return watched.x * y.x + watched.v * y.v;
+}
+
+/// overshoot_bound of any interval, from bounds on |q| at its ends and on the force in it: the state at its
+/// beginning is a linear function of both.
+struct BlockBound {
+  double of_q, of_force;
+
+  BlockBound(const WalkedLaw& w, std::size_t substeps, bool hold) {
+    const IntervalMap<double>& m = w.map;
+    const Watched<double>& o = w.watched;
+    // q and the next q (without what the force does meanwhile) from x and v.
+    const double nx = o.x * m.xx + o.v * m.vx, nv = o.x * m.xv + o.v * m.vv;
+    const double determinant = o.x * nv - o.v * nx;
+    const double by_force = std::abs(value(o, m.from)) + std::abs(value(o, m.to));
+    const double x_of_q = (std::abs(nv) + std::abs(o.v)) / std::abs(determinant);
+    const double v_of_q = (std::abs(nx) + std::abs(o.x)) / std::abs(determinant);
+    const double x_of_force = std::abs(o.v / determinant) * by_force;
+    const double v_of_force = std::abs(o.x / determinant) * by_force;
+    const auto bound = [&](double x, double v, double f, double slope) {
+      return overshoot_bound(w.law, o, IntervalMotion(w.law, {x, v}, f, slope), w.step);
+    };
+    const double of_x = bound(1, 0, 0, 0), of_v = bound(0, 1, 0, 0);
+    const double of_f = bound(0, 0, 1, 0);
+    const double of_slope = hold ? 0 : bound(0, 0, 0, 2 / (w.step * static_cast<double>(substeps)));
+    of_q = of_x * x_of_q + of_v * v_of_q;
+    of_force = of_x * x_of_force + of_v * v_of_force + of_f + of_slope;
+  }
+};
+
+struct Refinement {
+  const cromer_walk::Walk& walk;
+  std::span<const double> largest_forces;
+  const WalkedLaw& law;
+  const WalkedLane& lane;
+  bool largest_alone;
+  Extremes best;
+  BlockBound bound;
+
+  bool beats(double low, double high, double slack) const {
+    return high + slack > best.high || low - slack < best.low;
+  }
+  void settle() {
+    if (!largest_alone) return;
+    const double most = best.magnitude();
+    best = {-most, most};
+  }
+
+  /// How far the quantity may rise between two steps of a block.
+  double slack(std::size_t block) const {
+    const double reach = std::max(-low(block), high(block));
+    return bound.of_q * reach + bound.of_force * largest_forces[block];
+  }
+  bool may_hold(std::size_t block) const { return beats(low(block), high(block), slack(block)); }
+
+  void look_into(std::size_t block) {
+    const std::size_t last = (block + 1) * walk.block;
+    const double at_most = slack(block);
+    BlockSteps steps(walk, law, lane, block);
+    double before = value(law.watched, steps.state());
+    // To the first step of the next block: its own begin there.
+    for (bool more = true; more && !steps.at_end();) {
+      more = steps.interval() < last;
+      const State<double> y = steps.state();
+      const double force = steps.force(), slope = steps.slope();
+      steps.advance();
+      const double after = value(law.watched, steps.state());
+      include_between(y, force, slope, std::min(before, after), std::max(before, after), at_most);
+      before = after;
+    }
+  }
+
+  void include_between(const State<double>& y, double force, double slope, double least, double greatest,
+                       double at_most) {
+    if (!beats(least, greatest, at_most)) return;
+    const IntervalMotion motion(law.law, y, force, slope);
+    if (!beats(least, greatest, overshoot_bound(law.law, law.watched, motion, law.step))) return;
+    include_inside(law.law, law.watched, motion, law.step, best);
+    settle();
+  }
+
+ private:
+  /// Of a block and the first step beyond it; 0 included.
+  double low(std::size_t block) const {
+    double least = std::min(0.0, lane.low(block));
+    if (block + 1 < walk.blocks()) least = std::min(least, lane.low(block + 1));
+    return law.filter.gain * least;
+  }
+  double high(std::size_t block) const {
+    double most = std::max(0.0, lane.high(block));
+    if (block + 1 < walk.blocks()) most = std::max(most, lane.high(block + 1));
+    return law.filter.gain * most;
+  }
+};
+
+}  // namespace
+
+Extremes range_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane) {
+  Extremes range{0, 0};
+  for (std::size_t i = 0, n = walk.blocks(); i < n; ++i) {
+    range.low = std::min(range.low, lane.low(i));
+    range.high = std::max(range.high, lane.high(i));
+  }
+  return {law.filter.gain * range.low, law.filter.gain * range.high};
+}
+
+std::vector<double> largest_forces(const cromer_walk::Walk& walk) {
+  std::vector<double> largest(walk.blocks());
+  for (std::size_t block = 0; block < largest.size(); ++block) {
+    const std::size_t from = block * walk.block, to = std::min(from + walk.block + 1, walk.samples - 1);
+    for (std::size_t i = from; i <= to; ++i)
+      largest[block] = std::max(largest[block], std::abs(walk.force[i]));
+  }
+  return largest;
+}
+
+Extremes refined(const cromer_walk::Walk& walk, std::span<const double> largest_forces, const WalkedLaw& law,
+                 const WalkedLane& lane, Extremes range, bool largest_alone) {
+  Refinement refinement{
+      walk, largest_forces, law, lane, largest_alone, range, BlockBound(law, walk.substeps, walk.hold)};
+  refinement.settle();
+  const std::size_t blocks = walk.blocks();
+  std::vector<double> reach(blocks + 1);
+  for (std::size_t i = 0; i < blocks; ++i) reach[i] = law.filter.gain * std::max(-lane.low(i), lane.high(i));
+  // First where the steps reached furthest: it leaves little for the others to beat.
+  const auto furthest =
+      static_cast<std::size_t>(std::max_element(reach.begin(), reach.end() - 1) - reach.begin());
+  refinement.look_into(furthest);
+  const double grown = 1 + refinement.bound.of_q;
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const double most =
+        std::max(reach[i], reach[i + 1]) * grown + refinement.bound.of_force * largest_forces[i];
+    const bool may = most > std::min(refinement.best.high, -refinement.best.low);
+    if (may && i != furthest && refinement.may_hold(i)) refinement.look_into(i);
+  }
+  return refinement.best;
+}
+
+State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane) {
+  BlockSteps steps(walk, law, lane, walk.blocks() - 1);
+  while (!steps.at_end()) steps.advance();
+  return steps.state();
+}
+
+}  // namespace cromer

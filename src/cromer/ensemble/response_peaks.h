@@ -1,0 +1,56 @@
+// The extremes that oscillators of many periods reach on ground that shakes as recorded.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cromer/analysis/interval_peak.h"
+#include "cromer/ensemble/filter_walk.h"
+#include "cromer/model/sampled_drive.h"
+
+namespace cromer {
+
+/// Acceleration of the ground, evenly sampled; at least two samples. With `hold` the last one lasts a spacing
+/// more.
+struct GroundMotion {
+  std::span<const double> acceleration;  // [m/s^2]
+  double spacing = 0;                    // [s] > 0
+  BetweenSamples between = BetweenSamples::linear;
+  std::size_t refinement = 1;  ///< every so many are recorded samples, those between were put in
+};
+
+/// Where extremes are looked for while the ground shakes: everywhere, at the recorded samples, or, as PEER
+/// does, at the fewest equal parts of an interval that are at most T/10 long.
+enum class Peaks { continuous, samples, peer };
+
+enum class ResponseOf {
+  displacement,          // [m] relative to the ground, its sign turned
+  absolute_acceleration  // [m/s^2]
+};
+
+/// What is looked for, and by which unit.
+struct PeakSearch {
+  Peaks peaks = Peaks::continuous;
+  ResponseOf quantity = ResponseOf::displacement;
+  bool after_the_end = true;  ///< look at the free motion after the last sample too
+  bool largest_alone = true;  ///< only the larger of the two extremes during the motion needs to be right
+  cromer_walk::Function walk = nullptr;  ///< of choose_unit()
+};
+
+struct ResponsePeaks {
+  Extremes during;  ///< while the ground shakes, rest at the beginning included
+  Extremes after;   ///< of the free motion from the last sample on; 0 where it was not looked at
+
+  double overall() const { return std::max(during.magnitude(), after.magnitude()); }
+};
+
+/// The fewest equal parts of an interval that are at most T/10 long: ceil(10 h/T - 1e-9), at least 1.
+std::size_t substeps(double spacing, double period);
+
+/// Of each law (its stiffness positive), from rest at the first sample, by the exact recurrence: the drive is
+/// what the ground motion says. Error of the peaks: about 1e-13 of the largest for continuous ones, 1e-11
+/// after 1e5 samples at long periods. Work and memory grow with spacing/period.
+std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<const LinearLaw<double>> laws,
+                                          const PeakSearch& search);
+
+}  // namespace cromer

@@ -1,0 +1,25 @@
+// Peaks of two horizontal components in every direction.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cromer/ensemble/response_peaks.h"
+
+namespace cromer {
+
+/// Over the directions 0, 1, ... 179 degrees of the peak displacement that way (D. M. Boore, Bull. Seism.
+/// Soc. Am. 100, 1830 (2010)). The largest of whole degrees is at most 4e-5 below that of all directions.
+struct RotatedPeaks {
+  double median;   // [m] RotD50
+  double largest;  // [m] RotD100
+};
+
+inline constexpr int directions = 180;
+
+/// Of two components sampled alike, as response_peaks() would find them on each of the rotated motions. With
+/// continuous peaks the free motion after the last sample counts too.
+std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundMotion& second,
+                                        std::span<const LinearLaw<double>> laws, Peaks peaks);
+
+}  // namespace cromer

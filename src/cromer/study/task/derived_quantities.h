@@ -1,0 +1,28 @@
+// What the whole law is like at one amplitude, in the words of the linear oscillator.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "cromer/identify/forced_fit.h"
+#include "cromer/study/task/fitted_quantities.h"
+
+namespace cromer {
+
+/// frequency [Hz], period [s], damping_ratio, quality_factor, logarithmic_decrement and at_amplitude, the
+/// amplitude at which they hold: that of the first sample, where viscous damping of this ratio takes as much
+/// energy in a cycle as all terms of the law. The frequency is that of the springs at this amplitude, lowered
+/// by the viscous term alone: drag and friction do not shift it to first order. Of the viscous law they do
+/// not depend on the amplitude. Standard errors follow from the covariance of all parameters, start included.
+/// What there is none of is not finite. `observed` and `derivative` as of law_parameters.
+std::vector<NamedEstimate> derived_quantities(const FreeDecay& fit, std::string_view observed,
+                                              int derivative);
+
+/// The same of a driven motion, at the amplitude of a sinusoid as large as the law's motion is on average
+/// (root mean square), which is taken as given; of an overdamped law damping_ratio, quality_factor and
+/// at_amplitude alone.
+std::vector<NamedEstimate> derived_quantities(const ForcedFit& fit, std::string_view observed,
+                                              int derivative);
+
+}  // namespace cromer

@@ -1,0 +1,11 @@
+// Which command has an option, for people who give it to another.
+#pragma once
+
+#include <string_view>
+
+namespace cromer {
+
+/// The first of simulate, fit, compare and methods that has an option of this name; "" where none has.
+std::string_view option_owner(std::string_view name);
+
+}  // namespace cromer

@@ -1,0 +1,96 @@
+#include "cromer/analysis/hysteretic_peaks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "cromer/analysis/frequency_response.h"
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+TEST(HystereticResponse, IsThatOfAComplexSpring) {
+  using namespace std::complex_literals;
+  const Oscillator<double> o{.mass = 2, .stiffness = 50, .damping = 0};
+  for (const double w : {0.1, 4.9, 5.0, 5.1, 30.0}) {
+    const std::complex<double> truth = 3.0 / (50.0 * (1.0 + 0.2i) - 2 * w * w);
+    const SteadyState found = hysteretic_response(o, 0.2, 3, w);
+    EXPECT_NEAR(found.amplitude / std::abs(truth), 1, 1e-14);
+    EXPECT_NEAR(found.phase_lag, -std::arg(truth), 1e-14);
+  }
+  // At resonance a damper of half the ratio does the same; the force on it does not grow with frequency.
+  const Oscillator<double> viscous{.mass = 2, .stiffness = 50, .damping = 2 * 0.1 * std::sqrt(2.0 * 50)};
+  EXPECT_NEAR(hysteretic_response(o, 0.2, 3, 5).amplitude, frequency_response(viscous, 3, 5).amplitude,
+              1e-14);
+  EXPECT_NEAR(hysteretic_response(o, 0.2, 3, 1e-9).phase_lag, std::atan(0.2), 1e-12);
+}
+
+/// Whole cycles of a sinusoid under an envelope that is long beside the memory of the oscillator.
+std::vector<double> burst(double w, double h, std::size_t n) {
+  std::vector<double> a(n);
+  for (std::size_t i = 0; i < n; ++i)
+    a[i] = std::pow(std::sin(pi * static_cast<double>(i) / static_cast<double>(n)), 2) *
+           std::cos(w * h * static_cast<double>(i));
+  return a;
+}
+
+TEST(HystereticPeaks, OfALongBurstAreItsSteadyState) {
+  const double h = 0.01;
+  for (const double driven : {2.0, 5.0, 12.0}) {
+    const auto a = burst(driven, h, 40000);
+    const double period = 2 * pi / 5, loss_factor = 0.2;
+    const double steady = hysteretic_response({.mass = 1, .stiffness = 25}, loss_factor, 1, driven).amplitude;
+    EXPECT_NEAR(hysteretic_peaks(a, h, std::vector{period}, loss_factor)[0] / steady, 1, 2e-3) << driven;
+  }
+}
+
+TEST(HystereticPeaks, OfLittleDampingAreThoseOfADamper) {
+  // A short pulse sets it swinging: the first swing hardly knows what will damp it.
+  const double h = 0.01, period = 1.0, w = 2 * pi / period;
+  std::vector<double> a(400, 0.0);
+  for (std::size_t i = 0; i <= 5; ++i) a[i] = std::sin(pi * static_cast<double>(i) / 5);
+  double impulse = 0;
+  for (const double value : a) impulse += h * value;
+  const double undamped = impulse / w * std::cos(w * 2.5 * h / 2);
+  EXPECT_NEAR(hysteretic_peaks(a, h, std::vector{period}, 0.02)[0] / undamped, 1 - 0.02 * pi / 4, 0.01);
+}
+
+// Sum and refinement against the sum itself, term by term.
+TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<double> a(200);
+  for (double& value : a) value = normal(random);
+  const double h = 0.02, period = 0.15, loss_factor = 0.3, w = 2 * pi / period;
+  const std::size_t n = 256;  // 200 samples, and 0.15 s/(0.3 pi) ln 1e4 = 73 more: 273 pad to 512
+  ASSERT_GT(hysteretic_samples(a.size(), h, period, loss_factor), n);
+  const std::size_t padded = 512;
+  std::vector<std::complex<double>> amplitude(padded / 2 + 1);
+  for (std::size_t k = 0; k < amplitude.size(); ++k) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      amplitude[k] += a[i] * std::polar(1.0, -2 * pi * static_cast<double>(k * i % padded) / padded);
+    const double driven = 2 * pi * static_cast<double>(k) / (padded * h);
+    const auto steady =
+        hysteretic_response({.mass = 1, .stiffness = w * w}, k == 0 ? 0 : loss_factor, 1, driven);
+    amplitude[k] *= std::polar(steady.amplitude, -steady.phase_lag);
+  }
+  double most = 0;
+  for (std::size_t i = 0; i < 100 * padded; ++i) {
+    const double t = static_cast<double>(i) / 100;
+    double x = amplitude[0].real() / padded;
+    for (std::size_t k = 1; k < amplitude.size(); ++k)
+      x += (2 * k == padded ? 1 : 2) *
+           (amplitude[k] * std::polar(1.0, 2 * pi * static_cast<double>(k) * t / padded)).real() / padded;
+    most = std::max(most, std::abs(x));
+  }
+  EXPECT_NEAR(hysteretic_peaks(a, h, std::vector{period}, loss_factor)[0] / most, 1, 1e-3);
+}
+
+}  // namespace
+}  // namespace cromer

@@ -1,0 +1,118 @@
+#include "cromer/analysis/swing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/methods/rk4.h"
+#include "cromer/run/root.h"
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// x'' = -k x - k2 x^2 - k3 x^3 - w0^2 sin x, in small steps.
+struct Springs {
+  double k = 0, k2 = 0, k3 = 0, pendulum = 0;
+  double acceleration(double, double x, double) const {
+    return -k * x - k2 * x * x - k3 * x * x * x - pendulum * std::sin(x);
+  }
+};
+
+/// From rest at x until it is at rest again on the other side: half a period, and where that is.
+State<double> half_period_and_place(const Springs& springs, double x, double h) {
+  const Rk4 method;
+  auto memory = method.start(springs, 0.0, State<double>{x, 0});
+  State<double> y{x, 0};
+  for (double t = 0;; t += h) {
+    const State<double> next = method.step(springs, t, h, y, memory).y;
+    if (t > 0 && (next.v >= 0) != (x < 0)) {
+      // The end of a step that is shorter: by Newton on the velocity.
+      double part = h * y.v / (y.v - next.v);
+      for (int i = 0; i < 6; ++i) {
+        const State<double> there = method.step(springs, t, part, y, memory).y;
+        part -= there.v / springs.acceleration(0, there.x, 0);
+      }
+      return {method.step(springs, t, part, y, memory).y.x, t + part};
+    }
+    y = next;
+  }
+}
+
+TEST(Swing, OfALinearSpringHasItsFrequencyAtEveryAmplitude) {
+  const Swing<double> swing{.stiffness = 9};
+  for (const double A : {1e-6, 1.0, 1e6}) EXPECT_NEAR(swing.angular_frequency(A), 3, 1e-14);
+  EXPECT_NEAR(swing.amplitude(0.3, 1.2), 0.5, 1e-15);
+}
+
+TEST(Swing, OfAPendulumIsTheEllipticIntegral) {
+  const Swing<double> swing{.stiffness = 4, .pendulum = true};
+  for (const double A : {1e-3, 0.5, 1.5, 2.5, 3.0})
+    EXPECT_NEAR(swing.angular_frequency(A) * std::comp_ellint_1(std::sin(A / 2)) / pi, 1, 1e-12) << A;
+}
+
+TEST(Swing, OfACubicSpringIsTheEllipticIntegral) {
+  // Duffing's: w^2 = w0^2 + k3 A^2, modulus^2 = k3 A^2/(2 w^2).
+  for (const double cubic : {0.3, 5.0, 200.0}) {
+    const double A = 0.8, square = 4 + cubic * A * A;
+    const double exact =
+        pi / 2 * std::sqrt(square) / std::comp_ellint_1(std::sqrt(cubic * A * A / (2 * square)));
+    EXPECT_NEAR((Swing<double>{.stiffness = 4, .cubic = cubic}.angular_frequency(A)) / exact, 1, 1e-12);
+  }
+  // First order: w0 (1 + 3 k3 A^2/(8 w0^2)).
+  EXPECT_NEAR((Swing<double>{.stiffness = 4, .cubic = -1e-3}.angular_frequency(0.5)),
+              2 * (1 - 3 * 1e-3 * 0.25 / 32), 1e-9);
+}
+
+TEST(Swing, IsWhatAnIntegrationOfItsMotionGives) {
+  const auto agrees = [](const Swing<double>& swing, double x) {
+    const Springs springs{.k = swing.pendulum ? 0 : swing.stiffness,
+                          .k2 = swing.quadratic,
+                          .k3 = swing.cubic,
+                          .pendulum = swing.pendulum ? swing.stiffness : 0};
+    const State<double> half = half_period_and_place(springs, x, 1e-4);
+    const double to_each_side = std::abs(x - half.x) / 2;
+    EXPECT_NEAR(swing.angular_frequency(to_each_side), pi / half.v, 1e-9) << x;
+  };
+  agrees({.stiffness = 4, .cubic = -1.5}, 1.2);
+  agrees({.stiffness = 4, .quadratic = 1.5, .cubic = 1}, 0.9);
+  agrees({.stiffness = 4, .quadratic = -1.5}, 0.7);
+  agrees({.stiffness = 4, .cubic = 0.7, .pendulum = true}, 1.4);
+}
+
+TEST(Swing, GoesAsFarAsItsEnergyReaches) {
+  for (const Swing<double>& swing :
+       {Swing<double>{.stiffness = 4, .cubic = -1}, Swing<double>{.stiffness = 4, .cubic = 30},
+        Swing<double>{.stiffness = 4, .pendulum = true},
+        Swing<double>{.stiffness = 4, .cubic = 2, .pendulum = true}}) {
+    const double x = 0.4, v = 1.1, A = swing.amplitude(x, v);
+    const auto potential = [&](double at) {
+      return (swing.pendulum ? swing.stiffness * (1 - std::cos(at)) : 0.5 * swing.stiffness * at * at) +
+             0.25 * swing.cubic * std::pow(at, 4);
+    };
+    EXPECT_NEAR(potential(A), potential(x) + 0.5 * v * v, 1e-13);
+  }
+  EXPECT_EQ((Swing<double>{.stiffness = 4, .pendulum = true}.amplitude(0, 5)), pi);
+}
+
+TEST(Swing, HasNoFrequencyWhereItDoesNotComeBack) {
+  EXPECT_TRUE(std::isnan(Swing<double>{.stiffness = 4, .cubic = -1}.angular_frequency(2.2)));
+}
+
+TEST(Swing, KnowsItsDerivatives) {
+  using D = Dual<double, 3>;
+  const Swing<D> swing{.stiffness = D::variable(4, 0), .cubic = D::variable(-0.5, 1)};
+  const D w = swing.angular_frequency(D::variable(1, 2));
+  const auto value = [](double k, double cubic, double a) {
+    return Swing<double>{.stiffness = k, .cubic = cubic}.angular_frequency(a);
+  };
+  const double e = 1e-5;
+  EXPECT_NEAR(w.derivative[0], (value(4 + e, -0.5, 1) - value(4 - e, -0.5, 1)) / (2 * e), 1e-9);
+  EXPECT_NEAR(w.derivative[1], (value(4, -0.5 + e, 1) - value(4, -0.5 - e, 1)) / (2 * e), 1e-9);
+  EXPECT_NEAR(w.derivative[2], (value(4, -0.5, 1 + e) - value(4, -0.5, 1 - e)) / (2 * e), 1e-9);
+}
+
+}  // namespace
+}  // namespace cromer

@@ -1,0 +1,199 @@
+// cromer spectrum as a user meets it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+#include <string>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string shaking(int samples, double step, double size = 0.1, const std::string& heading = "acc (g)") {
+  std::string bytes = "Time (s)," + heading + "\n";
+  for (int i = 0; i < samples; ++i)
+    bytes += std::to_string(i * step) + "," + std::to_string(size * std::sin(0.2 * i)) + "\n";
+  return bytes;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(Spectrum, CsvHasTheColumnsPromised) {
+  const Folder folder;
+  folder.write("quake.csv", shaking(300, 0.01));
+  const Finished end = folder.run({"spectrum", "quake.csv", "--periods", "1,0.1", "--damping-ratio", "0.02",
+                                   "--damping-ratio", "5 %", "-o", "-"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto lines = lines_of(end.out);
+  ASSERT_EQ(lines.size(), 6u);
+  EXPECT_THAT(lines[0], StartsWith("# cromer spectrum quake.csv --periods 1,0.1"));
+  EXPECT_EQ(lines[1], "period (s),damping_ratio,SD (m),PSV (m/s),PSA (m/s²)");
+  EXPECT_THAT(lines[2], StartsWith("1,0.02,"));
+  EXPECT_THAT(lines[3], StartsWith("0.1,0.02,"));
+  EXPECT_THAT(lines[4], StartsWith("1,0.05,"));
+}
+
+TEST(Spectrum, JsonHasTheFieldsPromised) {
+  const Folder folder;
+  folder.write("quake.csv", shaking(300, 0.01));
+  const Finished end = folder.run({"spectrum", "quake.csv", "--periods", "0.1:1:4:log", "--json", "--in-g"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto document = end.json();
+  const auto spectrum = document["spectra"][0];
+  EXPECT_EQ(spectrum["damping_ratio"], 0.05);
+  ASSERT_EQ(spectrum["period"].size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double w = 2 * M_PI / spectrum["period"][i].get<double>(), sd = spectrum["SD"][i].get<double>();
+    EXPECT_NEAR(spectrum["PSV"][i].get<double>(), w * sd, 1e-12 * w * sd);
+    EXPECT_NEAR(spectrum["PSA"][i].get<double>() * 9.80665, w * w * sd, 1e-12 * w * w * sd);
+  }
+  EXPECT_GT(document["arias_intensity"].get<double>(), 0);
+  EXPECT_GT(document["duration_5_95"].get<double>(), 2);
+  EXPECT_EQ(document["peaks"], "continuous");
+}
+
+TEST(Spectrum, OfTwoComponents) {
+  const Folder folder;
+  folder.write("h1.csv", shaking(300, 0.01));
+  folder.write("h2.csv", shaking(300, 0.01, 0.2));
+  const Finished end =
+      folder.run({"spectrum", "h1.csv", "h2.csv", "--periods", "0.5", "--json", "-o", "s.csv"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto spectrum = end.json()["spectra"][0];
+  const double first = spectrum["components"][0]["PSA"][0], second = spectrum["components"][1]["PSA"][0];
+  EXPECT_NEAR(second / first, 2, 1e-4);
+  EXPECT_NEAR(spectrum["geometric_mean"]["PSA"][0].get<double>(), std::sqrt(first * second), 1e-9);
+  EXPECT_NEAR(spectrum["rotd100"]["PSA"][0].get<double>(), std::hypot(first, second), 5e-5 * second);
+  EXPECT_LT(spectrum["rotd50"]["PSA"][0], spectrum["rotd100"]["PSA"][0]);
+  EXPECT_EQ(end.json()["arias_intensity"].size(), 2u);
+  EXPECT_EQ(lines_of(folder.read("s.csv"))[1],
+            "period (s),damping_ratio,SD 1 (m),PSV 1 (m/s),PSA 1 (m/s²),SD 2 (m),PSV 2 (m/s),PSA 2 (m/s²),"
+            "SD geometric mean (m),PSV geometric mean (m/s),PSA geometric mean (m/s²),"
+            "SD RotD50 (m),PSV RotD50 (m/s),PSA RotD50 (m/s²),"
+            "SD RotD100 (m),PSV RotD100 (m/s),PSA RotD100 (m/s²)");
+  // Two columns of one file are the same two components.
+  std::string both = "Time (s),ax (g),ay (g)\n";
+  for (int i = 0; i < 300; ++i) {
+    const double a = std::stod(std::to_string(0.1 * std::sin(0.2 * i)));
+    both += std::to_string(i * 0.01) + "," + std::to_string(a) + "," +
+            std::to_string(std::stod(std::to_string(0.2 * std::sin(0.2 * i)))) + "\n";
+  }
+  folder.write("both.csv", both);
+  const Finished one =
+      folder.run({"spectrum", "both.csv", "--column", "ax", "--column", "ay", "--periods", "0.5", "--json"});
+  ASSERT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(one.json()["spectra"], end.json()["spectra"]);
+}
+
+TEST(Spectrum, OfAShock) {
+  const Folder folder;
+  std::string pulse = "Time (s),acc (g)\n";
+  for (int i = 0; i <= 1000; ++i)
+    pulse +=
+        std::to_string(i * 1e-5) + "," + std::to_string(i < 500 ? 100 * std::sin(M_PI * i / 500) : 0) + "\n";
+  folder.write("drop.csv", pulse);
+  const Finished end = folder.run(
+      {"spectrum", "drop.csv", "--shock", "--in-g", "--frequencies", "100,5000 Hz", "-o", "-", "--quiet"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_EQ(lines_of(end.out)[1],
+            "period (s),damping_ratio,frequency (Hz),primary (g),residual (g),maximax (g),positive "
+            "(g),negative (g)");
+  // A stiff mass follows the base.
+  const Finished stiff =
+      folder.run({"spectrum", "drop.csv", "--shock", "--in-g", "--frequencies", "5000 Hz", "--json"});
+  EXPECT_NEAR(stiff.json()["spectra"][0]["maximax"][0].get<double>(), 100, 0.5);
+  const Finished by_itself = folder.run({"spectrum", "drop.csv", "--shock"});
+  EXPECT_EQ(by_itself.status, 0) << by_itself.err;
+}
+
+TEST(Spectrum, FourierAmplitudesGoToTheirFile) {
+  const Folder folder;
+  folder.write("quake.csv", shaking(300, 0.01));
+  const Finished end = folder.run({"spectrum", "quake.csv", "--fourier", "fas.csv", "--quiet"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto lines = lines_of(folder.read("fas.csv"));
+  EXPECT_EQ(lines[1], "frequency (Hz),amplitude (m/s)");
+  EXPECT_EQ(lines.size(), 2u + 257);  // 512 padded
+  EXPECT_EQ(folder.run({"spectrum", "quake.csv", "--fourier", "fas.txt"}).status, 2);
+  EXPECT_EQ(folder.run({"spectrum", "quake.csv", "--fourier", "quake.csv"}).status, 2);
+}
+
+TEST(Spectrum, FiguresAreDrawn) {
+  const Folder folder;
+  folder.write("h1.csv", shaking(300, 0.01));
+  folder.write("h2.csv", shaking(300, 0.01, 0.2));
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"h1.csv"},
+                                               {"h1.csv", "h2.csv"},
+                                               {"h1.csv", "--tripartite"},
+                                               {"h1.csv", "h2.csv", "--tripartite", "--in-g"},
+                                               {"h1.csv", "--shock"},
+                                               {"h1.csv", "--periods", "1"},
+                                               {"h1.csv", "--periods", "1", "--tripartite"}}) {
+    std::vector<std::string> arguments{"spectrum", "--plot", "figure.svg", "--quiet"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Finished end = folder.run(arguments);
+    ASSERT_EQ(end.status, 0) << end.err;
+    EXPECT_THAT(folder.read("figure.svg"), HasSubstr("<svg"));
+  }
+}
+
+TEST(Spectrum, BadInputWritesNothing) {
+  const Folder folder;
+  folder.write("quake.csv", shaking(300, 0.01));
+  folder.write("one.csv", "Time (s),acc (g)\n0,1\n");
+  folder.write("path.csv", shaking(300, 0.01, 0.1, "Position (m)"));
+  folder.write("slow.csv", shaking(300, 0.02));
+  folder.write("word.csv", "Time (s),acc (g)\n0,1\n0.1,abc\n0.2,2\n");
+  const auto refused = [&](std::vector<std::string> arguments, const char* why) {
+    arguments.insert(arguments.begin(), {"spectrum", "-o", "out.csv", "--plot", "out.svg"});
+    const Finished end = folder.run(arguments);
+    EXPECT_EQ(end.status, 2) << why;
+    EXPECT_THAT(end.err, HasSubstr(why));
+    EXPECT_FALSE(folder.has("out.csv")) << why;
+    EXPECT_FALSE(folder.has("out.svg")) << why;
+  };
+  refused({}, "spectrum needs a file");
+  refused({"none.csv"}, "none.csv");
+  refused({"one.csv"}, "one.csv");
+  refused({"path.csv"}, "holds position, not an acceleration");
+  refused({"word.csv"}, "word.csv:3: column \"acc (g)\": \"abc\" is not a number");
+  refused({"quake.csv", "slow.csv"}, "the components of one motion must be sampled alike");
+  refused({"quake.csv", "quake.csv", "quake.csv"}, "two components of one motion; 3 are given");
+  refused({"quake.csv", "--periods", "10:0.1:50:log"},
+          "--periods: \"10:0.1:50:log\" is logarithmic and runs down");
+  refused({"quake.csv", "--periods", "0:10:50:log"}, "both ends must be positive");
+  refused({"quake.csv", "--periods", "0.1:10:0"}, "asks for no points");
+  refused({"quake.csv", "--periods", "0.1:10:1000000000000000"}, "1e+15 points need 664 PB of memory");
+  refused({"quake.csv", "--periods", "1 kg"}, "is a mass; expected a time");
+  refused({"quake.csv", "--damping-ratio", "-0.05"}, "it must lie between 0 and 20");
+  refused({"quake.csv", "--peaks", "sampls"}, "did you mean samples?");
+  refused({"quake.csv", "--between-samples", "spline"}, "linear, hold or band-limited");
+  refused({"quake.csv", "--column", "acx"}, "acx");
+  refused({"quake.csv", "--tripartite", "--shock"}, "--tripartite");
+  refused({"quake.csv", "--dampingratio", "1"}, "did you mean --damping-ratio?");
+  EXPECT_EQ(folder.run({"spectrum", "quake.csv", "--tripartite"}).status, 2);
+}
+
+TEST(Spectrum, WarnsOfPeriodsThatAreTooShort) {
+  const Folder folder;
+  folder.write("quake.csv", shaking(300, 0.01));
+  const Finished end = folder.run({"spectrum", "quake.csv", "--periods", "0.015,1"});
+  EXPECT_EQ(end.status, 0);
+  EXPECT_THAT(end.err, HasSubstr("one period is below twice the sampling step (0.01 s): the recording holds "
+                                 "nothing that fast"));
+  EXPECT_THAT(folder.run({"spectrum", "quake.csv", "--periods", "0.015,1", "--quiet"}).err, "");
+}
+
+}  // namespace
+}  // namespace cromer::test

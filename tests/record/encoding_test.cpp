@@ -1,0 +1,80 @@
+// Text in units of two bytes, as Windows programs save it, and its damages.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cromer/record/dialects/recording.h"
+
+namespace cromer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+struct Form {
+  const char* name;
+  bool big, marked;
+};
+
+void PrintTo(const Form& form, std::ostream* out) { *out << form.name; }
+
+std::string utf16(std::u16string_view text, const Form& form) {
+  std::string bytes;
+  const auto add = [&](char16_t unit) {
+    const char high = static_cast<char>(unit >> 8), low = static_cast<char>(unit & 0xFF);
+    bytes += form.big ? high : low;
+    bytes += form.big ? low : high;
+  };
+  if (form.marked) add(u'\uFEFF');
+  for (const char16_t unit : text) add(unit);
+  return bytes;
+}
+
+std::string refusal(const std::string& bytes) {
+  const auto recording = read_recording(bytes, "lab.csv", {});
+  return recording ? "read" : recording.error().message;
+}
+
+class Utf16 : public testing::TestWithParam<Form> {};
+
+TEST_P(Utf16, IsReadAsUtf8Is) {
+  // One, two, three and four bytes in UTF-8: letters, µ and Ü, a true minus sign, a letter beyond U+FFFF.
+  const auto r = read_recording(
+      utf16(u"Übung \U0001D703\r\nZeit (s);Auslenkung (µm)\r\n0;1,5\r\n0,5;\u22122\r\n1;2\r\n", GetParam()),
+      "lab.csv", {});
+  ASSERT_TRUE(r.ok()) << r.error().message;
+  EXPECT_EQ(r->dialect.encoding, GetParam().name);
+  ASSERT_EQ(r->table.columns.size(), 2u);
+  EXPECT_EQ(r->table.columns[1].name, "Auslenkung");
+  EXPECT_EQ(r->table.columns[1].unit, "µm");
+  EXPECT_THAT(r->table.columns[1].values, ElementsAre(1.5, -2, 2));
+  EXPECT_THAT(r->lines, ElementsAre(3, 4, 5));
+}
+
+TEST_P(Utf16, DamageIsToldWithItsPlace) {
+  std::u16string start = u"t,x\n";  // beyond what is looked at to tell the form
+  for (int i = 0; i < 100; ++i) start += u"0,1\n";
+  const std::string place = GetParam().marked ? "at byte 810, in line 102" : "at byte 808, in line 102";
+  for (const std::u16string_view half : {u"\xD834", u"\xDD1E", u"\xD834\xD834"})
+    for (const std::u16string_view behind : {u"", u",3\n"})
+      EXPECT_THAT(refusal(utf16(start + std::u16string(half) + std::u16string(behind), GetParam())),
+                  testing::AllOf(HasSubstr("half a surrogate pair " + place), HasSubstr("as UTF-8")));
+  EXPECT_THAT(refusal(utf16(start, GetParam()) + "2"), HasSubstr("half a character " + place));
+  EXPECT_THAT(refusal(utf16(start + std::u16string(1, u'\0') + u",3\n", GetParam())),
+              HasSubstr("a zero " + place));
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, Utf16,
+                         testing::Values(Form{"UTF-16 LE with BOM", false, true},
+                                         Form{"UTF-16 BE with BOM", true, true},
+                                         Form{"UTF-16 LE", false, false}, Form{"UTF-16 BE", true, false}));
+
+TEST(Encoding, WhatIsNoTextOfTwoBytes) {
+  EXPECT_EQ(refusal("\xFF\xFE"), "lab.csv: the file is empty");
+  EXPECT_THAT(refusal(std::string(1000, '\0')), HasSubstr("binary"));
+  // Four bytes a character.
+  EXPECT_THAT(refusal(std::string("\xFF\xFE\0\0t\0\0\0,\0\0\0", 12)),
+              HasSubstr("a zero at byte 2, in line 1"));
+}
+
+}  // namespace
+}  // namespace cromer

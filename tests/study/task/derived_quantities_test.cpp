@@ -1,0 +1,155 @@
+// Frequency, damping ratio and their kin of every law, against closed forms and motions integrated in small
+// steps.
+#include "cromer/study/task/derived_quantities.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "cromer/identify/free_motion.h"
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double w0 = 3, A = 0.4;
+
+Estimate certain(double value) { return make_estimate(value, 0, 2); }
+
+/// Released at rest at A.
+FreeDecay released(double decay_rate) {
+  FreeDecay fit;
+  fit.angular_frequency = certain(w0);
+  fit.decay_rate = certain(decay_rate);
+  fit.position = certain(A);
+  fit.student = 2;
+  return fit;
+}
+
+double value(const FreeDecay& fit, std::string_view name) {
+  for (const NamedEstimate& number : derived_quantities(fit, "m", 0))
+    if (number.name == name) return number.estimate.value;
+  ADD_FAILURE() << name;
+  return 0;
+}
+
+/// The viscous rate that takes as much in a cycle as the motion loses about the amplitude A: from the squares
+/// of the turning points before and after it, A reached in the middle.
+double rate_by_integration(const MotionParameters& law, double period) {
+  constexpr int points = 4000;
+  std::vector<double> t;
+  for (int i = 0; i <= points; ++i) t.push_back(1.3 * period * i / points);
+  const Trajectory motion = free_motion(law, t, period / 600);
+  // Turning points after half a period and after a whole one.
+  std::vector<double> turns{law.position};
+  for (std::size_t i = 1; i + 1 < motion.size(); ++i)
+    if (motion.v[i] * motion.v[i + 1] < 0) {
+      const double s = motion.v[i] / (motion.v[i] - motion.v[i + 1]), h = t[i + 1] - t[i];
+      turns.push_back(motion.x[i] + 0.5 * s * h * motion.v[i]);
+    }
+  EXPECT_GE(turns.size(), 3u);
+  return std::log(turns[0] / std::abs(turns[2])) / period;
+}
+
+TEST(DerivedQuantities, OfTheViscousLawAreTheTextbooks) {
+  const FreeDecay fit = released(0.2);
+  const double w = std::sqrt(9 - 0.04);
+  EXPECT_NEAR(value(fit, "frequency"), w / (2 * pi), 1e-14);
+  EXPECT_NEAR(value(fit, "period"), 2 * pi / w, 1e-14);
+  EXPECT_NEAR(value(fit, "damping_ratio"), 0.2 / 3, 1e-15);
+  EXPECT_NEAR(value(fit, "quality_factor"), 7.5, 1e-13);
+  EXPECT_NEAR(value(fit, "logarithmic_decrement"), 0.2 * 2 * pi / w, 1e-14);
+  EXPECT_NEAR(value(fit, "at_amplitude"), A, 1e-15);
+}
+
+TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
+  FreeDecay drag = released(0);
+  drag.drag = certain(0.05);
+  // Drag takes 8 d w^2 A^3/3 in a cycle, viscous damping 2 pi zeta w^2 A^2.
+  EXPECT_NEAR(value(drag, "damping_ratio"), 4 * 0.05 * A / (3 * pi), 1e-15);
+  EXPECT_NEAR(value(drag, "frequency"), w0 / (2 * pi), 1e-14);
+  FreeDecay friction = released(0);
+  friction.friction = certain(0.02);
+  // Friction takes 4 f A.
+  EXPECT_NEAR(value(friction, "damping_ratio"), 4 * 0.02 * A / (2 * pi * w0 * w0 * A * A), 1e-15);
+  EXPECT_NEAR(value(friction, "quality_factor"), pi * w0 * w0 * A / (4 * 0.02), 1e-10);
+}
+
+TEST(DerivedQuantities, AreThoseOfTheMotionIntegrated) {
+  // Damping so small that the amplitude hardly changes over the cycle that is looked at.
+  for (const bool pendulum : {false, true}) {
+    FreeDecay fit = released(1e-5);
+    fit.law.pendulum = pendulum;
+    fit.drag = certain(2e-5);
+    fit.friction = certain(2e-6);
+    fit.cubic = certain(pendulum ? 0.0 : -1.5);
+    MotionParameters law = fit.motion();
+    const double measured = rate_by_integration(law, value(fit, "period"));
+    // The rate is that of a harmonic swing; the springs' curvature changes what is lost by some of k3
+    // A^2/w0^2 = 3 %.
+    EXPECT_NEAR(value(fit, "logarithmic_decrement") / value(fit, "period") / measured, 1, 0.03) << pendulum;
+    fit.cubic = certain(0);
+    fit.law.pendulum = law.pendulum = false;
+    law.cubic = 0;
+    EXPECT_NEAR(value(fit, "logarithmic_decrement") / value(fit, "period") /
+                    rate_by_integration(law, value(fit, "period")),
+                1, 1e-4);
+  }
+}
+
+TEST(DerivedQuantities, PropagateTheWholeCovariance) {
+  FreeDecay fit = released(0.05);
+  fit.law = {.viscous = true, .drag = true, .friction = true, .cubic = true};
+  fit.drag = certain(0.3);
+  fit.friction = certain(0.01);
+  fit.cubic = certain(-2);
+  fit.velocity = certain(0.5);
+  fit.names = {"angular_frequency", "decay_rate", "drag",    "friction", "cubic",
+               "equilibrium",       "position",   "velocity"};
+  const std::size_t n = fit.names.size();
+  // A covariance with correlations: L L^T.
+  std::vector<double> L(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) L[i * n + j] = i == j ? 2e-4 : (i + j) % 3 == 0 ? -0.7e-4 : 0.9e-4;
+  fit.covariance.assign(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t k = 0; k < n; ++k) fit.covariance[i * n + j] += L[i * n + k] * L[j * n + k];
+  const auto moved = [&](std::size_t i, double by) {
+    FreeDecay other = fit;
+    Estimate* const all[] = {&other.angular_frequency, &other.decay_rate, &*other.drag,
+                             &*other.friction,         &*other.cubic,     &other.equilibrium,
+                             &other.position,          &other.velocity};
+    all[i]->value += by;
+    return other;
+  };
+  for (const NamedEstimate& number : derived_quantities(fit, "m", 0)) {
+    std::vector<double> slope;
+    for (std::size_t i = 0; i < n; ++i)
+      slope.push_back((value(moved(i, 1e-6), number.name) - value(moved(i, -1e-6), number.name)) / 2e-6);
+    double variance = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) variance += slope[i] * fit.covariance[i * n + j] * slope[j];
+    EXPECT_GT(variance, 0) << number.name;
+    EXPECT_NEAR(number.estimate.standard_error / std::sqrt(variance), 1, 1e-6) << number.name;
+  }
+}
+
+TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
+  ForcedFit fit;
+  fit.law = released(0.05);
+  fit.law.drag = certain(0.3);
+  for (int i = 0; i < 1000; ++i) fit.states.x.push_back(7 + 0.2 * std::sin(2 * pi * i / 100));
+  const std::vector<NamedEstimate> list = derived_quantities(fit, "m", 0);
+  ASSERT_EQ(list.back().name, "at_amplitude");
+  EXPECT_NEAR(list.back().estimate.value, 0.2, 1e-12);
+  EXPECT_NEAR(list[2].estimate.value, (0.05 + 4 * 0.3 * w0 / (3 * pi) * 0.2) / w0, 1e-12);
+  fit.law.decay_rate = certain(4);  // overdamped
+  EXPECT_EQ(derived_quantities(fit, "m", 0).size(), 3u);
+}
+
+}  // namespace
+}  // namespace cromer

@@ -1,0 +1,31 @@
+// A task's simulation for tests that look at what it gives, or at why it refuses.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "cromer/study/task/simulate.h"
+
+namespace cromer {
+
+inline SimulateResult simulated(const SimulateOptions& options) {
+  auto result = simulate(options);
+  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
+  return result ? *std::move(result) : SimulateResult{};
+}
+
+/// The first of its runs.
+inline SimulatedRun run(const SimulateOptions& options) {
+  SimulateResult result = simulated(options);
+  return result.runs.empty() ? SimulatedRun{} : std::move(result.runs.front());
+}
+
+/// Why it refuses; "" where it does not.
+inline std::string refusal(const SimulateOptions& options) {
+  const auto result = simulate(options);
+  return result ? "" : result.error().message;
+}
+
+}  // namespace cromer
