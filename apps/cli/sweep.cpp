@@ -7,6 +7,7 @@
 
 #include "command_line.h"
 #include "commands.h"
+#include "cromer/base/grid.h"
 #include "cromer/cluster/ranks.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
@@ -23,10 +24,15 @@
 namespace cromer::cli {
 namespace {
 
-/// A quarter of the machine's memory: the rows are written out once more as text.
-double memory_for_rows() {
-  return 0.25 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+/// [bytes] for the rows: written out as CSV they take six times as much (measured), as JSON twice that.
+double memory_for_rows(bool json) {
+  const double all =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return all / (json ? 16 : 8);
 }
+
+/// [bytes] of rows in a file that are read back only to say what was found.
+constexpr double memory_to_look_through = 200e6;
 
 std::string sweep_csv(const SweepResult& result, const Arguments& arguments) {
   const std::size_t width = result.plan.rows.columns.size() - 1;
@@ -128,7 +134,8 @@ int run_sweep(const Arguments& arguments) {
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
   if (resume && !into_file)
     return refuse("--resume: only an HDF5 file can be gone on with; name it with -o FILE.h5");
-  options.memory = memory_for_rows();
+  const bool json = output.json || output.output.ends_with(".json");
+  options.memory = memory_for_rows(json);
   const Watch watch = place.ranks > 1 ? watching_ranks(output.quiet) : watching(output.quiet);
   auto plan = plan_sweep(options);
   if (!plan) return refuse(plan.error().message);
@@ -137,6 +144,15 @@ int run_sweep(const Arguments& arguments) {
     const auto result = sweep(*std::move(plan), options, make, watch);
     clear_progress();
     return result ? show(*result, output, arguments) : refuse(result.error().message);
+  }
+  if (output.json || !output.plot.empty()) {
+    if (auto good =
+            fits_in_memory(static_cast<double>(plan->rows.rows),
+                           static_cast<double>(plan->rows.columns.size()) * sizeof(double), options.memory);
+        !good)
+      return refuse(good.error().message + ", or leave --json and --plot out");
+  } else {
+    options.memory = memory_to_look_through;
   }
   auto file = open_sweep_file(*plan, output.output, resume, command_line("sweep", arguments), watch);
   if (!file) return refuse(file.error().message);

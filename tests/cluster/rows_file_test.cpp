@@ -264,6 +264,9 @@ TEST(RowsFile, says_what_is_missing_where_hdf5_is) {
 }
 
 TEST(RowsFile, of_ten_million_rows_takes_little_memory) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
   test::Folder folder;
   const std::string file = folder / "long.h5";
   const auto ended = test::run({CROMER_ROWS_PROGRAM, file, "10000000", "100000", "0", "2"}, folder);

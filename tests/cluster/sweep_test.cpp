@@ -202,6 +202,10 @@ TEST_F(SweepFile, that_cannot_be_is_refused_before_it_begins) {
     EXPECT_THAT(ended.err, HasSubstr(wrong.message));
     EXPECT_FALSE(exists(file));
   }
+  const auto plotted = run(sweep("--until 10 --position 0:1:100000 --velocity 0:1:100000 --measure final",
+                                 {"-o", file, "--plot", folder / "a.svg"}));
+  EXPECT_EQ(plotted.status, 2);
+  EXPECT_THAT(plotted.err, HasSubstr("or leave --json and --plot out"));
   std::ofstream(file) << "no HDF5";
   const auto ended = run(sweep(closed, {"-o", file, "--resume"}));
   EXPECT_EQ(ended.status, 2);

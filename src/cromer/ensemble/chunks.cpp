@@ -34,9 +34,6 @@ class Parcels {
     const std::lock_guard lock(mutex_);
     free_.push_back(parcel);
   }
-  /// What was written before by one thread is seen after it by another. The pipeline sees to that itself, but
-  /// out of the thread sanitizer's sight.
-  void hand_over() { const std::lock_guard lock(mutex_); }
 
  private:
   std::mutex mutex_{};
@@ -70,15 +67,12 @@ Result<ChunksEnd> make_chunks(const ChunkedRows& work, const ChunkSource& source
     return parcel;
   };
   const auto make = [&](Parcel* parcel) {
-    parcels.hand_over();
     parcel->rows.resize(work.rows_of(parcel->chunk) * work.columns.size());
     parcel->made = !stop && work.make(parcel->chunk, parcel->rows.data(), interruption);
     if (!parcel->made && !stop) interrupted = stop = true;
-    parcels.hand_over();
     return parcel;
   };
   const auto hand_on = [&](Parcel* parcel) {
-    parcels.hand_over();
     if (parcel->made && good) {
       good = sink(parcel->chunk, parcel->rows.data());
       if (!good) stop = true;
