@@ -94,10 +94,15 @@ int run_spectrum(const Arguments& arguments) {
 
   const bool quiet = output.common.quiet;
   Watch watch = watching(quiet);
-  watch.warn = [&](const std::vector<std::string>& warnings) { warn(warnings, quiet); };
+  std::size_t said = 0;
+  watch.warn = [&](const std::vector<std::string>& warnings) {
+    warn(warnings, quiet);
+    said = warnings.size();
+  };
   const auto result = response_spectrum(files, options, watch);
   clear_progress();
   if (!result) return refuse(result.error().message);
+  warn({result->warnings.begin() + static_cast<std::ptrdiff_t>(said), result->warnings.end()}, quiet);
   if (result->interrupted) {
     complain("interrupted; nothing is written");
     if (output.common.json) print(to_json(*result, false));

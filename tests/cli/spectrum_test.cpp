@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -146,6 +147,32 @@ TEST(Spectrum, FiguresAreDrawn) {
     ASSERT_EQ(end.status, 0) << end.err;
     EXPECT_THAT(folder.read("figure.svg"), HasSubstr("<svg"));
   }
+}
+
+TEST(Spectrum, IsATaskOfAStudy) {
+  const Folder folder;
+  folder.write("h1.csv", shaking(300, 0.01));
+  folder.write("h2.csv", shaking(300, 0.01, 0.2));
+  folder.write("s.toml",
+               "[[task]]\nspectrum = \"one\"\nfile = \"h1.csv\"\nperiods = \"0.1:2:40:log\"\n"
+               "damping_ratio = [\"0.02\", \"0.05\"]\n"
+               "[[task]]\nspectrum = \"both\"\nfile = [\"h1.csv\", \"h2.csv\"]\nperiods = \"0.1,1\"\n"
+               "[[task]]\nspectrum = \"shock\"\nfile = \"h1.csv\"\nshock = true\n"
+               "[[figure]]\nid = \"figure-1\"\nx = \"period\"\ny = \"PSA\"\nx_logarithmic = true\n"
+               "[[figure.curve]]\nof = \"one.1\"\nrole = \"family:0\"\n"
+               "[[figure.curve]]\nof = \"one.2\"\nrole = \"family:2\"\n"
+               "[[block]]\nfigure = \"figure-1\"\n[[block]]\ntext = \"{one.2.peak} at {one.2.peak_period}, "
+               "{both.1.peak}, "
+               "{shock.1.peak}, {one.arias_intensity}\"\n");
+  const Finished end = folder.run({"report", "s.toml", "-o", "out"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto results = nlohmann::json::parse(folder.read("out/results.json"), nullptr, false);
+  const auto alone = folder.run({"spectrum", "h1.csv", "--periods", "0.1:2:40:log", "--json"}).json();
+  const auto psa = alone["spectra"][0]["PSA"].get<std::vector<double>>();
+  EXPECT_NEAR(results["one.2.peak"]["value"].get<double>(), *std::max_element(psa.begin(), psa.end()), 1e-9);
+  EXPECT_TRUE(folder.has("out/figure-1.svg"));
+  folder.write("s.toml", "[[task]]\nspectrum = \"one\"\n");
+  EXPECT_THAT(folder.run({"report", "s.toml", "-o", "out"}).err, HasSubstr("\"spectrum\" needs file"));
 }
 
 TEST(Spectrum, BadInputWritesNothing) {

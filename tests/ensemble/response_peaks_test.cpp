@@ -146,13 +146,28 @@ TEST_P(ResponsePeaksBy, AfterTheEndTheMotionIsFree) {
         dense.include(free.position * y.x + free.g * y.v);
       }
       const auto found = response_peaks({a, h, BetweenSamples::linear}, std::vector{law},
-                                        search(ResponseOf::displacement, Peaks::continuous, true))[0]
+                                        search(ResponseOf::displacement, Peaks::continuous, false))[0]
                              .after;
       EXPECT_GE(found.high, dense.high - 1e-12 * dense.magnitude()) << zeta << " " << period;
       EXPECT_LE(found.low, dense.low + 1e-12 * dense.magnitude()) << zeta << " " << period;
       EXPECT_NEAR(found.high, dense.high, 1e-5 * dense.magnitude()) << zeta << " " << period;
       EXPECT_NEAR(found.low, dense.low, 1e-5 * dense.magnitude()) << zeta << " " << period;
     }
+}
+
+TEST_P(ResponsePeaksBy, TheLargestAloneIsThatOfAll) {
+  std::vector<LinearLaw<double>> laws;
+  for (const double period : {0.02, 0.3, 2.0, 9.0, 60.0})
+    for (const double zeta : damping_ratios) laws.push_back(law_of(period, zeta));
+  for (unsigned seed = 20; seed < 40; ++seed) {
+    const auto a = shaking(100, seed);
+    const GroundMotion ground{a, 0.01, BetweenSamples::linear};
+    const auto all = response_peaks(ground, laws, search(ResponseOf::displacement, Peaks::continuous, false));
+    const auto alone =
+        response_peaks(ground, laws, search(ResponseOf::displacement, Peaks::continuous, true));
+    for (std::size_t i = 0; i < laws.size(); ++i)
+      EXPECT_NEAR(alone[i].overall() / all[i].overall(), 1, 1e-12) << i << " " << seed;
+  }
 }
 
 TEST_P(ResponsePeaksBy, OfOneDoNotDependOnItsNeighbours) {

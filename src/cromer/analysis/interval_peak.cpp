@@ -60,9 +60,10 @@ void include_turn(const Watch& watch, double a, const Quantity4& at_a, double b,
 }  // namespace
 
 void include_inside(const LinearLaw<double>& law, const Watched<double>& watched,
-                    const IntervalMotion& motion, double h, Extremes& range) {
+                    const IntervalMotion& motion, const State<double>& y_end, double h, Extremes& range) {
   const Watch watch{law, watched, motion};
-  const Quantity4 begin = watch.of(motion), end = watch.at(h);
+  const Quantity4 begin = watch.of(motion);
+  const Quantity4 end = watch.of(IntervalMotion(law, y_end, motion.f + motion.slope * h, motion.slope));
   const double to_within = 1e-7 * h;  // q is flat where it turns: good to 1e-14
   if ((begin.bend < 0) == (end.bend < 0)) {
     include_turn(watch, 0, begin, h, end, to_within, range);

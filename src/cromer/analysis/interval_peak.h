@@ -44,10 +44,10 @@ inline double overshoot_bound(const LinearLaw<double>& law, const Watched<double
   return h * h / 8 * std::sqrt(bend * bend + twist * twist / law.stiffness);
 }
 
-/// Includes the extremes of q inside the interval; w h at most pi. Each is found where q' vanishes, by
-/// Newton's iteration on the closed form, to rounding of q.
+/// Includes the extremes of q inside the interval, which ends with the motion at `end`; w h at most pi. Each
+/// is found where q' vanishes, by Newton's iteration on the closed form, to rounding of q.
 void include_inside(const LinearLaw<double>& law, const Watched<double>& watched,
-                    const IntervalMotion& motion, double h, Extremes& range);
+                    const IntervalMotion& motion, const State<double>& end, double h, Extremes& range);
 
 /// Includes the extremes of q of the free motion from y on, y included: the first two turns, beyond which it
 /// only dies down, and 0, where it ends.

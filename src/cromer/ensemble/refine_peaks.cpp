@@ -119,25 +119,24 @@ struct Refinement {
     const std::size_t last = (block + 1) * walk.block;
     const double at_most = slack(block);
     BlockSteps steps(walk, law, lane, block);
-    double before = value(law.watched, steps.state());
     // To the first step of the next block: its own begin there.
     for (bool more = true; more && !steps.at_end();) {
       more = steps.interval() < last;
       const State<double> y = steps.state();
       const double force = steps.force(), slope = steps.slope();
       steps.advance();
-      const double after = value(law.watched, steps.state());
-      include_between(y, force, slope, std::min(before, after), std::max(before, after), at_most);
-      before = after;
+      include_between(y, steps.state(), force, slope, at_most);
     }
   }
 
-  void include_between(const State<double>& y, double force, double slope, double least, double greatest,
+  void include_between(const State<double>& begin, const State<double>& end, double force, double slope,
                        double at_most) {
+    const double before = value(law.watched, begin), after = value(law.watched, end);
+    const double least = std::min(before, after), greatest = std::max(before, after);
     if (!beats(least, greatest, at_most)) return;
-    const IntervalMotion motion(law.law, y, force, slope);
+    const IntervalMotion motion(law.law, begin, force, slope);
     if (!beats(least, greatest, overshoot_bound(law.law, law.watched, motion, law.step))) return;
-    include_inside(law.law, law.watched, motion, law.step, best);
+    include_inside(law.law, law.watched, motion, end, law.step, best);
     settle();
   }
 

@@ -62,7 +62,11 @@ ResponsePeaks peaks_of(const Group& group, std::size_t lane_of, const cromer_wal
   const State<double> last = last_state(walk, law, lane);
   const double q = law.watched.x * last.x + law.watched.v * last.v;
   found.after = {q, q};
-  include_free(law.law, law.watched, last, found.after);
+  // The energy of a free motion only falls: it may be clear that it cannot swing as far again.
+  const double farthest = std::hypot(last.x, last.v / std::sqrt(law.law.stiffness));
+  const bool no_farther = search.largest_alone && law.watched.v == 0 &&
+                          std::abs(law.watched.x) * farthest <= found.during.magnitude();
+  if (!no_farther) include_free(law.law, law.watched, last, found.after);
   return found;
 }
 

@@ -32,8 +32,8 @@ enum class ResponseOf {
 struct PeakSearch {
   Peaks peaks = Peaks::continuous;
   ResponseOf quantity = ResponseOf::displacement;
-  bool after_the_end = true;  ///< look at the free motion after the last sample too
-  bool largest_alone = true;  ///< only the larger of the two extremes during the motion needs to be right
+  bool after_the_end = true;             ///< look at the free motion after the last sample too
+  bool largest_alone = true;             ///< only the largest magnitude of the whole motion needs to be right
   cromer_walk::Function walk = nullptr;  ///< of choose_unit()
 };
 

@@ -102,13 +102,13 @@ class Reach {
     for (std::size_t i = 0; i < directions; ++i) {
       const Direction& d = all_directions()[i];
       const State<double> y{d.along(from.y1.x, from.y2.x), d.along(from.y1.v, from.y2.v)};
-      const double end = d.along(to.y1.x, to.y2.x);
-      if (std::max(std::abs(y.x), std::abs(end)) + over <= reach_[i]) continue;
+      const State<double> end{d.along(to.y1.x, to.y2.x), d.along(to.y1.v, to.y2.v)};
+      if (std::max(std::abs(y.x), std::abs(end.x)) + over <= reach_[i]) continue;
       const IntervalMotion rotated = motion(y, d.along(from.f1, from.f2), d.along(to.f1, to.f2));
       const double bound = overshoot_bound(law_, displacement, rotated, step_);
-      if (std::max(std::abs(y.x), std::abs(end)) + bound <= reach_[i]) continue;
+      if (std::max(std::abs(y.x), std::abs(end.x)) + bound <= reach_[i]) continue;
       Extremes range{-reach_[i], reach_[i]};
-      include_inside(law_, displacement, rotated, step_, range);
+      include_inside(law_, displacement, rotated, end, step_, range);
       reach_[i] = range.magnitude();
     }
   }

@@ -9,6 +9,7 @@
 #include "cromer/study/task/local_error.h"
 #include "cromer/study/task/method_map.h"
 #include "cromer/study/task/resonance.h"
+#include "cromer/study/task/response_spectrum.h"
 #include "cromer/study/task/simulate.h"
 #include "cromer/study/task/work_precision.h"
 
@@ -46,5 +47,11 @@ void collect(const std::string& id, const MethodMapResult& map, Results& results
 /// "id.N" for method N: label, slope, evaluations_for_a_millionth (not a number, shown as a dash, where it
 /// does not get there). Columns evaluations, error.
 void collect(const std::string& id, const WorkPrecisionResult& work, Results& results);
+
+/// "id": peak_acceleration, arias_intensity, duration_5_95 (of the first component). "id.N" for damping ratio
+/// N: damping_ratio (or loss_factor), peak, peak_period. Columns period, frequency and SD, PSV, PSA (of two
+/// components of RotD50, and SD_1, SD_2, SD_geometric_mean, SD_RotD100 and so on), or of a shock primary,
+/// residual, maximax, positive, negative.
+void collect(const std::string& id, const SpectrumResult& spectrum, Results& results);
 
 }  // namespace cromer

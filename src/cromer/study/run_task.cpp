@@ -39,8 +39,7 @@ Result<TaskReport> run_simulate(const Work& work) {
   const auto result = simulate(options, work.watch);
   if (!result) return work.error(result.error());
   for (const SimulatedRun& run : result->runs)
-    if (!run.done())
-      return TaskReport{result->warnings, run.label + ": " + run.message};
+    if (!run.done()) return TaskReport{result->warnings, run.label + ": " + run.message};
   collect(work.task.id, *result, work.results);
   return TaskReport{result->warnings, ""};
 }
@@ -148,6 +147,27 @@ Result<TaskReport> run_work_precision(const Work& work) {
   return TaskReport{};
 }
 
+Result<TaskReport> run_spectrum(const Work& work) {
+  SpectrumOptions options;
+  std::vector<std::string> names;
+  auto table = options_of(options);
+  table.push_back(
+      {.name = "file", .target = &names, .unit = "", .help = "", .default_text = "", .group = ""});
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  if (names.empty()) names.emplace_back();
+  std::vector<SpectrumFile> files;
+  for (const auto& name : names) {
+    auto bytes = work.recording(name);
+    if (!bytes) return bytes.error();
+    files.push_back({name, *std::move(bytes)});
+  }
+  const auto result = response_spectrum(files, options, work.watch);
+  if (!result) return work.error(result.error());
+  if (result->interrupted) return TaskReport{result->warnings, "interrupted"};
+  collect(work.task.id, *result, work.results);
+  return TaskReport{result->warnings, ""};
+}
+
 /// The largest distance between the positions of two results, row by row.
 Result<TaskReport> run_difference(const Work& work) {
   std::string of, minus;
@@ -176,7 +196,8 @@ struct Command {
 constexpr Command commands[] = {{"simulate", run_simulate},       {"fit", run_fit},
                                 {"compare", run_compare},         {"resonance", run_resonance},
                                 {"local-error", run_local_error}, {"difference", run_difference},
-                                {"method-map", run_method_map},   {"work-precision", run_work_precision}};
+                                {"method-map", run_method_map},   {"work-precision", run_work_precision},
+                                {"spectrum", run_spectrum}};
 
 }  // namespace
 

@@ -372,6 +372,14 @@ TEST(ResponseSpectrum, DoubtfulPeriodsAreSaid) {
   options.periods = "0.02,1";
   options.peaks = "continuous";
   EXPECT_THAT(spectrum_of(recording(300, 0.01, ripple), options)->warnings, ElementsAre());
+  // A ground that ends at speed goes on: the softest springs are stretched later.
+  options.periods = "0.5,50,200";
+  EXPECT_THAT(
+      spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->warnings,
+      ElementsAre(HasSubstr("from a period of 50 s on there are peaks that come after the recording's end")));
+  options.peaks = "samples";
+  EXPECT_THAT(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->warnings,
+              ElementsAre(HasSubstr("is shorter than the longest period")));
 }
 
 TEST(ResponseSpectrum, StopsWhenInterrupted) {

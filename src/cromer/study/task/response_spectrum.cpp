@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "cromer/analysis/hysteretic_peaks.h"
 #include "cromer/base/grid.h"
@@ -71,9 +73,13 @@ void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
   }
   spectrum.displacement.resize(shaking.size());
   for (std::size_t c = 0; c < shaking.size(); ++c)
-    for (const auto& found : response_peaks(shaking[c].ground, laws, search))
-      spectrum.displacement[c].push_back(search.peaks == Peaks::continuous ? found.overall()
-                                                                           : found.during.magnitude());
+    for (const auto& found : response_peaks(shaking[c].ground, laws, search)) {
+      const std::size_t i = spectrum.displacement[c].size();
+      const bool continuous = search.peaks == Peaks::continuous;
+      spectrum.displacement[c].push_back(continuous ? found.overall() : found.during.magnitude());
+      if (continuous && found.after.magnitude() > 1.01 * found.during.magnitude())
+        spectrum.after_the_end.push_back(i);
+    }
   if (shaking.size() < 2) return;
   for (const auto& found : rotated_peaks(shaking[0].ground, shaking[1].ground, laws, search.peaks)) {
     const std::size_t i = spectrum.rotd50.size();
@@ -113,6 +119,19 @@ Result<void> check_hysteretic_memory(const SpectrumResult& result, std::span<con
   if (fits) return {};
   return Error{"--loss-factor: until the slowest oscillator rests, " + fits.error().message +
                ": shorter periods or more damping"};
+}
+
+/// Peaks that come after the end are those of a ground that has stopped accelerating, not of one at rest.
+std::optional<std::string> after_the_end_warning(const SpectrumResult& result) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& spectrum : result.spectra)
+    for (const std::size_t i : spectrum.after_the_end) least = std::min(least, result.periods[i]);
+  if (!std::isfinite(least)) return std::nullopt;
+  return fmt::format(
+      "from a period of {:.4g} s on there are peaks that come after the recording's end, on a ground that "
+      "goes on at "
+      "the speed it has then; --peaks samples looks no further than the recording",
+      least);
 }
 
 Result<void> check_together(const SpectrumOptions& options, Peaks peaks, const Between& between,
@@ -197,6 +216,7 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
                        static_cast<double>(ratios->size()));
     }
   }
+  if (auto warning = after_the_end_warning(result)) result.warnings.push_back(*std::move(warning));
   return result;
 }
 

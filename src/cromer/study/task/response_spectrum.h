@@ -63,6 +63,8 @@ struct ResponseSpectrum {
   std::vector<std::vector<double>> displacement{};            // [m] SD of each component
   std::vector<double> geometric_mean{}, rotd50{}, rotd100{};  // [m] SD, of two components
   std::vector<Shock> shock{};                                 ///< of a shock spectrum, then alone
+  std::vector<std::size_t>
+      after_the_end{};  ///< periods whose continuous peak comes after the last sample, by 1 %
 };
 
 /// Pseudo-velocity [m/s] and pseudo-acceleration [m/s^2] of a peak displacement [m].
