@@ -70,14 +70,6 @@ struct Dual {
   }
   friend constexpr Dual operator/(Dual a, const Dual& b) { return a /= b; }
 
-  // A factor without derivatives spares the products with its zeros.
-  friend constexpr Dual operator*(const Real& a, const Dual& b) { return b.chain(a * b.value, a); }
-  template <class Number>
-  requires(std::is_arithmetic_v<Number> && !std::same_as<Number, Real>) friend constexpr Dual operator*(
-      Number a, const Dual& b) {
-    return Real(a) * b;
-  }
-
   friend constexpr bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
   friend constexpr bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
   friend constexpr bool operator>(const Dual& a, const Dual& b) { return b < a; }
