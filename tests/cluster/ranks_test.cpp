@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cstdlib>
 
 #include "tests/cluster/started.h"
@@ -83,6 +86,18 @@ TEST(RankPlace, is_read_from_the_environment) {
   EXPECT_EQ(place_with("SLURM_NTASKS", "8", "SLURM_PROCID", "0"), std::pair(0, 1));
   EXPECT_EQ(place_with("OMPI_COMM_WORLD_SIZE", "1", "OMPI_COMM_WORLD_RANK", "0"), std::pair(0, 1));
   EXPECT_EQ(place_with("OMPI_COMM_WORLD_SIZE", "many", "OMPI_COMM_WORLD_RANK", "0"), std::pair(0, 1));
+}
+
+TEST(RankThreads, are_the_share_of_the_machine) {
+  EXPECT_EQ(threads_of_rank(5), 5);
+  const int alone = threads_of_rank(0);
+  EXPECT_EQ(alone, threads_of(0));
+  setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "2", 1);
+  EXPECT_LE(threads_of_rank(0), std::max(1, static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) / 2));
+  EXPECT_EQ(threads_of_rank(5), 5);
+  setenv("OMPI_COMM_WORLD_LOCAL_SIZE", "100000", 1);
+  EXPECT_EQ(threads_of_rank(0), 1);
+  unsetenv("OMPI_COMM_WORLD_LOCAL_SIZE");
 }
 
 }  // namespace

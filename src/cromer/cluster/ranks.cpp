@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <exception>
 #include <optional>
 #include <utility>
 
@@ -60,6 +62,17 @@ RankPlace rank_place() {
   return {};
 }
 
+int threads_of_rank(int asked) {
+  const int usable = threads_of(asked);
+  if (asked > 0) return usable;
+  // Where ranks are bound to processors of their own, those are the usable ones; where not, all would take
+  // all.
+  int here = 1;
+  for (const char* variable : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})
+    here = std::max(here, number_in(variable).value_or(1));
+  return std::clamp(static_cast<int>(sysconf(_SC_NPROCESSORS_ONLN)) / here, 1, usable);
+}
+
 Result<Ranks> Ranks::join(const RankPlace& place) {
   auto found = load_module({"libcromer_mpi.so", "cromer_mpi", "mpirun and srun", "libopenmpi-dev"});
   if (!found) return found.error();
@@ -84,6 +97,9 @@ Ranks::Ranks(Ranks&& other) noexcept
 
 Ranks::~Ranks() {
   if (!mpi_) return;
+  // A rank that throws here cannot say so any more; gone without a word it ends the others, and nothing is
+  // lost.
+  if (!first() && std::uncaught_exceptions() > 0) std::_Exit(1);
   if (first() && !over_) {
     const auto none = [](std::uint64_t, const double*) { return Result<void>(); };
     (void)make_chunks(nothing(), {}, 1, none, {});
@@ -93,13 +109,13 @@ Ranks::~Ranks() {
 
 Result<ChunksEnd> Ranks::make_chunks(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks,
                                      int threads, const ChunkSink& sink, const Watch& watch) {
-  auto end = HandOut(work, chunks, place_.ranks, threads, mpi_, sink, watch).run();
+  auto end = HandOut(work, chunks, place_.ranks, threads_of_rank(threads), mpi_, sink, watch).run();
   over_ = true;
   return end;
 }
 
 void Ranks::help(const ChunkedRows& work, int threads, const Watch& watch) {
-  help_or_tell(work, threads, watch, "");
+  help_or_tell(work, threads_of_rank(threads), watch, "");
 }
 
 void Ranks::cannot_help(const std::string& why) { help_or_tell(nothing(), 1, {}, why); }

@@ -20,6 +20,10 @@ struct RankPlace {
 };
 RankPlace rank_place();
 
+/// How many threads a rank takes: `asked`, or where that is 0 its share of the machine's processors, of those
+/// it may use.
+int threads_of_rank(int asked);
+
 /// The ranks, from joining them to leaving them. Only the first may write and print.
 class Ranks {
  public:
@@ -33,10 +37,10 @@ class Ranks {
   bool first() const { return place_.first(); }
   int count() const { return place_.ranks; }
 
-  /// The first rank: makes those chunks on all ranks, on so many threads each, and hands each to the sink,
-  /// which the calling thread alone calls. An interruption or a failure of any rank ends the work of all; an
-  /// Error is the sink's, or says which rank could not go on. Descriptions that differ between ranks are an
-  /// Error.
+  /// The first rank: makes those chunks on all ranks, on so many threads each (0: threads_of_rank), and hands
+  /// each to the sink, which the calling thread alone calls. An interruption or a failure of any rank ends
+  /// the work of all; an Error is the sink's, or says which rank could not go on. Descriptions that differ
+  /// between ranks are an Error.
   Result<ChunksEnd> make_chunks(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks,
                                 int threads, const ChunkSink& sink, const Watch& watch);
 
