@@ -68,6 +68,8 @@ TEST(Docs, EveryCommandOfMethodsWorks) { expect_all_work("methods.md", 8); }
 
 TEST(Docs, EveryCommandOfIdentifyWorks) { expect_all_work("identify.md", 6); }
 
+TEST(Docs, EveryCommandOfSweepWorks) { expect_all_work("sweep.md", 6); }
+
 TEST(Docs, EveryCommandOfSpectraWorks) { expect_all_work("spectra.md", 9); }
 std::string text_of(const std::string& path) {
   std::ifstream file(std::string(CROMER_SOURCE_DIR) + "/" + path);

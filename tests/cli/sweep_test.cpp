@@ -1,0 +1,94 @@
+// cromer sweep as contract.md says.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <set>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+const std::vector<std::string> curve{"sweep", "--damping-ratio",  "0.1", "--drive-amplitude",
+                                     "1",     "--drive-frequency"};
+
+std::vector<std::string> with(std::vector<std::string> words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST(SweepCommand, WritesTheColumnsOfTheContract) {
+  const Folder folder;
+  const Finished end =
+      folder.run(with(curve, {"0.5:2:4", "--method", "exact", "-o", "curve.csv", "--plot", "curve.svg"}));
+  ASSERT_EQ(end.status, 0) << end.err;
+  const std::string csv = folder.read("curve.csv");
+  EXPECT_THAT(csv, StartsWith("# cromer sweep --damping-ratio 0.1"));
+  EXPECT_THAT(csv, HasSubstr("\ndrive_frequency (rad/s),amplitude (m),phase (rad)\n0.5,1.3216"));
+  EXPECT_THAT(folder.read("curve.svg"), HasSubstr("amplitude (m)"));
+}
+
+TEST(SweepCommand, TellsItsRowsInJson) {
+  const auto json =
+      Folder()
+          .run(with(curve, {"0.5,1", "--measure", "phase,amplitude", "--method", "exact", "--json"}))
+          .json();
+  EXPECT_EQ(json["columns"][1], "phase (rad)");
+  EXPECT_NEAR(json["rows"][1][1].get<double>(), std::acos(-1.0) / 2, 1e-12);
+  EXPECT_NEAR(json["rows"][1][2].get<double>(), 5, 1e-12);
+  EXPECT_EQ(json["way"], "closed form");
+  EXPECT_EQ(json["swept"][0]["name"], "drive-frequency");
+}
+
+TEST(SweepCommand, ObeysTheInstructionSetAskedFor) {
+  std::set<std::string> rows;
+  int sets = 0;
+  for (const char* simd : {"baseline", "avx2", "avx512"}) {
+    setenv("CROMER_SIMD", simd, 1);
+    const Finished end = Folder().run(with(curve, {"0.5:1.5:40", "--cubic", "0.2", "--json"}));
+    unsetenv("CROMER_SIMD");
+    if (end.status == 2) {
+      EXPECT_THAT(end.err, HasSubstr("no such instructions"));
+      continue;
+    }
+    EXPECT_EQ(end.json()["simd"], simd);
+    ++sets;
+    rows.insert(end.json()["rows"].dump());
+  }
+  // Fused multiplications leave other last digits than separate ones.
+  if (sets > 1) EXPECT_GT(rows.size(), 1u);
+  setenv("CROMER_SIMD", "sse9", 1);
+  const Finished refused = Folder().run(with(curve, {"0.5:1.5:4"}));
+  unsetenv("CROMER_SIMD");
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.err, HasSubstr("CROMER_SIMD=sse9"));
+}
+
+TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
+  const Folder folder;
+  const auto refused = [&](const std::vector<std::string>& more, const char* said) {
+    const Finished end = folder.run(with(curve, with(more, {"-o", "out.csv"})));
+    EXPECT_EQ(end.status, 2) << said;
+    EXPECT_THAT(end.err, HasSubstr(said));
+    EXPECT_FALSE(folder.has("out.csv"));
+  };
+  refused({"0.5:"}, "--drive-frequency");
+  refused({"1:2:3:4"}, "--drive-frequency");
+  refused({"1:2:0"}, "no points");
+  refused({""}, "empty");
+  refused({"1:2:1e15"}, "need 24 PB");
+  refused({"1,x"}, "--drive-frequency");
+  refused({"1:2:4 kg"}, "kg");
+  refused({"1:2:4", "--measure", "ampltude"}, "did you mean amplitude");
+  refused({"1:2:4", "--threads", "0"}, "--threads");
+  refused({"1:2:4", "--settle", "-1"}, "--settle");
+  refused({"1:2:4", "--mass", "0"}, "be positive");
+}
+
+}  // namespace
+}  // namespace cromer::test
