@@ -61,7 +61,9 @@ TEST(SweepCommand, ObeysTheInstructionSetAskedFor) {
     rows.insert(end.json()["rows"].dump());
   }
   // Fused multiplications leave other last digits than separate ones.
-  if (sets > 1) EXPECT_GT(rows.size(), 1u);
+  if (sets > 1) {
+    EXPECT_GT(rows.size(), 1u);
+  }
   setenv("CROMER_SIMD", "sse9", 1);
   const Finished refused = Folder().run(with(curve, {"0.5:1.5:4"}));
   unsetenv("CROMER_SIMD");
