@@ -97,7 +97,8 @@ int show(const SweepResult& result, const OutputOptions& output, const Arguments
   if (auto good = write_files(result, output, arguments); !good) return refuse(good.error().message);
   if (output.output != "-" && !print(output.json ? to_json(result) : sweep_text(result)))
     return refuse("standard output cannot be written");
-  return result.counts.ok() && !result.interrupted ? done : no_success;
+  const bool any = result.counts.not_settled < result.plan.rows.rows;
+  return any && result.counts.ok() && !result.interrupted ? done : no_success;
 }
 
 }  // namespace

@@ -85,6 +85,7 @@ class Drawing {
     const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
     Panel panel;
     panel.title = measure.name.substr(0, measure.name.find(" ("));
+    if (outer > 1) panel.title += fmt::format(", names: {}", shown(swept_[0].column, 1e9).name);
     panel.y.name = measure.name;
     panel.x.name = shown(swept_.back().column, 1e9).name;
     for (std::uint64_t k = 0; k < outer; ++k) {
@@ -105,24 +106,31 @@ class Drawing {
       const auto peak = static_cast<std::size_t>(top - curve.y.begin());
       if (outer > 1 && peak > 0 && peak + 1 < curve.x.size()) curve.label_x = curve.x[peak];
       curve.name = outer > 1 ? fmt::format("{:.4g}", at(k * points, 0)) : "";
-      if (outer > 1 && k == 0) curve.remark = shown(swept_[0].column, 1e9).name;
       panel.curves.push_back(std::move(curve));
     }
     return panel;
   }
 
+  /// The option that runs fastest lies across; of positions and velocities the positions do.
   Panel map(std::size_t column, std::uint64_t outer, std::uint64_t points) const {
     const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
+    const bool phase_plane = swept_[0].name == "position" && swept_[1].name == "velocity";
+    const std::size_t across = phase_plane ? 0 : 1;
+    const std::uint64_t columns = phase_plane ? outer : points, rows = phase_plane ? points : outer;
+    const auto row_of = [&](std::uint64_t i, std::uint64_t k) {
+      return phase_plane ? i * points + k : k * points + i;
+    };
     Panel panel;
     panel.title = measure.name.substr(0, measure.name.find(" ("));
-    panel.x.name = shown(swept_[1].column, 1e9).name;
-    panel.y.name = shown(swept_[0].column, 1e9).name;
+    panel.x.name = shown(swept_[across].column, 1e9).name;
+    panel.y.name = shown(swept_[1 - across].column, 1e9).name;
     HeatMap map;
     map.name = measure.name;
-    for (std::uint64_t i = 0; i < points; ++i) map.x.push_back(at(i, 1));
-    for (std::uint64_t k = 0; k < outer; ++k) map.y.push_back(at(k * points, 0));
-    map.z.reserve(outer * points);
-    for (std::uint64_t row = 0; row < outer * points; ++row) map.z.push_back(at(row, column) / measure.unit);
+    for (std::uint64_t i = 0; i < columns; ++i) map.x.push_back(at(row_of(i, 0), across));
+    for (std::uint64_t k = 0; k < rows; ++k) map.y.push_back(at(row_of(0, k), 1 - across));
+    map.z.reserve(rows * columns);
+    for (std::uint64_t k = 0; k < rows; ++k)
+      for (std::uint64_t i = 0; i < columns; ++i) map.z.push_back(at(row_of(i, k), column) / measure.unit);
     panel.x.logarithmic = is_logarithmic(map.x);
     panel.y.logarithmic = is_logarithmic(map.y);
     panel.map = std::move(map);

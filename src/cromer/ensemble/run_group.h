@@ -23,7 +23,7 @@ struct Settling {
 
 /// Runs up to cromer_group::size driven points (drive amplitude and frequency > 0) until they have settled.
 ///
-/// Amplitude and phase are those of a least-squares sinusoid over a window of cycles with Hann's weights, so
+/// Amplitude and phase are those of a least-squares sinusoid over a window of cycles with smooth weights, so
 /// that overtones and what is left of the free motion do not leak in. From window to window their change
 /// falls as the free motion does; a motion has settled when the changes still to come, a geometric series,
 /// sum up to less than the tolerance. False: interrupted.

@@ -24,11 +24,15 @@ long long steps_for(std::span<const Point> points, double cycles) {
   return static_cast<long long>(std::ceil(most * (1 - 1e-9)));
 }
 
-std::vector<double> hann_weights(long long steps) {
+/// The third power of Hann's weights: a window holds whole cycles of some of its points only, and overtones,
+/// or the energy's own swing at twice the frequency, leak into the others by less than 1e-7.
+std::vector<double> window_weights(long long steps) {
   std::vector<double> weights(static_cast<std::size_t>(steps));
-  for (long long n = 0; n < steps; ++n)
-    weights[static_cast<std::size_t>(n)] =
-        1 - std::cos(2 * std::numbers::pi * (static_cast<double>(n) + 0.5) / static_cast<double>(steps));
+  for (long long n = 0; n < steps; ++n) {
+    const double angle = 2 * std::numbers::pi * (static_cast<double>(n) + 0.5) / static_cast<double>(steps);
+    const double hann = 1 - std::cos(angle);
+    weights[static_cast<std::size_t>(n)] = hann * hann * hann;
+  }
   return weights;
 }
 
@@ -56,10 +60,11 @@ class Convergence {
   bool operator()(std::complex<double> value, double tolerance) {
     const double change = std::abs(value - last_), size = std::abs(value);
     const double ratio = change_ > 0 ? std::min(change / change_, 1.0) : 1;
-    // At rounding level the ratio means nothing.
-    const bool still =
-        change <= 1e-12 * size ||
-        (ratio < 1 && change * ratio / (1 - ratio) <= tolerance * size && change <= 10 * tolerance * size);
+    // At rounding level the ratio means nothing, and small changes that do not fall are what leaks.
+    const bool leaks = ratio >= 1 && change <= tolerance * size;
+    const bool falls =
+        ratio < 1 && change * ratio / (1 - ratio) <= tolerance * size && change <= 10 * tolerance * size;
+    const bool still = change <= 1e-12 * size || leaks || falls;
     last_ = value;
     change_ = change;
     return still && ++seen_ > 2;
@@ -93,7 +98,7 @@ bool settle_group(const KernelUnit& unit, std::span<const Point> points, const S
   auto group = std::make_unique<Group>();
   fill_group(points, *group);
   const long long window = steps_for(points, settling.window);
-  const std::vector<double> weights = hann_weights(window);
+  const std::vector<double> weights = window_weights(window);
   double weight = 0;
   for (const double w : weights) weight += w;
 

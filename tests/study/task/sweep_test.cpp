@@ -259,6 +259,17 @@ TEST(Sweep, TheSameBitsOnAnyNumberOfThreads) {
   }
 }
 
+TEST(Sweep, APointDoesNotDependOnWhatElseIsInTheGrid) {
+  const Values law{{"damping", "0.1"}, {"drive-amplitude", "1"}, {"cubic", "0.1"}};
+  const SweepResult many = swept(options_with(with(law, {{"drive-frequency", "0.5:2:16"}}), "rk4"));
+  EXPECT_EQ(many.counts.not_settled, 0u);
+  for (std::size_t i = 0; i < 16; ++i) {
+    const std::string w = std::to_string(many.rows[3 * i]);
+    const SweepResult alone = swept(options_with(with(law, {{"drive-frequency", w + "," + w}}), "rk4"));
+    EXPECT_NEAR(alone.rows[1] / many.rows[3 * i + 1], 1, 3e-6) << w;
+  }
+}
+
 TEST(Sweep, GridsMultiplyAndTheFrequencyRunsFastest) {
   const SweepResult result = swept(options_with(with(driven, {{"drive-frequency", "1,2"},
                                                               {"drive-phase", "0,1"},

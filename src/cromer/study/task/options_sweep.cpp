@@ -45,6 +45,7 @@ std::vector<Option> options_of(SweepOptions& o) {
       option.target = &o.values[option.name];
       options.push_back(option);
     } else if (is_in(as_it_is, option.name)) {
+      if (option.name == "drive") option.help = "harmonic, unbalance (rotating, m_u e w^2) or base (shaking)";
       options.push_back(option);
     }
   }

@@ -62,6 +62,9 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
   SweepResult result{.plan = std::move(plan), .rows = {}, .counts = {}};
   const ChunkedRows& rows = result.plan.rows;
   result.rows.assign(rows.rows * width, std::numeric_limits<double>::quiet_NaN());
+  // Rows that are not reached still say where they are.
+  const SweepPoints points(result.plan.work->base, result.plan.work->axes);
+  for (std::uint64_t row = 0; row < rows.rows; ++row) points.values_of(row, &result.rows[row * width]);
   std::vector<std::uint64_t> chunks(rows.chunks());
   std::iota(chunks.begin(), chunks.end(), 0);
   const auto sink = [&](std::uint64_t chunk, const double* made) -> Result<void> {

@@ -133,6 +133,19 @@ Result<void> check_cycles(const SweepWork& work) {
   return {};
 }
 
+/// A drive that the steps hardly see.
+std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
+  double fewest = 1e9;
+  for (const SimulatedRun* run : {&one, &other})
+    if (run->drive.amplitude > 0 && run->drive.frequency > 0 && run->method != "exact")
+      fewest = std::min(fewest, drive_period(*run) / run->step);
+  if (fewest >= 10) return "";
+  return fmt::format(
+      "--step: at an end of the grid a cycle of the drive has {:.2g} steps only: what is found there is the "
+      "method's doing, not the law's",
+      fewest);
+}
+
 std::string column_of(const SweepAxis& axis) {
   std::string name = axis.name;
   std::replace(name.begin(), name.end(), '-', '_');
@@ -217,7 +230,8 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   SweepPlan plan;
   plan.method = work->method;
   plan.simd = work->unit.name;
-  plan.way = words(work->way);
+  plan.way = work->settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
+                                    : std::string(words(work->way));
   for (const SweepAxis& axis : work->axes)
     plan.swept.push_back({axis.name, column_of(axis), axis.grid.size()});
   for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
@@ -237,6 +251,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   std::erase_if(plan.warnings, [](const std::string& warning) {
     return warning.find("whole number of steps") != std::string::npos;
   });
+  if (const std::string few = few_steps(*run, *last); !few.empty()) plan.warnings.push_back(few);
   plan.work = work;
   return plan;
 }

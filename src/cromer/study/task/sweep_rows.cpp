@@ -14,7 +14,10 @@ namespace {
 
 constexpr std::uint64_t group_size = cromer_group::size;
 
-void write_measures(const SweepWork& work, const PointResult& result, double* to) {
+/// What has not settled has no settled motion to tell of.
+void write_measures(const SweepWork& work, const PointResult& found, double* to) {
+  const bool unsettled = found.status == PointStatus::not_settled;
+  const PointResult result = unsettled ? PointResult{.status = found.status} : found;
   for (const Measure* measure : work.measures) {
     measure->write(result, to);
     to += measure->columns.size();
