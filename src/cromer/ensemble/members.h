@@ -179,7 +179,8 @@ void advance_members(cromer_group::Group& group, std::size_t first, const M& met
 template <class Real, class M, Terms terms, bool measured>
 void advance_all(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   constexpr std::size_t packs = cromer_group::size / Real::size;
-  constexpr std::size_t together = std::min<std::size_t>(packs, M::info.implicit ? 2 : 4);
+  // An implicit step needs more registers than narrow sets have.
+  constexpr std::size_t together = std::min<std::size_t>(packs, M::info.implicit && Real::size < 8 ? 2 : 4);
   for (std::size_t first = 0; first < cromer_group::size; first += together * Real::size)
     advance_members<together, Real, M, terms, measured>(group, first, method, order);
 }
