@@ -1,19 +1,10 @@
 """W1 in SciPy: DOP853 to odeint's accuracy at 8000 points, and numpy.savetxt for the rows. Prints row, who, seconds."""
 import io
-import statistics
-import time
 
 import numpy
 from scipy.integrate import solve_ivp
 
-
-def median(work, rounds=7):
-    times = []
-    for _ in range(rounds):
-        start = time.perf_counter()
-        work()
-        times.append(time.perf_counter() - start)
-    return statistics.median(times)
+from stopwatch import median
 
 
 def law(t, y):

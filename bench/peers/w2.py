@@ -1,9 +1,7 @@
 """W2 in NumPy: Euler-Cromer across many driven Duffing oscillators at once, in blocks that stay in the cache."""
-import math
-import sys
-import time
-
 import numpy
+
+from stopwatch import median
 
 OSCILLATORS, STEPS, H = 1024, 2000, 0.02
 
@@ -24,14 +22,4 @@ def run():
     return x
 
 
-def main():
-    times = []
-    for _ in range(5):
-        start = time.perf_counter()
-        run()
-        times.append(time.perf_counter() - start)
-    steps = OSCILLATORS * STEPS
-    print(f"euler-cromer\tNumPy\t{sorted(times)[2] / steps}")
-
-
-main()
+print("euler-cromer", "NumPy", median(run, 5) / (OSCILLATORS * STEPS), sep="\t")

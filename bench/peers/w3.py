@@ -1,20 +1,11 @@
 """W3 in SciPy, and in eqsig, pyrotd and endaq where they are installed: one response spectrum of 1000 periods. w3.py RECORDING.csv; prints row, who, seconds."""
-import statistics
 import sys
-import time
 
 import numpy
 from scipy.linalg import expm
 from scipy.signal import lfilter
 
-
-def median(work, rounds):
-    times = []
-    for _ in range(rounds):
-        start = time.perf_counter()
-        work()
-        times.append(time.perf_counter() - start)
-    return statistics.median(times)
+from stopwatch import median
 
 
 rows = numpy.loadtxt(sys.argv[1], delimiter=",", skiprows=1)

@@ -1,21 +1,12 @@
 """W4 in SciPy and lmfit: the same samples, five parameters, covariance. w4.py SHORT.csv LONG.csv; prints row, who, seconds."""
-import statistics
 import sys
-import time
 
 import lmfit
 import numpy
 import pandas
 from scipy.optimize import curve_fit
 
-
-def median(work, rounds):
-    times = []
-    for _ in range(rounds):
-        start = time.perf_counter()
-        work()
-        times.append(time.perf_counter() - start)
-    return statistics.median(times)
+from stopwatch import median
 
 
 def swing(t, frequency, decay_rate, equilibrium, cosine, sine):

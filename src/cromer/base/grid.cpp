@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/bytes.h"
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
@@ -13,12 +14,6 @@ namespace cromer {
 namespace {
 
 constexpr double most_points = 9007199254740992.0;  // 2^53: beyond, points cannot be told apart
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> pieces;

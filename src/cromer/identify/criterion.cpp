@@ -18,8 +18,7 @@ bool every_term_shows(const FreeDecay& fit) {
 }
 
 double information_criterion(const FreeDecay& fit, double independent_samples) {
-  return independent_samples * 2 * std::log(fit.residual.rms) +
-         static_cast<double>(fit.names.size()) * std::log(independent_samples);
+  return bayesian_criterion(independent_samples, fit.residual.rms, static_cast<double>(fit.names.size()));
 }
 
 }  // namespace

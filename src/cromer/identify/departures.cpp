@@ -1,4 +1,6 @@
 #include "cromer/identify/departures.h"
+#include "cromer/base/median.h"
+#include "cromer/identify/amplitude_windows.h"
 
 #include <fmt/format.h>
 
@@ -16,31 +18,6 @@ constexpr double pi = std::numbers::pi;
 
 std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
-}
-
-struct Window {
-  double from, to, amplitude;
-};
-
-// Root two times the standard deviation over each period.
-std::vector<Window> by_period(const Record& record, double period) {
-  std::vector<Window> windows;
-  for (std::size_t first = 0; first < record.t.size();) {
-    const double end = record.t[first] + period;
-    if (end > record.t.back()) break;
-    double mean = 0, squares = 0;
-    std::size_t last = first;
-    for (; record.t[last] < end; ++last) {
-      const double change = record.y[last] - mean;
-      mean += change / static_cast<double>(last - first + 1);
-      squares += change * (record.y[last] - mean);
-    }
-    const std::size_t count = last - first;
-    if (count >= 6)
-      windows.push_back({record.t[first], end, std::sqrt(2 * squares / static_cast<double>(count))});
-    first = last;
-  }
-  return windows;
 }
 
 // Share of the variance of r that one step takes away, at its best place.
@@ -92,10 +69,10 @@ std::string wandering_zero(const Record& record, std::span<const double> r, std:
 }
 
 std::string sudden_stop(const Record& record, double period, std::string_view unit) {
-  const std::vector<Window> windows = by_period(record, period);
+  const std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
   if (windows.size() < 8) return {};
   double largest = 0, later = 0;
-  for (const Window& window : windows) largest = std::max(largest, window.amplitude);
+  for (const AmplitudeWindow& window : windows) largest = std::max(largest, window.amplitude);
   // From the end: the largest amplitude of all that follows, against the one before the window between.
   for (std::size_t i = windows.size() - 1; i >= 4; --i) {
     later = std::max(later, windows[i].amplitude);
@@ -160,9 +137,7 @@ bool leaves_a_line(const Record& record, const FreeDecay& fit, std::span<const d
       if (at > 2 * resolution) beside.push_back(power(at));
     }
   if (beside.size() < 8) return true;
-  const auto middle = beside.begin() + static_cast<std::ptrdiff_t>(beside.size() / 2);
-  std::nth_element(beside.begin(), middle, beside.end());
-  return top > 30 * *middle;
+  return top > 30 * upper_median(beside);
 }
 
 }  // namespace cromer

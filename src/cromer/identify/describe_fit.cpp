@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/identify/criterion.h"
+
 namespace cromer {
 namespace {
 
@@ -55,7 +57,7 @@ void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& 
   const double k = fitted.count;
   const auto student_of = [&](double degrees) { return student_95(std::max(1.0, degrees - k)); };
   fit.student = student_of(fit.independent_samples);
-  fit.bic = fit.independent_samples * 2 * std::log(fit.residual.rms) + k * std::log(fit.independent_samples);
+  fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k);
   // Each parameter takes as much from the sum of squares as the residuals' spectrum holds where it lives.
   // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
   const double remaining = n - (k - 1) * widening.oscillation - widening.equilibrium;

@@ -1,4 +1,5 @@
 #include "cromer/identify/doubts.h"
+#include "cromer/identify/amplitude_windows.h"
 
 #include <fmt/format.h>
 
@@ -26,52 +27,30 @@ double noise_of(std::span<const double> r) {
   return std::sqrt(sum / (6 * static_cast<double>(r.size() - 2)));
 }
 
-struct Amplitude {
-  double t, value;
-};
-
-// Root two times the standard deviation over windows of four periods each: whatever the frequency does.
-std::vector<Amplitude> amplitudes(const Record& record, double period) {
-  std::vector<Amplitude> result;
-  for (std::size_t first = 0; first < record.t.size();) {
-    const double end = record.t[first] + 4 * period;
-    if (end > record.t.back()) break;
-    double mean = 0, squares = 0;
-    std::size_t last = first;
-    for (; record.t[last] < end; ++last) {
-      const double change = record.y[last] - mean;
-      mean += change / static_cast<double>(last - first + 1);
-      squares += change * (record.y[last] - mean);
-    }
-    const std::size_t count = last - first;
-    if (static_cast<double>(count) >= 16)
-      result.push_back({0.5 * (record.t[first] + end), std::sqrt(2 * squares / static_cast<double>(count))});
-    first = last;
-  }
-  return result;
-}
+double middle(const AmplitudeWindow& window) { return 0.5 * (window.from + window.to); }
 
 // The largest rise of the amplitude from an earlier window to a later.
 std::string rise(const Record& record, double period, double noise) {
-  const std::vector<Amplitude> windows = amplitudes(record, period);
+  const std::vector<AmplitudeWindow> windows = amplitude_windows(record, 4 * period, 16);
   if (windows.size() < 3) return {};
-  Amplitude lowest = windows.front(), from = lowest, to = lowest;
-  double largest = lowest.value;
-  for (const Amplitude& window : windows) {
-    if (window.value - lowest.value > to.value - from.value) from = lowest, to = window;
-    if (window.value < lowest.value) lowest = window;
-    largest = std::max(largest, window.value);
+  AmplitudeWindow lowest = windows.front(), from = lowest, to = lowest;
+  double largest = lowest.amplitude;
+  for (const AmplitudeWindow& window : windows) {
+    if (window.amplitude - lowest.amplitude > to.amplitude - from.amplitude) from = lowest, to = window;
+    if (window.amplitude < lowest.amplitude) lowest = window;
+    largest = std::max(largest, window.amplitude);
   }
   // An amplitude over a window of 16 samples or more is known to half the noise, and to a rounding step.
-  if (to.value - from.value < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
+  if (to.amplitude - from.amplitude < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
   return fmt::format(
       "the amplitude rises {} between {:.4g} and {:.4g} s, and a free swing's never does: something drives "
       "or "
       "pushes it, or two motions beat. The frequency may then be the drive's, and the stiffness not the "
       "spring's",
-      to.value < 2 * from.value ? fmt::format("by {:.0f} %", 100 * (to.value / from.value - 1))
-                                : fmt::format("{:.2g}-fold", to.value / from.value),
-      from.t, to.t);
+      to.amplitude < 2 * from.amplitude
+          ? fmt::format("by {:.0f} %", 100 * (to.amplitude / from.amplitude - 1))
+          : fmt::format("{:.2g}-fold", to.amplitude / from.amplitude),
+      middle(from), middle(to));
 }
 
 }  // namespace

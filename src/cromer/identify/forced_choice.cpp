@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/identify/criterion.h"
+
 namespace cromer {
 namespace {
 
@@ -37,8 +39,9 @@ std::size_t closest(const std::vector<ForcedFit>& fits) {
 void set_criterion(std::vector<ForcedFit>& fits, double independent, double resolution) {
   for (ForcedFit& fit : fits)
     if (fit.law.residual.rms > 0 && independent > 0)
-      fit.law.bic = independent * 2 * std::log(std::max(fit.law.residual.rms, resolution / std::sqrt(12.0))) +
-                    static_cast<double>(fit.law.names.size()) * std::log(independent);
+      fit.law.bic =
+          bayesian_criterion(independent, std::max(fit.law.residual.rms, resolution / std::sqrt(12.0)),
+                             static_cast<double>(fit.law.names.size()));
 }
 
 constexpr double strong = 6;  // see criterion.h

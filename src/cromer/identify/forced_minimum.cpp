@@ -1,4 +1,5 @@
 #include "cromer/identify/forced_minimum.h"
+#include "cromer/identify/criterion.h"
 
 namespace cromer {
 namespace {
@@ -85,7 +86,7 @@ void describe_forced(ForcedFit& fit, const ForcedMinimum& minimum, const ForcedQ
   law.independent_samples = n / widening;
   const double k = minimum.summary.equations.size;
   law.student = student_95(std::max(1.0, law.independent_samples - k));
-  law.bic = law.independent_samples * 2 * std::log(law.residual.rms) + k * std::log(law.independent_samples);
+  law.bic = bayesian_criterion(law.independent_samples, law.residual.rms, k);
   const double variance = std::max(sum_of_squares / std::max(1.0, n - k), resolution * resolution / 12);
 
   const int size = minimum.summary.equations.size;

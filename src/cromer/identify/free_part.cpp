@@ -1,4 +1,5 @@
 #include "cromer/identify/free_part.h"
+#include "cromer/base/median.h"
 
 #include <fmt/format.h>
 
@@ -38,9 +39,7 @@ std::optional<Swing> swing_of(const Record& record) {
     any = true;
   }
   if (intervals.size() < 4) return std::nullopt;
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  swing.period = *middle;
+  swing.period = upper_median(intervals);
   return swing;
 }
 

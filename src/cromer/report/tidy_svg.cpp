@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "cromer/base/ascii.h"
 #include "cromer/report/escape.h"
 
 namespace cromer {
@@ -26,11 +27,6 @@ struct Tag {
 };
 
 constexpr std::string_view blanks = " \t\r\n";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 // The tag between '<' and '>'.
 Tag parse(std::string_view text) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 
 namespace cromer {
@@ -32,11 +33,7 @@ Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>
   for (const std::string& name : names)
     for (std::size_t from = 0; from <= name.size();) {
       const std::size_t comma = std::min(name.find(',', from), name.size());
-      std::string word = name.substr(from, comma - from);
-      word.erase(
-          0, word.find_first_not_of(' ') == std::string::npos ? word.size() : word.find_first_not_of(' '));
-      word.erase(word.find_last_not_of(' ') + 1);
-      words.push_back(word);
+      words.emplace_back(trimmed(std::string_view(name).substr(from, comma - from)));
       from = comma + 1;
     }
   if (words.empty())
