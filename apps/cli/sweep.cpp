@@ -44,7 +44,8 @@ std::string sweep_csv(const SweepResult& result, const Arguments& arguments) {
   for (std::size_t column = 0; column < width; ++column)
     columns.push_back({result.plan.rows.columns[column], std::span<const double>(cells[column])});
   std::string out;
-  append_csv(out, columns, std::vector<std::string>{command_line("sweep", arguments)}, true);
+  append_csv(out, columns, std::vector<std::string>{command_line("sweep", arguments), status_counts(result)},
+             true);
   return out;
 }
 
@@ -88,7 +89,7 @@ int help_first_rank(Ranks& ranks, const SweepOptions& options) {
 }
 
 int show(const SweepResult& result, const OutputOptions& output, const Arguments& arguments) {
-  warn(result.plan.warnings, output.quiet);
+  warn(warnings_of(result), output.quiet);
   if (const std::string trouble = sweep_trouble(result); !trouble.empty()) complain(trouble);
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
   if (result.interrupted)

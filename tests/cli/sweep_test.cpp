@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <signal.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <set>
@@ -71,6 +74,59 @@ TEST(SweepCommand, ObeysTheInstructionSetAskedFor) {
   EXPECT_THAT(refused.err, HasSubstr("CROMER_SIMD=sse9"));
 }
 
+TEST(SweepCommand, SaysWhatBecameOfEveryPoint) {
+  // Forward Euler's limit is h = 2 b/w0^2.
+  const std::vector<std::string> steps{
+      "sweep",    "--damping",     "0.2",    "--drive-amplitude", "1", "--drive-frequency", "0.5,40",
+      "--method", "forward-euler", "--step", "0.02,0.3"};
+  const Folder folder;
+  const Finished end = folder.run(with(steps, {"--json", "-o", "steps.csv"}));
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err,
+              HasSubstr("2 of 4 points are unstable: the free motion of the law, as forward-euler has it, "
+                        "grows without end"));
+  EXPECT_THAT(end.err, HasSubstr("warning: the lag of 1 of 4 points lies outside 0 to pi"));
+  const auto json = end.json();
+  EXPECT_EQ(json["statuses"], (std::vector<std::string>{"settled", "settled", "unstable", "unstable"}));
+  EXPECT_EQ(json["unstable"], 2);
+  EXPECT_EQ(json["not_settled"], 0);
+  EXPECT_EQ(json["phase_outside"], 1);
+  EXPECT_THAT(json["warnings"].dump(), HasSubstr("outside 0 to pi"));
+  const std::string csv = folder.read("steps.csv");
+  EXPECT_THAT(csv,
+              HasSubstr("\n# 4 points: 2 settled, 2 unstable\nstep (s),drive_frequency (rad/s),amplitude"));
+  EXPECT_THAT(csv, HasSubstr("\n0.3,40,,\n"));
+}
+
+TEST(SweepCommand, SaysWhatAnUndampedLawSettlesBy) {
+  const std::vector<std::string> undamped{"sweep", "--drive-amplitude", "1", "--drive-frequency", "0.5,2"};
+  const Finished rk4 = Folder().run(with(undamped, {"--method", "rk4", "--json"}));
+  EXPECT_EQ(rk4.status, 0) << rk4.err;
+  EXPECT_THAT(rk4.err,
+              HasSubstr("warning: 2 of 2 points have no damping by the law: what settles there settles by "
+                        "rk4's own damping alone: decay rate "));
+  EXPECT_EQ(rk4.json()["statuses"][0], "settled_by_own_damping");
+  const Finished verlet = Folder().run(with(undamped, {"--method", "verlet"}));
+  EXPECT_EQ(verlet.status, 1);
+  EXPECT_THAT(verlet.err, HasSubstr("2 of 2 points never settled: the law has no damping"));
+}
+
+TEST(SweepCommand, InterruptedSaysSoOnBothStreams) {
+  const Folder folder;
+  const pid_t process = folder.start({"sweep", "--cubic", "0.1", "--position", "0:1:400", "--velocity",
+                                      "0:1:400", "--until", "10000", "-o", "part.json", "--threads", "1"});
+  ASSERT_TRUE(wait_for_handler(process, SIGINT));
+  usleep(100000);
+  kill(process, SIGINT);
+  const Finished end = folder.wait(process);
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err, HasSubstr("interrupted after "));
+  EXPECT_THAT(end.out, ::testing::ContainsRegex("\ninterrupted: [0-9]+ of 160000 points\n"));
+  const auto json = nlohmann::json::parse(folder.read("part.json"), nullptr, false);
+  EXPECT_EQ(json["statuses"].size(), 160000u);
+  EXPECT_EQ(json["statuses"].back(), "not_reached");
+}
+
 TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
   const Folder folder;
   const auto refused = [&](const std::vector<std::string>& more, const char* said) {
@@ -83,7 +139,7 @@ TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
   refused({"1:2:3:4"}, "--drive-frequency");
   refused({"1:2:0"}, "no points");
   refused({""}, "empty");
-  refused({"1:2:1e15"}, "need 24 PB");
+  refused({"1:2:1e15"}, "need 25 PB");
   refused({"1,x"}, "--drive-frequency");
   refused({"1:2:4 kg"}, "kg");
   refused({"1:2:4", "--measure", "ampltude"}, "did you mean amplitude");

@@ -25,12 +25,20 @@ struct Stepping {
   MethodSettings settings{};
 };
 
-enum class PointStatus {
+/// Files of rows keep the numbers: new ones come last.
+enum class PointStatus : unsigned char {
   done,            ///< settled, or run to its end
-  not_settled,     ///< the motion still changed when the most cycles were over
+  not_settled,     ///< the motion still changed when the most cycles were over, or never stops to change
   not_finite,      ///< it ran away
   no_convergence,  ///< Newton's iteration found no solution in some step
+  unstable,        ///< of a linear law: the method's free motion grows without end
+  own_damping,     ///< settled, but the law has no damping: by the method's own alone
 };
+
+/// There are numbers of it.
+constexpr bool has_numbers(PointStatus status) {
+  return status == PointStatus::done || status == PointStatus::own_damping;
+}
 
 /// What is kept. Numbers that are not there (the amplitude of a motion without a drive, all of one that ran
 /// away) are NaN.
