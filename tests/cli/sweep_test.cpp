@@ -111,6 +111,23 @@ TEST(SweepCommand, SaysWhatAnUndampedLawSettlesBy) {
   EXPECT_THAT(verlet.err, HasSubstr("2 of 2 points never settled: the law has no damping"));
 }
 
+TEST(SweepCommand, DrawsBothDirections) {
+  const Folder folder;
+  const Finished end = folder.run({"sweep", "--cubic", "0.3", "--damping", "0.1", "--drive-amplitude", "0.3",
+                                   "--drive-frequency", "0.8:2:60", "--direction", "both", "-o", "both.csv",
+                                   "--plot", "both.svg", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(folder.read("both.csv"),
+              HasSubstr("\ndirection,drive_frequency (rad/s),amplitude (m),phase (rad)\n1,0.8,"));
+  EXPECT_THAT(folder.read("both.csv"), HasSubstr("\n-1,2,"));
+  EXPECT_EQ(end.json()["rows"].size(), 120u);
+  EXPECT_EQ(end.json()["swept"][0]["name"], "direction");
+  const std::string figure = folder.read("both.svg");
+  EXPECT_THAT(figure, HasSubstr(">up<"));
+  EXPECT_THAT(figure, HasSubstr(">down<"));
+  EXPECT_THAT(figure, HasSubstr("stroke-dasharray"));
+}
+
 TEST(SweepCommand, InterruptedSaysSoOnBothStreams) {
   const Folder folder;
   const pid_t process = folder.start({"sweep", "--cubic", "0.1", "--position", "0:1:400", "--velocity",

@@ -48,7 +48,8 @@ struct PointResult {
   PointStatus status = PointStatus::done;
   double amplitude = none;  // [m] at the drive's frequency
   double phase_lag = none;  // [rad] behind the drive, -pi/2 to 3 pi/2
-  double mean = none;       // [m]
+  double mean = none;       // [m] of the settled motion
+  double rms = none;        // [m] of the settled motion, the mean included
   double peak = none;       // [m] largest |x| at the steps: after settling, or of the whole run
   double energy = none;     // [J] mean of the settled motion, or at the end of a run
   State<double> end{none, none};

@@ -23,7 +23,7 @@ struct SweepOptions {
   std::map<std::string_view, std::string> values{};  ///< numeric options of simulate by name, as typed
   std::vector<std::string> measure{};                ///< names, also several with commas
   std::optional<double> settle{};                    ///< cycles dropped, >= 0; empty: found out
-  std::string direction{};                           ///< up or down; empty: each point by itself
+  std::string direction{};                           ///< up, down or both; empty: each point by itself
   std::optional<int> threads{};                      ///< > 0; empty: one for each processor
   bool check = false;                                ///< step a few points of a closed form, too
   double memory = 0;  // [bytes] that the rows may take; 0: no limit. Set by the caller, not an option

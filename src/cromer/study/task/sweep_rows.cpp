@@ -54,6 +54,7 @@ PointResult in_closed_form(const M& method, const Point& point) {
   result.amplitude = result.peak = x;
   result.phase_lag = steady->position.phase_lag;
   result.mean = 0;
+  result.rms = x / std::numbers::sqrt2;
   result.energy = (o.mass * v * v + o.stiffness * x * x) / 4;
   return result;
 }
@@ -122,15 +123,19 @@ bool make_chains(const SweepWork& work, std::uint64_t first, std::uint64_t count
   const std::size_t width = work.columns(), axes = work.axes.size();
   const std::uint64_t length = work.axes.back().grid.size(), chains = count / length;
   const bool rising = work.axes.back().grid[0] <= work.axes.back().grid[length - 1];
-  const bool forward = rising == (work.direction == SweepDirection::up);
+  const bool both = work.direction == SweepDirection::both;
   std::vector<Point> before(chains);
   std::vector<PointResult> ended(chains);
   for (std::uint64_t j = 0; j < length; ++j) {
-    const std::uint64_t along = forward ? j : length - 1 - j;
     std::vector<Point> group(chains);
+    std::vector<std::uint64_t> places(chains);
     for (std::uint64_t c = 0; c < chains; ++c) {
-      double* row = rows + (c * length + along) * width;
-      points.values_of(first + c * length + along, row);
+      double* row = rows + c * length * width;
+      points.values_of(first + c * length, row);
+      const bool up = both ? row[0] > 0 : work.direction == SweepDirection::up;
+      places[c] = c * length + (up == rising ? j : length - 1 - j);
+      row = rows + places[c] * width;
+      points.values_of(first + places[c], row);
       const auto at = points.at(row);
       if (!at) return true;  // plan_sweep has looked at them: it cannot be
       group[c] = at->point;
@@ -139,7 +144,7 @@ bool make_chains(const SweepWork& work, std::uint64_t first, std::uint64_t count
     if (!settle_group(work.unit, group, work.stepping(), work.settling, ended, watch)) return false;
     for (std::uint64_t c = 0; c < chains; ++c) {
       name_status(work, group[c], ended[c]);
-      write_measures(work, ended[c], rows + (c * length + along) * width + axes);
+      write_measures(work, ended[c], rows + places[c] * width + axes);
     }
     before = group;
   }
