@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 
 #include "program.h"
 
@@ -142,6 +143,47 @@ TEST(SweepCommand, InterruptedSaysSoOnBothStreams) {
   const auto json = nlohmann::json::parse(folder.read("part.json"), nullptr, false);
   EXPECT_EQ(json["statuses"].size(), 160000u);
   EXPECT_EQ(json["statuses"].back(), "not_reached");
+}
+
+TEST(SweepCommand, WritesThinnedTrajectoriesOfEveryPoint) {
+  const Folder folder;
+  const std::vector<std::string> law{"--damping", "0.1", "--cubic", "0.3", "--until", "5", "--step", "0.01"};
+  const Finished end = folder.run(with(with({"sweep", "--position", "0.5,1", "--method", "rk4"}, law),
+                                       {"--trajectories", "motion.csv", "--every", "25", "-o", "ends.csv"}));
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.err, HasSubstr("trajectories: 2 points, about 42 states, at most some "));
+  std::string rows = folder.read("motion.csv");
+  EXPECT_THAT(rows, StartsWith("# cromer sweep "));
+  rows.erase(0, rows.find('\n') + 1);
+  // As simulate has them, one after the other.
+  std::string expected = "position (m),t (s),x (m),v (m/s)\n";
+  for (const char* position : {"0.5", "1"}) {
+    const Finished one = folder.run(with(with({"simulate", "--position", position, "--method", "rk4",
+                                               "--json", "--every", "25", "-o", "one.csv"},
+                                              law),
+                                         {}));
+    ASSERT_EQ(one.status, 0) << one.err;
+    std::istringstream lines(folder.read("one.csv"));
+    for (std::string line; std::getline(lines, line);) {
+      // run, t, x, v, and what else there is
+      const auto t = line.find(',') + 1;
+      if (line.empty() || line[0] == '#' || line.starts_with("run")) continue;
+      const auto x = line.find(',', t) + 1, v = line.find(',', x) + 1;
+      expected += position + ("," + line.substr(t, line.find(',', v) - t)) + "\n";
+    }
+  }
+  EXPECT_EQ(rows, expected);
+
+  const auto refused = [&](const std::vector<std::string>& more, const char* said) {
+    const Finished wrong = folder.run(with({"sweep", "--position", "0.5,1"}, more));
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err, HasSubstr(said));
+    EXPECT_FALSE(folder.has("wrong.csv"));
+  };
+  refused({"--drive-amplitude", "1", "--drive-frequency", "2", "--trajectories", "wrong.csv"}, "--until");
+  refused({"--until", "5", "--trajectories", "wrong.txt"}, "FILE.csv");
+  refused({"--until", "5", "--every", "5"}, "--trajectories FILE.csv");
+  refused({"--until", "8e12", "--step", "1e-3", "--trajectories", "wrong.csv"}, "free in");
 }
 
 TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
