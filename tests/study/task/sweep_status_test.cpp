@@ -75,6 +75,19 @@ TEST(SweepStatus, UndampedNothingSettlesButByTheMethodsOwnDamping) {
   // A free mass is pushed along: that is no runaway of the method.
   EXPECT_THAT(words(swept(with(drive, {{"stiffness", "0"}, {"step", "0.01"}}), "verlet")),
               ElementsAre("not_settled", "not_settled"));
+  // With a damper its motion settles, about a place that depends on the start: F/(w sqrt(m^2 w^2 + c^2)).
+  for (const char* method : {"exact", "rk4"}) {
+    const SweepResult pushed = swept(with(drive, {{"stiffness", "0"}, {"damping", "0.3"}, {"step", "0.01"}}),
+                                     method, {}, {"amplitude,phase,mean"});
+    EXPECT_THAT(words(pushed), ElementsAre("settled", "settled")) << method;
+    for (std::size_t at = 0; at < pushed.rows.size(); at += 4) {
+      const double w = pushed.rows[at];
+      EXPECT_NEAR(pushed.rows[at + 1] * w * std::hypot(w, 0.3), 1, 1e-4) << method;
+      EXPECT_NEAR(pushed.rows[at + 2], std::numbers::pi - std::atan(0.3 / w), 1e-4) << method;
+      // From rest at 0 momentum and damping balance: m v + c x = F sin(w t)/w, whose mean is 0.
+      EXPECT_NEAR(pushed.rows[at + 3], 0, 1e-4) << method;
+    }
+  }
   const SweepResult own = swept(with(drive, {{"drive-frequency", "0.5,0.9"}, {"step", "0.1"}}), "rk4");
   EXPECT_THAT(words(own), ElementsAre("settled_by_own_damping", "settled_by_own_damping"));
   EXPECT_TRUE(own.counts.ok());

@@ -111,9 +111,11 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
 
   const bool in_closed_form = std::all_of(work.measures.begin(), work.measures.end(),
                                           [](const Measure* m) { return m->in_closed_form; });
+  // Without a spring only stepping tells where the mass comes to swing about.
+  const bool held = has_term(work, o.stiffness.value_or(1), {"stiffness"});
   const bool fixed_steps = info.order > 0 && info.error_order == 0;
-  if (linear && !to_end && !options.settle && in_closed_form && work.direction == SweepDirection::none &&
-      info.error_order == 0)
+  if (linear && held && !to_end && !options.settle && in_closed_form &&
+      work.direction == SweepDirection::none && info.error_order == 0)
     work.way = SweepWay::closed_form;
   else if (rubs || !fixed_steps)
     work.way = SweepWay::one_by_one;

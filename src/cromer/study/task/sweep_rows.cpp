@@ -40,7 +40,7 @@ PointResult in_closed_form(const M& method, const Point& point) {
   std::optional<MethodSteadyState> steady;
   if constexpr (M::info.order > 0 && M::info.error_order == 0) {
     steady = method_steady_state(method, linear_law(point), point.step);
-  } else if (o.damping > 0 && !(o.stiffness < 0)) {
+  } else if (o.damping > 0 && o.stiffness > 0) {
     const double w = point.drive.frequency;
     const SteadyState answer = frequency_response(o, point.drive.amplitude, w);
     steady = MethodSteadyState{answer, answer.amplitude * w};
