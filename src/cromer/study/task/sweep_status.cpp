@@ -51,11 +51,18 @@ std::string own_damping_warning(const SweepPlan& plan, const SweepCounts& counts
 }
 
 std::string phase_warning(const SweepPlan& plan, const SweepCounts& counts) {
+  const SweepWork& work = *plan.work;
+  std::string why;
+  // Stepping leaves something of the free motion, and of it in the lag.
+  if (work.way != SweepWay::closed_form && work.settling.dropped)
+    why = fmt::format("after {:g} cycles the free motion may still be there (drop more), or ",
+                      *work.settling.dropped);
+  else if (work.way != SweepWay::closed_form && counts.phase_excess < 10 * work.settling.tolerance)
+    why = fmt::format("settling leaves {:g}, or ", work.settling.tolerance);
   return fmt::format(
-      "the lag of {} lies outside 0 to pi, by {:.2g} rad at {}: there {}'s own error feeds the motion, where "
-      "a "
-      "damper only takes energy; a shorter --step brings the lag back",
-      of_points(counts.phase_outside, plan), counts.phase_excess, place_of(plan, counts.phase_worst),
+      "the lag of {} lies outside 0 to pi, by {:.2g} rad at {}: {}{}'s own error feeds the motion there, "
+      "where a damper only takes energy; a shorter --step brings the lag back",
+      of_points(counts.phase_outside, plan), counts.phase_excess, place_of(plan, counts.phase_worst), why,
       plan.method);
 }
 
