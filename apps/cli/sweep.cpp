@@ -18,6 +18,7 @@
 #include "sweep_figure.h"
 #include "sweep_file.h"
 #include "sweep_text.h"
+#include "sweep_trajectories.h"
 #include "syntax.h"
 #include "watching.h"
 
@@ -44,7 +45,8 @@ std::string sweep_csv(const SweepResult& result, const Arguments& arguments) {
   for (std::size_t column = 0; column < width; ++column)
     columns.push_back({result.plan.rows.columns[column], std::span<const double>(cells[column])});
   std::string out;
-  append_csv(out, columns, std::vector<std::string>{command_line("sweep", arguments)}, true);
+  append_csv(out, columns, std::vector<std::string>{command_line("sweep", arguments), status_counts(result)},
+             true);
   return out;
 }
 
@@ -88,7 +90,7 @@ int help_first_rank(Ranks& ranks, const SweepOptions& options) {
 }
 
 int show(const SweepResult& result, const OutputOptions& output, const Arguments& arguments) {
-  warn(result.plan.warnings, output.quiet);
+  warn(warnings_of(result), output.quiet);
   if (const std::string trouble = sweep_trouble(result); !trouble.empty()) complain(trouble);
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
   if (result.interrupted)
@@ -123,6 +125,12 @@ int run_sweep(const Arguments& arguments) {
   bool resume = false;
   syntax.options.push_back({"resume", &resume, "", Range::any, "go on with what FILE.h5 lacks",
                             "an unfinished file is left alone", "Output"});
+  TrajectoryOptions trajectories;
+  syntax.options.push_back({"trajectories", &trajectories.path, "", Range::any,
+                            "FILE.csv: the motion of every point of a sweep with --until, in order", "",
+                            "Output"});
+  syntax.options.push_back({"every", &trajectories.every, "", Range::positive,
+                            "of the trajectories keep every Nth state", "1", "Output"});
   const RankPlace place = rank_place();
   if (!place.first()) fall_silent();
   std::vector<std::string> files;
@@ -140,11 +148,30 @@ int run_sweep(const Arguments& arguments) {
   const Watch watch = place.ranks > 1 ? watching_ranks(output.quiet) : watching(output.quiet);
   auto plan = plan_sweep(options);
   if (!plan) return refuse(plan.error().message);
+  if (!trajectories.path.empty()) {
+    if (trajectories.path == output.output || trajectories.path == output.plot)
+      return refuse(fmt::format("--trajectories: {} is another output's name", trajectories.path));
+    const auto announced = announce_trajectories(*plan, trajectories);
+    if (!announced) return refuse(announced.error().message);
+    if (!output.quiet) complain(*announced);
+  } else if (trajectories.every != 1) {
+    return refuse("--every: it thins trajectories; name their file with --trajectories FILE.csv");
+  }
+  const auto finish = [&](const SweepResult& result) {
+    const int status = show(result, output, arguments);
+    if (trajectories.path.empty() || result.interrupted) return status;
+    const auto said = write_trajectories(result.plan, trajectories, command_line("sweep", arguments), watch);
+    clear_progress();
+    if (!said) return refuse(said.error().message);
+    if (said->empty()) return status;
+    complain(*said);
+    return static_cast<int>(no_success);
+  };
   const ChunkMaker make = maker_on(ranks->get());
   if (!into_file) {
     const auto result = sweep(*std::move(plan), options, make, watch);
     clear_progress();
-    return result ? show(*result, output, arguments) : refuse(result.error().message);
+    return result ? finish(*result) : refuse(result.error().message);
   }
   if (output.json || !output.plot.empty()) {
     if (auto good =
@@ -159,7 +186,7 @@ int run_sweep(const Arguments& arguments) {
   if (!file) return refuse(file.error().message);
   const auto result = fill_sweep_file(*file, *std::move(plan), options, make, watch);
   clear_progress();
-  if (result) return show(*result, output, arguments);
+  if (result) return finish(*result);
   complain(result.error().message);
   return no_success;
 }

@@ -1,6 +1,7 @@
 #include "sweep_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cromer/study/task/sweep_rows.h"
@@ -14,6 +15,7 @@ void read_back(const RowsFile& file, SweepResult& result) {
   const ChunkedRows& work = result.plan.rows;
   const std::size_t width = work.columns.size() - 1;
   result.rows.resize(work.rows * width);
+  result.statuses.assign(work.rows, SweepResult::not_reached);
   result.counts = {};
   std::vector<double> rows(work.rows_per_chunk * (width + 1));
   double* to = result.rows.data();
@@ -22,7 +24,10 @@ void read_back(const RowsFile& file, SweepResult& result) {
     const double* row = rows.data();
     for (std::uint64_t i = 0; i < work.rows_of(chunk); ++i, to += width, row += width + 1) {
       std::copy_n(row, width, to);
-      count_status(row[width], result.counts);
+      if (std::isnan(row[width])) continue;  // not reached
+      const std::uint64_t at = chunk * work.rows_per_chunk + i;
+      result.statuses[at] = static_cast<unsigned char>(row[width]);
+      count_row(result.plan, at, row, result.counts);
     }
   }
 }
@@ -47,7 +52,7 @@ Result<SweepResult> fill_sweep_file(RowsFile& file, SweepPlan plan, const SweepO
   for (const std::uint64_t chunk : file.unfinished()) result.done -= work.rows_of(chunk);
   const auto sink = [&](std::uint64_t chunk, const double* rows) {
     for (std::uint64_t i = 0; i < work.rows_of(chunk); ++i)
-      count_status(rows[i * (width + 1) + width], result.counts);
+      count_row(result.plan, chunk * work.rows_per_chunk + i, rows + i * (width + 1), result.counts);
     result.done += work.rows_of(chunk);
     return file.write(chunk, rows);
   };

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "cromer/study/task/sweep_rows.h"
 #include "text_table.h"
 
 namespace cromer::cli {
@@ -52,6 +54,18 @@ std::string extremes(const SweepResult& result) {
   return text_table(rows, 1, 4);
 }
 
+/// No term of the law takes energy at any point.
+bool undamped(const SweepPlan& plan) {
+  const SimulateOptions& base = plan.work->base;
+  const bool swept = std::any_of(plan.swept.begin(), plan.swept.end(), [](const SweptOption& option) {
+    return option.name.find("damping") != std::string::npos ||
+           option.name.find("drag") != std::string::npos ||
+           option.name.find("friction") != std::string::npos || option.name == "quality-factor";
+  });
+  return !swept && base.friction == 0 && base.drag == 0 && base.damping.value_or(0) == 0 &&
+         base.damping_ratio.value_or(0) == 0 && !base.quality_factor;
+}
+
 }  // namespace
 
 std::string sweep_text(const SweepResult& result) {
@@ -59,7 +73,10 @@ std::string sweep_text(const SweepResult& result) {
   std::string text = fmt::format("{} points by {}, {}\n", plan.rows.rows, plan.method, plan.way);
   for (const SweptOption& option : plan.swept)
     text += fmt::format("  {}: {} values\n", option.column, option.points);
-  if (result.check)
+  if (result.interrupted) text += fmt::format("interrupted: {} of {} points\n", result.done, plan.rows.rows);
+  if (result.check && result.check->points == 0)
+    text += "stepping was to check them, but none of those it tried settles in 20000 cycles\n";
+  else if (result.check)
     text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
                         result.check->points, result.check->difference);
   if (result.rows.empty()) return text + "they are in the file; too many to look through here\n";
@@ -69,12 +86,18 @@ std::string sweep_text(const SweepResult& result) {
 std::string sweep_trouble(const SweepResult& result) {
   const SweepCounts& counts = result.counts;
   std::string text;
-  const auto add = [&](std::uint64_t count, std::string_view what) {
+  const auto add = [&](std::uint64_t count, const std::string& what) {
     if (count > 0)
       text +=
           fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count, result.plan.rows.rows, what);
   };
-  add(counts.not_settled, "never settled");
+  add(counts.not_settled,
+      undamped(result.plan)
+          ? "never settled: the law has no damping, so the free motion stays; give --damping"
+          : "never settled");
+  add(counts.unstable,
+      fmt::format("are unstable: the free motion of the law, as {} has it, grows without end",
+                  result.plan.method));
   add(counts.not_finite, "ran away");
   add(counts.no_convergence, "found no solution of their step");
   return text;

@@ -2,9 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <signal.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 
 #include "program.h"
 
@@ -71,6 +75,117 @@ TEST(SweepCommand, ObeysTheInstructionSetAskedFor) {
   EXPECT_THAT(refused.err, HasSubstr("CROMER_SIMD=sse9"));
 }
 
+TEST(SweepCommand, SaysWhatBecameOfEveryPoint) {
+  // Forward Euler's limit is h = 2 b/w0^2.
+  const std::vector<std::string> steps{
+      "sweep",    "--damping",     "0.2",    "--drive-amplitude", "1", "--drive-frequency", "0.5,40",
+      "--method", "forward-euler", "--step", "0.02,0.3"};
+  const Folder folder;
+  const Finished end = folder.run(with(steps, {"--json", "-o", "steps.csv"}));
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err,
+              HasSubstr("2 of 4 points are unstable: the free motion of the law, as forward-euler has it, "
+                        "grows without end"));
+  EXPECT_THAT(end.err, HasSubstr("warning: the lag of 1 of 4 points lies outside 0 to pi"));
+  const auto json = end.json();
+  EXPECT_EQ(json["statuses"], (std::vector<std::string>{"settled", "settled", "unstable", "unstable"}));
+  EXPECT_EQ(json["unstable"], 2);
+  EXPECT_EQ(json["not_settled"], 0);
+  EXPECT_EQ(json["phase_outside"], 1);
+  EXPECT_THAT(json["warnings"].dump(), HasSubstr("outside 0 to pi"));
+  const std::string csv = folder.read("steps.csv");
+  EXPECT_THAT(csv,
+              HasSubstr("\n# 4 points: 2 settled, 2 unstable\nstep (s),drive_frequency (rad/s),amplitude"));
+  EXPECT_THAT(csv, HasSubstr("\n0.3,40,,\n"));
+}
+
+TEST(SweepCommand, SaysWhatAnUndampedLawSettlesBy) {
+  const std::vector<std::string> undamped{"sweep", "--drive-amplitude", "1", "--drive-frequency", "0.5,2"};
+  const Finished rk4 = Folder().run(with(undamped, {"--method", "rk4", "--json"}));
+  EXPECT_EQ(rk4.status, 0) << rk4.err;
+  EXPECT_THAT(rk4.err,
+              HasSubstr("warning: 2 of 2 points have no damping by the law: what settles there settles by "
+                        "rk4's own damping alone: decay rate "));
+  EXPECT_EQ(rk4.json()["statuses"][0], "settled_by_own_damping");
+  const Finished verlet = Folder().run(with(undamped, {"--method", "verlet"}));
+  EXPECT_EQ(verlet.status, 1);
+  EXPECT_THAT(verlet.err, HasSubstr("2 of 2 points never settled: the law has no damping"));
+}
+
+TEST(SweepCommand, DrawsBothDirections) {
+  const Folder folder;
+  const Finished end = folder.run({"sweep", "--cubic", "0.3", "--damping", "0.1", "--drive-amplitude", "0.3",
+                                   "--drive-frequency", "0.8:2:60", "--direction", "both", "-o", "both.csv",
+                                   "--plot", "both.svg", "--json"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(folder.read("both.csv"),
+              HasSubstr("\ndirection,drive_frequency (rad/s),amplitude (m),phase (rad)\n1,0.8,"));
+  EXPECT_THAT(folder.read("both.csv"), HasSubstr("\n-1,2,"));
+  EXPECT_EQ(end.json()["rows"].size(), 120u);
+  EXPECT_EQ(end.json()["swept"][0]["name"], "direction");
+  const std::string figure = folder.read("both.svg");
+  EXPECT_THAT(figure, HasSubstr(">up<"));
+  EXPECT_THAT(figure, HasSubstr(">down<"));
+  EXPECT_THAT(figure, HasSubstr("stroke-dasharray"));
+}
+
+TEST(SweepCommand, InterruptedSaysSoOnBothStreams) {
+  const Folder folder;
+  const pid_t process = folder.start({"sweep", "--cubic", "0.1", "--position", "0:1:400", "--velocity",
+                                      "0:1:400", "--until", "10000", "-o", "part.json", "--threads", "1"});
+  ASSERT_TRUE(wait_for_handler(process, SIGINT));
+  usleep(100000);
+  kill(process, SIGINT);
+  const Finished end = folder.wait(process);
+  EXPECT_EQ(end.status, 1);
+  EXPECT_THAT(end.err, HasSubstr("interrupted after "));
+  EXPECT_THAT(end.out, ::testing::ContainsRegex("\ninterrupted: [0-9]+ of 160000 points\n"));
+  const auto json = nlohmann::json::parse(folder.read("part.json"), nullptr, false);
+  EXPECT_EQ(json["statuses"].size(), 160000u);
+  EXPECT_EQ(json["statuses"].back(), "not_reached");
+}
+
+TEST(SweepCommand, WritesThinnedTrajectoriesOfEveryPoint) {
+  const Folder folder;
+  const std::vector<std::string> law{"--damping", "0.1", "--cubic", "0.3", "--until", "5", "--step", "0.01"};
+  const Finished end = folder.run(with(with({"sweep", "--position", "0.5,1", "--method", "rk4"}, law),
+                                       {"--trajectories", "motion.csv", "--every", "25", "-o", "ends.csv"}));
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.err, HasSubstr("trajectories: 2 points, about 42 states, at most some "));
+  std::string rows = folder.read("motion.csv");
+  EXPECT_THAT(rows, StartsWith("# cromer sweep "));
+  rows.erase(0, rows.find('\n') + 1);
+  // As simulate has them, one after the other.
+  std::string expected = "position (m),t (s),x (m),v (m/s)\n";
+  for (const char* position : {"0.5", "1"}) {
+    const Finished one = folder.run(with(with({"simulate", "--position", position, "--method", "rk4",
+                                               "--json", "--every", "25", "-o", "one.csv"},
+                                              law),
+                                         {}));
+    ASSERT_EQ(one.status, 0) << one.err;
+    std::istringstream lines(folder.read("one.csv"));
+    for (std::string line; std::getline(lines, line);) {
+      // run, t, x, v, and what else there is
+      const auto t = line.find(',') + 1;
+      if (line.empty() || line[0] == '#' || line.starts_with("run")) continue;
+      const auto x = line.find(',', t) + 1, v = line.find(',', x) + 1;
+      expected += position + ("," + line.substr(t, line.find(',', v) - t)) + "\n";
+    }
+  }
+  EXPECT_EQ(rows, expected);
+
+  const auto refused = [&](const std::vector<std::string>& more, const char* said) {
+    const Finished wrong = folder.run(with({"sweep", "--position", "0.5,1"}, more));
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err, HasSubstr(said));
+    EXPECT_FALSE(folder.has("wrong.csv"));
+  };
+  refused({"--drive-amplitude", "1", "--drive-frequency", "2", "--trajectories", "wrong.csv"}, "--until");
+  refused({"--until", "5", "--trajectories", "wrong.txt"}, "FILE.csv");
+  refused({"--until", "5", "--every", "5"}, "--trajectories FILE.csv");
+  refused({"--until", "8e12", "--step", "1e-3", "--trajectories", "wrong.csv"}, "free in");
+}
+
 TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
   const Folder folder;
   const auto refused = [&](const std::vector<std::string>& more, const char* said) {
@@ -83,7 +198,7 @@ TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
   refused({"1:2:3:4"}, "--drive-frequency");
   refused({"1:2:0"}, "no points");
   refused({""}, "empty");
-  refused({"1:2:1e15"}, "need 24 PB");
+  refused({"1:2:1e15"}, "need 25 PB");
   refused({"1,x"}, "--drive-frequency");
   refused({"1:2:4 kg"}, "kg");
   refused({"1:2:4", "--measure", "ampltude"}, "did you mean amplitude");

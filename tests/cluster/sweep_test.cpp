@@ -44,6 +44,9 @@ const char* const hysteresis =
     "--cubic 0.05 --damping 0.1 --drive-amplitude 0.1:0.3:40 --drive-frequency 0.5:2:20 --method rk4 --step "
     "0.05 "
     "--direction up";
+const char* const both =
+    "--cubic 0.3 --damping 0.1 --drive-amplitude 0.3 --drive-frequency 0.8:2:40 --method rk4 --step 0.05 "
+    "--direction both";
 /// A few seconds of one thread.
 const char* const slow =
     "--cubic 0.05 --damping 0.1 --drive-amplitude 0.3 --drive-frequency 1.3 --method gauss-legendre4 --step "
@@ -61,7 +64,7 @@ class SweepFile : public testing::Test {
 };
 
 TEST_F(SweepFile, is_the_same_bits_on_any_number_of_threads) {
-  for (const char* options : {settled, closed, to_the_end, hysteresis}) {
+  for (const char* options : {settled, closed, to_the_end, hysteresis, both}) {
     const std::string one = folder / "one.h5", many = folder / "many.h5";
     ASSERT_EQ(run(sweep(options, {"-o", one, "--threads", "1"})).status, 0);
     for (const char* threads : {"2", "3", "7"}) {
@@ -104,6 +107,30 @@ TEST_F(SweepFile, holds_what_the_csv_does) {
     EXPECT_EQ(value, amplitude[row++]);
   }
   EXPECT_EQ(row, 707u);
+}
+
+TEST_F(SweepFile, holds_the_direction_and_what_became_of_each_point) {
+  ASSERT_EQ(run(sweep(both, {"-o", file})).status, 0);
+  const auto all = datasets(file);
+  EXPECT_EQ(all.at("direction"), (std::vector<double>{1, -1}));
+  EXPECT_EQ(all.at("amplitude").size(), 80u);
+  EXPECT_EQ(all.at("status"), std::vector<double>(80, 0));
+  // Forward Euler's limit is h = c/k; nothing settles without damping by verlet.
+  const std::string other = folder / "other.h5";
+  const char* const steps =
+      "--damping 0.2 --drive-amplitude 1 --drive-frequency 0.5 --method forward-euler --step ";
+  const auto ended = run(sweep(steps + std::string("0.02,0.3"), {"-o", other}));
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_EQ(datasets(other).at("status"), (std::vector<double>{0, 4}));
+  const std::string third = folder / "third.h5";
+  run(sweep("--damping 0,0.1 --drive-amplitude 1 --drive-frequency 0.5 --method verlet", {"-o", third}));
+  EXPECT_EQ(datasets(third).at("status"), (std::vector<double>{1, 0}));
+  run(sweep("--damping 0,0.1 --drive-amplitude 1 --drive-frequency 0.5 --method rk4", {"-o", file}));
+  EXPECT_EQ(datasets(file).at("status"), (std::vector<double>{5, 0}));
+  // With what is there already the same is said.
+  const auto again = run(sweep(steps + std::string("0.02,0.3"), {"-o", other, "--resume"}));
+  EXPECT_EQ(again.status, 1);
+  EXPECT_EQ(again.err, ended.err);
 }
 
 TEST_F(SweepFile, csv_comes_from_ranks_too) {

@@ -148,19 +148,21 @@ TEST_P(OfUnit, SumsGiveAmplitudePhaseAndEnergyOfTheSteadyState) {
   order.weights = weights.data();
   ASSERT_TRUE(GetParam().advance(*group, order));
   for (int i = 0; i < cromer_group::size; i += 7) {
-    double x = 0, xc = 0, cs = 0, ss = 0, energy = 0;
+    double x = 0, xc = 0, cs = 0, ss = 0, xx = 0, energy = 0;
     const HarmonicDrive<double> drive = drive_of(law, i);
     const Trajectory scalar = scalar_run(law, i, "euler-cromer", steps);
     for (std::size_t n = 0; n < steps; ++n) {
       const double w = weights[n], angle = drive.frequency * scalar.t[n] + drive.phase;
       const double c = std::cos(angle), sine = std::sin(angle);
       x += w * scalar.x[n], xc += w * scalar.x[n] * c, cs += w * c * sine, ss += w * sine * sine;
+      xx += w * scalar.x[n] * scalar.x[n];
       energy += w * cromer::energy(oscillator_of(law, i), {scalar.x[n], scalar.v[n]});
     }
     EXPECT_NEAR(group->sums.x.of[i], x, 1e-10 * steps);
     EXPECT_NEAR(group->sums.xc.of[i], xc, 1e-10 * steps);
     EXPECT_NEAR(group->sums.cs.of[i], cs, 1e-10 * steps);
     EXPECT_NEAR(group->sums.ss.of[i], ss, 1e-10 * steps);
+    EXPECT_NEAR(group->sums.xx.of[i], xx, 1e-10 * steps);
     EXPECT_NEAR(group->sums.energy.of[i], energy, 1e-10 * steps);
   }
 }

@@ -16,7 +16,7 @@ struct alignas(64) Numbers {
 /// Weighted sums over the states at the beginnings of steps. c and s are the cosine and sine of the drive's
 /// angle w t + phi then.
 struct Sums {
-  Numbers x, c, s, cc, cs, ss, xc, xs;
+  Numbers x, c, s, cc, cs, ss, xc, xs, xx;
   Numbers energy;  // per unit mass [m^2/s^2]
 };
 

@@ -25,7 +25,7 @@ namespace cromer {
 /// Sums of one pack over the states it has left.
 template <class Real>
 struct PackSums {
-  Real x = 0.0, c = 0.0, s = 0.0, cc = 0.0, cs = 0.0, ss = 0.0, xc = 0.0, xs = 0.0, energy = 0.0;
+  Real x = 0.0, c = 0.0, s = 0.0, cc = 0.0, cs = 0.0, ss = 0.0, xc = 0.0, xs = 0.0, xx = 0.0, energy = 0.0;
 
   void add(double weight, const Oscillator<Real>& law, const State<Real>& y, const Real& cosine,
            const Real& sine) {
@@ -38,6 +38,7 @@ struct PackSums {
     ss += ws * sine;
     xc += wx * cosine;
     xs += wx * sine;
+    xx += wx * y.x;
     energy += weight * cromer::energy(law, y);
   }
 
@@ -47,7 +48,7 @@ struct PackSums {
     };
     to(sums.x, x), to(sums.c, c), to(sums.s, s);
     to(sums.cc, cc), to(sums.cs, cs), to(sums.ss, ss);
-    to(sums.xc, xc), to(sums.xs, xs), to(sums.energy, energy);
+    to(sums.xc, xc), to(sums.xs, xs), to(sums.xx, xx), to(sums.energy, energy);
   }
 };
 

@@ -25,12 +25,20 @@ struct Stepping {
   MethodSettings settings{};
 };
 
-enum class PointStatus {
+/// Files of rows keep the numbers: new ones come last.
+enum class PointStatus : unsigned char {
   done,            ///< settled, or run to its end
-  not_settled,     ///< the motion still changed when the most cycles were over
+  not_settled,     ///< the motion still changed when the most cycles were over, or never stops to change
   not_finite,      ///< it ran away
   no_convergence,  ///< Newton's iteration found no solution in some step
+  unstable,        ///< of a linear law: the method's free motion grows without end
+  own_damping,     ///< settled, but the law has no damping: by the method's own alone
 };
+
+/// There are numbers of it.
+constexpr bool has_numbers(PointStatus status) {
+  return status == PointStatus::done || status == PointStatus::own_damping;
+}
 
 /// What is kept. Numbers that are not there (the amplitude of a motion without a drive, all of one that ran
 /// away) are NaN.
@@ -40,7 +48,8 @@ struct PointResult {
   PointStatus status = PointStatus::done;
   double amplitude = none;  // [m] at the drive's frequency
   double phase_lag = none;  // [rad] behind the drive, -pi/2 to 3 pi/2
-  double mean = none;       // [m]
+  double mean = none;       // [m] of the settled motion
+  double rms = none;        // [m] of the settled motion, the mean included
   double peak = none;       // [m] largest |x| at the steps: after settling, or of the whole run
   double energy = none;     // [J] mean of the settled motion, or at the end of a run
   State<double> end{none, none};

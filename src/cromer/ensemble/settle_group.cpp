@@ -40,6 +40,7 @@ std::vector<double> window_weights(long long steps) {
 struct Measured {
   double mean;
   std::complex<double> sinusoid;  ///< x = mean + re cos + im sin of the drive's angle
+  double square;                  // [m^2] mean of x^2
   double energy;                  // [J]
 };
 
@@ -50,7 +51,7 @@ Measured measure(const Group& group, int i, double weight, double mass) {
       sums.cs.of[i], sums.ss.of[i];
   const Eigen::Vector3d fitted =
       normal.ldlt().solve(Eigen::Vector3d(sums.x.of[i], sums.xc.of[i], sums.xs.of[i]));
-  return {fitted[0], {fitted[1], fitted[2]}, mass * sums.energy.of[i] / weight};
+  return {fitted[0], {fitted[1], fitted[2]}, sums.xx.of[i] / weight, mass * sums.energy.of[i] / weight};
 }
 
 /// Whether numbers that come one after the other have come to rest: the changes still to come, as a geometric
@@ -82,6 +83,7 @@ PointResult result_of(const Group& group, int i, const Point& point, const Measu
   result.amplitude = answer.amplitude;
   result.phase_lag = answer.phase_lag;
   result.mean = measured.mean;
+  result.rms = std::sqrt(measured.square);
   result.peak = group.peak.of[i];
   result.energy = measured.energy;
   result.end = {group.x.of[i], group.v.of[i]};

@@ -63,9 +63,11 @@ struct Axis {
 
 /// A quantity over two others, as colour from dark (low) to light, with a bar that tells the numbers.
 struct HeatMap {
-  std::vector<double> x, y;  ///< of the cells' middles: at least two of each, all rising or all falling
-  std::vector<double> z;     ///< x runs fastest; NaN is left blank
-  std::string name;          ///< of z, with unit: "amplitude (cm)"
+  std::vector<double> x, y;     ///< of the cells' middles: at least two of each, all rising or all falling
+  std::vector<double> z;        ///< x runs fastest; NaN is left blank
+  std::string name;             ///< of z, with unit: "amplitude (cm)"
+  std::vector<double> reach{};  ///< values that the colours reach to as well: maps side by side share them
+  bool decades = false;         ///< even ratios get even colours where z is positive and spans two decades
 };
 
 struct Panel {
@@ -75,8 +77,8 @@ struct Panel {
   std::vector<Note> notes;
   bool phase_portrait = false;  ///< square, names inside
   std::vector<Marker> markers;
-  int span = 1;               ///< how many of the figure's columns it takes
-  bool names_inside = false;  ///< names in free places of the plot instead of the right margin
+  int span = 1;                  ///< how many of the figure's columns it takes
+  bool names_inside = false;     ///< names in free places of the plot instead of the right margin
   std::optional<HeatMap> map{};  ///< in place of curves
 };
 

@@ -50,28 +50,35 @@ mode_t default_permissions() {
   return 0666 & ~mask;
 }
 
-Result<void> write_directly(const std::string& path, std::string_view bytes) {
+/// What `make` gives, into an open file; `path` is what it is called.
+Result<void> write_pieces(int file, const std::string& path, const PiecesMaker& make) {
+  return make([&](std::string_view bytes) -> Result<void> {
+    if (!write_all(file, bytes)) return cannot_write(path, errno);
+    return {};
+  });
+}
+
+Result<void> write_directly(const std::string& path, const PiecesMaker& make) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (file < 0) return cannot_write(path, errno);
-  const bool written = write_all(file, bytes);
-  const int number = errno;
+  const auto written = write_pieces(file, path, make);
   ::close(file);
-  if (!written) return cannot_write(path, number);
-  return {};
+  return written;
 }
 
 }  // namespace
 
 Result<void> write_file(const std::string& path, std::string_view bytes) {
-  if (path == "-") {
-    if (!write_all(STDOUT_FILENO, bytes)) return cannot_write("standard output", errno);
-    return {};
-  }
+  return write_file(path, [&](const PieceSink& write) { return write(bytes); });
+}
+
+Result<void> write_file(const std::string& path, const PiecesMaker& make) {
+  if (path == "-") return write_pieces(STDOUT_FILENO, "standard output", make);
   if (path.empty()) return Error{"cannot write a file without a name"};
   struct stat found {};
   const bool exists = ::stat(path.c_str(), &found) == 0;
   if (exists && S_ISDIR(found.st_mode)) return Error{fmt::format("cannot write {}: it is a folder", path)};
-  if (exists && !S_ISREG(found.st_mode)) return write_directly(path, bytes);
+  if (exists && !S_ISREG(found.st_mode)) return write_directly(path, make);
   if (exists && ::access(path.c_str(), W_OK) != 0) return cannot_write(path, errno);
 
   const std::string target = target_of(path);
@@ -79,13 +86,14 @@ Result<void> write_file(const std::string& path, std::string_view bytes) {
   const int file = ::mkstemp(temporary.data());
   if (file < 0) return cannot_write(path, errno);
   const mode_t mode = exists ? found.st_mode & 07777 : default_permissions();
-  bool done = write_all(file, bytes) && ::fchmod(file, mode) == 0;
+  const auto written = write_pieces(file, path, make);
+  bool done = written && ::fchmod(file, mode) == 0;
   int number = errno;
   if (::close(file) != 0 && done) done = false, number = errno;
   if (done && ::rename(temporary.c_str(), target.c_str()) != 0) done = false, number = errno;
   if (!done) {
     ::unlink(temporary.c_str());
-    return cannot_write(path, number);
+    return written ? Result<void>(cannot_write(path, number)) : written;
   }
   return {};
 }

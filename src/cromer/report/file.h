@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "cromer/base/function_ref.h"
 #include "cromer/base/result.h"
 
 namespace cromer {
@@ -13,6 +14,13 @@ namespace cromer {
 /// written to directly; a symbolic link keeps pointing, its target is replaced. An existing file keeps its
 /// permissions.
 Result<void> write_file(const std::string& path, std::string_view bytes);
+
+/// Takes the next bytes of a file; an Error where they cannot be written.
+using PieceSink = FunctionRef<Result<void>(std::string_view bytes)>;
+using PiecesMaker = FunctionRef<Result<void>(const PieceSink& write)>;
+
+/// The same of a file that `make` writes piece by piece; an Error of its own leaves nothing, too.
+Result<void> write_file(const std::string& path, const PiecesMaker& make);
 
 /// That `path` can be written (folder exists, is writable, path is no folder): asked before long work starts.
 /// Changes nothing.

@@ -179,7 +179,7 @@ class Script {
       fmt::format_to(std::back_inserter(stops), "{}{} '{}'", i ? ", " : "", i, map_colours[i]);
     line("set palette defined ({})", stops);
     line("unset colorbox");
-    line("set cbrange [{:.9g}:{:.9g}]", map.low, map.high);
+    line("set cbrange [0:1]");
     constexpr int pieces = 64;
     const Box& b = map.bar;
     for (int i = 0; i < pieces; ++i) {

@@ -228,9 +228,11 @@ void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
   drawn.bar = {f.right() + bar_gap, f.y, bar_width, f.height};
   const MapScale scale = map_scale(map);
   for (const Tick& tick : scale.ticks) {
-    const double at = f.bottom() - (tick.value - scale.low) / (scale.high - scale.low) * f.height;
+    const double at = f.bottom() - scale.share(tick.value) * f.height;
+    const double length = tick.label.empty() ? 1.5 : 3;
     placed.leaders.push_back(
-        {{drawn.bar.right(), at}, {drawn.bar.right() + 3, at}, std::string(light_surface.axis), 0.8});
+        {{drawn.bar.right(), at}, {drawn.bar.right() + length, at}, std::string(light_surface.axis), 0.8});
+    if (tick.label.empty()) continue;
     placed.texts.push_back(text(tick.label, {drawn.bar.right() + tick_length, at}, Align::left, s.tick,
                                 light_surface.text_2, fonts));
   }

@@ -53,8 +53,7 @@ struct PlacedTick {
 /// A map, sampled at every px of the frame, and its bar.
 struct PlacedMap {
   int columns = 0, rows = 0;
-  std::vector<double> values;  ///< columns run fastest, the lowest row first
-  double low = 0, high = 1;    ///< what the darkest and the lightest colour stand for
+  std::vector<double> values;  ///< 0 darkest to 1 lightest; columns run fastest, the lowest row first
   Box bar;
 };
 

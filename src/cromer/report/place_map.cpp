@@ -1,11 +1,21 @@
 #include "cromer/report/place_map.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace cromer {
 namespace {
+
+constexpr double least_ratio = 100;  // of the largest to the smallest, for even ratios
+
+/// With a true minus sign.
+std::string exponent(double power) {
+  const long whole = std::lround(power);
+  return whole < 0 ? fmt::format("\u2212{}", -whole) : fmt::format("{}", whole);
+}
 
 double on_axis(double value, bool logarithmic) { return logarithmic ? std::log(value) : value; }
 
@@ -46,20 +56,35 @@ AxisRange map_y_range(const Panel& panel) { return range_of(panel.map->y, panel.
 
 MapScale map_scale(const HeatMap& map) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const double z : map.z) {
-    if (!std::isfinite(z)) continue;
-    low = std::min(low, z);
-    high = std::max(high, z);
-  }
+  for (const std::vector<double>* values : {&map.z, &map.reach})
+    for (const double z : *values) {
+      if (!std::isfinite(z)) continue;
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
   MapScale scale;
   if (!(low <= high)) low = 0, high = 1;
   if (low == high) high = low + (low != 0 ? 0.01 * std::abs(low) : 1);
+  if (map.decades && low > 0 && high > least_ratio * low) {
+    scale.range = {low, high, true};
+    for (const Tick& tick : logarithmic_ticks(low, high, 6)) {
+      const double power = std::log10(tick.value);
+      const bool whole = std::abs(power - std::round(power)) < 1e-9;
+      scale.ticks.push_back(
+          {tick.value, whole && !tick.label.empty() ? fmt::format("10^{{{}}}", exponent(power)) : ""});
+    }
+    return scale;
+  }
   // From nothing, where the data come near it.
   if (low > 0 && low < 0.25 * high) low = 0;
-  scale.low = low;
-  scale.high = high;
+  scale.range = {low, high, false};
   scale.ticks = linear_ticks(low, high, tick_step(low, high, 6));
   return scale;
+}
+
+double MapScale::share(double z) const {
+  const double bottom = on_axis(range.low, range.logarithmic), top = on_axis(range.high, range.logarithmic);
+  return (on_axis(z, range.logarithmic) - bottom) / (top - bottom);
 }
 
 PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, const Box& frame) {
@@ -67,12 +92,11 @@ PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, 
   placed.columns = static_cast<int>(std::lround(frame.width));
   placed.rows = static_cast<int>(std::lround(frame.height));
   const auto across = nearest_cells(map.x, x, placed.columns), up = nearest_cells(map.y, y, placed.rows);
+  const MapScale scale = map_scale(map);
   placed.values.reserve(across.size() * up.size());
   for (const std::size_t row : up)
-    for (const std::size_t column : across) placed.values.push_back(map.z[row * map.x.size() + column]);
-  const MapScale scale = map_scale(map);
-  placed.low = scale.low;
-  placed.high = scale.high;
+    for (const std::size_t column : across)
+      placed.values.push_back(scale.share(map.z[row * map.x.size() + column]));
   return placed;
 }
 

@@ -12,10 +12,13 @@ namespace cromer {
 AxisRange map_x_range(const Panel& panel);
 AxisRange map_y_range(const Panel& panel);
 
-/// The ticks of the bar; the colours span their range.
+/// The ticks of the bar; the colours span the range.
 struct MapScale {
-  double low = 0, high = 1;
-  std::vector<Tick> ticks;
+  AxisRange range;
+  std::vector<Tick> ticks;  ///< without a label: a minor one
+
+  /// Where z stands in the range: 0 darkest to 1 lightest.
+  double share(double z) const;
 };
 MapScale map_scale(const HeatMap& map);
 

@@ -165,6 +165,58 @@ TEST(Sweep, MeasuresTheSettledMotionOfANonlinearLaw) {
   }
 }
 
+TEST(Sweep, AveragesOverWholeCycles) {
+  // In one of two wells, x = +-1: one long run, averaged over its last ten cycles, is the truth.
+  SweepOptions options = options_with({{"stiffness", "-1"},
+                                       {"cubic", "1"},
+                                       {"damping", "0.2"},
+                                       {"drive-amplitude", "0.1"},
+                                       {"drive-frequency", "0.8,1.7"},
+                                       {"position", "1"},
+                                       {"step", "0.01"}},
+                                      "rk4");
+  options.measure = {"mean,rms,energy"};
+  const SweepResult result = swept(options);
+  EXPECT_THAT(result.plan.measured, ElementsAre("mean (m)", "rms (m)", "energy (J)"));
+  for (std::size_t at = 0; at < result.rows.size(); at += 4) {
+    const double* row = &result.rows[at];
+    const double period = 2 * std::numbers::pi / row[0];
+    SimulateOptions one{.stiffness = -1, .damping = 0.2, .cubic = 1};
+    one.position = 1;
+    one.drive_amplitude = 0.1;
+    one.drive_frequency = {row[0]};
+    one.method = {"rk4"};
+    one.step = period / 500;
+    one.until = 100 * period;
+    const auto run = simulate(one);
+    ASSERT_TRUE(run);
+    const Trajectory& y = run->runs[0].trajectory;
+    double x = 0, square = 0, energy = 0, count = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      if (y.t[i] <= 90 * period + 1e-9) continue;
+      const double s = y.x[i] * y.x[i];
+      x += y.x[i], square += s, energy += (y.v[i] * y.v[i] - s + s * s / 2) / 2, ++count;
+    }
+    EXPECT_GT(std::abs(row[1]), 0.9);
+    EXPECT_NEAR(row[1], x / count, 1e-6);
+    EXPECT_NEAR(row[2], std::sqrt(square / count), 1e-6);
+    EXPECT_NEAR(row[3], energy / count, 1e-6);
+  }
+  // In closed form, and stepped.
+  SweepOptions linear = options_with(with(driven, {{"drive-frequency", "0.7,1.3"}}), "rk4");
+  linear.measure = {"mean,rms,amplitude"};
+  const SweepResult known = swept(linear);
+  EXPECT_EQ(known.plan.way, "closed form");
+  linear.settle = 100;
+  const SweepResult stepped = swept(linear);
+  for (const std::size_t at : {0u, 4u}) {
+    EXPECT_EQ(known.rows[at + 1], 0);
+    EXPECT_NEAR(known.rows[at + 2], known.rows[at + 3] / std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(stepped.rows[at + 1], 0, 1e-6);
+    EXPECT_NEAR(stepped.rows[at + 2], known.rows[at + 2], 1e-6);
+  }
+}
+
 /// Where a Duffing oscillator jumps by harmonic balance (docs/theory.md), m = k = 1: going up, and down.
 struct Jumps {
   double up, down;  // [rad/s]
@@ -205,6 +257,32 @@ TEST(Sweep, DuffingJumpsWhereHarmonicBalancePutsIt) {
     EXPECT_NEAR(jump, up ? theory.up : theory.down, 2e-3) << (up ? "up" : "down");
   }
   EXPECT_GT(theory.up, theory.down + 0.02);  // there is hysteresis to be seen
+}
+
+TEST(Sweep, BothDirectionsAreThatUpAndThenThatDown) {
+  const Values law{{"damping", "0.1,0.12"},
+                   {"cubic", "0.3"},
+                   {"drive-amplitude", "0.3"},
+                   {"drive-frequency", "0.8:2:60"},
+                   {"step", "0.05"}};
+  SweepOptions options = options_with(law, "rk4");
+  options.direction = "both";
+  const SweepResult both = swept(options);
+  EXPECT_THAT(both.plan.rows.columns, ElementsAre("direction", "damping (kg/s)", "drive_frequency (rad/s)",
+                                                  "amplitude (m)", "phase (rad)", "status"));
+  ASSERT_EQ(both.plan.rows.rows, 240u);
+  bool differ = false;
+  for (const bool up : {true, false}) {
+    options.direction = up ? "up" : "down";
+    const SweepResult one = swept(options);
+    for (std::size_t i = 0; i < 120; ++i) {
+      const double *row = &both.rows[(i + (up ? 0 : 120)) * 5], *alone = &one.rows[i * 4];
+      EXPECT_EQ(row[0], up ? 1 : -1);
+      for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(row[k + 1], alone[k], 1e-5) << i;
+      differ = differ || std::abs(row[3] - both.rows[(i + (up ? 120 : 0)) * 5 + 3]) > 0.2;
+    }
+  }
+  EXPECT_TRUE(differ);  // there is hysteresis
 }
 
 TEST(Sweep, BasinsOfASymmetricWellAreSymmetric) {
@@ -304,7 +382,7 @@ TEST(Sweep, RefusesWhatCannotBe) {
   direction.direction = "up";
   EXPECT_THAT(refusal(direction), HasSubstr("--direction"));
   direction.direction = "left";
-  EXPECT_THAT(refusal(direction), HasSubstr("neither up nor down"));
+  EXPECT_THAT(refusal(direction), HasSubstr("none of up, down and both"));
   EXPECT_THAT(refusal(options_with(with(driven, {{"drive-frequency", "0:1:5"}}))),
               HasSubstr("nothing swings"));
   EXPECT_THAT(refusal(options_with(with(driven, {{"until", "5"}}))), HasSubstr("--until"));

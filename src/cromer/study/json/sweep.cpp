@@ -18,6 +18,9 @@ std::string to_json(const SweepResult& result) {
   document["not_settled"] = result.counts.not_settled;
   document["not_finite"] = result.counts.not_finite;
   document["no_convergence"] = result.counts.no_convergence;
+  document["unstable"] = result.counts.unstable;
+  document["settled_by_own_damping"] = result.counts.own_damping;
+  document["phase_outside"] = result.counts.phase_outside;
   if (result.check)
     document["check"] = {{"points", result.check->points}, {"difference", result.check->difference}};
   const std::size_t width = plan.rows.columns.size() - 1;
@@ -29,7 +32,9 @@ std::string to_json(const SweepResult& result) {
     for (std::size_t i = 0; i < width; ++i) row.push_back(result.rows[at + i]);
     rows.push_back(std::move(row));
   }
-  document["warnings"] = result.plan.warnings;
+  Json& statuses = document["statuses"] = Json::array();
+  for (const unsigned char status : result.statuses) statuses.push_back(status_word(plan, status));
+  document["warnings"] = warnings_of(result);
   if (result.interrupted) document["message"] = "interrupted: rows that were not reached are null";
   return to_text(document, true);
 }

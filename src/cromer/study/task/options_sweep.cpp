@@ -52,13 +52,13 @@ std::vector<Option> options_of(SweepOptions& o) {
   options.insert(
       options.end(),
       {{"measure", &o.measure, "", Range::any,
-        "amplitude, phase (lag behind the force), peak (largest |x|), final (x and v), energy; several with "
-        "commas",
+        "amplitude, phase (lag behind the force), peak (largest |x|), mean and rms (of x over whole "
+        "cycles), energy (likewise, or at the end), final (x and v); several with commas",
         "amplitude,phase of the settled motion; without a drive peak,final,energy", sweep},
        {"settle", &o.settle, "", Range::not_negative, "cycles of the drive that are dropped",
         "found out: until the changes still to come are below 1e-6", sweep},
        {"direction", &o.direction, "", Range::any,
-        "up or down: each point starts where the one before ended (hysteresis)", "each point by itself",
+        "up, down or both: each point starts where the one before ended (hysteresis)", "each point by itself",
         sweep},
        {"threads", &o.threads, "", Range::positive, "how many work at once", "one for each processor", sweep},
        {"check", &o.check, "", Range::any,

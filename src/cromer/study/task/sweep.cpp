@@ -22,24 +22,19 @@ std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& 
   SweepCheck check;
   SweepPoints points(work.base, work.axes);
   std::vector<double> values(work.axes.size());
-  for (std::size_t k = 0; k < checked_points && k < plan.rows.rows; ++k) {
-    points.values_of(k * (plan.rows.rows - 1) / std::max<std::size_t>(1, checked_points - 1), values.data());
+  const std::uint64_t looks = std::min<std::uint64_t>(checked_points, plan.rows.rows);
+  for (std::uint64_t k = 0; k < looks; ++k) {
+    points.values_of(k * (plan.rows.rows - 1) / std::max<std::uint64_t>(1, looks - 1), values.data());
     const auto at = points.at(values.data());
     if (!at) continue;
     const PointResult known = closed_form(work, at->point);
     const auto stepped = settle_one(work, at->point, watch);
     if (!stepped) return std::nullopt;
-    if (known.status != PointStatus::done || stepped->status != PointStatus::done) continue;
+    if (!has_numbers(known.status) || stepped->status != PointStatus::done) continue;
     ++check.points;
     check.difference = std::max(check.difference, std::abs(stepped->amplitude / known.amplitude - 1));
   }
   return check;
-}
-
-void count_status(double status, SweepCounts& counts) {
-  if (status == static_cast<double>(PointStatus::not_settled)) ++counts.not_settled;
-  if (status == static_cast<double>(PointStatus::not_finite)) ++counts.not_finite;
-  if (status == static_cast<double>(PointStatus::no_convergence)) ++counts.no_convergence;
 }
 
 Result<SweepResult> sweep(const SweepOptions& options, const Watch& watch) {
@@ -55,13 +50,14 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
                           const Watch& watch) {
   const ChunkedRows& work = plan.rows;
   const std::size_t width = work.columns.size() - 1;
-  if (auto good = fits_in_memory(static_cast<double>(work.rows), static_cast<double>(width) * sizeof(double),
-                                 options.memory);
+  if (auto good = fits_in_memory(static_cast<double>(work.rows),
+                                 static_cast<double>(width) * sizeof(double) + 1, options.memory);
       !good)
     return Error{good.error().message + ", or let them stream to a file: -o FILE.h5"};
   SweepResult result{.plan = std::move(plan), .rows = {}, .counts = {}};
   const ChunkedRows& rows = result.plan.rows;
   result.rows.assign(rows.rows * width, std::numeric_limits<double>::quiet_NaN());
+  result.statuses.assign(rows.rows, SweepResult::not_reached);
   // Rows that are not reached still say where they are.
   const SweepPoints points(result.plan.work->base, result.plan.work->axes);
   for (std::uint64_t row = 0; row < rows.rows; ++row) points.values_of(row, &result.rows[row * width]);
@@ -70,8 +66,10 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
   const auto sink = [&](std::uint64_t chunk, const double* made) -> Result<void> {
     double* to = result.rows.data() + chunk * rows.rows_per_chunk * width;
     for (std::uint64_t i = 0; i < rows.rows_of(chunk); ++i, to += width, made += width + 1) {
+      const std::uint64_t row = chunk * rows.rows_per_chunk + i;
       std::copy_n(made, width, to);
-      count_status(made[width], result.counts);
+      result.statuses[row] = static_cast<unsigned char>(made[width]);
+      count_row(result.plan, row, made, result.counts);
     }
     result.done += rows.rows_of(chunk);
     return {};

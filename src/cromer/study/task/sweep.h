@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,7 +23,7 @@ struct SweepOptions {
   std::map<std::string_view, std::string> values{};  ///< numeric options of simulate by name, as typed
   std::vector<std::string> measure{};                ///< names, also several with commas
   std::optional<double> settle{};                    ///< cycles dropped, >= 0; empty: found out
-  std::string direction{};                           ///< up or down; empty: each point by itself
+  std::string direction{};                           ///< up, down or both; empty: each point by itself
   std::optional<int> threads{};                      ///< > 0; empty: one for each processor
   bool check = false;                                ///< step a few points of a closed form, too
   double memory = 0;  // [bytes] that the rows may take; 0: no limit. Set by the caller, not an option
@@ -52,10 +53,17 @@ struct SweepPlan {
 /// Checks the options (an Error names option, value and constraint) and says what there is to do.
 Result<SweepPlan> plan_sweep(const SweepOptions& options);
 
-/// How many points ended in which way.
+/// How many points ended in which way, and which of them is to be explained.
 struct SweepCounts {
-  std::uint64_t not_settled = 0, not_finite = 0, no_convergence = 0;
-  bool ok() const { return not_finite == 0 && no_convergence == 0; }
+  static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+
+  std::uint64_t done = 0, not_settled = 0, not_finite = 0, no_convergence = 0, unstable = 0, own_damping = 0;
+  std::uint64_t first_own_damping = none;  ///< row
+  std::uint64_t phase_outside = 0;         ///< lags outside 0 to pi
+  std::uint64_t phase_worst = none;        ///< row of the lag farthest outside
+  double phase_excess = 0;                 // [rad] how far that is, > 0
+  bool ok() const { return not_finite == 0 && no_convergence == 0 && unstable == 0; }
+  std::uint64_t with_numbers() const { return done + own_damping; }
 };
 
 /// Closed form and stepping side by side at a few points.
@@ -69,8 +77,10 @@ struct SweepResult {
   std::vector<double> rows;  ///< as ChunkedRows has them, without the status
   SweepCounts counts;
   std::optional<SweepCheck> check{};
-  bool interrupted = false;  ///< rows that were not reached are NaN
-  std::uint64_t done = 0;    ///< rows made
+  bool interrupted = false;               ///< rows that were not reached are NaN
+  std::uint64_t done = 0;                 ///< rows made
+  std::vector<unsigned char> statuses{};  ///< of each row: PointStatus, or not_reached
+  static constexpr unsigned char not_reached = 255;
 };
 
 /// All rows, in memory.
@@ -84,7 +94,17 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
 /// time.
 std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch);
 
-/// The status in the last column of a row is counted.
-void count_status(double status, SweepCounts& counts);
+/// Counts a row as it was made: its status, in the last column, and a lag outside 0 to pi.
+void count_row(const SweepPlan& plan, std::uint64_t row, const double* made, SweepCounts& counts);
+
+/// The word for a row's status: settled, measured (after --settle), reached_end, settled_by_own_damping,
+/// not_settled, unstable, not_finite, no_convergence or not_reached.
+std::string_view status_word(const SweepPlan& plan, unsigned char status);
+
+/// "60 points: 58 settled, 2 not_settled".
+std::string status_counts(const SweepResult& result);
+
+/// The plan's warnings, and those that only the rows give.
+std::vector<std::string> warnings_of(const SweepResult& result);
 
 }  // namespace cromer

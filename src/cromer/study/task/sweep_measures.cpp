@@ -23,6 +23,8 @@ const std::vector<Measure>& measures() {
        false,
        {"x (m)", "v (m/s)"},
        [](const PointResult& r, double* to) { to[0] = r.end.x, to[1] = r.end.v; }},
+      {"mean", true, true, {"mean (m)"}, [](const PointResult& r, double* to) { to[0] = r.mean; }},
+      {"rms", true, true, {"rms (m)"}, [](const PointResult& r, double* to) { to[0] = r.rms; }},
       {"energy", false, true, {"energy (J)"}, [](const PointResult& r, double* to) { to[0] = r.energy; }},
   };
   return all;

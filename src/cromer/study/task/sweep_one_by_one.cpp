@@ -26,7 +26,7 @@ PointStatus status_of(const Outcome& outcome) {
 struct Run {
   Outcome outcome;
   Trajectory window;  ///< the states from a time on
-  double peak = 0, energy = 0;
+  double peak = 0, energy = 0, square = 0;
 };
 
 /// To `until` [s], keeping what follows `from`.
@@ -40,6 +40,7 @@ Run run_to(const SweepWork& work, const Point& point, double from, double until,
     run.window.v.push_back(y.v);
     run.peak = std::max(run.peak, std::abs(y.x));
     run.energy += energy(point.oscillator, y);
+    run.square += y.x * y.x;
     ++states;
   };
   KeepEvery keep(look_at);
@@ -52,6 +53,7 @@ Run run_to(const SweepWork& work, const Point& point, double from, double until,
                          .control = {point.step, work.settings.newton.tolerance}},
                         keep, {watch.interrupt, {}});
   run.energy /= std::max(states, 1.0);
+  run.square /= std::max(states, 1.0);
   return run;
 }
 
@@ -94,6 +96,7 @@ std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at
     result.amplitude = steady->amplitude;
     result.phase_lag = steady->phase_lag;
     result.mean = steady->mean;
+    result.rms = std::sqrt(run.square);
     result.energy = run.energy;
     result.cycles = cycles;
     // Its window holds whole cycles to a step only: overtones leak in by some 1e-5.

@@ -38,6 +38,14 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
   return {};
 }
 
+Result<SweepDirection> direction_of(std::string_view name) {
+  if (name.empty()) return SweepDirection::none;
+  if (name == "up") return SweepDirection::up;
+  if (name == "down") return SweepDirection::down;
+  if (name == "both") return SweepDirection::both;
+  return Error{fmt::format("--direction: \"{}\" is none of up, down and both", name)};
+}
+
 /// The axis along which points follow each other comes last: the drive's frequency by nature.
 Result<void> order_axes(SweepWork& work) {
   const auto move_last = [&](std::string_view name) {
@@ -103,9 +111,11 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
 
   const bool in_closed_form = std::all_of(work.measures.begin(), work.measures.end(),
                                           [](const Measure* m) { return m->in_closed_form; });
+  // Without a spring only stepping tells where the mass comes to swing about.
+  const bool held = has_term(work, o.stiffness.value_or(1), {"stiffness"});
   const bool fixed_steps = info.order > 0 && info.error_order == 0;
-  if (linear && !to_end && !options.settle && in_closed_form && work.direction == SweepDirection::none &&
-      info.error_order == 0)
+  if (linear && held && !to_end && !options.settle && in_closed_form &&
+      work.direction == SweepDirection::none && info.error_order == 0)
     work.way = SweepWay::closed_form;
   else if (rubs || !fixed_steps)
     work.way = SweepWay::one_by_one;
@@ -196,11 +206,9 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
                              work->base.method.size())};
   work->method = work->base.method.front();
   if (auto good = read_values(options, *work); !good) return good.error();
-  if (!options.direction.empty() && options.direction != "up" && options.direction != "down")
-    return Error{fmt::format("--direction: \"{}\" is neither up nor down", options.direction)};
-  work->direction = options.direction.empty()   ? SweepDirection::none
-                    : options.direction == "up" ? SweepDirection::up
-                                                : SweepDirection::down;
+  const auto direction = direction_of(options.direction);
+  if (!direction) return direction.error();
+  work->direction = *direction;
   if (work->axes.empty())
     return Error{
         "nothing is swept: give at least one option a grid, for instance --drive-frequency 0.1:10:1000"};
@@ -214,6 +222,10 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   const auto run = run_at(*work, false), last = run_at(*work, true);
   if (!run) return run.error();
   if (!last) return last.error();
+  if (work->direction == SweepDirection::both) {
+    work->axes.insert(work->axes.begin(), {std::string(direction_axis), "", Grid({1, -1})});
+    rows *= 2;
+  }
   work->settings = run->settings;
   work->driven = last->drive.amplitude > 0 && last->drive.frequency > 0;
 

@@ -45,10 +45,11 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
 SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxis>& axes)
     : axes_(axes), options_(base) {
   const std::vector<Option> table = options_of(options_);
-  for (const SweepAxis& axis : axes_)
-    targets_.push_back(std::find_if(table.begin(), table.end(), [&](const Option& each) {
-                         return each.name == axis.name;
-                       })->target);
+  for (const SweepAxis& axis : axes_) {
+    const auto option =
+        std::find_if(table.begin(), table.end(), [&](const Option& each) { return each.name == axis.name; });
+    targets_.push_back(option == table.end() ? std::nullopt : std::optional(option->target));
+  }
 }
 
 void SweepPoints::values_of(std::uint64_t row, double* values) const {
@@ -60,7 +61,8 @@ void SweepPoints::values_of(std::uint64_t row, double* values) const {
 }
 
 Result<SweepPoint> SweepPoints::at(const double* values) {
-  for (std::size_t i = 0; i < targets_.size(); ++i) set_number(targets_[i], values[i]);
+  for (std::size_t i = 0; i < targets_.size(); ++i)
+    if (targets_[i]) set_number(*targets_[i], values[i]);
   return sweep_point_of(options_);
 }
 

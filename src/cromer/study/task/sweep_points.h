@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -46,7 +47,7 @@ class SweepPoints {
  private:
   const std::vector<SweepAxis>& axes_;
   SimulateOptions options_;
-  std::vector<Option::Target> targets_;
+  std::vector<std::optional<Option::Target>> targets_;  ///< empty: of no option
 };
 
 /// Puts a number into an option's target, whatever it is.

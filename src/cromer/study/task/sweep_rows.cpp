@@ -8,6 +8,7 @@
 #include "cromer/analysis/method_steady_state.h"
 #include "cromer/ensemble/group.h"
 #include "cromer/methods/all.h"
+#include "cromer/study/task/sweep_growth.h"
 
 namespace cromer {
 namespace {
@@ -16,8 +17,7 @@ constexpr std::uint64_t group_size = cromer_group::size;
 
 /// What has not settled has no settled motion to tell of.
 void write_measures(const SweepWork& work, const PointResult& found, double* to) {
-  const bool unsettled = found.status == PointStatus::not_settled;
-  const PointResult result = unsettled ? PointResult{.status = found.status} : found;
+  const PointResult result = has_numbers(found.status) ? found : PointResult{.status = found.status};
   for (const Measure* measure : work.measures) {
     measure->write(result, to);
     to += measure->columns.size();
@@ -32,38 +32,31 @@ PointResult without_numbers() {
   return result;
 }
 
-LinearLaw<double> linear_law(const Point& point) {
-  const Oscillator<double>& o = point.oscillator;
-  return {.decay_rate = o.damping / (2 * o.mass),
-          .stiffness = o.stiffness / o.mass,
-          .drive_amplitude = point.drive.amplitude / o.mass,
-          .drive_frequency = point.drive.frequency,
-          .drive_phase = point.drive.phase};
-}
-
-PointResult in_closed_form(const Point& point, const std::optional<MethodSteadyState>& steady) {
+/// Where a linear law's motion settles, or why it does not.
+template <class M>
+PointResult in_closed_form(const M& method, const Point& point) {
   PointResult result;
-  result.status = steady ? PointStatus::done : PointStatus::not_settled;
-  if (!steady) return result;
+  const Oscillator<double>& o = point.oscillator;
+  std::optional<MethodSteadyState> steady;
+  if constexpr (M::info.order > 0 && M::info.error_order == 0) {
+    steady = method_steady_state(method, linear_law(point), point.step);
+  } else if (o.damping > 0 && o.stiffness > 0) {
+    const double w = point.drive.frequency;
+    const SteadyState answer = frequency_response(o, point.drive.amplitude, w);
+    steady = MethodSteadyState{answer, answer.amplitude * w};
+  }
+  if (!steady) {
+    result.status = grows(method, point) ? PointStatus::unstable : PointStatus::not_settled;
+    return result;
+  }
+  if (o.damping == 0) result.status = PointStatus::own_damping;
   const double x = steady->position.amplitude, v = steady->velocity;
   result.amplitude = result.peak = x;
   result.phase_lag = steady->position.phase_lag;
   result.mean = 0;
-  result.energy = (point.oscillator.mass * v * v + point.oscillator.stiffness * x * x) / 4;
+  result.rms = x / std::numbers::sqrt2;
+  result.energy = (o.mass * v * v + o.stiffness * x * x) / 4;
   return result;
-}
-
-template <class M>
-std::optional<MethodSteadyState> steady_state_by(const M& method, const Point& point) {
-  if constexpr (M::info.order > 0 && M::info.error_order == 0) {
-    return method_steady_state(method, linear_law(point), point.step);
-  } else {
-    const Oscillator<double>& o = point.oscillator;
-    const double w = point.drive.frequency;
-    const SteadyState steady = frequency_response(o, point.drive.amplitude, w);
-    if (!(o.damping > 0)) return std::nullopt;
-    return MethodSteadyState{steady, steady.amplitude * w};
-  }
 }
 
 bool make_in_closed_form(const SweepWork& work, std::uint64_t first, std::uint64_t count, double* rows) {
@@ -75,9 +68,7 @@ bool make_in_closed_form(const SweepWork& work, std::uint64_t first, std::uint64
       double* row = rows + i * width;
       points.values_of(first + i, row);
       const auto at = points.at(row);
-      write_measures(work,
-                     at ? in_closed_form(at->point, steady_state_by(method, at->point)) : without_numbers(),
-                     row + axes);
+      write_measures(work, at ? in_closed_form(method, at->point) : without_numbers(), row + axes);
     }
     return true;
   });
@@ -109,15 +100,17 @@ bool make_in_groups(const SweepWork& work, std::uint64_t first, std::uint64_t co
                           ? settle_group(work.unit, group, work.stepping(), work.settling, results, watch)
                           : run_group(work.unit, group, work.stepping(), until, results, watch);
     if (!made) return false;
-    for (std::size_t k = 0; k < results.size(); ++k)
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      name_status(work, group[k], results[k]);
       write_measures(work, results[k], rows + place[k] * width + axes);
+    }
   }
   return true;
 }
 
 /// Goes on from where a motion ended, the drive's angle with it.
 void continue_from(const PointResult& ended, const Point& before, Point& next) {
-  if (ended.status == PointStatus::not_finite || ended.status == PointStatus::no_convergence) return;
+  if (ended.status != PointStatus::not_settled && !has_numbers(ended.status)) return;
   next.start = ended.end;
   next.drive.phase =
       std::fmod(before.drive.frequency * ended.end_time + before.drive.phase, 2 * std::numbers::pi);
@@ -130,23 +123,29 @@ bool make_chains(const SweepWork& work, std::uint64_t first, std::uint64_t count
   const std::size_t width = work.columns(), axes = work.axes.size();
   const std::uint64_t length = work.axes.back().grid.size(), chains = count / length;
   const bool rising = work.axes.back().grid[0] <= work.axes.back().grid[length - 1];
-  const bool forward = rising == (work.direction == SweepDirection::up);
+  const bool both = work.direction == SweepDirection::both;
   std::vector<Point> before(chains);
   std::vector<PointResult> ended(chains);
   for (std::uint64_t j = 0; j < length; ++j) {
-    const std::uint64_t along = forward ? j : length - 1 - j;
     std::vector<Point> group(chains);
+    std::vector<std::uint64_t> places(chains);
     for (std::uint64_t c = 0; c < chains; ++c) {
-      double* row = rows + (c * length + along) * width;
-      points.values_of(first + c * length + along, row);
+      double* row = rows + c * length * width;
+      points.values_of(first + c * length, row);
+      const bool up = both ? row[0] > 0 : work.direction == SweepDirection::up;
+      places[c] = c * length + (up == rising ? j : length - 1 - j);
+      row = rows + places[c] * width;
+      points.values_of(first + places[c], row);
       const auto at = points.at(row);
       if (!at) return true;  // plan_sweep has looked at them: it cannot be
       group[c] = at->point;
       if (j > 0) continue_from(ended[c], before[c], group[c]);
     }
     if (!settle_group(work.unit, group, work.stepping(), work.settling, ended, watch)) return false;
-    for (std::uint64_t c = 0; c < chains; ++c)
-      write_measures(work, ended[c], rows + (c * length + along) * width + axes);
+    for (std::uint64_t c = 0; c < chains; ++c) {
+      name_status(work, group[c], ended[c]);
+      write_measures(work, ended[c], rows + places[c] * width + axes);
+    }
     before = group;
   }
   return true;
@@ -160,8 +159,9 @@ bool make_one_by_one(const SweepWork& work, std::uint64_t first, std::uint64_t c
     double* row = rows + i * width;
     points.values_of(first + i, row);
     const auto at = points.at(row);
-    const auto result = at ? run_point(work, *at, watch) : std::optional(without_numbers());
+    auto result = at ? run_point(work, *at, watch) : std::optional(without_numbers());
     if (!result) return false;
+    if (at) name_status(work, at->point, *result);
     write_measures(work, *result, row + axes);
   }
   return true;
@@ -192,9 +192,8 @@ std::uint64_t SweepWork::rows_per_chunk() const {
 }
 
 PointResult closed_form(const SweepWork& work, const Point& point) {
-  return visit_method(work.method, work.settings, [&](const auto& method) {
-    return in_closed_form(point, steady_state_by(method, point));
-  });
+  return visit_method(work.method, work.settings,
+                      [&](const auto& method) { return in_closed_form(method, point); });
 }
 
 std::optional<PointResult> settle_one(const SweepWork& work, const Point& point, const Watch& watch) {
@@ -202,6 +201,7 @@ std::optional<PointResult> settle_one(const SweepWork& work, const Point& point,
   if (!settle_group(work.unit, std::span(&point, 1), work.stepping(), work.settling, std::span(&result, 1),
                     watch))
     return std::nullopt;
+  name_status(work, point, result);
   return result;
 }
 

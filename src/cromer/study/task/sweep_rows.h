@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "cromer/base/interrupt.h"
@@ -23,8 +24,10 @@ enum class SweepWay {
   one_by_one,   ///< with friction, or steps that the method chooses: run by run
 };
 
-/// Hysteresis: along the last axis each point starts where the one before ended.
-enum class SweepDirection { none, up, down };
+/// Hysteresis: along the last axis each point starts where the one before ended. Both: the first axis says
+/// which, 1 up and -1 down.
+enum class SweepDirection { none, up, down, both };
+inline constexpr std::string_view direction_axis = "direction";
 
 /// All that the rows depend on.
 struct SweepWork {
