@@ -90,6 +90,12 @@ TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
   refused({"1:2:4", "--threads", "0"}, "--threads");
   refused({"1:2:4", "--settle", "-1"}, "--settle");
   refused({"1:2:4", "--mass", "0"}, "be positive");
+  refused({"1:2:4", "--every", "1,2"}, "keeps measures and no states");
+  refused({"1:2:4", "--seed", "1:5:5"}, "--seed: a sweep measures the motion itself");
+  refused({"1:2:4", "--accuracy", "1e-3,1e-4"}, "--step 0.001:0.1:20:log");
+  refused({"1:2:4", "--settle", "10,20"}, "one number for all points");
+  refused({"1:2:4", "--threads", "1,2"}, "one number for all points");
+  refused({"1:2:4", "--tolerance", "1e-6,x"}, "--tolerance");
 }
 
 }  // namespace

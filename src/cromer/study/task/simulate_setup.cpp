@@ -189,6 +189,16 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
                             .static_friction = o.static_friction.value_or(0)};
 }
 
+MethodSettings settings_of(const SimulateOptions& o, std::string_view method) {
+  MethodSettings settings;
+  settings.newton.tolerance =
+      o.tolerance.value_or(is_adaptive(method) ? StepControl::default_tolerance : NewtonOptions{}.tolerance);
+  settings.beta = o.beta.value_or(settings.beta);
+  settings.gamma = o.gamma.value_or(settings.gamma);
+  settings.rho_inf = o.rho_inf.value_or(settings.rho_inf);
+  return settings;
+}
+
 State<double> start_of(const SimulateOptions& o) {
   const bool moves = o.position || o.velocity || drive_name(o) != "none";
   return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
@@ -233,12 +243,8 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       if (auto good = set_drive(options, frequency, run); !good) return good.error();
       run.start = start_of(options);
       run.events.events = *events;
-      run.tolerance = options.tolerance.value_or(is_adaptive(method) ? StepControl::default_tolerance
-                                                                     : NewtonOptions{}.tolerance);
-      run.settings = {.newton = {.tolerance = run.tolerance},
-                      .beta = options.beta.value_or(run.settings.beta),
-                      .gamma = options.gamma.value_or(run.settings.gamma),
-                      .rho_inf = options.rho_inf.value_or(run.settings.rho_inf)};
+      run.settings = settings_of(options, method);
+      run.tolerance = run.settings.newton.tolerance;
       run.compensated = options.compensated;
       run.label = label_of(options, run);
       if (auto good = check_start(run); !good) return good.error();

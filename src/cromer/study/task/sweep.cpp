@@ -26,8 +26,8 @@ std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& 
     points.values_of(k * (plan.rows.rows - 1) / std::max<std::size_t>(1, checked_points - 1), values.data());
     const auto at = points.at(values.data());
     if (!at) continue;
-    const PointResult known = closed_form(work, at->point);
-    const auto stepped = settle_one(work, at->point, watch);
+    const PointResult known = closed_form(work, *at);
+    const auto stepped = settle_one(work, *at, watch);
     if (!stepped) return std::nullopt;
     if (known.status != PointStatus::done || stepped->status != PointStatus::done) continue;
     ++check.points;

@@ -84,6 +84,10 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
 /// time.
 std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch);
 
+/// Why a sweep does not take this option of simulate, or this text for one of its own that has no grid; empty
+/// where there is nothing particular to say.
+std::string sweep_refusal(std::string_view option, std::string_view text);
+
 /// The status in the last column of a row is counted.
 void count_status(double status, SweepCounts& counts);
 

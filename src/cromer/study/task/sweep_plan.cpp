@@ -38,8 +38,11 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
   return {};
 }
 
-/// The axis along which points follow each other comes last: the drive's frequency by nature.
+/// The axis along which points follow each other comes last: the drive's frequency by nature. The method's
+/// settings come first: points that share them run side by side.
 Result<void> order_axes(SweepWork& work) {
+  std::stable_partition(work.axes.begin(), work.axes.end(),
+                        [](const SweepAxis& axis) { return is_method_setting(axis.name); });
   const auto move_last = [&](std::string_view name) {
     const auto at =
         std::find_if(work.axes.begin(), work.axes.end(), [&](const SweepAxis& a) { return a.name == name; });
@@ -167,15 +170,16 @@ std::string_view words(SweepWay way) {
 }
 
 /// Everything that the rows depend on, in a fixed order.
-std::string describe(const SweepOptions& options, const SweepWork& work, const SweepPlan& plan) {
+std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
+                     const SweepPlan& plan) {
   std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
                                  words(work.way), options.direction);
   if (work.way == SweepWay::settled || work.way == SweepWay::to_end)
     text += fmt::format(", \"simd\": \"{}\"", work.unit.name);
   if (options.settle) text += fmt::format(", \"settle\": {}", shortest(*options.settle));
   text += fmt::format(", \"tolerance\": {}, \"beta\": {}, \"gamma\": {}, \"rho_inf\": {}",
-                      shortest(work.settings.newton.tolerance), shortest(work.settings.beta),
-                      shortest(work.settings.gamma), shortest(work.settings.rho_inf));
+                      shortest(settings.newton.tolerance), shortest(settings.beta), shortest(settings.gamma),
+                      shortest(settings.rho_inf));
   if (!work.base.drive.empty()) text += fmt::format(", \"drive\": \"{}\"", work.base.drive);
   for (const auto& [name, value] : options.values)
     if (!value.empty()) text += fmt::format(", \"{}\": \"{}\"", name, value);
@@ -214,7 +218,6 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   const auto run = run_at(*work, false), last = run_at(*work, true);
   if (!run) return run.error();
   if (!last) return last.error();
-  work->settings = run->settings;
   work->driven = last->drive.amplitude > 0 && last->drive.frequency > 0;
 
   auto measures = find_measures(options.measure, work->driven);
@@ -241,7 +244,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   plan.rows.columns.emplace_back("status");
   plan.rows.rows = static_cast<std::uint64_t>(rows);
   plan.rows.rows_per_chunk = work->rows_per_chunk();
-  plan.rows.description = describe(options, *work, plan);
+  plan.rows.description = describe(options, *work, run->settings, plan);
   plan.rows.make = [work, per_chunk = plan.rows.rows_per_chunk, all = plan.rows.rows](
                        std::uint64_t chunk, double* to, const Watch& watch) {
     const std::uint64_t first = chunk * per_chunk;

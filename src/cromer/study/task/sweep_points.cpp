@@ -10,19 +10,9 @@
 #include "cromer/study/task/simulate_setup.h"
 
 namespace cromer {
+namespace {
 
-void set_number(const Option::Target& target, double value) {
-  std::visit(
-      [&](auto* to) {
-        using T = std::remove_pointer_t<decltype(to)>;
-        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>)
-          *to = value;
-        else if constexpr (std::is_same_v<T, std::vector<double>>)
-          to->assign(1, value);
-      },
-      target);
-}
-
+/// The point that options with one value each describe, but for its settings.
 Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   const auto oscillator = oscillator_of(options);
   if (!oscillator) return oscillator.error();
@@ -42,6 +32,24 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   return result;
 }
 
+}  // namespace
+
+bool is_method_setting(std::string_view option) {
+  return option == "tolerance" || option == "beta" || option == "gamma" || option == "rho-inf";
+}
+
+void set_number(const Option::Target& target, double value) {
+  std::visit(
+      [&](auto* to) {
+        using T = std::remove_pointer_t<decltype(to)>;
+        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>)
+          *to = value;
+        else if constexpr (std::is_same_v<T, std::vector<double>>)
+          to->assign(1, value);
+      },
+      target);
+}
+
 SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxis>& axes)
     : axes_(axes), options_(base) {
   const std::vector<Option> table = options_of(options_);
@@ -49,6 +57,9 @@ SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxi
     targets_.push_back(std::find_if(table.begin(), table.end(), [&](const Option& each) {
                          return each.name == axis.name;
                        })->target);
+  settings_ = cromer::settings_of(options_, options_.method.front());
+  settings_vary_ = std::any_of(axes_.begin(), axes_.end(),
+                               [](const SweepAxis& axis) { return is_method_setting(axis.name); });
 }
 
 void SweepPoints::values_of(std::uint64_t row, double* values) const {
@@ -61,7 +72,18 @@ void SweepPoints::values_of(std::uint64_t row, double* values) const {
 
 Result<SweepPoint> SweepPoints::at(const double* values) {
   for (std::size_t i = 0; i < targets_.size(); ++i) set_number(targets_[i], values[i]);
-  return sweep_point_of(options_);
+  auto point = sweep_point_of(options_);
+  if (point)
+    point->settings = settings_vary_ ? cromer::settings_of(options_, options_.method.front()) : settings_;
+  return point;
+}
+
+MethodSettings SweepPoints::settings_of(std::uint64_t row) {
+  if (!settings_vary_) return settings_;
+  std::vector<double> values(axes_.size());
+  values_of(row, values.data());
+  for (std::size_t i = 0; i < targets_.size(); ++i) set_number(targets_[i], values[i]);
+  return cromer::settings_of(options_, options_.method.front());
 }
 
 }  // namespace cromer

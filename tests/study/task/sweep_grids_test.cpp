@@ -1,0 +1,113 @@
+// Grids of a sweep: the method's settings, one point, either direction, and what is said of points.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <set>
+
+#include "cromer/study/task/simulate.h"
+#include "cromer/study/task/sweep.h"
+#include "sweep_options.h"
+
+namespace cromer {
+namespace {
+
+using ::testing::ElementsAre;
+
+TEST(SweepGrids, TheMethodsOwnSettingsTakeGrids) {
+  // Newmark's gamma above 1/2 damps: each row against a run of its own, whatever else is in the grid.
+  SweepOptions options = options_with({{"position", "0.5,1"},
+                                       {"cubic", "0.3"},
+                                       {"until", "10"},
+                                       {"step", "0.05"},
+                                       {"beta", "0.25,0.4"},
+                                       {"gamma", "0.5,0.6,0.7"}},
+                                      "newmark");
+  options.measure = {"final"};
+  const SweepResult result = swept(options);
+  EXPECT_THAT(result.plan.rows.columns,
+              ElementsAre("beta", "gamma", "position (m)", "x (m)", "v (m/s)", "status"));
+  ASSERT_EQ(result.rows.size(), 12u * 5);
+  std::set<double> ends;
+  for (std::size_t at = 0; at < result.rows.size(); at += 5) {
+    const double* row = &result.rows[at];
+    SimulateOptions one{.cubic = 0.3, .position = row[2]};
+    one.method = {"newmark"};
+    one.beta = row[0];
+    one.gamma = row[1];
+    one.step = 0.05;
+    one.until = 10;
+    const auto run = simulate(one);
+    ASSERT_TRUE(run);
+    EXPECT_NEAR(row[3], run->runs[0].outcome.y.x, 1e-12);
+    EXPECT_NEAR(row[4], run->runs[0].outcome.y.v, 1e-12);
+    ends.insert(row[3]);
+  }
+  EXPECT_EQ(ends.size(), 12u);
+}
+
+TEST(SweepGrids, ClosedFormsFollowTheSettingsOfTheirPoint) {
+  // Each against the sweep with that setting alone, through the boundaries of chunks.
+  const Values law = with(driven, {{"drive-frequency", "0.2:3:3001"}, {"step", "0.1"}});
+  const SweepResult all = swept(options_with(with(law, {{"rho-inf", "0,0.5,1"}}), "generalized-alpha"));
+  EXPECT_EQ(all.plan.way, "closed form");
+  EXPECT_LT(all.plan.rows.rows_per_chunk, all.plan.rows.rows);
+  const char* const values[] = {"0", "0.5", "1"};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const SweepResult one = swept(options_with(with(law, {{"rho-inf", values[k]}}), "generalized-alpha"));
+    for (std::size_t i = 0; i < 3001; ++i)
+      ASSERT_EQ(all.rows[4 * (3001 * k + i) + 2], one.rows[3 * i + 1]) << k << " " << i;
+  }
+  EXPECT_GT(std::abs(all.rows[4 * 1000 + 2] / all.rows[4 * 7002 + 2] - 1), 1e-6);
+}
+
+TEST(SweepGrids, ATighterToleranceIsNearerTheTruth) {
+  SweepOptions options =
+      options_with({{"damping", "0.1"}, {"until", "20"}, {"tolerance", "1e-3,1e-6,1e-9"}}, "dormand-prince");
+  options.measure = {"final"};
+  const SweepResult result = swept(options);
+  const double w = std::sqrt(1 - 0.05 * 0.05);
+  const double truth = std::exp(-1.0) * (std::cos(20 * w) + 0.05 / w * std::sin(20 * w));
+  double before = 1;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double error = std::abs(result.rows[3 * i + 1] - truth);
+    EXPECT_LT(error, before / 100);
+    before = error;
+  }
+  EXPECT_LT(before, 1e-7);
+}
+
+TEST(SweepGrids, ChainsKeepToTheSettingsOfTheirPoint) {
+  const Values law{{"damping", "0.1"},
+                   {"cubic", "0.3"},
+                   {"drive-amplitude", "0.3"},
+                   {"step", "0.05"},
+                   {"drive-frequency", "0.9:1.3:9"}};
+  const auto chains = [&](const std::string& gamma, int threads) {
+    SweepOptions options = options_with(with(law, {{"gamma", gamma}}), "newmark");
+    options.direction = "up";
+    options.threads = threads;
+    return swept(options);
+  };
+  const SweepResult both = chains("0.5,0.6", 1), other = chains("0.5,0.6", 3), second = chains("0.6", 1);
+  EXPECT_EQ(std::memcmp(both.rows.data(), other.rows.data(), both.rows.size() * sizeof(double)), 0);
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(both.rows[4 * (9 + i) + 2], second.rows[3 * i + 1]);
+  EXPECT_NE(both.rows[4 * 4 + 2], both.rows[4 * 13 + 2]);
+}
+
+TEST(SweepGrids, GridsMultiplyAndTheFrequencyRunsFastest) {
+  const SweepResult result = swept(options_with(with(driven, {{"drive-frequency", "1,2"},
+                                                              {"drive-phase", "0,1"},
+                                                              {"damping-ratio", "0.1,0.2,0.3"},
+                                                              {"damping", ""}})));
+  EXPECT_EQ(result.plan.rows.rows, 12u);
+  EXPECT_EQ(result.plan.swept[0].name, "damping-ratio");
+  EXPECT_EQ(result.plan.swept[2].name, "drive-frequency");
+  EXPECT_EQ(result.rows[2], 1);
+  EXPECT_EQ(result.rows[5 + 2], 2);
+  EXPECT_EQ(result.rows[5 + 1], 0);
+}
+
+}  // namespace
+}  // namespace cromer
