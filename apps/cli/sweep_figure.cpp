@@ -34,23 +34,23 @@ bool is_logarithmic(const std::vector<double>& values) {
   if (values.size() < 3 || !(values.front() > 0 && values.back() > 0)) return false;
   const double middle = values[values.size() / 2], ends = std::sqrt(values.front() * values.back());
   const double even = (values.front() + values.back()) / 2;
-  return values.back() / values.front() > 5 && std::abs(middle - ends) < std::abs(middle - even);
+  const double ratio = values.back() / values.front();
+  return std::max(ratio, 1 / ratio) > 5 && std::abs(middle - ends) < std::abs(middle - even);
 }
 
 class Drawing {
  public:
-  explicit Drawing(const SweepResult& result)
-      : result_(result), width_(result.plan.rows.columns.size() - 1), swept_(result.plan.swept) {}
+  Drawing(const SweepResult& result, const std::vector<std::size_t>& axes)
+      : result_(result), width_(result.plan.rows.columns.size() - 1), axes_(axes) {}
 
   Figure draw() const {
     Figure figure;
     figure.id = "sweep";
     figure.title = title();
-    const std::size_t inner = swept_.size() - 1;
-    const std::uint64_t points = swept_[inner].points;
-    const std::uint64_t outer = inner == 0 ? 1 : swept_[0].points;
+    const std::uint64_t points = swept(axes_.back()).points;
+    const std::uint64_t outer = axes_.size() == 1 ? 1 : swept(axes_.front()).points;
     for (std::size_t i = 0; i < result_.plan.measured.size(); ++i) {
-      const std::size_t column = swept_.size() + i;
+      const std::size_t column = result_.plan.swept.size() + i;
       figure.panels.push_back(outer <= most_curves ? curves(column, outer, points)
                                                    : map(column, outer, points));
     }
@@ -60,12 +60,20 @@ class Drawing {
   }
 
  private:
+  const SweptOption& swept(std::size_t axis) const { return result_.plan.swept[axis]; }
   double at(std::uint64_t row, std::size_t column) const { return result_.rows[row * width_ + column]; }
+  /// In the unit of its grid.
+  double place(std::uint64_t row, std::size_t axis) const { return at(row, axis) / swept(axis).shown_unit; }
+  std::string axis_name(std::size_t axis) const {
+    std::string name = swept(axis).shown;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return name;
+  }
 
   std::string title() const {
     std::string over;
-    for (const SweptOption& option : swept_)
-      over += fmt::format("{}{}", over.empty() ? "" : " and ", spaced(option.name));
+    for (const std::size_t axis : axes_)
+      over += fmt::format("{}{}", over.empty() ? "" : " and ", spaced(swept(axis).name));
     return fmt::format("Sweep over {}, by {}", over, result_.plan.method);
   }
 
@@ -85,13 +93,13 @@ class Drawing {
     const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
     Panel panel;
     panel.title = measure.name.substr(0, measure.name.find(" ("));
-    if (outer > 1) panel.title += fmt::format(", names: {}", shown(swept_[0].column, 1e9).name);
+    if (outer > 1) panel.title += fmt::format(", names: {}", axis_name(axes_.front()));
     panel.y.name = measure.name;
-    panel.x.name = shown(swept_.back().column, 1e9).name;
+    panel.x.name = axis_name(axes_.back());
     for (std::uint64_t k = 0; k < outer; ++k) {
       Curve curve;
       for (std::uint64_t i = 0; i < points; ++i) {
-        curve.x.push_back(at(k * points + i, swept_.size() - 1));
+        curve.x.push_back(place(k * points + i, axes_.back()));
         curve.y.push_back(at(k * points + i, column) / measure.unit);
       }
       panel.x.logarithmic = is_logarithmic(curve.x);
@@ -105,7 +113,7 @@ class Drawing {
                                         [](double a, double b) { return a < b || std::isnan(a); });
       const auto peak = static_cast<std::size_t>(top - curve.y.begin());
       if (outer > 1 && peak > 0 && peak + 1 < curve.x.size()) curve.label_x = curve.x[peak];
-      curve.name = outer > 1 ? fmt::format("{:.4g}", at(k * points, 0)) : "";
+      curve.name = outer > 1 ? fmt::format("{:.4g}", place(k * points, axes_.front())) : "";
       panel.curves.push_back(std::move(curve));
     }
     return panel;
@@ -114,20 +122,21 @@ class Drawing {
   /// The option that runs fastest lies across; of positions and velocities the positions do.
   Panel map(std::size_t column, std::uint64_t outer, std::uint64_t points) const {
     const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
-    const bool phase_plane = swept_[0].name == "position" && swept_[1].name == "velocity";
-    const std::size_t across = phase_plane ? 0 : 1;
+    const std::size_t first = axes_.front(), second = axes_.back();
+    const bool phase_plane = swept(first).name == "position" && swept(second).name == "velocity";
+    const std::size_t across = phase_plane ? first : second, upward = phase_plane ? second : first;
     const std::uint64_t columns = phase_plane ? outer : points, rows = phase_plane ? points : outer;
     const auto row_of = [&](std::uint64_t i, std::uint64_t k) {
       return phase_plane ? i * points + k : k * points + i;
     };
     Panel panel;
     panel.title = measure.name.substr(0, measure.name.find(" ("));
-    panel.x.name = shown(swept_[across].column, 1e9).name;
-    panel.y.name = shown(swept_[1 - across].column, 1e9).name;
+    panel.x.name = axis_name(across);
+    panel.y.name = axis_name(upward);
     HeatMap map;
     map.name = measure.name;
-    for (std::uint64_t i = 0; i < columns; ++i) map.x.push_back(at(row_of(i, 0), across));
-    for (std::uint64_t k = 0; k < rows; ++k) map.y.push_back(at(row_of(0, k), 1 - across));
+    for (std::uint64_t i = 0; i < columns; ++i) map.x.push_back(place(row_of(i, 0), across));
+    for (std::uint64_t k = 0; k < rows; ++k) map.y.push_back(place(row_of(0, k), upward));
     map.z.reserve(rows * columns);
     for (std::uint64_t k = 0; k < rows; ++k)
       for (std::uint64_t i = 0; i < columns; ++i) map.z.push_back(at(row_of(i, k), column) / measure.unit);
@@ -139,17 +148,22 @@ class Drawing {
 
   const SweepResult& result_;
   std::size_t width_;
-  const std::vector<SweptOption>& swept_;
+  const std::vector<std::size_t>& axes_;  ///< one, or two with the outer first
 };
 
 }  // namespace
 
 Result<Figure> sweep_figure(const SweepResult& result) {
-  if (result.plan.swept.size() > 2)
+  // What takes one value only is no axis, unless there is no other.
+  std::vector<std::size_t> axes;
+  for (std::size_t i = 0; i < result.plan.swept.size(); ++i)
+    if (result.plan.swept[i].points > 1) axes.push_back(i);
+  if (axes.empty()) axes.push_back(result.plan.swept.size() - 1);
+  if (axes.size() > 2)
     return Error{fmt::format(
         "--plot: {} options are swept, and a figure has room for two; leave --plot out, or sweep fewer",
-        result.plan.swept.size())};
-  return Drawing(result).draw();
+        axes.size())};
+  return Drawing(result, axes).draw();
 }
 
 }  // namespace cromer::cli

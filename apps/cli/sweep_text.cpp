@@ -16,11 +16,14 @@ std::string number(double value) { return std::isnan(value) ? "-" : fmt::format(
 
 std::string every_row(const SweepResult& result) {
   const std::size_t width = result.plan.rows.columns.size() - 1;
+  const std::vector<SweptOption>& swept = result.plan.swept;
   std::vector<std::vector<std::string>> rows{
       {result.plan.rows.columns.begin(), result.plan.rows.columns.end() - 1}};
+  for (std::size_t i = 0; i < swept.size(); ++i) rows[0][i] = swept[i].shown;
   for (std::size_t at = 0; at < result.rows.size(); at += width) {
     std::vector<std::string> row;
-    for (std::size_t i = 0; i < width; ++i) row.push_back(number(result.rows[at + i]));
+    for (std::size_t i = 0; i < width; ++i)
+      row.push_back(number(result.rows[at + i] / (i < swept.size() ? swept[i].shown_unit : 1)));
     rows.push_back(std::move(row));
   }
   return text_table(rows, 0, width);
@@ -43,7 +46,8 @@ std::string extremes(const SweepResult& result) {
     }
     const auto where = [&](std::size_t at) {
       std::string text;
-      for (std::size_t i = 0; i < swept; ++i) text += (i ? ", " : "") + number(result.rows[at + i]);
+      for (std::size_t i = 0; i < swept; ++i)
+        text += (i ? ", " : "") + number(result.rows[at + i] / result.plan.swept[i].shown_unit);
       return text;
     };
     rows.push_back({result.plan.rows.columns[column], number(result.rows[low + column]), where(low),
@@ -56,9 +60,10 @@ std::string extremes(const SweepResult& result) {
 
 std::string sweep_text(const SweepResult& result) {
   const SweepPlan& plan = result.plan;
-  std::string text = fmt::format("{} points by {}, {}\n", plan.rows.rows, plan.method, plan.way);
+  std::string text = fmt::format("{} point{} by {}, {}\n", plan.rows.rows, plan.rows.rows == 1 ? "" : "s",
+                                 plan.method, plan.way);
   for (const SweptOption& option : plan.swept)
-    text += fmt::format("  {}: {} values\n", option.column, option.points);
+    text += fmt::format("  {}: {} value{}\n", option.shown, option.points, option.points == 1 ? "" : "s");
   if (result.check)
     text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
                         result.check->points, result.check->difference);

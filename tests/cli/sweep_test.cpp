@@ -45,6 +45,35 @@ TEST(SweepCommand, TellsItsRowsInJson) {
   EXPECT_EQ(json["swept"][0]["name"], "drive-frequency");
 }
 
+TEST(SweepCommand, ShowsGridsInTheirUnit) {
+  const Folder folder;
+  const std::vector<std::string> asked{"sweep",
+                                       "--damping-ratio",
+                                       "2,5 %",
+                                       "--drive-amplitude",
+                                       "1",
+                                       "--drive-frequency",
+                                       "0.1:0.2:3 Hz",
+                                       "--method",
+                                       "exact",
+                                       "--plot",
+                                       "hz.svg"};
+  const Finished end = folder.run(asked);
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("damping_ratio (%)  drive_frequency (Hz)  amplitude (m)"));
+  EXPECT_THAT(end.out, HasSubstr("\n                2                  0.15"));
+  EXPECT_THAT(folder.read("hz.svg"), HasSubstr("drive frequency (Hz)"));
+  EXPECT_THAT(folder.read("hz.svg"), HasSubstr("damping ratio (%)"));
+  EXPECT_THAT(folder.run(with(asked, {"-o", "-"})).out,
+              HasSubstr("\ndamping_ratio,drive_frequency (rad/s),amplitude (m),phase (rad)\n0.02,0.628"));
+  const auto json = folder.run(with(asked, {"--json"})).json();
+  EXPECT_EQ(json["columns"][1], "drive_frequency (rad/s)");
+  const Finished map = folder.run({"sweep", "--damping-ratio", "2:5:20 %", "--drive-amplitude", "1",
+                                   "--drive-frequency", "12:6:20:log rpm", "--plot", "map.svg"});
+  ASSERT_EQ(map.status, 0) << map.err;
+  EXPECT_THAT(folder.read("map.svg"), HasSubstr("drive frequency (rpm)"));
+}
+
 TEST(SweepCommand, ObeysTheInstructionSetAskedFor) {
   std::set<std::string> rows;
   int sets = 0;

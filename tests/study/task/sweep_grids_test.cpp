@@ -14,6 +14,8 @@ namespace cromer {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
 
 TEST(SweepGrids, TheMethodsOwnSettingsTakeGrids) {
   // Newmark's gamma above 1/2 damps: each row against a run of its own, whatever else is in the grid.
@@ -94,6 +96,58 @@ TEST(SweepGrids, ChainsKeepToTheSettingsOfTheirPoint) {
   EXPECT_EQ(std::memcmp(both.rows.data(), other.rows.data(), both.rows.size() * sizeof(double)), 0);
   for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(both.rows[4 * (9 + i) + 2], second.rows[3 * i + 1]);
   EXPECT_NE(both.rows[4 * 4 + 2], both.rows[4 * 13 + 2]);
+}
+
+TEST(SweepGrids, AGridOfOneValueIsASweepOfOnePoint) {
+  for (const char* grid : {"1", "1:1:1"}) {
+    const SweepResult one = swept(options_with(with(driven, {{"drive-frequency", grid}}), "exact"));
+    EXPECT_EQ(one.plan.rows.rows, 1u);
+    EXPECT_THAT(one.plan.rows.columns,
+                ElementsAre("drive_frequency (rad/s)", "amplitude (m)", "phase (rad)", "status"));
+    EXPECT_NEAR(one.rows[1], 5, 1e-13);
+  }
+  // A range stays a column beside others; a value alone does not.
+  const SweepResult both =
+      swept(options_with(with(driven, {{"damping", "0.1:0.1:1"}, {"drive-phase", "0.2"}}), "exact"));
+  EXPECT_EQ(both.plan.rows.columns[0], "damping (kg/s)");
+  EXPECT_EQ(both.plan.rows.rows, 57u);
+  // A term of which only 0 is swept is none.
+  EXPECT_EQ(swept(options_with(with(driven, {{"cubic", "0:0:1"}}))).plan.way, "closed form");
+  const SweepResult free = swept(options_with({{"position", "0.5"}, {"until", "3"}}, "exact"));
+  EXPECT_THAT(free.plan.rows.columns, ElementsAre("position (m)", "until (s)", "peak (m)", "x (m)", "v (m/s)",
+                                                  "energy (J)", "status"));
+  EXPECT_NEAR(free.rows[3], 0.5 * std::cos(3), 1e-14);
+}
+
+TEST(SweepGrids, GridsThatRunDownKeepTheirOrder) {
+  const SweepResult up = swept(options_with(with(driven, {{"drive-frequency", "0.2:5:9:log"}})));
+  const SweepResult down = swept(options_with(with(driven, {{"drive-frequency", "5:0.2:9:log"}})));
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_NEAR(down.rows[3 * i] / up.rows[3 * (8 - i)], 1, 1e-14);
+    EXPECT_NEAR(down.rows[3 * i + 1] / up.rows[3 * (8 - i) + 1], 1, 1e-12);
+  }
+  // Where points follow each other it is the values that rise or fall, not the rows.
+  const Values law{{"damping", "0.05"}, {"cubic", "0.3"}, {"drive-amplitude", "0.3"}, {"step", "0.05"}};
+  for (const char* direction : {"up", "down"}) {
+    SweepOptions rising = options_with(with(law, {{"drive-frequency", "1:2:21"}}), "rk4");
+    SweepOptions falling = options_with(with(law, {{"drive-frequency", "2:1:21"}}), "rk4");
+    rising.direction = falling.direction = direction;
+    const SweepResult a = swept(rising), b = swept(falling);
+    for (std::size_t i = 0; i < 21; ++i)
+      EXPECT_NEAR(a.rows[3 * i + 1], b.rows[3 * (20 - i) + 1], 1e-5 * a.rows[3 * i + 1]) << direction << i;
+  }
+}
+
+TEST(SweepGrids, SaysWhichOfStepAndEndAPointLacks) {
+  const auto said = [](const Values& more) {
+    return refusal(options_with(with({{"stiffness", "1,0,2"}}, more)));
+  };
+  EXPECT_THAT(said({}), HasSubstr("give --step and --until"));
+  EXPECT_THAT(said({{"until", "100"}}), EndsWith("give --step"));
+  EXPECT_THAT(said({{"step", "0.1"}}), EndsWith("give --until"));
+  EXPECT_THAT(said({{"step", "0.1"}}), HasSubstr("--stiffness 0 N/m"));
+  EXPECT_EQ(said({{"step", "0.1"}, {"until", "100"}}), "not refused");
+  EXPECT_THAT(refusal(options_with({{"stiffness", "-1,0,1"}, {"until", "100"}})), EndsWith("give --step"));
 }
 
 TEST(SweepGrids, GridsMultiplyAndTheFrequencyRunsFastest) {

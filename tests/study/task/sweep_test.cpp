@@ -244,7 +244,8 @@ TEST(Sweep, APointDoesNotDependOnWhatElseIsInTheGrid) {
 }
 
 TEST(Sweep, RefusesWhatCannotBe) {
-  EXPECT_THAT(refusal(options_with({})), HasSubstr("nothing is swept"));
+  EXPECT_THAT(refusal(options_with({})),
+              HasSubstr("nothing is swept: give at least one numeric option a grid"));
   EXPECT_THAT(refusal(options_with(with(driven, {{"damping", "0.1:"}}))), HasSubstr("--damping"));
   EXPECT_THAT(refusal(options_with(with(driven, {{"mass", "1:2:0"}}))), HasSubstr("no points"));
   EXPECT_THAT(refusal(options_with(with(driven, {{"mass", "1:2:0"}}))), HasSubstr("--mass"));

@@ -69,8 +69,11 @@ Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
   if (!(default_step(natural, drive) > 0) && !(o.step && o.until))
     return Error{
         fmt::format("this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic "
-                    "drive: give --step and --until",
-                    shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic))};
+                    "drive: give {}",
+                    shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic),
+                    o.step    ? "--until"
+                    : o.until ? "--step"
+                              : "--step and --until")};
   run.step = o.step.value_or(default_step(natural, drive));
   run.until = o.until.value_or(std::max(default_end(natural, drive), drive_end(run)));
   return {};

@@ -33,6 +33,8 @@ struct SweptOption {
   std::string name;    ///< as typed: "drive-frequency"
   std::string column;  ///< "drive_frequency (rad/s)"
   std::uint64_t points = 0;
+  std::string shown;      ///< the column for people, in the unit that its grid was given in
+  double shown_unit = 1;  ///< that unit in SI
 };
 
 struct SweepWork;

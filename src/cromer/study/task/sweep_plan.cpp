@@ -16,8 +16,12 @@ namespace {
 
 constexpr double most_rows = 9007199254740992.0;  // 2^53: beyond, rows cannot be told apart
 
-/// Grids into axes, single values into the base.
+constexpr std::uint64_t most_looked_at = 100000;  // values of a grid
+
+/// Grids into axes, single values into the base. A range is a grid of however few points; where there is
+/// nothing else to sweep, one point is swept: along the drive's frequency, or all that has a value.
 Result<void> read_values(const SweepOptions& options, SweepWork& work) {
+  std::vector<SweepAxis> single;
   for (const Option& option : options_of(work.base)) {
     const auto typed = options.values.find(option.name);
     if (typed == options.values.end() || typed->second.empty()) continue;
@@ -27,14 +31,28 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
     const auto grid = parse_grid(typed->second, option.unit);
     if (!grid) return wrong(grid.error());
     // Both ends, and every value of a list, which may run any way.
-    const std::uint64_t looked_at = std::min<std::uint64_t>(grid->size(), 100000);
+    const std::uint64_t looked_at = std::min(grid->size(), most_looked_at);
     for (std::uint64_t i = 0; i < looked_at; ++i) {
       set_number(option.target, (*grid)[i + 1 < looked_at ? i : grid->size() - 1]);
       if (auto good = check(option); !good) return good;
     }
     set_number(option.target, (*grid)[0]);
-    if (grid->size() > 1) work.axes.push_back({std::string(option.name), std::string(option.unit), *grid});
+    const bool swept = grid->size() > 1 || typed->second.find(':') != std::string::npos;
+    (swept ? work.axes : single)
+        .push_back({std::string(option.name), std::string(option.unit), *grid,
+                    unit_of_grid(typed->second, option.unit)});
   }
+  if (!work.axes.empty()) return {};
+  if (single.empty())
+    return Error{
+        "nothing is swept: give at least one numeric option a grid, for instance --drive-amplitude 1 "
+        "--drive-frequency 0.1:10:1000, or --position 0.5,1,1.5 --until 20"};
+  const auto frequency = std::find_if(single.begin(), single.end(),
+                                      [](const SweepAxis& a) { return a.name == "drive-frequency"; });
+  if (frequency != single.end())
+    work.axes = {*frequency};
+  else
+    work.axes = std::move(single);
   return {};
 }
 
@@ -79,7 +97,7 @@ Result<SimulatedRun> run_at(const SweepWork& work, bool last) {
 
 bool has_term(const SweepWork& work, double value, std::initializer_list<std::string_view> names) {
   return value != 0 || std::any_of(work.axes.begin(), work.axes.end(), [&](const SweepAxis& axis) {
-           return std::find(names.begin(), names.end(), axis.name) != names.end();
+           return axis.grid.size() > 1 && std::find(names.begin(), names.end(), axis.name) != names.end();
          });
 }
 
@@ -136,6 +154,25 @@ Result<void> check_cycles(const SweepWork& work) {
   return {};
 }
 
+/// Along each axis, the others at their first value: that every value describes an oscillator which can be
+/// run.
+Result<void> check_along_axes(const SweepWork& work) {
+  SweepPoints points(work.base, work.axes);
+  std::vector<double> values(work.axes.size());
+  for (std::size_t k = 0; k < work.axes.size(); ++k) {
+    points.values_of(0, values.data());
+    const SweepAxis& axis = work.axes[k];
+    for (std::uint64_t i = 0; i < std::min(axis.grid.size(), most_looked_at); ++i) {
+      values[k] = axis.grid[i];
+      const auto at = points.at(values.data());
+      if (!at)
+        return Error{fmt::format("--{} {}{}{}: {}", axis.name, shortest(values[k]),
+                                 axis.unit.empty() ? "" : " ", axis.unit, at.error().message)};
+    }
+  }
+  return {};
+}
+
 /// A drive that the steps hardly see.
 std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
   double fewest = 1e9;
@@ -149,10 +186,10 @@ std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
       fewest);
 }
 
-std::string column_of(const SweepAxis& axis) {
+std::string column_of(const SweepAxis& axis, std::string_view unit) {
   std::string name = axis.name;
   std::replace(name.begin(), name.end(), '-', '_');
-  return axis.unit.empty() ? name : fmt::format("{} ({})", name, axis.unit);
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
 std::string_view words(SweepWay way) {
@@ -205,9 +242,6 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   work->direction = options.direction.empty()   ? SweepDirection::none
                     : options.direction == "up" ? SweepDirection::up
                                                 : SweepDirection::down;
-  if (work->axes.empty())
-    return Error{
-        "nothing is swept: give at least one option a grid, for instance --drive-frequency 0.1:10:1000"};
   if (auto good = order_axes(*work); !good) return good.error();
 
   double rows = 1;
@@ -218,6 +252,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   const auto run = run_at(*work, false), last = run_at(*work, true);
   if (!run) return run.error();
   if (!last) return last.error();
+  if (auto good = check_along_axes(*work); !good) return good.error();
   work->driven = last->drive.amplitude > 0 && last->drive.frequency > 0;
 
   auto measures = find_measures(options.measure, work->driven);
@@ -236,7 +271,8 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   plan.way = work->settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
                                     : std::string(words(work->way));
   for (const SweepAxis& axis : work->axes)
-    plan.swept.push_back({axis.name, column_of(axis), axis.grid.size()});
+    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
+                          column_of(axis, axis.typed.name), axis.typed.factor});
   for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
   for (const Measure* measure : work->measures)
     for (const std::string& column : measure->columns) plan.measured.push_back(column);

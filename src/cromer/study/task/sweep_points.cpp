@@ -1,5 +1,7 @@
 #include "cromer/study/task/sweep_points.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -28,7 +30,12 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   result.point.step = options.step.value_or(default_step(natural, period));
   result.until = options.until.value_or(default_end(natural, period));
   if (!(result.point.step > 0) || !(result.until > 0))
-    return Error{"--step: this law has no natural period and no periodic drive: give --step and --until"};
+    return Error{fmt::format(
+        "this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic drive: give {}",
+        shortest(oscillator->stiffness), shortest(oscillator->cubic),
+        options.step    ? "--until"
+        : options.until ? "--step"
+                        : "--step and --until")};
   return result;
 }
 

@@ -19,6 +19,7 @@ struct SweepAxis {
   std::string name;  ///< as typed
   std::string unit;  ///< SI
   Grid grid;
+  GridUnit typed{};  ///< what people read it in
 };
 
 /// Whether it is one of a method's own settings, which all lanes of a group share: tolerance, beta, gamma,
