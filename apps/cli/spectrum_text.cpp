@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cromer/base/quantity.h"
 #include "text_table.h"
@@ -12,12 +13,18 @@ namespace {
 
 constexpr std::size_t most_rows = 24;
 
+/// Also of a motion whose squares are beyond any double.
+std::string arias_intensity(const Intensity& intensity) {
+  return std::isfinite(intensity.arias) ? rounded(intensity.arias, 5)
+                                        : fmt::format("about 10^{:.0f}", intensity.decades);
+}
+
 std::string recording_table(const SpectrumResult& result) {
   std::vector<std::vector<std::string>> rows{
       {"recording", "samples", "step (s)", "peak (m/s²)", "Arias intensity (m/s)", "5-95 % (s)"}};
   for (const auto& c : result.components)
     rows.push_back({c.file, fmt::format("{}", c.acceleration.size()), rounded(c.spacing, 6),
-                    rounded(c.peak, 5), rounded(c.intensity.arias, 5), rounded(c.intensity.duration, 5)});
+                    rounded(c.peak, 5), arias_intensity(c.intensity), rounded(c.intensity.duration, 5)});
   return text_table(rows, 1, 6);
 }
 

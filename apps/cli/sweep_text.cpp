@@ -64,9 +64,12 @@ std::string sweep_text(const SweepResult& result) {
                                  plan.method, plan.way);
   for (const SweptOption& option : plan.swept)
     text += fmt::format("  {}: {} value{}\n", option.shown, option.points, option.points == 1 ? "" : "s");
-  if (result.check)
+  if (result.check && result.check->points > 0)
     text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
                         result.check->points, result.check->difference);
+  if (result.check && result.check->left_out > 0)
+    text += fmt::format("{} of the points looked at could not be checked; the first is row {}: {}\n",
+                        result.check->left_out, result.check->first_left_out + 1, result.check->why);
   if (result.rows.empty()) return text + "they are in the file; too many to look through here\n";
   return text + "\n" + (plan.rows.rows <= most_rows ? every_row(result) : extremes(result));
 }

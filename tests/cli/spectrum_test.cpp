@@ -118,6 +118,38 @@ TEST(Spectrum, OfAShock) {
   EXPECT_EQ(by_itself.status, 0) << by_itself.err;
 }
 
+TEST(Spectrum, SaysOnceWhatItTakesAColumnFor) {
+  const Folder folder;
+  folder.write("plain.csv", "time (s),shaking\n0,0\n0.01,1\n0.02,-1\n0.03,0.5\n");
+  const Finished one = folder.run({"spectrum", "plain.csv", "--periods", "0.1"});
+  ASSERT_EQ(one.status, 0) << one.err;
+  EXPECT_THAT(one.err,
+              HasSubstr("column \"shaking\" has no unit and is taken as m/s^2; --unit says another"));
+  EXPECT_THAT(one.err, testing::Not(HasSubstr("taken as they are")));
+  EXPECT_EQ(
+      folder.run({"spectrum", "plain.csv", "--periods", "0.025", "--unit", "g", "--peaks", "samples"}).err,
+      "");
+  const Finished twice = folder.run({"spectrum", "plain.csv", "plain.csv", "--periods", "0.1"});
+  ASSERT_EQ(twice.status, 0) << twice.err;
+  EXPECT_THAT(twice.err, HasSubstr("one component given twice"));
+  EXPECT_EQ(twice.err.find("has no unit"), twice.err.rfind("has no unit"));
+}
+
+TEST(Spectrum, SaysTheIntensityOfAnySize) {
+  const auto shaken = [](const std::string& size) {
+    const Folder folder;
+    folder.write("a.csv", "time (s),acc (m/s^2)\n0,0\n0.01,1e" + size + "\n0.02,-1e" + size + "\n0.03,0\n");
+    return folder.run({"spectrum", "a.csv", "--periods", "0.1", "--peaks", "samples"});
+  };
+  // pi/(2 g) h 1e2n: of the three intervals two have 1/3, the crossing one 1/3 as well.
+  EXPECT_THAT(shaken("0").out, HasSubstr("0.0016018"));
+  EXPECT_THAT(shaken("-100").out, HasSubstr("10⁻²⁰³"));
+  EXPECT_THAT(shaken("-200").out, HasSubstr("about 10^-403"));
+  EXPECT_THAT(shaken("-200").err, HasSubstr("about 10^-403 m/s, is below any number"));
+  EXPECT_THAT(shaken("300").out, HasSubstr("about 10^597"));
+  EXPECT_THAT(shaken("300").err, HasSubstr("about 10^597 m/s, is above any number"));
+}
+
 TEST(Spectrum, ShowsFrequenciesToWhomeverAskedForThem) {
   const Folder folder;
   folder.write("quake.csv", shaking(300, 0.01));
@@ -237,8 +269,9 @@ TEST(Spectrum, WarnsOfPeriodsThatAreTooShort) {
   folder.write("quake.csv", shaking(300, 0.01));
   const Finished end = folder.run({"spectrum", "quake.csv", "--periods", "0.015,1"});
   EXPECT_EQ(end.status, 0);
-  EXPECT_THAT(end.err, HasSubstr("one period is below twice the sampling step (0.01 s): the recording holds "
-                                 "nothing that fast"));
+  EXPECT_THAT(end.err,
+              HasSubstr("one period is below 0.02 s, twice the sampling step of 0.01 s: the recording holds "
+                        "nothing that fast"));
   EXPECT_THAT(folder.run({"spectrum", "quake.csv", "--periods", "0.015,1", "--quiet"}).err, "");
 }
 

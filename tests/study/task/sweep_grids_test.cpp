@@ -150,6 +150,34 @@ TEST(SweepGrids, SaysWhichOfStepAndEndAPointLacks) {
   EXPECT_THAT(refusal(options_with({{"stiffness", "-1,0,1"}, {"until", "100"}})), EndsWith("give --step"));
 }
 
+TEST(SweepGrids, SaysWhatItCannotCheck) {
+  const auto said = [](SweepOptions options) {
+    options.check = true;
+    const SweepResult result = swept(options);
+    EXPECT_FALSE(result.check && result.check->points > 0);
+    std::string all;
+    for (const auto& warning : result.plan.warnings) all += warning + "\n";
+    return all + (result.check ? result.check->why : "");
+  };
+  const Values two = with(driven, {{"drive-frequency", "0.5,2"}});
+  EXPECT_THAT(said(options_with(two, "exact")), HasSubstr("exact is the closed form"));
+  EXPECT_THAT(said(options_with(with(two, {{"cubic", "0.1"}}))), HasSubstr("the law is not linear"));
+  EXPECT_THAT(said(options_with({{"position", "1,2"}})), HasSubstr("stepped to an end"));
+  SweepOptions settle = options_with(two);
+  settle.settle = 20;
+  EXPECT_THAT(said(settle), HasSubstr("--settle asks for stepping"));
+  SweepOptions final = options_with(two);
+  final.measure = {"final"};
+  EXPECT_THAT(said(final), HasSubstr("final comes from stepping alone"));
+  EXPECT_THAT(said(options_with(with(two, {{"damping", ""}}))), HasSubstr("without damping"));
+  SweepOptions some = options_with(with(two, {{"damping", "0,0.1"}}));
+  some.check = true;
+  const SweepResult half = swept(some);
+  EXPECT_EQ(half.check->points, 2u);
+  EXPECT_EQ(half.check->left_out, 2u);
+  EXPECT_EQ(half.check->first_left_out, 0u);
+}
+
 TEST(SweepGrids, GridsMultiplyAndTheFrequencyRunsFastest) {
   const SweepResult result = swept(options_with(with(driven, {{"drive-frequency", "1,2"},
                                                               {"drive-phase", "0,1"},

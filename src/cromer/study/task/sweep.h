@@ -63,7 +63,10 @@ struct SweepCounts {
 /// Closed form and stepping side by side at a few points.
 struct SweepCheck {
   std::size_t points = 0;
-  double difference = 0;  ///< largest of the amplitude, relative
+  double difference = 0;             ///< largest of the amplitude, relative
+  std::size_t left_out = 0;          ///< points without a settled motion in closed form, or when stepped
+  std::uint64_t first_left_out = 0;  ///< the row of the first of them
+  std::string why{};                 ///< why that one is left out
 };
 
 struct SweepResult {

@@ -173,6 +173,28 @@ Result<void> check_along_axes(const SweepWork& work) {
   return {};
 }
 
+/// Why --check finds no closed form to check; empty where there is one.
+std::string nothing_to_check(const SweepOptions& options, const SweepWork& work) {
+  const auto none = [](std::string_view why) {
+    return fmt::format("--check: there is no closed form to check at any point: {}", why);
+  };
+  const MethodInfo& info = *find_method(work.method);
+  if (work.way == SweepWay::closed_form)
+    return info.order > 0 ? ""
+                          : fmt::format(
+                                "--check: {} is the closed form of the law itself and takes no steps to "
+                                "check it by; take another method",
+                                work.method);
+  if (work.direction != SweepDirection::none)
+    return none("with --direction each starts where the one before ended");
+  if (options.settle) return none("--settle asks for stepping");
+  if (work.base.until || !work.driven) return none("they are stepped to an end, not settled under a drive");
+  for (const Measure* measure : work.measures)
+    if (!measure->in_closed_form) return none(fmt::format("{} comes from stepping alone", measure->name));
+  if (info.error_order > 0) return none(fmt::format("{} chooses its own steps", work.method));
+  return none("the law is not linear");
+}
+
 /// A drive that the steps hardly see.
 std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
   double fewest = 1e9;
@@ -291,6 +313,9 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
     return warning.find("whole number of steps") != std::string::npos;
   });
   if (const std::string few = few_steps(*run, *last); !few.empty()) plan.warnings.push_back(few);
+  if (options.check)
+    if (std::string none = nothing_to_check(options, *work); !none.empty())
+      plan.warnings.push_back(std::move(none));
   plan.work = work;
   return plan;
 }
