@@ -32,6 +32,8 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
   const std::string_view bare =
       std::string_view(typed).substr(std::min(typed.size(), typed.find_first_not_of('-')));
   const std::string_view name = bare.substr(0, bare.find('='));
+  if (syntax.refusal)
+    if (const std::string why = syntax.refusal(name, ""); !why.empty()) return refuse(why);
   if (const std::string_view owner = option_owner(name); !owner.empty())
     return refuse(fmt::format("--{} is an option of cromer {}, not of cromer {}; see cromer {} --help", name,
                               owner, syntax.command, syntax.command));
@@ -40,14 +42,17 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
                             near.empty() ? "." : fmt::format("; did you mean --{}?", near), syntax.command));
 }
 
-Result<void> assign_all(const std::vector<Typed>& typed) {
+Result<void> assign_all(const Syntax& syntax, const std::vector<Typed>& typed) {
   for (const auto& [option, texts, flag] : typed) {
     if (flag)
       if (auto good = assign(*option, "true"); !good) return good;
     if (texts.size() > 1 && !option->is_list())
       return Error{fmt::format("--{} is given {} times; it takes one value", option->name, texts.size())};
     for (const auto& text : texts)
-      if (auto good = assign(*option, text); !good) return good;
+      if (auto good = assign(*option, text); !good) {
+        const std::string why = syntax.refusal ? syntax.refusal(option->name, text) : "";
+        return why.empty() ? good : Error{why};
+      }
   }
   return {};
 }
@@ -99,7 +104,7 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
     return refuse(fmt::format("{} needs a file; see cromer {} --help", syntax.command, syntax.command));
   if (syntax.files == "FILE" && files.size() > 1)
     return refuse(fmt::format("{} takes one file, but {} are given", syntax.command, files.size()));
-  if (auto good = assign_all(typed); !good) return refuse(good.error().message);
+  if (auto good = assign_all(syntax, typed); !good) return refuse(good.error().message);
   return std::nullopt;
 }
 

@@ -45,6 +45,20 @@ bool wide(const std::vector<double>& x) {
   return *high > 8 * *low;
 }
 
+/// The abscissa that the oscillators were asked for by.
+struct Abscissa {
+  std::vector<double> values;
+  const char* name;
+  const char* unit;
+};
+
+Abscissa abscissa_of(const SpectrumResult& result) {
+  if (!result.by_frequency()) return {result.periods, "period {/:Italic T} (s)", "s"};
+  std::vector<double> frequencies;
+  for (const double period : result.periods) frequencies.push_back(1 / period);
+  return {std::move(frequencies), "natural frequency (Hz)", "Hz"};
+}
+
 const char* acceleration_unit(const SpectrumResult& result) { return result.options.in_g ? "g" : "m/s²"; }
 
 /// "east" where the components are columns of one file, else "component 1".
@@ -82,18 +96,19 @@ void point_words(Panel& panel) {
 
 Panel response_panel(const SpectrumResult& result) {
   const double unit = result.options.in_g ? standard_gravity : 1;
+  const Abscissa along = abscissa_of(result);
   Panel panel;
-  panel.x.name = "period {/:Italic T} (s)";
-  panel.x.logarithmic = wide(result.periods);
+  panel.x.name = along.name;
+  panel.x.logarithmic = wide(along.values);
   panel.y.name = fmt::format("pseudo-acceleration ({})", acceleration_unit(result));
   panel.y.low = 0;
   panel.names_inside = true;
   const auto add = [&](const std::vector<double>& displacement, const std::string& name,
                        const std::string& role) {
-    panel.curves.push_back(curve_of(result.periods, name, role, [&](std::size_t i) {
+    panel.curves.push_back(curve_of(along.values, name, role, [&](std::size_t i) {
       return pseudo_acceleration(displacement[i], result.periods[i]) / unit;
     }));
-    say_summit(panel.curves.back(), acceleration_unit(result), "s");
+    say_summit(panel.curves.back(), acceleration_unit(result), along.unit);
   };
   if (result.components.size() == 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i)
@@ -115,17 +130,16 @@ Panel response_panel(const SpectrumResult& result) {
 
 Panel shock_panel(const SpectrumResult& result) {
   const double unit = result.options.in_g ? standard_gravity : 1;
-  std::vector<double> frequencies;
-  for (const double period : result.periods) frequencies.push_back(1 / period);
+  const Abscissa along = abscissa_of(result);
   Panel panel;
-  panel.x.name = "natural frequency (Hz)";
-  panel.x.logarithmic = wide(frequencies);
+  panel.x.name = along.name;
+  panel.x.logarithmic = wide(along.values);
   panel.y.name = fmt::format("largest acceleration ({})", acceleration_unit(result));
   panel.y.logarithmic = true;
   panel.names_inside = true;
   const auto add = [&](const ResponseSpectrum& spectrum, const std::string& name, const std::string& role,
                        auto value) {
-    panel.curves.push_back(curve_of(frequencies, name, role, [&](std::size_t i) {
+    panel.curves.push_back(curve_of(along.values, name, role, [&](std::size_t i) {
       const double shown = value(spectrum.shock[i]) / unit;
       return shown > 0 ? shown : std::nan("");
     }));
@@ -134,7 +148,7 @@ Panel shock_panel(const SpectrumResult& result) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i) {
       add(result.spectra[i], damping_name(result, result.spectra[i]), family(i),
           [](const Shock& s) { return s.maximax(); });
-      say_summit(panel.curves.back(), acceleration_unit(result), "Hz");
+      say_summit(panel.curves.back(), acceleration_unit(result), along.unit);
     }
   } else {
     const ResponseSpectrum& spectrum = result.spectra[0];
@@ -143,7 +157,7 @@ Panel shock_panel(const SpectrumResult& result) {
     add(spectrum, "residual", "family:4", [](const Shock& s) { return s.residual; });
     add(spectrum, "primary", "family:2", [](const Shock& s) { return s.primary; });
     add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
-    say_summit(panel.curves.back(), acceleration_unit(result), "Hz");
+    say_summit(panel.curves.back(), acceleration_unit(result), along.unit);
   }
   // Three decades below the top what is left is of no consequence.
   double top = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "cromer/base/quantity.h"
 #include "text_table.h"
@@ -12,12 +13,18 @@ namespace {
 
 constexpr std::size_t most_rows = 24;
 
+/// Also of a motion whose squares are beyond any double.
+std::string arias_intensity(const Intensity& intensity) {
+  return std::isfinite(intensity.arias) ? rounded(intensity.arias, 5)
+                                        : fmt::format("about 10^{:.0f}", intensity.decades);
+}
+
 std::string recording_table(const SpectrumResult& result) {
   std::vector<std::vector<std::string>> rows{
       {"recording", "samples", "step (s)", "peak (m/s²)", "Arias intensity (m/s)", "5-95 % (s)"}};
   for (const auto& c : result.components)
     rows.push_back({c.file, fmt::format("{}", c.acceleration.size()), rounded(c.spacing, 6),
-                    rounded(c.peak, 5), rounded(c.intensity.arias, 5), rounded(c.intensity.duration, 5)});
+                    rounded(c.peak, 5), arias_intensity(c.intensity), rounded(c.intensity.duration, 5)});
   return text_table(rows, 1, 6);
 }
 
@@ -43,14 +50,24 @@ std::string conventions(const SpectrumResult& result) {
   return "";
 }
 
+/// The heading of what tells the oscillators apart, as they were asked for, and one of them.
+const char* oscillator_heading(const SpectrumResult& result) {
+  return result.by_frequency() ? "frequency (Hz)" : "period (s)";
+}
+
+std::string oscillator(const SpectrumResult& result, std::size_t i) {
+  const double period = result.periods[i];
+  return rounded(result.by_frequency() ? 1 / period : period, 4);
+}
+
 std::string shock_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
   const double unit = result.options.in_g ? standard_gravity : 1;
   std::vector<std::vector<std::string>> rows{
-      {"frequency (Hz)", "primary", "residual", "maximax", "positive", "negative"}};
+      {oscillator_heading(result), "primary", "residual", "maximax", "positive", "negative"}};
   for (std::size_t i = 1; i < rows[0].size(); ++i) rows[0][i] += result.options.in_g ? " (g)" : " (m/s²)";
   for (const std::size_t i : shown(result.periods.size())) {
     const Shock& s = spectrum.shock[i];
-    rows.push_back({rounded(1 / result.periods[i], 4)});
+    rows.push_back({oscillator(result, i)});
     for (const double value : {s.primary, s.residual, s.maximax(), s.positive, s.negative})
       rows.back().push_back(rounded(value / unit, 5));
   }
@@ -63,13 +80,13 @@ std::string response_table(const SpectrumResult& result, const ResponseSpectrum&
   const bool two = spectrum.displacement.size() > 1;
   std::vector<std::vector<std::string>> rows;
   if (two)
-    rows.push_back({"period (s)", psa + " 1", "2", "geometric mean", "RotD50", "RotD100"});
+    rows.push_back({oscillator_heading(result), psa + " 1", "2", "geometric mean", "RotD50", "RotD100"});
   else
-    rows.push_back({"period (s)", "SD (m)", "PSV (m/s)", psa});
+    rows.push_back({oscillator_heading(result), "SD (m)", "PSV (m/s)", psa});
   for (const std::size_t i : shown(result.periods.size())) {
     const double period = result.periods[i];
     const auto acceleration = [&](double sd) { return rounded(pseudo_acceleration(sd, period) / unit, 5); };
-    rows.push_back({rounded(period, 4)});
+    rows.push_back({oscillator(result, i)});
     auto& row = rows.back();
     if (two) {
       for (const auto* sd : {&spectrum.displacement[0], &spectrum.displacement[1], &spectrum.geometric_mean,
@@ -100,8 +117,7 @@ std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectru
     most = value;
     best = i;
   }
-  const std::string at =
-      shock ? rounded(1 / result.periods[best], 4) + " Hz" : rounded(result.periods[best], 4) + " s";
+  const std::string at = oscillator(result, best) + (result.by_frequency() ? " Hz" : " s");
   return fmt::format("highest: {} {} at {}\n", rounded(most / unit, 4), result.options.in_g ? "g" : "m/s²",
                      at);
 }

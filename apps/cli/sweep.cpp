@@ -120,7 +120,8 @@ int run_sweep(const Arguments& arguments) {
           "  cromer sweep --damping-ratio 0.02,0.05,0.1 --drive-amplitude 1 --drive-frequency 0.1:3:1000 \\\n"
           "    -o resonance.csv --plot resonance.svg\n"
           "  cromer sweep --cubic 0.05 --damping 0.1 --drive-amplitude 0.3 --drive-frequency 0.5:2:400 \\\n"
-          "    --direction up --plot jump.svg"};
+          "    --direction up --plot jump.svg",
+      .refusal = sweep_refusal};
   add_output_options(syntax.options, output, {}, "the rows as .csv, .json or .h5");
   bool resume = false;
   syntax.options.push_back({"resume", &resume, "", Range::any, "go on with what FILE.h5 lacks",

@@ -18,11 +18,14 @@ std::string number(double value) { return std::isnan(value) ? "-" : fmt::format(
 
 std::string every_row(const SweepResult& result) {
   const std::size_t width = result.plan.rows.columns.size() - 1;
+  const std::vector<SweptOption>& swept = result.plan.swept;
   std::vector<std::vector<std::string>> rows{
       {result.plan.rows.columns.begin(), result.plan.rows.columns.end() - 1}};
+  for (std::size_t i = 0; i < swept.size(); ++i) rows[0][i] = swept[i].shown;
   for (std::size_t at = 0; at < result.rows.size(); at += width) {
     std::vector<std::string> row;
-    for (std::size_t i = 0; i < width; ++i) row.push_back(number(result.rows[at + i]));
+    for (std::size_t i = 0; i < width; ++i)
+      row.push_back(number(result.rows[at + i] / (i < swept.size() ? swept[i].shown_unit : 1)));
     rows.push_back(std::move(row));
   }
   return text_table(rows, 0, width);
@@ -45,7 +48,8 @@ std::string extremes(const SweepResult& result) {
     }
     const auto where = [&](std::size_t at) {
       std::string text;
-      for (std::size_t i = 0; i < swept; ++i) text += (i ? ", " : "") + number(result.rows[at + i]);
+      for (std::size_t i = 0; i < swept; ++i)
+        text += (i ? ", " : "") + number(result.rows[at + i] / result.plan.swept[i].shown_unit);
       return text;
     };
     rows.push_back({result.plan.rows.columns[column], number(result.rows[low + column]), where(low),
@@ -70,15 +74,17 @@ bool undamped(const SweepPlan& plan) {
 
 std::string sweep_text(const SweepResult& result) {
   const SweepPlan& plan = result.plan;
-  std::string text = fmt::format("{} points by {}, {}\n", plan.rows.rows, plan.method, plan.way);
+  std::string text = fmt::format("{} point{} by {}, {}\n", plan.rows.rows, plan.rows.rows == 1 ? "" : "s",
+                                 plan.method, plan.way);
   for (const SweptOption& option : plan.swept)
-    text += fmt::format("  {}: {} values\n", option.column, option.points);
+    text += fmt::format("  {}: {} value{}\n", option.shown, option.points, option.points == 1 ? "" : "s");
   if (result.interrupted) text += fmt::format("interrupted: {} of {} points\n", result.done, plan.rows.rows);
-  if (result.check && result.check->points == 0)
-    text += "stepping was to check them, but none of those it tried settles in 20000 cycles\n";
-  else if (result.check)
+  if (result.check && result.check->points > 0)
     text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
                         result.check->points, result.check->difference);
+  if (result.check && result.check->left_out > 0)
+    text += fmt::format("{} of the points looked at could not be checked; the first is row {}: {}\n",
+                        result.check->left_out, result.check->first_left_out + 1, result.check->why);
   if (result.rows.empty()) return text + "they are in the file; too many to look through here\n";
   return text + "\n" + (plan.rows.rows <= most_rows ? every_row(result) : extremes(result));
 }

@@ -52,6 +52,28 @@ TEST(Grid, LogarithmicRangeMeetsDecades) {
     EXPECT_NEAR(grid[i] / grid[i - 1], std::pow(7 / 0.3, 1.0 / 49), 1e-14);
 }
 
+TEST(Grid, RangesRunDownToo) {
+  EXPECT_THAT(values("10:0.01:4:log"), ElementsAre(10, DoubleEq(1), DoubleEq(0.1), 0.01));
+  EXPECT_THAT(values("2:1:5"), ElementsAre(2, 1.75, 1.5, 1.25, 1));
+}
+
+TEST(Grid, RemembersTheUnitItWasTypedIn) {
+  const auto typed = [](std::string_view text, std::string_view si) {
+    const GridUnit unit = unit_of_grid(text, si);
+    return std::pair(unit.name, unit.factor);
+  };
+  EXPECT_EQ(typed("0.1:10:5 Hz", "rad/s"), std::pair(std::string("Hz"), 2 * std::numbers::pi));
+  EXPECT_EQ(typed("0.1:10:5:log rpm", "rad/s"), std::pair(std::string("rpm"), std::numbers::pi / 30));
+  EXPECT_EQ(typed("1:3:5:log", "rad/s"), std::pair(std::string("rad/s"), 1.0));
+  EXPECT_EQ(typed("1,2,3 cm", "m"), std::pair(std::string("cm"), 0.01));
+  EXPECT_EQ(typed("20 ms,1 s", "s"), std::pair(std::string("s"), 1.0));
+  EXPECT_EQ(typed("1:2 min:2", "s"), std::pair(std::string("min"), 60.0));
+  EXPECT_EQ(typed("2 %", ""), std::pair(std::string("%"), 0.01));
+  EXPECT_EQ(typed("1,2", ""), std::pair(std::string(""), 1.0));
+  EXPECT_EQ(typed("1:3:3 g", "m/s^2").second, 9.80665);
+  EXPECT_EQ(typed("100:300:3 g", "kg").second, 1e-3);
+}
+
 TEST(Grid, UnitAtTheEndHoldsForAll) {
   const double turn = 2 * std::numbers::pi;
   EXPECT_THAT(values("1:3:3 Hz", "rad/s"),
@@ -76,7 +98,7 @@ TEST(Grid, MalformedIsSaid) {
   EXPECT_THAT(message("1:2:1e300"), HasSubstr("more points than can be told apart"));
   EXPECT_THAT(message("0:2:5:log"), HasSubstr("both ends must be positive"));
   EXPECT_THAT(message("-1:2:5:log"), HasSubstr("both ends must be positive"));
-  EXPECT_THAT(message("2:1:5:log"), HasSubstr("give the lower end first"));
+  EXPECT_THAT(message("10:-1:5:log"), HasSubstr("both ends must be positive"));
   EXPECT_THAT(message("1,,2"), HasSubstr("empty value between its commas"));
   EXPECT_THAT(message("1,x"), HasSubstr("\"x\" is not a number"));
   EXPECT_THAT(message("a:2:3"), HasSubstr("\"a\" is not a number"));

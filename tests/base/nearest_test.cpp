@@ -26,6 +26,18 @@ TEST(Nearest, CountsASwapAsOneEdit) {
   EXPECT_EQ(nearest("ab", names), "ba");
 }
 
+TEST(Nearest, PrefersNamesThatContainWhatWasTyped) {
+  EXPECT_EQ(nearest_names("euler", methods), "forward-euler, euler-cromer or implicit-euler");
+  EXPECT_EQ(nearest_names("Cromer", methods), "euler-cromer");
+  constexpr std::array<std::string_view, 3> options{"velocity", "natural-frequency", "drive-frequency"};
+  EXPECT_EQ(nearest("frequency", options), "drive-frequency");  // the shorter of two
+  // One slip of the finger says more than a word within a word, two letters say nothing.
+  constexpr std::array<std::string_view, 2> slip{"drive-phase", "phade"};
+  EXPECT_EQ(nearest("phase", slip), "phade");
+  EXPECT_EQ(nearest_names("rk", methods), "rk4");
+  EXPECT_EQ(nearest_names("er", methods), "");
+}
+
 TEST(Nearest, GivesUpOnWhatIsTooFar) {
   EXPECT_EQ(nearest("leapfrog-kick", methods), "");
   EXPECT_EQ(nearest("anything", {}), "");

@@ -49,6 +49,80 @@ TEST(SweepCommand, TellsItsRowsInJson) {
   EXPECT_EQ(json["swept"][0]["name"], "drive-frequency");
 }
 
+TEST(SweepCommand, ShowsGridsInTheirUnit) {
+  const Folder folder;
+  const std::vector<std::string> asked{"sweep",
+                                       "--damping-ratio",
+                                       "2,5 %",
+                                       "--drive-amplitude",
+                                       "1",
+                                       "--drive-frequency",
+                                       "0.1:0.2:3 Hz",
+                                       "--method",
+                                       "exact",
+                                       "--plot",
+                                       "hz.svg"};
+  const Finished end = folder.run(asked);
+  ASSERT_EQ(end.status, 0) << end.err;
+  EXPECT_THAT(end.out, HasSubstr("damping_ratio (%)  drive_frequency (Hz)  amplitude (m)"));
+  EXPECT_THAT(end.out, HasSubstr("\n                2                  0.15"));
+  EXPECT_THAT(folder.read("hz.svg"), HasSubstr("drive frequency (Hz)"));
+  EXPECT_THAT(folder.read("hz.svg"), HasSubstr("damping ratio (%)"));
+  EXPECT_THAT(folder.run(with(asked, {"-o", "-"})).out,
+              HasSubstr("\ndamping_ratio,drive_frequency (rad/s),amplitude (m),phase (rad)\n0.02,0.628"));
+  const auto json = folder.run(with(asked, {"--json"})).json();
+  EXPECT_EQ(json["columns"][1], "drive_frequency (rad/s)");
+  const Finished map = folder.run({"sweep", "--damping-ratio", "2:5:20 %", "--drive-amplitude", "1",
+                                   "--drive-frequency", "12:6:20:log rpm", "--plot", "map.svg"});
+  ASSERT_EQ(map.status, 0) << map.err;
+  EXPECT_THAT(folder.read("map.svg"), HasSubstr("drive frequency (rpm)"));
+}
+
+TEST(SweepCommand, IsATaskOfAStudy) {
+  const Folder folder;
+  folder.write(
+      "s.toml",
+      "[[task]]\nsweep = \"family\"\nmethod = \"exact\"\ndrive_amplitude = 1\n"
+      "drive_frequency = \"0.1:0.2:11 Hz\"\ndamping_ratio = [\"0.02\", \"0.05\"]\n"
+      "[[figure]]\nid = \"curves\"\nx = \"drive_frequency\"\ny = \"amplitude\"\nx_unit = \"Hz\"\n"
+      "[[figure.curve]]\nof = \"family.1\"\nname = \"{family.1.damping_ratio, %}\"\n"
+      "[[figure.curve]]\nof = \"family.2\"\nname = \"{family.2.damping_ratio, %}\"\n"
+      "[[block]]\nfigure = \"curves\"\n"
+      "[[block]]\ntable = \"Peaks\"\nheader = [\"curve\", \"largest\", \"at\"]\neach = [\"family\"]\n"
+      "row = [\"{.label}\", \"{.amplitude.largest, 4}\", \"{.amplitude.largest_at, Hz, 3}\"]\n"
+      "[[block]]\ntable = \"All\"\nheader = [\"point\", \"phase\"]\neach = [\"family.point\"]\n"
+      "row = [\"{.label}\", \"{.phase, 3}\"]\n"
+      "[[block]]\ntext = \"{family.points} points, {family.way}.\"\n");
+  const Finished end = folder.run({"report", "s.toml", "-o", "out"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const auto results = nlohmann::json::parse(folder.read("out/results.json"), nullptr, false);
+  const auto rows = folder
+                        .run({"sweep", "--damping-ratio", "0.02,0.05", "--drive-amplitude", "1", "--method",
+                              "exact", "--drive-frequency", "0.1:0.2:11 Hz", "--json"})
+                        .json()["rows"];
+  double largest = 0, where = 0;
+  for (std::size_t i = 11; i < 22; ++i)
+    if (rows[i][2].get<double>() > largest) largest = rows[i][2], where = rows[i][1];
+  EXPECT_EQ(results["family.2.amplitude.largest"]["value"].get<double>(), largest);
+  EXPECT_EQ(results["family.2.amplitude.largest_at"]["value"].get<double>(), where);
+  EXPECT_EQ(results["family.point.22.phase"]["value"].get<double>(), rows[21][3].get<double>());
+  const std::string page = folder.read("out/index.html");
+  EXPECT_THAT(page, HasSubstr("22 points, closed form."));
+  EXPECT_THAT(page, HasSubstr("damping ratio 0.05, drive frequency 0.2 Hz"));
+  EXPECT_TRUE(folder.has("out/curves.svg"));
+  const auto refused = [&](const std::string& keys) {
+    folder.write("s.toml", "[[task]]\nsweep = \"a\"\n" + keys);
+    const Finished bad = folder.run({"report", "s.toml", "-o", "bad"});
+    EXPECT_NE(bad.status, 0);
+    EXPECT_FALSE(folder.has("bad"));
+    return bad.err;
+  };
+  EXPECT_THAT(refused("position = \"1:2:0\"\n"), HasSubstr("no points"));
+  EXPECT_THAT(refused("every = 2\n"), HasSubstr("s.toml:3:9: --every: a sweep keeps measures"));
+  EXPECT_THAT(refused("positon = 2\n"), HasSubstr("did you mean \"position\""));
+  EXPECT_THAT(refused("drive_amplitude = 1\ndrive_frequency = [1, 2]\n"), HasSubstr("no point settled"));
+}
+
 TEST(SweepCommand, ObeysTheInstructionSetAskedFor) {
   std::set<std::string> rows;
   int sets = 0;
@@ -205,6 +279,12 @@ TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
   refused({"1:2:4", "--threads", "0"}, "--threads");
   refused({"1:2:4", "--settle", "-1"}, "--settle");
   refused({"1:2:4", "--mass", "0"}, "be positive");
+  refused({"1:2:4", "--every", "1,2"}, "keeps measures and no states");
+  refused({"1:2:4", "--seed", "1:5:5"}, "--seed: a sweep measures the motion itself");
+  refused({"1:2:4", "--accuracy", "1e-3,1e-4"}, "--step 0.001:0.1:20:log");
+  refused({"1:2:4", "--settle", "10,20"}, "one number for all points");
+  refused({"1:2:4", "--threads", "1,2"}, "one number for all points");
+  refused({"1:2:4", "--tolerance", "1e-6,x"}, "--tolerance");
 }
 
 }  // namespace

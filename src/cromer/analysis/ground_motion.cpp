@@ -1,8 +1,10 @@
 #include "cromer/analysis/ground_motion.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
@@ -28,24 +30,34 @@ double part_reaching(double a0, double a1, double share) {
 }  // namespace
 
 Intensity intensity(std::span<const double> a, double h, BetweenSamples between) {
+  double peak = 0;
+  for (const double value : a) peak = std::max(peak, std::abs(value));
+  if (!(peak > 0)) return {};
+  // In units of a power of two near the peak, so that squares neither overflow nor vanish.
+  const int exponent = std::clamp(std::ilogb(peak), -1000, 1000);
+  const double scale = std::ldexp(1.0, -exponent);
   const bool hold = between == BetweenSamples::hold;
   const std::size_t intervals = a.size() - (hold ? 0 : 1);
-  const auto end = [&](std::size_t i) { return hold ? a[i] : a[i + 1]; };
+  const auto begin = [&](std::size_t i) { return scale * a[i]; };
+  const auto end = [&](std::size_t i) { return scale * (hold ? a[i] : a[i + 1]); };
   double all = 0;
-  for (std::size_t i = 0; i < intervals; ++i) all += square_integral(a[i], end(i), 1);
+  for (std::size_t i = 0; i < intervals; ++i) all += square_integral(begin(i), end(i), 1);
   if (!(all > 0)) return {};
   const auto time_of = [&](double share) {
     double sum = 0;
     for (std::size_t i = 0; i < intervals; ++i) {
-      const double next = sum + square_integral(a[i], end(i), 1);
+      const double next = sum + square_integral(begin(i), end(i), 1);
       if (next >= share * all)
-        return h * (static_cast<double>(i) + part_reaching(a[i], end(i), share * all - sum));
+        return h * (static_cast<double>(i) + part_reaching(begin(i), end(i), share * all - sum));
       sum = next;
     }
     return h * static_cast<double>(intervals);
   };
+  const double scaled = std::numbers::pi / (2 * standard_gravity) * h * all;
+  const double arias = std::ldexp(scaled, 2 * exponent);
   const double from = time_of(0.05);
-  return {std::numbers::pi / (2 * standard_gravity) * h * all, from, time_of(0.95) - from};
+  return {std::isnormal(arias) ? arias : std::numeric_limits<double>::quiet_NaN(),
+          std::log10(scaled) + 2 * exponent * std::log10(2.0), from, time_of(0.95) - from};
 }
 
 FourierAmplitude fourier_amplitude(std::span<const double> a, double h) {

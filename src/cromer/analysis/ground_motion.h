@@ -14,13 +14,14 @@ inline constexpr double standard_gravity = 9.80665;  // [m/s^2]
 /// for Nuclear Power Plants, MIT Press 1970; M. D. Trifunac & A. G. Brady, Bull. Seism. Soc. Am. 65, 581
 /// (1975)).
 struct Intensity {
-  double arias = 0;     // [m/s] pi/(2 g) times the integral of a^2
+  double arias = 0;     // [m/s] pi/(2 g) times the integral of a^2; NaN where that is beyond any double
+  double decades = 0;   ///< its decimal logarithm, which is always there; 0 where nothing shakes
   double from = 0;      // [s] after the first sample, when 5 % of it have come
   double duration = 0;  // [s] from there until 95 %
 };
 
-/// Of samples h [s] apart, at least two; exact for what the samples are joined to. All 0 where nothing
-/// shakes.
+/// Of samples h [s] apart, at least two, of any finite size; exact for what the samples are joined to. All 0
+/// where nothing shakes.
 Intensity intensity(std::span<const double> acceleration, double h, BetweenSamples between);
 
 /// |integral of a(t) e^{-i W t} dt| by the discrete transform, padded with zeros to a power of two.

@@ -84,7 +84,6 @@ Result<Grid> parse_range(std::string_view text, std::string_view si_unit) {
   if (count->value == 1 && *low != *high)
     return wrong("asks for one point, but both ends are included: give at least 2");
   if (logarithmic && !(*low > 0 && *high > 0)) return wrong("is logarithmic, so both ends must be positive");
-  if (logarithmic && *low > *high) return wrong("is logarithmic and runs down: give the lower end first");
   return Grid(*low, *high, static_cast<std::uint64_t>(count->value), logarithmic);
 }
 
@@ -104,6 +103,20 @@ Result<Grid> parse_grid(std::string_view text, std::string_view si_unit) {
   const std::string_view grid = trimmed(text);
   if (grid.empty()) return Error{"the grid is empty; give a value, a list with commas, or low:high:points"};
   return grid.find(':') == std::string_view::npos ? parse_list(grid, si_unit) : parse_range(grid, si_unit);
+}
+
+GridUnit unit_of_grid(std::string_view text, std::string_view si_unit) {
+  const GridUnit si{std::string(si_unit), 1};
+  const auto pieces = split(trimmed(text), text.find(':') == std::string_view::npos ? ',' : ':');
+  const std::string_view last = pieces.back();
+  std::string_view unit = last.starts_with("log") ? trimmed(last.substr(3)) : after_number(last);
+  if (unit.empty() && pieces.size() > 2 && text.find(':') != std::string_view::npos)
+    unit = after_number(pieces[1]);
+  const auto expected = parse_unit(si_unit);
+  if (unit.empty() || !expected) return si;
+  const auto typed = parse_unit(unit, &expected->dimension);
+  if (!typed || typed->dimension != expected->dimension || typed->offset != 0) return si;
+  return {std::string(unit), typed->factor / expected->factor};
 }
 
 Result<void> fits_in_memory(double points, double bytes_per_point, double memory) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +15,7 @@ class Grid {
  public:
   /// At least one value, all finite.
   explicit Grid(std::vector<double> values) : list_(std::move(values)), size_(list_.size()) {}
-  /// `points` >= 1 from low to high, both included; logarithmic only where 0 < low <= high.
+  /// `points` >= 1 from low to high, both included, in either direction; logarithmic only where both are > 0.
   Grid(double low, double high, std::uint64_t points, bool logarithmic)
       : low_(low), high_(high), size_(points), logarithmic_(logarithmic) {}
 
@@ -32,10 +33,19 @@ class Grid {
 };
 
 /// Reads "0.05,0.2,1" (a list), "0.1:10:1000" (so many points, even steps, either direction),
-/// "0.01:10:200:log" (even ratios, upward). A unit at the end holds for every number that has none of its
-/// own: "0.1:10:1000 Hz", "20 ms,0.5,1 s". Values are SI, as parse_quantity reads them with `si_unit`. An
-/// Error says what is wrong with which piece and how a grid is written.
+/// "0.01:10:200:log" (even ratios, either direction). A unit at the end holds for every number that has none
+/// of its own: "0.1:10:1000 Hz", "20 ms,0.5,1 s". Values are SI, as parse_quantity reads them with `si_unit`.
+/// An Error says what is wrong with which piece and how a grid is written.
 Result<Grid> parse_grid(std::string_view text, std::string_view si_unit);
+
+/// A unit as it was typed, and what it is in SI.
+struct GridUnit {
+  std::string name{};
+  double factor = 1;
+};
+
+/// The unit at the end of a grid's text that parse_grid reads; that of SI where it has none.
+GridUnit unit_of_grid(std::string_view text, std::string_view si_unit);
 
 /// Its values at once. An Error, with what they need, where they and what is made of them, `bytes_per_point`
 /// altogether, take more than `memory` [bytes]; 0: there is no limit but the largest vector.

@@ -30,21 +30,56 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return previous[b.size()];
 }
 
-}  // namespace
+/// Of at least three letters: fewer stand in too many names to tell anything.
+bool contains(std::string_view name, std::string_view typed) {
+  return typed.size() >= 3 && std::search(name.begin(), name.end(), typed.begin(), typed.end(),
+                                          [](char a, char b) { return lower(a) == lower(b); }) != name.end();
+}
 
-std::string nearest(std::string_view typed, std::span<const std::string_view> names) {
-  if (typed.size() > longest_name) return {};
+/// The first of those with the smallest distance; empty for none.
+std::string_view first_nearest(std::string_view typed, std::span<const std::string_view> names) {
   std::string_view best;
   std::size_t best_distance = 0;
   for (const std::string_view name : names) {
     const std::size_t distance = edit_distance(typed, name);
-    if (distance > std::max(typed.size(), name.size()) / 3 + 1) continue;
-    if (best.empty() || distance < best_distance) {
-      best = name;
-      best_distance = distance;
-    }
+    if (!best.empty() && distance >= best_distance) continue;
+    best = name;
+    best_distance = distance;
   }
-  return std::string(best);
+  return best;
+}
+
+/// All that come into question.
+std::vector<std::string_view> candidates(std::string_view typed, std::span<const std::string_view> names) {
+  if (typed.size() > longest_name) return {};
+  const std::string_view best = first_nearest(typed, names);
+  if (best.empty()) return {};
+  const std::size_t distance = edit_distance(typed, best);
+  if (distance <= 1) return {best};
+  std::vector<std::string_view> containing;
+  for (const std::string_view name : names)
+    if (contains(name, typed)) containing.push_back(name);
+  if (!containing.empty()) return containing;
+  // The nearest by letters may be too far for its own length, and a longer name not for its.
+  std::vector<std::string_view> within;
+  for (const std::string_view name : names)
+    if (edit_distance(typed, name) <= std::max(typed.size(), name.size()) / 3 + 1) within.push_back(name);
+  if (within.empty()) return {};
+  return {first_nearest(typed, within)};
+}
+
+}  // namespace
+
+std::string nearest(std::string_view typed, std::span<const std::string_view> names) {
+  return std::string(first_nearest(typed, candidates(typed, names)));
+}
+
+std::string nearest_names(std::string_view typed, std::span<const std::string_view> names) {
+  const std::vector<std::string_view> near = candidates(typed, names);
+  std::string text;
+  for (std::size_t i = 0; i < near.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == near.size() ? " or " : ", ") + std::string(near[i]);
+  return text;
 }
 
 }  // namespace cromer

@@ -4,11 +4,19 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cromer {
 
-/// The name of smallest edit distance (insert, delete, substitute, swap neighbours) to `typed`, case ignored, if that distance is at most
-/// a third of the longer length plus one; otherwise empty.
+/// The name of smallest edit distance (insert, delete, substitute, swap neighbours) to `typed`, case ignored,
+/// if that distance is at most a third of the longer length plus one; otherwise empty.
+///
+/// Names that contain what was typed come before names that merely resemble it, unless one of those is a
+/// single slip away: "euler" means forward-euler or euler-cromer rather than verlet.
 std::string nearest(std::string_view typed, std::span<const std::string_view> names);
+
+/// "verlet", or "forward-euler, euler-cromer or implicit-euler": the nearest name, or all that contain what
+/// was typed, in their order; empty where nothing is near.
+std::string nearest_names(std::string_view typed, std::span<const std::string_view> names);
 
 }  // namespace cromer

@@ -82,7 +82,7 @@ auto visit_method(std::string_view name, const MethodSettings& settings, F&& f) 
 inline Result<void> check_method_name(std::string_view name) {
   if (find_method(name)) return {};
   std::string message = "there is no method \"" + std::string(name) + "\"";
-  if (const std::string guess = nearest(name, method_names); !guess.empty())
+  if (const std::string guess = nearest_names(name, method_names); !guess.empty())
     message += "; did you mean " + guess + "?";
   message += " (";
   for (std::size_t i = 0; i < method_names.size(); ++i)

@@ -11,6 +11,7 @@
 #include "cromer/study/task/resonance.h"
 #include "cromer/study/task/response_spectrum.h"
 #include "cromer/study/task/simulate.h"
+#include "cromer/study/task/sweep.h"
 #include "cromer/study/task/work_precision.h"
 
 namespace cromer {
@@ -53,5 +54,11 @@ void collect(const std::string& id, const WorkPrecisionResult& work, Results& re
 /// components of RotD50, and SD_1, SD_2, SD_geometric_mean, SD_RotD100 and so on), or of a shock primary,
 /// residual, maximax, positive, negative.
 void collect(const std::string& id, const SpectrumResult& spectrum, Results& results);
+
+/// "id": points, not_settled, not_finite, method, way. "id.N" for curve N, over the option that runs fastest:
+/// label, the value of each other option, and of each measure MEASURE.smallest, .smallest_at, .largest,
+/// .largest_at. Columns: that option and the measures, by their names in the CSV file. "id.point.N" for row N
+/// of at most 1000: label, options and measures.
+void collect(const std::string& id, const SweepResult& sweep, Results& results);
 
 }  // namespace cromer

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view commands[] = {"simulate",    "fit",        "compare",    "resonance",
                                          "local_error", "difference", "method_map", "work_precision",
-                                         "spectrum"};
+                                         "spectrum",    "sweep"};
 
 /// Reads one table with a function that asks a TomlReader for its keys.
 template <class Read>
@@ -199,7 +199,7 @@ Result<void> check(const Study& study) {
     if (task.command.empty())
       return task.place.error(
           "a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, "
-          "resonance, local_error, method_map, work_precision, spectrum, difference)");
+          "resonance, local_error, method_map, work_precision, spectrum, sweep, difference)");
     if (task.id.empty() || !ids.insert(task.id).second)
       return task.place.error("each task needs a name of its own");
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include "cromer/report/read_file.h"
@@ -168,6 +169,45 @@ Result<TaskReport> run_spectrum(const Work& work) {
   return TaskReport{result->warnings, ""};
 }
 
+/// TOML lists are grids as well: [0.02, 0.05] for "0.02,0.05".
+TaskSpec with_joined_grids(TaskSpec task, const std::vector<Option>& table) {
+  for (Setting& setting : task.settings) {
+    const auto option =
+        std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name == setting.option; });
+    if (setting.values.size() < 2 || option == table.end() || option->is_list() || !option->is_text())
+      continue;
+    std::string joined;
+    for (const std::string& value : setting.values) joined += (joined.empty() ? "" : ",") + value;
+    setting.values = {std::move(joined)};
+  }
+  return task;
+}
+
+Result<TaskReport> run_sweep(const Work& work) {
+  constexpr double memory_for_rows = 1e9;  // [bytes] a page shows curves, not archives
+  SweepOptions options;
+  options.memory = memory_for_rows;
+  const auto table = options_of(options);
+  if (const auto done = assign_settings(with_joined_grids(work.task, table), table, work.results); !done)
+    return done.error();
+  const auto result = sweep(options, work.watch);
+  if (!result) return work.error(result.error());
+  TaskReport report{result->plan.warnings, ""};
+  const auto count = [&](std::uint64_t points, const char* what) {
+    if (points > 0)
+      report.warnings.push_back(std::to_string(points) + " of " + std::to_string(result->plan.rows.rows) +
+                                " points " + what);
+  };
+  count(result->counts.not_settled, "never settled");
+  count(result->counts.not_finite, "ran away");
+  count(result->counts.no_convergence, "found no solution of their step");
+  if (result->interrupted) return TaskReport{report.warnings, "interrupted"};
+  if (result->counts.not_settled == result->plan.rows.rows)
+    return TaskReport{report.warnings, "no point settled"};
+  collect(work.task.id, *result, work.results);
+  return report;
+}
+
 /// The largest distance between the positions of two results, row by row.
 Result<TaskReport> run_difference(const Work& work) {
   std::string of, minus;
@@ -197,7 +237,7 @@ constexpr Command commands[] = {{"simulate", run_simulate},       {"fit", run_fi
                                 {"compare", run_compare},         {"resonance", run_resonance},
                                 {"local-error", run_local_error}, {"difference", run_difference},
                                 {"method-map", run_method_map},   {"work-precision", run_work_precision},
-                                {"spectrum", run_spectrum}};
+                                {"spectrum", run_spectrum},       {"sweep", run_sweep}};
 
 }  // namespace
 

@@ -33,7 +33,7 @@ struct Setting {
 /// [[task]] with its command as key: `simulate = "name"`, then the command's options.
 struct TaskSpec {
   std::string command;  ///< simulate, fit, compare, resonance, local-error, method-map,
-                        ///< work-precision, spectrum, difference
+                        ///< work-precision, spectrum, sweep, difference
   std::string id;       ///< what its results are called
   std::vector<Setting> settings;
   std::string shows;  ///< part of a warning that is what the task is to show; "" where none is

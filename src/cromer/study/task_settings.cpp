@@ -4,6 +4,7 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/study/task/option_owner.h"
+#include "cromer/study/task/sweep.h"
 #include "cromer/study/text.h"
 
 namespace cromer {
@@ -20,6 +21,9 @@ Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Op
   for (const Option& option : options) names.push_back(option.name);
   const std::string near = nearest(setting.option, names);
   std::string message = "\"" + as_key(setting.option) + "\" is no option of " + task.command;
+  if (task.command == "sweep")
+    if (const std::string why = sweep_refusal(setting.option, ""); !why.empty())
+      return setting.place.error(why);
   if (const std::string_view owner = option_owner(setting.option); !owner.empty())
     message += "; it is one of " + std::string(owner);
   else if (!near.empty())

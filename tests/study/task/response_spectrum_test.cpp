@@ -366,7 +366,7 @@ TEST(ResponseSpectrum, DoubtfulPeriodsAreSaid) {
   ASSERT_TRUE(result.ok());
   EXPECT_THAT(
       result->warnings,
-      ElementsAre(HasSubstr("--periods: one period is below twice the sampling step (0.01 s): the "
+      ElementsAre(HasSubstr("--periods: one period is below 0.02 s, twice the sampling step of 0.01 s: the "
                             "recording holds nothing that fast"),
                   HasSubstr("--peaks samples: the recording (2.99 s) is shorter than the longest period")));
   options.periods = "0.02,1";

@@ -22,7 +22,9 @@ std::string to_json(const SweepResult& result) {
   document["settled_by_own_damping"] = result.counts.own_damping;
   document["phase_outside"] = result.counts.phase_outside;
   if (result.check)
-    document["check"] = {{"points", result.check->points}, {"difference", result.check->difference}};
+    document["check"] = {{"points", result.check->points},
+                         {"difference", result.check->difference},
+                         {"left_out", result.check->left_out}};
   const std::size_t width = plan.rows.columns.size() - 1;
   Json& columns = document["columns"] = Json::array();
   for (std::size_t i = 0; i < width; ++i) columns.push_back(plan.rows.columns[i]);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <variant>
 
@@ -27,8 +29,40 @@ constexpr std::string_view with_grid[] = {"mass",
                                           "eccentricity",
                                           "base-displacement",
                                           "step",
-                                          "until"};
-constexpr std::string_view as_it_is[] = {"drive", "method", "tolerance", "beta", "gamma", "rho-inf"};
+                                          "until",
+                                          "tolerance",
+                                          "beta",
+                                          "gamma",
+                                          "rho-inf"};
+constexpr std::string_view as_it_is[] = {"drive", "method"};
+
+/// Options of simulate that would change nothing of a sweep's rows, or have no sense in it.
+struct LeftOut {
+  std::string_view name, why;
+};
+constexpr std::string_view drives_end =
+    "a sweep takes drives that go on (harmonic, unbalance, base); run pulses and chirps with simulate";
+constexpr std::string_view no_records =
+    "a sweep takes drives that go on (harmonic, unbalance, base); run recorded ones with simulate";
+constexpr std::string_view no_sensor =
+    "a sweep measures the motion itself, not a sensor's samples; leave it out, or take simulate";
+constexpr LeftOut left_out[] = {
+    {"drive-to", drives_end},
+    {"drive-start", drives_end},
+    {"drive-duration", drives_end},
+    {"drive-file", no_records},
+    {"base-motion", no_records},
+    {"drive-column", no_records},
+    {"between-samples", no_records},
+    {"accuracy", "a sweep takes the step itself, which may be a grid: --step 0.001:0.1:20:log"},
+    {"event", "a sweep measures whole runs; look for events with simulate"},
+    {"every", "a sweep keeps measures and no states, so there is nothing to thin out; leave it out"},
+    {"compensated", "a sweep's runs are too short to need it; take simulate for millions of steps"},
+    {"sensor-noise", no_sensor},
+    {"sensor-resolution", no_sensor},
+    {"sensor-offset", no_sensor},
+    {"seed", no_sensor},
+};
 
 template <std::size_t n>
 bool is_in(const std::string_view (&names)[n], std::string_view name) {
@@ -36,6 +70,16 @@ bool is_in(const std::string_view (&names)[n], std::string_view name) {
 }
 
 }  // namespace
+
+std::string sweep_refusal(std::string_view option, std::string_view text) {
+  for (const LeftOut& each : left_out)
+    if (each.name == option) return fmt::format("--{}: {}", option, each.why);
+  const bool of_all = option == "settle" || option == "threads";
+  if (of_all && text.find_first_of(",:") != std::string_view::npos)
+    return fmt::format("--{}: \"{}\" looks like a grid, and this is one number for all points{}", option,
+                       text, option == "settle" ? "; it says how they are found, not what they are" : "");
+  return "";
+}
 
 std::vector<Option> options_of(SweepOptions& o) {
   constexpr std::string_view sweep = "Sweep";

@@ -193,6 +193,11 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
     measure(component, *between);
     shaking.emplace_back(component, *between);
   }
+  for (const Component& component : result.components)
+    if (std::isnan(component.intensity.arias))
+      result.warnings.push_back(fmt::format(
+          "{}: its Arias intensity, about 10^{:.0f} m/s, is {} any number that a computer holds",
+          component.file, component.intensity.decades, component.intensity.decades > 0 ? "above" : "below"));
   const std::size_t all = result.periods.size();
   const std::size_t at_once = result.hysteretic() ? slice_of_sums : shaking.size() > 1 ? slice_of_two : slice;
   for (std::size_t r = 0; r < ratios->size(); ++r) {

@@ -81,6 +81,8 @@ struct SpectrumResult {
   std::vector<std::string> warnings{};
   /// The springs have hysteretic damping, and damping_ratio is their loss factor.
   bool hysteretic() const { return !options.loss_factor.empty(); }
+  /// The oscillators were asked for by their frequencies, and people read them so.
+  bool by_frequency() const { return !options.frequencies.empty(); }
 
   bool interrupted = false;  ///< then `spectra` is empty
 };

@@ -69,8 +69,11 @@ Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
   if (!(default_step(natural, drive) > 0) && !(o.step && o.until))
     return Error{
         fmt::format("this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic "
-                    "drive: give --step and --until",
-                    shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic))};
+                    "drive: give {}",
+                    shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic),
+                    o.step    ? "--until"
+                    : o.until ? "--step"
+                              : "--step and --until")};
   run.step = o.step.value_or(default_step(natural, drive));
   run.until = o.until.value_or(std::max(default_end(natural, drive), drive_end(run)));
   return {};
@@ -189,6 +192,16 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
                             .static_friction = o.static_friction.value_or(0)};
 }
 
+MethodSettings settings_of(const SimulateOptions& o, std::string_view method) {
+  MethodSettings settings;
+  settings.newton.tolerance =
+      o.tolerance.value_or(is_adaptive(method) ? StepControl::default_tolerance : NewtonOptions{}.tolerance);
+  settings.beta = o.beta.value_or(settings.beta);
+  settings.gamma = o.gamma.value_or(settings.gamma);
+  settings.rho_inf = o.rho_inf.value_or(settings.rho_inf);
+  return settings;
+}
+
 State<double> start_of(const SimulateOptions& o) {
   const bool moves = o.position || o.velocity || drive_name(o) != "none";
   return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
@@ -233,12 +246,8 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       if (auto good = set_drive(options, frequency, run); !good) return good.error();
       run.start = start_of(options);
       run.events.events = *events;
-      run.tolerance = options.tolerance.value_or(is_adaptive(method) ? StepControl::default_tolerance
-                                                                     : NewtonOptions{}.tolerance);
-      run.settings = {.newton = {.tolerance = run.tolerance},
-                      .beta = options.beta.value_or(run.settings.beta),
-                      .gamma = options.gamma.value_or(run.settings.gamma),
-                      .rho_inf = options.rho_inf.value_or(run.settings.rho_inf)};
+      run.settings = settings_of(options, method);
+      run.tolerance = run.settings.newton.tolerance;
       run.compensated = options.compensated;
       run.label = label_of(options, run);
       if (auto good = check_start(run); !good) return good.error();

@@ -1,6 +1,7 @@
 // From the options of `simulate` to the runs they ask for: checks, then defaults.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "cromer/base/result.h"
@@ -18,6 +19,9 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
 
 /// The law, or an Error that names the option which prevents it.
 Result<Oscillator<double>> oscillator_of(const SimulateOptions& options);
+
+/// What the method of that name, which must be in the list, is set to.
+MethodSettings settings_of(const SimulateOptions& options, std::string_view method);
 
 /// Where the motion begins.
 State<double> start_of(const SimulateOptions& options);

@@ -35,12 +35,17 @@ Result<std::size_t> choice(std::string_view option, const std::string& typed,
                            near.empty() ? "" : fmt::format(" (did you mean {}?)", near))};
 }
 
+void add_once(std::vector<std::string>& warnings, const std::string& warning) {
+  if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) warnings.push_back(warning);
+}
+
 Result<double> factor_of(const SpectrumOptions& options, const DriveRecord& record, const std::string& file,
                          std::vector<std::string>& warnings) {
   if (options.unit.empty()) {
     if (!record.unit_known)
-      warnings.push_back(
-          fmt::format("{}: column \"{}\" is taken as m/s^2; --unit says another", file, record.column));
+      add_once(warnings,
+               fmt::format("{}: column \"{}\" has no unit and is taken as m/s^2; --unit says another", file,
+                           record.column));
     return 1.0;
   }
   if (record.unit_known)
@@ -66,7 +71,9 @@ Result<Component> read_component(const SpectrumFile& file, const std::string& co
   if (!record) return record.error();
   const auto factor = factor_of(options, *record, file.name, warnings);
   if (!factor) return factor.error();
-  warnings.insert(warnings.end(), record->warnings.begin(), record->warnings.end());
+  for (const std::string& warning : record->warnings)
+    if (warning.find("has no unit") == std::string::npos)  // what it is taken as is said already
+      add_once(warnings, warning);
   Component component;
   component.file = file.name;
   component.column = record->column;
@@ -74,6 +81,11 @@ Result<Component> read_component(const SpectrumFile& file, const std::string& co
   component.acceleration = record->values;
   for (double& a : component.acceleration) a *= *factor;
   return component;
+}
+
+std::string name_of(const Component& component) {
+  return component.column.empty() ? component.file
+                                  : fmt::format("{} \"{}\"", component.file, component.column);
 }
 
 /// Two components are one motion: sampled alike, cut to the shorter.
@@ -84,6 +96,12 @@ Result<void> match(std::vector<Component>& components, std::vector<std::string>&
         "{} has a sample each {:.6g} s and {} one each {:.6g} s; the components of one motion must be "
         "sampled alike: resample one of them",
         first.file, first.spacing, second.file, second.spacing)};
+  if (first.acceleration == second.acceleration)
+    warnings.push_back(
+        fmt::format("{} and {} hold the same samples: one component given twice, so RotD50 is its own "
+                    "spectrum and RotD100 "
+                    "sqrt(2) times that",
+                    name_of(first), name_of(second)));
   if (first.acceleration.size() == second.acceleration.size()) return {};
   Component& longer = first.acceleration.size() > second.acceleration.size() ? first : second;
   const Component& shorter = &longer == &first ? second : first;
@@ -199,9 +217,10 @@ std::vector<std::string> period_warnings(const SpectrumOptions& options, std::sp
   const auto fast = std::count_if(periods.begin(), periods.end(), [&](double t) { return t < 2 * spacing; });
   if (fast > 0)
     warnings.push_back(fmt::format(
-        "{}: {} below twice the sampling step ({:.6g} s): the recording holds nothing that fast, and what is "
-        "shown there comes from how its samples were joined",
-        option, fast == 1 ? "one period is" : fmt::format("{} periods are", fast), spacing));
+        "{}: {} below {:.6g} s, twice the sampling step of {:.6g} s: the recording holds nothing that fast, "
+        "and "
+        "what is shown there comes from how its samples were joined",
+        option, fast == 1 ? "one period is" : fmt::format("{} periods are", fast), 2 * spacing, spacing));
   const double longest = *std::max_element(periods.begin(), periods.end());
   if (peaks != Peaks::continuous && longest > component.duration())
     warnings.push_back(fmt::format(

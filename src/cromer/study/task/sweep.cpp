@@ -22,15 +22,24 @@ std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& 
   SweepCheck check;
   SweepPoints points(work.base, work.axes);
   std::vector<double> values(work.axes.size());
-  const std::uint64_t looks = std::min<std::uint64_t>(checked_points, plan.rows.rows);
-  for (std::uint64_t k = 0; k < looks; ++k) {
-    points.values_of(k * (plan.rows.rows - 1) / std::max<std::uint64_t>(1, looks - 1), values.data());
+  const std::uint64_t count = std::min<std::uint64_t>(checked_points, plan.rows.rows);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const std::uint64_t row = k * (plan.rows.rows - 1) / std::max<std::uint64_t>(1, count - 1);
+    points.values_of(row, values.data());
     const auto at = points.at(values.data());
     if (!at) continue;
-    const PointResult known = closed_form(work, at->point);
-    const auto stepped = settle_one(work, at->point, watch);
+    const PointResult known = closed_form(work, *at);
+    const auto stepped = settle_one(work, *at, watch);
     if (!stepped) return std::nullopt;
-    if (!has_numbers(known.status) || stepped->status != PointStatus::done) continue;
+    if (!has_numbers(known.status) || stepped->status != PointStatus::done) {
+      if (check.left_out++ > 0) continue;
+      check.first_left_out = row;
+      check.why = known.status == PointStatus::unstable         ? "its motion grows without end"
+                  : !has_numbers(known.status)                  ? "it has no settled motion, without damping"
+                  : stepped->status == PointStatus::not_settled ? "when stepped it does not settle in time"
+                                                                : "when stepped it runs away";
+      continue;
+    }
     ++check.points;
     check.difference = std::max(check.difference, std::abs(stepped->amplitude / known.amplitude - 1));
   }

@@ -34,6 +34,8 @@ struct SweptOption {
   std::string name;    ///< as typed: "drive-frequency"
   std::string column;  ///< "drive_frequency (rad/s)"
   std::uint64_t points = 0;
+  std::string shown;      ///< the column for people, in the unit that its grid was given in
+  double shown_unit = 1;  ///< that unit in SI
 };
 
 struct SweepWork;
@@ -69,7 +71,10 @@ struct SweepCounts {
 /// Closed form and stepping side by side at a few points.
 struct SweepCheck {
   std::size_t points = 0;
-  double difference = 0;  ///< largest of the amplitude, relative
+  double difference = 0;             ///< largest of the amplitude, relative
+  std::size_t left_out = 0;          ///< points without a settled motion in closed form, or when stepped
+  std::uint64_t first_left_out = 0;  ///< the row of the first of them
+  std::string why{};                 ///< why that one is left out
 };
 
 struct SweepResult {
@@ -106,5 +111,9 @@ std::string status_counts(const SweepResult& result);
 
 /// The plan's warnings, and those that only the rows give.
 std::vector<std::string> warnings_of(const SweepResult& result);
+
+/// Why a sweep does not take this option of simulate, or this text for one of its own that has no grid; empty
+/// where there is nothing particular to say.
+std::string sweep_refusal(std::string_view option, std::string_view text);
 
 }  // namespace cromer

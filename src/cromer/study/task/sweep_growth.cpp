@@ -15,10 +15,11 @@ LinearLaw<double> linear_law(const Point& point) {
           .drive_phase = point.drive.phase};
 }
 
-std::optional<double> own_decay_rate(const SweepWork& work, const Point& point) {
+std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings& settings,
+                                     const Point& point) {
   LinearLaw<double> law = linear_law(point);
   law.drive_amplitude = 0;
-  return visit_method(work.method, work.settings, [&]<class M>(const M& method) -> std::optional<double> {
+  return visit_method(work.method, settings, [&]<class M>(const M& method) -> std::optional<double> {
     if constexpr (M::info.order > 0 && M::info.error_order == 0)
       return effective_oscillator(method, law, point.step).decay_rate;
     else
@@ -26,18 +27,19 @@ std::optional<double> own_decay_rate(const SweepWork& work, const Point& point) 
   });
 }
 
-void name_status(const SweepWork& work, const Point& point, PointResult& result) {
+void name_status(const SweepWork& work, const MethodSettings& settings, const Point& point,
+                 PointResult& result) {
   if (work.way == SweepWay::to_end || work.base.until || !work.driven) return;
   const Oscillator<double>& o = point.oscillator;
   if (o.friction != 0 || result.status == PointStatus::no_convergence) return;
   if (is_linear(o) &&
-      visit_method(work.method, work.settings, [&](const auto& method) { return grows(method, point); })) {
+      visit_method(work.method, settings, [&](const auto& method) { return grows(method, point); })) {
     result.status = PointStatus::unstable;
     return;
   }
   if (o.damping != 0 || o.drag != 0 || work.settling.dropped || !has_numbers(result.status)) return;
   // Of a law that is not linear the decay of small motions.
-  const double rate = o.stiffness > 0 ? own_decay_rate(work, point).value_or(0) : 0;
+  const double rate = o.stiffness > 0 ? own_decay_rate(work, settings, point).value_or(0) : 0;
   const bool decayed = rate * result.end_time > -std::log(work.settling.tolerance);
   result.status = decayed ? PointStatus::own_damping : PointStatus::not_settled;
 }

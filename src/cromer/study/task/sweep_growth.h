@@ -36,12 +36,14 @@ bool grows(const M& method, const Point& point) {
 
 /// The decay rate of the free motion [1/s] that the method has of an undamped linear law: its own damping.
 /// Empty where nothing oscillates.
-std::optional<double> own_decay_rate(const SweepWork& work, const Point& point);
+std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings& settings,
+                                     const Point& point);
 
 /// Tells of a stepped result what stepping alone cannot see. A linear law that grows is unstable: not just
 /// unsettled, run away, or measured after --settle. Where the law takes no energy the free motion stays,
 /// though the amplitude at the drive's frequency may not show it: that counts as settled only if the method's
 /// own damping had the time for it.
-void name_status(const SweepWork& work, const Point& point, PointResult& result);
+void name_status(const SweepWork& work, const MethodSettings& settings, const Point& point,
+                 PointResult& result);
 
 }  // namespace cromer

@@ -30,7 +30,8 @@ struct Run {
 };
 
 /// To `until` [s], keeping what follows `from`.
-Run run_to(const SweepWork& work, const Point& point, double from, double until, const Watch& watch) {
+Run run_to(const SweepWork& work, const SweepPoint& at, double from, double until, const Watch& watch) {
+  const Point& point = at.point;
   Run run;
   double states = 0;
   const auto look_at = [&](double t, const State<double>& y) {
@@ -47,10 +48,10 @@ Run run_to(const SweepWork& work, const Point& point, double from, double until,
   run.outcome = run_law({.oscillator = point.oscillator,
                          .drive = point.drive,
                          .method = work.method,
-                         .settings = work.settings,
+                         .settings = at.settings,
                          .interval = {0, until},
                          .start = point.start,
-                         .control = {point.step, work.settings.newton.tolerance}},
+                         .control = {point.step, at.settings.newton.tolerance}},
                         keep, {watch.interrupt, {}});
   run.energy /= std::max(states, 1.0);
   run.square /= std::max(states, 1.0);
@@ -73,7 +74,7 @@ PointResult result_of(const Point& point, const Run& run) {
 std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at, const Watch& watch) {
   const Point& point = at.point;
   if (work.way != SweepWay::one_by_one || !work.driven || work.base.until) {
-    const Run run = run_to(work, point, 0, at.until, watch);
+    const Run run = run_to(work, at, 0, at.until, watch);
     if (run.outcome.interrupted) return std::nullopt;
     return result_of(point, run);
   }
@@ -83,7 +84,7 @@ std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at
   double cycles = work.settling.dropped.value_or(32), amplitude = 0;
   for (;; cycles *= 2) {
     const double until = cycles * period + window;
-    const Run run = run_to(work, point, until - window - point.step, until, watch);
+    const Run run = run_to(work, at, until - window - point.step, until, watch);
     if (run.outcome.interrupted) return std::nullopt;
     PointResult result = result_of(point, run);
     if (result.status != PointStatus::done) return result;

@@ -16,8 +16,12 @@ namespace {
 
 constexpr double most_rows = 9007199254740992.0;  // 2^53: beyond, rows cannot be told apart
 
-/// Grids into axes, single values into the base.
+constexpr std::uint64_t most_looked_at = 100000;  // values of a grid
+
+/// Grids into axes, single values into the base. A range is a grid of however few points; where there is
+/// nothing else to sweep, one point is swept: along the drive's frequency, or all that has a value.
 Result<void> read_values(const SweepOptions& options, SweepWork& work) {
+  std::vector<SweepAxis> single;
   for (const Option& option : options_of(work.base)) {
     const auto typed = options.values.find(option.name);
     if (typed == options.values.end() || typed->second.empty()) continue;
@@ -27,14 +31,28 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
     const auto grid = parse_grid(typed->second, option.unit);
     if (!grid) return wrong(grid.error());
     // Both ends, and every value of a list, which may run any way.
-    const std::uint64_t looked_at = std::min<std::uint64_t>(grid->size(), 100000);
+    const std::uint64_t looked_at = std::min(grid->size(), most_looked_at);
     for (std::uint64_t i = 0; i < looked_at; ++i) {
       set_number(option.target, (*grid)[i + 1 < looked_at ? i : grid->size() - 1]);
       if (auto good = check(option); !good) return good;
     }
     set_number(option.target, (*grid)[0]);
-    if (grid->size() > 1) work.axes.push_back({std::string(option.name), std::string(option.unit), *grid});
+    const bool swept = grid->size() > 1 || typed->second.find(':') != std::string::npos;
+    (swept ? work.axes : single)
+        .push_back({std::string(option.name), std::string(option.unit), *grid,
+                    unit_of_grid(typed->second, option.unit)});
   }
+  if (!work.axes.empty()) return {};
+  if (single.empty())
+    return Error{
+        "nothing is swept: give at least one numeric option a grid, for instance --drive-amplitude 1 "
+        "--drive-frequency 0.1:10:1000, or --position 0.5,1,1.5 --until 20"};
+  const auto frequency = std::find_if(single.begin(), single.end(),
+                                      [](const SweepAxis& a) { return a.name == "drive-frequency"; });
+  if (frequency != single.end())
+    work.axes = {*frequency};
+  else
+    work.axes = std::move(single);
   return {};
 }
 
@@ -46,8 +64,11 @@ Result<SweepDirection> direction_of(std::string_view name) {
   return Error{fmt::format("--direction: \"{}\" is none of up, down and both", name)};
 }
 
-/// The axis along which points follow each other comes last: the drive's frequency by nature.
+/// The axis along which points follow each other comes last: the drive's frequency by nature. The method's
+/// settings come first: points that share them run side by side.
 Result<void> order_axes(SweepWork& work) {
+  std::stable_partition(work.axes.begin(), work.axes.end(),
+                        [](const SweepAxis& axis) { return is_method_setting(axis.name); });
   const auto move_last = [&](std::string_view name) {
     const auto at =
         std::find_if(work.axes.begin(), work.axes.end(), [&](const SweepAxis& a) { return a.name == name; });
@@ -84,7 +105,7 @@ Result<SimulatedRun> run_at(const SweepWork& work, bool last) {
 
 bool has_term(const SweepWork& work, double value, std::initializer_list<std::string_view> names) {
   return value != 0 || std::any_of(work.axes.begin(), work.axes.end(), [&](const SweepAxis& axis) {
-           return std::find(names.begin(), names.end(), axis.name) != names.end();
+           return axis.grid.size() > 1 && std::find(names.begin(), names.end(), axis.name) != names.end();
          });
 }
 
@@ -143,6 +164,47 @@ Result<void> check_cycles(const SweepWork& work) {
   return {};
 }
 
+/// Along each axis, the others at their first value: that every value describes an oscillator which can be
+/// run.
+Result<void> check_along_axes(const SweepWork& work) {
+  SweepPoints points(work.base, work.axes);
+  std::vector<double> values(work.axes.size());
+  for (std::size_t k = 0; k < work.axes.size(); ++k) {
+    points.values_of(0, values.data());
+    const SweepAxis& axis = work.axes[k];
+    for (std::uint64_t i = 0; i < std::min(axis.grid.size(), most_looked_at); ++i) {
+      values[k] = axis.grid[i];
+      const auto at = points.at(values.data());
+      if (!at)
+        return Error{fmt::format("--{} {}{}{}: {}", axis.name, shortest(values[k]),
+                                 axis.unit.empty() ? "" : " ", axis.unit, at.error().message)};
+    }
+  }
+  return {};
+}
+
+/// Why --check finds no closed form to check; empty where there is one.
+std::string nothing_to_check(const SweepOptions& options, const SweepWork& work) {
+  const auto none = [](std::string_view why) {
+    return fmt::format("--check: there is no closed form to check at any point: {}", why);
+  };
+  const MethodInfo& info = *find_method(work.method);
+  if (work.way == SweepWay::closed_form)
+    return info.order > 0 ? ""
+                          : fmt::format(
+                                "--check: {} is the closed form of the law itself and takes no steps to "
+                                "check it by; take another method",
+                                work.method);
+  if (work.direction != SweepDirection::none)
+    return none("with --direction each starts where the one before ended");
+  if (options.settle) return none("--settle asks for stepping");
+  if (work.base.until || !work.driven) return none("they are stepped to an end, not settled under a drive");
+  for (const Measure* measure : work.measures)
+    if (!measure->in_closed_form) return none(fmt::format("{} comes from stepping alone", measure->name));
+  if (info.error_order > 0) return none(fmt::format("{} chooses its own steps", work.method));
+  return none("the law is not linear");
+}
+
 /// A drive that the steps hardly see.
 std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
   double fewest = 1e9;
@@ -156,10 +218,10 @@ std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
       fewest);
 }
 
-std::string column_of(const SweepAxis& axis) {
+std::string column_of(const SweepAxis& axis, std::string_view unit) {
   std::string name = axis.name;
   std::replace(name.begin(), name.end(), '-', '_');
-  return axis.unit.empty() ? name : fmt::format("{} ({})", name, axis.unit);
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
 std::string_view words(SweepWay way) {
@@ -177,15 +239,16 @@ std::string_view words(SweepWay way) {
 }
 
 /// Everything that the rows depend on, in a fixed order.
-std::string describe(const SweepOptions& options, const SweepWork& work, const SweepPlan& plan) {
+std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
+                     const SweepPlan& plan) {
   std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
                                  words(work.way), options.direction);
   if (work.way == SweepWay::settled || work.way == SweepWay::to_end)
     text += fmt::format(", \"simd\": \"{}\"", work.unit.name);
   if (options.settle) text += fmt::format(", \"settle\": {}", shortest(*options.settle));
   text += fmt::format(", \"tolerance\": {}, \"beta\": {}, \"gamma\": {}, \"rho_inf\": {}",
-                      shortest(work.settings.newton.tolerance), shortest(work.settings.beta),
-                      shortest(work.settings.gamma), shortest(work.settings.rho_inf));
+                      shortest(settings.newton.tolerance), shortest(settings.beta), shortest(settings.gamma),
+                      shortest(settings.rho_inf));
   if (!work.base.drive.empty()) text += fmt::format(", \"drive\": \"{}\"", work.base.drive);
   for (const auto& [name, value] : options.values)
     if (!value.empty()) text += fmt::format(", \"{}\": \"{}\"", name, value);
@@ -209,9 +272,6 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   const auto direction = direction_of(options.direction);
   if (!direction) return direction.error();
   work->direction = *direction;
-  if (work->axes.empty())
-    return Error{
-        "nothing is swept: give at least one option a grid, for instance --drive-frequency 0.1:10:1000"};
   if (auto good = order_axes(*work); !good) return good.error();
 
   double rows = 1;
@@ -222,11 +282,11 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   const auto run = run_at(*work, false), last = run_at(*work, true);
   if (!run) return run.error();
   if (!last) return last.error();
+  if (auto good = check_along_axes(*work); !good) return good.error();
   if (work->direction == SweepDirection::both) {
     work->axes.insert(work->axes.begin(), {std::string(direction_axis), "", Grid({1, -1})});
     rows *= 2;
   }
-  work->settings = run->settings;
   work->driven = last->drive.amplitude > 0 && last->drive.frequency > 0;
 
   auto measures = find_measures(options.measure, work->driven);
@@ -245,7 +305,8 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   plan.way = work->settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
                                     : std::string(words(work->way));
   for (const SweepAxis& axis : work->axes)
-    plan.swept.push_back({axis.name, column_of(axis), axis.grid.size()});
+    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
+                          column_of(axis, axis.typed.name), axis.typed.factor});
   for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
   for (const Measure* measure : work->measures)
     for (const std::string& column : measure->columns) plan.measured.push_back(column);
@@ -253,7 +314,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   plan.rows.columns.emplace_back("status");
   plan.rows.rows = static_cast<std::uint64_t>(rows);
   plan.rows.rows_per_chunk = work->rows_per_chunk();
-  plan.rows.description = describe(options, *work, plan);
+  plan.rows.description = describe(options, *work, run->settings, plan);
   plan.rows.make = [work, per_chunk = plan.rows.rows_per_chunk, all = plan.rows.rows](
                        std::uint64_t chunk, double* to, const Watch& watch) {
     const std::uint64_t first = chunk * per_chunk;
@@ -264,6 +325,9 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
     return warning.find("whole number of steps") != std::string::npos;
   });
   if (const std::string few = few_steps(*run, *last); !few.empty()) plan.warnings.push_back(few);
+  if (options.check)
+    if (std::string none = nothing_to_check(options, *work); !none.empty())
+      plan.warnings.push_back(std::move(none));
   plan.work = work;
   return plan;
 }

@@ -1,5 +1,7 @@
 #include "cromer/study/task/sweep_points.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -10,19 +12,9 @@
 #include "cromer/study/task/simulate_setup.h"
 
 namespace cromer {
+namespace {
 
-void set_number(const Option::Target& target, double value) {
-  std::visit(
-      [&](auto* to) {
-        using T = std::remove_pointer_t<decltype(to)>;
-        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>)
-          *to = value;
-        else if constexpr (std::is_same_v<T, std::vector<double>>)
-          to->assign(1, value);
-      },
-      target);
-}
-
+/// The point that options with one value each describe, but for its settings.
 Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   const auto oscillator = oscillator_of(options);
   if (!oscillator) return oscillator.error();
@@ -38,8 +30,31 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   result.point.step = options.step.value_or(default_step(natural, period));
   result.until = options.until.value_or(default_end(natural, period));
   if (!(result.point.step > 0) || !(result.until > 0))
-    return Error{"--step: this law has no natural period and no periodic drive: give --step and --until"};
+    return Error{fmt::format(
+        "this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic drive: give {}",
+        shortest(oscillator->stiffness), shortest(oscillator->cubic),
+        options.step    ? "--until"
+        : options.until ? "--step"
+                        : "--step and --until")};
   return result;
+}
+
+}  // namespace
+
+bool is_method_setting(std::string_view option) {
+  return option == "tolerance" || option == "beta" || option == "gamma" || option == "rho-inf";
+}
+
+void set_number(const Option::Target& target, double value) {
+  std::visit(
+      [&](auto* to) {
+        using T = std::remove_pointer_t<decltype(to)>;
+        if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>)
+          *to = value;
+        else if constexpr (std::is_same_v<T, std::vector<double>>)
+          to->assign(1, value);
+      },
+      target);
 }
 
 SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxis>& axes)
@@ -50,6 +65,9 @@ SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxi
         std::find_if(table.begin(), table.end(), [&](const Option& each) { return each.name == axis.name; });
     targets_.push_back(option == table.end() ? std::nullopt : std::optional(option->target));
   }
+  settings_ = cromer::settings_of(options_, options_.method.front());
+  settings_vary_ = std::any_of(axes_.begin(), axes_.end(),
+                               [](const SweepAxis& axis) { return is_method_setting(axis.name); });
 }
 
 void SweepPoints::values_of(std::uint64_t row, double* values) const {
@@ -61,9 +79,24 @@ void SweepPoints::values_of(std::uint64_t row, double* values) const {
 }
 
 Result<SweepPoint> SweepPoints::at(const double* values) {
+  set_options(values);
+  auto point = sweep_point_of(options_);
+  if (point)
+    point->settings = settings_vary_ ? cromer::settings_of(options_, options_.method.front()) : settings_;
+  return point;
+}
+
+MethodSettings SweepPoints::settings_of(std::uint64_t row) {
+  if (!settings_vary_) return settings_;
+  std::vector<double> values(axes_.size());
+  values_of(row, values.data());
+  set_options(values.data());
+  return cromer::settings_of(options_, options_.method.front());
+}
+
+void SweepPoints::set_options(const double* values) {
   for (std::size_t i = 0; i < targets_.size(); ++i)
     if (targets_[i]) set_number(*targets_[i], values[i]);
-  return sweep_point_of(options_);
 }
 
 }  // namespace cromer

@@ -20,15 +20,19 @@ struct SweepAxis {
   std::string name;  ///< as typed
   std::string unit;  ///< SI
   Grid grid;
+  GridUnit typed{};  ///< what people read it in
 };
 
-/// The point that options with one value each describe, its end (that of --until, or the default), or an
-/// Error.
+/// Whether it is one of a method's own settings, which all lanes of a group share: tolerance, beta, gamma,
+/// rho-inf.
+bool is_method_setting(std::string_view option);
+
+/// A point, its end (that of --until, or the default), and what its method is set to.
 struct SweepPoint {
   Point point;
   double until = 0;  // [s]
+  MethodSettings settings{};
 };
-Result<SweepPoint> sweep_point_of(const SimulateOptions& options);
 
 /// Turns row numbers into points. One for each thread.
 class SweepPoints {
@@ -44,10 +48,17 @@ class SweepPoints {
   /// The point with these values.
   Result<SweepPoint> at(const double* values);
 
+  /// What the method is set to in that row.
+  MethodSettings settings_of(std::uint64_t row);
+
  private:
+  void set_options(const double* values);
+
   const std::vector<SweepAxis>& axes_;
   SimulateOptions options_;
   std::vector<std::optional<Option::Target>> targets_;  ///< empty: of no option
+  MethodSettings settings_;                             ///< where no axis is one of them
+  bool settings_vary_ = false;
 };
 
 /// Puts a number into an option's target, whatever it is.

@@ -59,11 +59,11 @@ PointResult in_closed_form(const M& method, const Point& point) {
   return result;
 }
 
-bool make_in_closed_form(const SweepWork& work, std::uint64_t first, std::uint64_t count, double* rows) {
-  SweepPoints points(work.base, work.axes);
+bool make_in_closed_form(const SweepWork& work, SweepPoints& points, std::uint64_t first, std::uint64_t count,
+                         double* rows) {
   const std::size_t width = work.columns(), axes = work.axes.size();
-  // The name is looked up once a chunk.
-  return visit_method(work.method, work.settings, [&](const auto& method) {
+  // The name is looked up once a stretch.
+  return visit_method(work.method, points.settings_of(first), [&](const auto& method) {
     for (std::uint64_t i = 0; i < count; ++i) {
       double* row = rows + i * width;
       points.values_of(first + i, row);
@@ -74,9 +74,9 @@ bool make_in_closed_form(const SweepWork& work, std::uint64_t first, std::uint64
   });
 }
 
-bool make_in_groups(const SweepWork& work, std::uint64_t first, std::uint64_t count, double* rows,
-                    const Watch& watch) {
-  SweepPoints points(work.base, work.axes);
+bool make_in_groups(const SweepWork& work, SweepPoints& points, std::uint64_t first, std::uint64_t count,
+                    double* rows, const Watch& watch) {
+  const MethodSettings settings = points.settings_of(first);
   const std::size_t width = work.columns(), axes = work.axes.size();
   for (std::uint64_t begin = 0; begin < count; begin += group_size) {
     const std::uint64_t size = std::min(group_size, count - begin);
@@ -96,12 +96,13 @@ bool make_in_groups(const SweepWork& work, std::uint64_t first, std::uint64_t co
     }
     if (group.empty()) continue;
     std::vector<PointResult> results(group.size());
-    const bool made = work.way == SweepWay::settled
-                          ? settle_group(work.unit, group, work.stepping(), work.settling, results, watch)
-                          : run_group(work.unit, group, work.stepping(), until, results, watch);
+    const bool made =
+        work.way == SweepWay::settled
+            ? settle_group(work.unit, group, work.stepping(settings), work.settling, results, watch)
+            : run_group(work.unit, group, work.stepping(settings), until, results, watch);
     if (!made) return false;
     for (std::size_t k = 0; k < results.size(); ++k) {
-      name_status(work, group[k], results[k]);
+      name_status(work, settings, group[k], results[k]);
       write_measures(work, results[k], rows + place[k] * width + axes);
     }
   }
@@ -117,9 +118,9 @@ void continue_from(const PointResult& ended, const Point& before, Point& next) {
 }
 
 /// Chains side by side, each along the last axis.
-bool make_chains(const SweepWork& work, std::uint64_t first, std::uint64_t count, double* rows,
-                 const Watch& watch) {
-  SweepPoints points(work.base, work.axes);
+bool make_chains(const SweepWork& work, SweepPoints& points, std::uint64_t first, std::uint64_t count,
+                 double* rows, const Watch& watch) {
+  const MethodSettings settings = points.settings_of(first);
   const std::size_t width = work.columns(), axes = work.axes.size();
   const std::uint64_t length = work.axes.back().grid.size(), chains = count / length;
   const bool rising = work.axes.back().grid[0] <= work.axes.back().grid[length - 1];
@@ -141,9 +142,9 @@ bool make_chains(const SweepWork& work, std::uint64_t first, std::uint64_t count
       group[c] = at->point;
       if (j > 0) continue_from(ended[c], before[c], group[c]);
     }
-    if (!settle_group(work.unit, group, work.stepping(), work.settling, ended, watch)) return false;
+    if (!settle_group(work.unit, group, work.stepping(settings), work.settling, ended, watch)) return false;
     for (std::uint64_t c = 0; c < chains; ++c) {
-      name_status(work, group[c], ended[c]);
+      name_status(work, settings, group[c], ended[c]);
       write_measures(work, ended[c], rows + places[c] * width + axes);
     }
     before = group;
@@ -151,9 +152,8 @@ bool make_chains(const SweepWork& work, std::uint64_t first, std::uint64_t count
   return true;
 }
 
-bool make_one_by_one(const SweepWork& work, std::uint64_t first, std::uint64_t count, double* rows,
-                     const Watch& watch) {
-  SweepPoints points(work.base, work.axes);
+bool make_one_by_one(const SweepWork& work, SweepPoints& points, std::uint64_t first, std::uint64_t count,
+                     double* rows, const Watch& watch) {
   const std::size_t width = work.columns(), axes = work.axes.size();
   for (std::uint64_t i = 0; i < count; ++i) {
     double* row = rows + i * width;
@@ -161,8 +161,24 @@ bool make_one_by_one(const SweepWork& work, std::uint64_t first, std::uint64_t c
     const auto at = points.at(row);
     auto result = at ? run_point(work, *at, watch) : std::optional(without_numbers());
     if (!result) return false;
-    if (at) name_status(work, at->point, *result);
+    if (at) name_status(work, at->settings, at->point, *result);
     write_measures(work, *result, row + axes);
+  }
+  return true;
+}
+
+/// Rows of equal settings.
+bool make_stretch(const SweepWork& work, SweepPoints& points, std::uint64_t first, std::uint64_t count,
+                  double* rows, const Watch& watch) {
+  if (work.direction != SweepDirection::none) return make_chains(work, points, first, count, rows, watch);
+  switch (work.way) {
+    case SweepWay::closed_form:
+      return make_in_closed_form(work, points, first, count, rows);
+    case SweepWay::one_by_one:
+      return make_one_by_one(work, points, first, count, rows, watch);
+    case SweepWay::settled:
+    case SweepWay::to_end:
+      return make_in_groups(work, points, first, count, rows, watch);
   }
   return true;
 }
@@ -191,31 +207,36 @@ std::uint64_t SweepWork::rows_per_chunk() const {
   return few * static_cast<std::uint64_t>(std::max(1.0, times));
 }
 
-PointResult closed_form(const SweepWork& work, const Point& point) {
-  return visit_method(work.method, work.settings,
-                      [&](const auto& method) { return in_closed_form(method, point); });
+std::uint64_t SweepWork::rows_of_equal_settings() const {
+  std::uint64_t rows = 1;
+  for (std::size_t i = axes.size(); i-- > 0 && !is_method_setting(axes[i].name);) rows *= axes[i].grid.size();
+  return rows;
 }
 
-std::optional<PointResult> settle_one(const SweepWork& work, const Point& point, const Watch& watch) {
+PointResult closed_form(const SweepWork& work, const SweepPoint& at) {
+  return visit_method(work.method, at.settings,
+                      [&](const auto& method) { return in_closed_form(method, at.point); });
+}
+
+std::optional<PointResult> settle_one(const SweepWork& work, const SweepPoint& at, const Watch& watch) {
   PointResult result;
-  if (!settle_group(work.unit, std::span(&point, 1), work.stepping(), work.settling, std::span(&result, 1),
-                    watch))
+  if (!settle_group(work.unit, std::span(&at.point, 1), work.stepping(at.settings), work.settling,
+                    std::span(&result, 1), watch))
     return std::nullopt;
-  name_status(work, point, result);
+  name_status(work, at.settings, at.point, result);
   return result;
 }
 
 bool make_rows(const SweepWork& work, std::uint64_t first, std::uint64_t count, double* rows,
                const Watch& watch) {
-  if (work.direction != SweepDirection::none) return make_chains(work, first, count, rows, watch);
-  switch (work.way) {
-    case SweepWay::closed_form:
-      return make_in_closed_form(work, first, count, rows);
-    case SweepWay::one_by_one:
-      return make_one_by_one(work, first, count, rows, watch);
-    case SweepWay::settled:
-    case SweepWay::to_end:
-      return make_in_groups(work, first, count, rows, watch);
+  SweepPoints points(work.base, work.axes);
+  const std::uint64_t same = work.rows_of_equal_settings(), end = first + count;
+  const std::size_t width = work.columns();
+  while (first < end) {
+    const std::uint64_t stretch = std::min(end - first, same - first % same);
+    if (!make_stretch(work, points, first, stretch, rows, watch)) return false;
+    first += stretch;
+    rows += stretch * width;
   }
   return true;
 }

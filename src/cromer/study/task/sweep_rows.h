@@ -32,21 +32,24 @@ inline constexpr std::string_view direction_axis = "direction";
 /// All that the rows depend on.
 struct SweepWork {
   SimulateOptions base{};
-  std::vector<SweepAxis> axes{};  ///< the last runs fastest
+  std::vector<SweepAxis> axes{};  ///< those of the method's settings first; the last runs fastest
   std::vector<const Measure*> measures{};
   SweepWay way = SweepWay::settled;
   SweepDirection direction = SweepDirection::none;
   Settling settling{};
   KernelUnit unit{};
   std::string method{};
-  MethodSettings settings{};
   bool driven = false;
 
-  Stepping stepping() const { return {method, settings}; }
+  Stepping stepping(const MethodSettings& settings) const { return {method, settings}; }
   std::size_t columns() const;  ///< axes, measures, status
 
   /// Rows that one chunk has: few enough to share out, many enough to be worth it.
   std::uint64_t rows_per_chunk() const;
+
+  /// Rows that follow each other with the same settings of the method: its axes come before all others but
+  /// the direction.
+  std::uint64_t rows_of_equal_settings() const;
 };
 
 /// Makes `count` rows from `first` on. False: interrupted.
@@ -54,10 +57,10 @@ bool make_rows(const SweepWork& work, std::uint64_t first, std::uint64_t count, 
                const Watch& watch);
 
 /// One point by stepping, alone: what a closed form is checked by.
-std::optional<PointResult> settle_one(const SweepWork& work, const Point& point, const Watch& watch);
+std::optional<PointResult> settle_one(const SweepWork& work, const SweepPoint& at, const Watch& watch);
 
 /// The settled motion of a linear law from the map of the method.
-PointResult closed_form(const SweepWork& work, const Point& point);
+PointResult closed_form(const SweepWork& work, const SweepPoint& at);
 
 /// Run by run: to the end, or until the motion settles. Empty: interrupted.
 std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& point, const Watch& watch);

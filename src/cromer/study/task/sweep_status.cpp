@@ -36,7 +36,7 @@ std::string own_damping_warning(const SweepPlan& plan, const SweepCounts& counts
   std::vector<double> values(plan.swept.size());
   points.values_of(counts.first_own_damping, values.data());
   const auto at = points.at(values.data());
-  const auto rate = at ? own_decay_rate(*plan.work, at->point) : std::nullopt;
+  const auto rate = at ? own_decay_rate(*plan.work, at->settings, at->point) : std::nullopt;
   std::string number;
   if (rate && *rate > 0) {
     // Down to a millionth, as stepping would have it.

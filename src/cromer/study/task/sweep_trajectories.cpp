@@ -89,10 +89,10 @@ Result<SweptTrajectories> run_trajectories(const SweepPlan& plan, long long ever
     const Outcome outcome = run_law({.oscillator = at->point.oscillator,
                                      .drive = at->point.drive,
                                      .method = work.method,
-                                     .settings = work.settings,
+                                     .settings = at->settings,
                                      .interval = {0, at->until},
                                      .start = at->point.start,
-                                     .control = {at->point.step, work.settings.newton.tolerance}},
+                                     .control = {at->point.step, at->settings.newton.tolerance}},
                                     keep, {watch.interrupt, {}});
     blocks.hand_on(values);
     if (blocks.error()) return *blocks.error();
