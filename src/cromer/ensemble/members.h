@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -52,12 +53,34 @@ struct PackSums {
   }
 };
 
+/// The drive as the method asks for it.
+template <class Real, class M>
+struct DriveFor {
+  using Type = SteppedForce<Real, M::info.divisions>;
+  static Type of(const HarmonicForce<Real>& force, const Real& h, const M&) { return {force, h}; }
+};
+template <class Real, AsksAtFractions M>
+struct DriveFor<Real, M> {
+  using Type = RotatedForce<Real, M>;
+  static Type of(const HarmonicForce<Real>& force, const Real& h, const M& method) {
+    return {force, h, method};
+  }
+};
+template <class Real>
+struct NoDrive {
+  using Type = NoSteppedForce;
+  template <class... T>
+  static Type of(const T&...) {
+    return Type{};
+  }
+};
+
 /// As many oscillators of a group as a Real has lanes, on their way. `measured`: sums are kept.
 template <class Real, class M, Terms terms, bool measured>
 struct Member {
-  using Force = std::conditional_t<terms.drive, SteppedForce<Real, M::info.divisions>, NoSteppedForce>;
+  using Drive = std::conditional_t<terms.drive, DriveFor<Real, M>, NoDrive<Real>>;
   using Phasor = std::conditional_t<terms.drive && measured, SteppedPhasor<Real>, NoSteppedForce>;
-  using System = DrivenOscillator<Real, terms, Force>;
+  using System = DrivenOscillator<Real, terms, typename Drive::Type>;
   using Memory = typename M::template Memory<Real>;
   struct NoSums {};
 
@@ -71,7 +94,8 @@ struct Member {
   std::conditional_t<measured, PackSums<Real>, NoSums> sums{};
 
   /// Those from `first` on.
-  static Member from(const cromer_group::Group& group, std::size_t first, const M& method) {
+  [[gnu::always_inline]] static Member from(const cromer_group::Group& group, std::size_t first,
+                                            const M& method) {
     const auto load = [&](const cromer_group::Numbers& numbers) { return Real::load(numbers.of + first); };
     const Real step = load(group.step);
     const HarmonicForce<Real> drive{load(group.drive_amplitude), load(group.drive_frequency),
@@ -85,7 +109,7 @@ struct Member {
                                     .static_friction = 0.0};
     Member m{.h = step,
              .law = per_mass,
-             .system = System(per_mass, Force(drive, step)),
+             .system = System(per_mass, Drive::of(drive, step, method)),
              .phasor = Phasor(drive, step),
              .x = load(group.x),
              .v = load(group.v),
@@ -93,8 +117,8 @@ struct Member {
              .converged = load(group.failed) <= 0.0,
              .memory = {}};
     if (group.steps == 0) {
-      m.anchor(0);
-      m.memory = method.start(m.system, StepTime<Real>{0.0}, State<Real>{m.x, m.v});
+      const DrivenOscillator<Real, terms> at_any_time(per_mass, drive);
+      m.memory = method.start(at_any_time, Real(0.0), State<Real>{m.x, m.v});
     } else if constexpr (!std::is_empty_v<Memory>) {
       std::array<Real, carried> numbers;
       for (std::size_t i = 0; i < carried; ++i) numbers[i] = load(group.memory[i]);
@@ -117,16 +141,21 @@ struct Member {
     if constexpr (measured) sums.add_to(group.sums, first);
   }
 
-  /// Makes the drive exact for the step after n steps, and ready for the one `since` later.
-  void anchor(double n, long long since = 0) {
+  /// Makes the drive exact for the step after n steps.
+  [[gnu::always_inline]] void anchor(double n) {
     const Real t = n * h;
     if constexpr (terms.drive) system.force().anchor(t);
     if constexpr (terms.drive && measured) phasor.anchor(t);
-    for (long long i = 0; i < since; ++i) move_on();
+  }
+
+  /// Makes it ready for the next.
+  [[gnu::always_inline]] void move_on() {
+    if constexpr (terms.drive) system.force().move_on();
+    if constexpr (terms.drive && measured) phasor.move_on();
   }
 
   /// The step after n steps.
-  void step(const M& method, double n, [[maybe_unused]] double weight) {
+  [[gnu::always_inline]] void step(const M& method, double n, [[maybe_unused]] double weight) {
     if constexpr (measured) {
       if constexpr (terms.drive)
         sums.add(weight, law, {x, v}, phasor.cosine, phasor.sine);
@@ -143,11 +172,6 @@ struct Member {
   }
 
  private:
-  void move_on() {
-    if constexpr (terms.drive) system.force().move_on();
-    if constexpr (terms.drive && measured) phasor.move_on();
-  }
-
   static constexpr std::size_t carried = std::is_empty_v<Memory> ? 0 : sizeof(Memory) / sizeof(Real);
   static_assert(carried <= std::extent_v<decltype(cromer_group::Group::memory)>);
 };
@@ -155,33 +179,55 @@ struct Member {
 /// Steps between two exact cosines of a drive.
 inline constexpr long long steps_between_anchors = 128;
 
+/// Calls f with each, without a loop: only then are they numbers in registers to the compiler, not an array
+/// in memory.
+template <class Members, class F>
+[[gnu::always_inline]] inline void for_each_member(Members& members, const F& f) {
+  std::apply(
+      [&](auto&... member) __attribute__((always_inline)) { (f(member), ...); }, members);
+}
+
 /// `count` packs side by side, so that each has something to do while others wait for their last operation.
 template <std::size_t count, class Real, class M, Terms terms, bool measured>
 void advance_members(cromer_group::Group& group, std::size_t first, const M& method,
                      const cromer_group::Order& order) {
-  auto members = [&]<std::size_t... i>(std::index_sequence<i...>) {
-    return std::array{Member<Real, M, terms, measured>::from(group, first + i * Real::size, method)...};
+  using One = Member<Real, M, terms, measured>;
+  auto members = [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
+    return std::array{One::from(group, first + i * Real::size, method)...};
   }
   (std::make_index_sequence<count>{});
+  const M by = method;
   const auto begun = static_cast<long long>(group.steps);
   for (long long n = 0; n < order.steps;) {
     // Anchors lie at the same steps however a run is cut into orders.
     const long long since = (begun + n) % steps_between_anchors;
-    for (auto& member : members) member.anchor(static_cast<double>(begun + n - since), since);
+    const auto anchor = static_cast<double>(begun + n - since);
+    for_each_member(
+        members, [&](auto& member) __attribute__((always_inline)) { member.anchor(anchor); });
+    for (long long i = 0; i < since; ++i)
+      for_each_member(
+          members, [](auto& member) __attribute__((always_inline)) { member.move_on(); });
     const long long last = std::min(order.steps, n + steps_between_anchors - since);
-    for (; n < last; ++n)
-      for (auto& member : members)
-        member.step(method, static_cast<double>(begun + n), measured ? order.weights[n] : 1);
+    for (; n < last; ++n) {
+      const auto taken = static_cast<double>(begun + n);
+      const double weight = measured ? order.weights[n] : 1;
+      for_each_member(
+          members, [&](auto& member) __attribute__((always_inline)) { member.step(by, taken, weight); });
+    }
   }
-  for (std::size_t i = 0; i < count; ++i) members[i].to(group, first + i * Real::size);
+  std::size_t place = first;
+  for_each_member(
+      members, [&](const auto& member) __attribute__((always_inline)) {
+        member.to(group, place);
+        place += Real::size;
+      });
 }
 
 /// All packs of the group, as many side by side as registers hold.
 template <class Real, class M, Terms terms, bool measured>
 void advance_all(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   constexpr std::size_t packs = cromer_group::size / Real::size;
-  // An implicit step needs more registers than narrow sets have.
-  constexpr std::size_t together = std::min<std::size_t>(packs, M::info.implicit && Real::size < 8 ? 2 : 4);
+  constexpr std::size_t together = std::min<std::size_t>(packs, 4);
   for (std::size_t first = 0; first < cromer_group::size; first += together * Real::size)
     advance_members<together, Real, M, terms, measured>(group, first, method, order);
 }

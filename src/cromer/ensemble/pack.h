@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <xsimd/xsimd.hpp>
 
 #include "cromer/base/dual.h"
@@ -51,6 +52,12 @@ struct Pack {
   Pack& operator-=(const Pack& b) { return *this = *this - b; }
   Pack& operator*=(const Pack& b) { return *this = *this * b; }
   Pack& operator/=(const Pack& b) { return *this = *this / b; }
+
+  /// Cosine and sine of each lane. Out of line: asked for once in many steps, it would crowd their loop.
+  [[gnu::noinline]] friend std::pair<Pack, Pack> cosine_and_sine(const Pack& a) {
+    const auto both = xsimd::sincos(a.lanes);
+    return {Pack(both.second), Pack(both.first)};
+  }
 
   friend Mask<Arch> operator<(const Pack& a, const Pack& b) { return Mask<Arch>(a.lanes < b.lanes); }
   friend Mask<Arch> operator>(const Pack& a, const Pack& b) { return Mask<Arch>(a.lanes > b.lanes); }

@@ -19,10 +19,12 @@ class BlockSteps {
   }
 
   const State<double>& state() const { return y_; }
-  /// The force at the present step, and its slope until the next.
+  /// The force at the present step.
   double force() const { return at(part_); }
-  double slope() const {
-    return walk_.hold ? 0 : (to() - from()) / (law_.step * static_cast<double>(walk_.substeps));
+  /// Its slope in an interval.
+  double slope(std::size_t i) const {
+    if (walk_.hold) return 0;
+    return (walk_.force[i + 1] - walk_.force[i]) / (law_.step * static_cast<double>(walk_.substeps));
   }
   std::size_t interval() const { return interval_; }
   bool at_end() const { return interval_ + 1 >= walk_.samples; }
@@ -63,12 +65,27 @@ double value(const Watched<double>& watched, const State<double>& y) {
   return watched.x * y.x + watched.v * y.v;
 }
 
-/// overshoot_bound of any interval, from bounds on |q| at its ends and on the force in it: the state at its
-/// beginning is a linear function of both.
+/// A bound on how far |q| may exceed both its end values in any interval, from bounds on |q| at its ends and
+/// on the force in it.
 struct BlockBound {
   double of_q, of_force;
 
   BlockBound(const WalkedLaw& w, std::size_t substeps, bool hold) {
+    // A displacement leaves its chord by at most h^2/8 of the largest |q''| = |f - 2 b q' - s q|. In there
+    // |q| exceeds its bound by no more than that, and |q'| the mean slope by no more than h |q''|.
+    const double h = w.step, bow = h * h / 8;
+    const double left = 1 - w.law.stiffness * bow - 2 * w.law.decay_rate * h;
+    if (w.watched.v == 0 && left > 0.5) {
+      of_q = bow * (w.law.stiffness + 4 * w.law.decay_rate / h) / left;
+      of_force = bow * std::abs(w.watched.x) / left;
+    } else {
+      by_state(w, substeps, hold);
+    }
+  }
+
+ private:
+  /// overshoot_bound, the state at the beginning being a linear function of both.
+  void by_state(const WalkedLaw& w, std::size_t substeps, bool hold) {
     const IntervalMap<double>& m = w.map;
     const Watched<double>& o = w.watched;
     // q and the next q (without what the force does meanwhile) from x and v.
@@ -119,22 +136,25 @@ struct Refinement {
     const std::size_t last = (block + 1) * walk.block;
     const double at_most = slack(block);
     BlockSteps steps(walk, law, lane, block);
+    double before = value(law.watched, steps.state());
     // To the first step of the next block: its own begin there.
     for (bool more = true; more && !steps.at_end();) {
       more = steps.interval() < last;
       const State<double> y = steps.state();
-      const double force = steps.force(), slope = steps.slope();
+      const double force = steps.force();
+      const std::size_t interval = steps.interval();
       steps.advance();
-      include_between(y, steps.state(), force, slope, at_most);
+      const double after = value(law.watched, steps.state());
+      const double least = std::min(before, after), greatest = std::max(before, after);
+      before = after;
+      if (beats(least, greatest, at_most))
+        include_between(IntervalMotion(law.law, y, force, steps.slope(interval)), steps.state(), least,
+                        greatest);
     }
   }
 
-  void include_between(const State<double>& begin, const State<double>& end, double force, double slope,
-                       double at_most) {
-    const double before = value(law.watched, begin), after = value(law.watched, end);
-    const double least = std::min(before, after), greatest = std::max(before, after);
-    if (!beats(least, greatest, at_most)) return;
-    const IntervalMotion motion(law.law, begin, force, slope);
+  void include_between(const IntervalMotion& motion, const State<double>& end, double least,
+                       double greatest) {
     if (!beats(least, greatest, overshoot_bound(law.law, law.watched, motion, law.step))) return;
     include_inside(law.law, law.watched, motion, end, law.step, best);
     settle();
@@ -176,13 +196,19 @@ std::vector<double> largest_forces(const cromer_walk::Walk& walk) {
 }
 
 Extremes refined(const cromer_walk::Walk& walk, std::span<const double> largest_forces, const WalkedLaw& law,
-                 const WalkedLane& lane, Extremes range, bool largest_alone) {
+                 const WalkedLane& lane, bool largest_alone) {
+  const std::size_t blocks = walk.blocks();
+  std::vector<double> reach(blocks + 1);
+  Extremes range{0, 0};
+  for (std::size_t i = 0; i < blocks; ++i) {
+    const double low = law.filter.gain * lane.low(i), high = law.filter.gain * lane.high(i);
+    range.low = std::min(range.low, low);
+    range.high = std::max(range.high, high);
+    reach[i] = std::max(-low, high);
+  }
   Refinement refinement{
       walk, largest_forces, law, lane, largest_alone, range, BlockBound(law, walk.substeps, walk.hold)};
   refinement.settle();
-  const std::size_t blocks = walk.blocks();
-  std::vector<double> reach(blocks + 1);
-  for (std::size_t i = 0; i < blocks; ++i) reach[i] = law.filter.gain * std::max(-lane.low(i), lane.high(i));
   // First where the steps reached furthest: it leaves little for the others to beat.
   const auto furthest =
       static_cast<std::size_t>(std::max_element(reach.begin(), reach.end() - 1) - reach.begin());

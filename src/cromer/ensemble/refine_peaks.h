@@ -36,10 +36,10 @@ Extremes range_of(const cromer_walk::Walk& walk, const WalkedLaw& law, const Wal
 /// Largest |force| in each block, the next sample included.
 std::vector<double> largest_forces(const cromer_walk::Walk& walk);
 
-/// With those between its steps. Nothing is missed: a block is passed over only where a bound on how far the
-/// quantity may rise between two steps says so.
+/// The same with those between its steps. Nothing is missed: a block is passed over only where a bound on how
+/// far the quantity may rise between two steps says so.
 Extremes refined(const cromer_walk::Walk& walk, std::span<const double> largest_forces, const WalkedLaw& law,
-                 const WalkedLane& lane, Extremes range, bool largest_alone);
+                 const WalkedLane& lane, bool largest_alone);
 
 /// The motion at the last sample (the end of its hold).
 State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane);

@@ -30,6 +30,11 @@ struct Group {
   std::vector<WalkedLaw> laws{};
   std::vector<cromer_walk::Block> blocks{};
 
+  /// Its memory stays for the next laws.
+  void clear() {
+    filters = {};
+    laws.clear();
+  }
   void add(const LinearLaw<double>& law, const Watched<double>& watched, double step, bool hold,
            double force) {
     const IntervalMap<double> map = interval_map(law, step, hold);
@@ -55,9 +60,10 @@ ResponsePeaks peaks_of(const Group& group, std::size_t lane_of, const cromer_wal
                        std::span<const double> forces, const PeakSearch& search) {
   const WalkedLaw& law = group.laws[lane_of];
   const WalkedLane lane{group.blocks.data(), lane_of};
-  ResponsePeaks found{range_of(walk, law, lane), {0, 0}};
-  if (search.peaks == Peaks::continuous)
-    found.during = refined(walk, forces, law, lane, found.during, search.largest_alone);
+  ResponsePeaks found{search.peaks == Peaks::continuous
+                          ? refined(walk, forces, law, lane, search.largest_alone)
+                          : range_of(walk, law, lane),
+                      {0, 0}};
   if (!search.after_the_end) return found;
   const State<double> last = last_state(walk, law, lane);
   const double q = law.watched.x * last.x + law.watched.v * last.v;
@@ -91,6 +97,7 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
   std::vector<ResponsePeaks> found(laws.size());
   std::vector<double> forces;
   std::size_t block_of_forces = 0;
+  Group group;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
     // The finest of them sets the steps of all, but where the steps are part of the definition.
     end = std::min(begin + cromer_walk::lanes, order.size());
@@ -104,7 +111,7 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
                                  .every = search.peaks != Peaks::samples,
                                  .look_every = ground.refinement,
                                  .block = block_length(samples.size(), most)};
-    Group group;
+    group.clear();
     for (std::size_t i = begin; i < end; ++i) {
       const LinearLaw<double>& law = laws[order[i]];
       group.add(law, watched_of(law, search.quantity), ground.spacing / static_cast<double>(most), hold,

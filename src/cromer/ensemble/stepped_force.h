@@ -4,11 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include "cromer/ensemble/step_time.h"
+#include "cromer/methods/method.h"
 #include "cromer/model/harmonic_force.h"
 
 namespace cromer {
+
+inline std::pair<double, double> cosine_and_sine(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// f cos(w t + phi) at the nodes of steps, by Reinsch's form of the recurrence: of the second difference, so
 /// that small angles lose nothing (J. Stoer & R. Bulirsch, Introduction to Numerical Analysis, 3rd
@@ -21,17 +26,14 @@ class SteppedForce {
 
   /// For steps of h [s].
   SteppedForce(const HarmonicForce<Real>& force, const Real& h) : force_(force) {
-    const Real half = 0.5 / divisions * (force.frequency * h);
-    half_sine_ = sin(half);
-    half_cosine_ = cos(half);
+    std::tie(half_cosine_, half_sine_) = cosine_and_sine(0.5 / divisions * (force.frequency * h));
     curvature_ = 4.0 * (half_sine_ * half_sine_);
   }
 
   /// Makes the step that begins at t [s] ready, exactly.
   void anchor(const Real& t) {
     // The difference from here to the next node: -2 sin(q/2) sin(a + q/2).
-    const Real angle = force_.frequency * t + force_.phase;
-    const Real c = cos(angle), s = sin(angle);
+    const auto [c, s] = cosine_and_sine(force_.frequency * t + force_.phase);
     value_[0] = force_.amplitude * c;
     difference_ = -2.0 * half_sine_ * (force_.amplitude * (s * half_cosine_ + c * half_sine_));
     fill();
@@ -62,17 +64,55 @@ class SteppedForce {
   std::array<Real, divisions + 1> value_{};
 };
 
-/// The same at any time, by a cosine each: for methods that do not ask at nodes.
-template <class Real>
-class SteppedForce<Real, 0> {
+/// f cos(w t + phi) at the fractions of a step at which M asks: each is one rotation from the step's start,
+/// and so is the next start. anchor() makes it exact again; between two anchors, a hundred steps apart, the
+/// error stays below 3e-14 of f.
+template <class Real, AsksAtFractions M>
+class RotatedForce {
  public:
-  SteppedForce(const HarmonicForce<Real>& force, const Real&) : force_(force) {}
-  void anchor(const Real&) {}
-  void move_on() {}
-  Real operator()(const StepTime<Real>& t) const { return force_(t.seconds); }
+  /// For steps of h [s].
+  RotatedForce(const HarmonicForce<Real>& force, const Real& h, const M& method) : force_(force) {
+    std::tie(turn_cosine_, turn_sine_) = cosine_and_sine(force.frequency * h);
+    const auto fractions = method.asked_at();
+    for (std::size_t i = 0; i < count; ++i)
+      std::tie(cosine_[i], sine_[i]) = cosine_and_sine(force.frequency * (fractions[i] * h));
+  }
+
+  /// Makes the step that begins at t [s] ready, exactly.
+  void anchor(const Real& t) {
+    const auto [c, s] = cosine_and_sine(force_.frequency * t + force_.phase);
+    along_ = force_.amplitude * c;
+    across_ = force_.amplitude * s;
+  }
+
+  /// Goes on to the next step.
+  void move_on() {
+    const Real c = along_, s = across_;
+    along_ = c * turn_cosine_ - s * turn_sine_;
+    across_ = s * turn_cosine_ + c * turn_sine_;
+  }
+
+  /// At the fraction nearest to t.
+  Real operator()(const StepTime<Real>& t) const {
+    std::size_t nearest = 0;
+    if constexpr (count > 1) {
+      // Known when the method is compiled, as the count of steps is: nothing is searched when it runs.
+      constexpr auto fractions = M::asked_at();
+      const auto away = [&](std::size_t i) {
+        return t.steps < fractions[i] ? fractions[i] - t.steps : t.steps - fractions[i];
+      };
+      for (std::size_t i = 1; i < count; ++i)
+        if (away(i) < away(nearest)) nearest = i;
+    }
+    return along_ * cosine_[nearest] - across_ * sine_[nearest];
+  }
 
  private:
+  static constexpr std::size_t count = std::tuple_size_v<decltype(std::declval<const M&>().asked_at())>;
+
   HarmonicForce<Real> force_;
+  Real turn_cosine_, turn_sine_, along_{}, across_{};  // amplitude times cosine and sine at the start
+  std::array<Real, count> cosine_, sine_;
 };
 
 /// No drive: nothing to make ready.
@@ -86,15 +126,11 @@ template <class Real>
 class SteppedPhasor {
  public:
   SteppedPhasor(const HarmonicForce<Real>& force, const Real& h) : force_(force) {
-    const Real angle = force.frequency * h;
-    turn_cosine_ = cos(angle);
-    turn_sine_ = sin(angle);
+    std::tie(turn_cosine_, turn_sine_) = cosine_and_sine(force.frequency * h);
   }
 
   void anchor(const Real& t) {
-    const Real angle = force_.frequency * t + force_.phase;
-    cosine = cos(angle);
-    sine = sin(angle);
+    std::tie(cosine, sine) = cosine_and_sine(force_.frequency * t + force_.phase);
   }
 
   void move_on() {

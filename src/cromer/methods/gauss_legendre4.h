@@ -26,6 +26,10 @@ struct GaussLegendre4 {
       .source = "J. C. Butcher, Math. Comput. 18, 50 (1964)",
   };
 
+  static constexpr double off = 0.28867513459481288225;  // sqrt(3)/6
+
+  static constexpr std::array<double, 2> asked_at() { return {0.5 - off, 0.5 + off}; }
+
   NewtonOptions newton;
 
   /// The accelerations of the last step, as a guess, and the largest so far.
@@ -44,7 +48,6 @@ struct GaussLegendre4 {
   template <class S, class Time, class Real>
   Trial<Real> step(const S& system, const Time& t, const Time& h, const State<Real>& y,
                    Memory<Real>& memory) const {
-    constexpr double off = 0.28867513459481288225;  // sqrt(3)/6
     constexpr double near = 0.25 - off, far = 0.25 + off;
     // From slopes at the two nodes to the rise from the start to each node.
     const auto to_first = [&](const auto& k1, const auto& k2) { return h * (0.25 * k1 + near * k2); };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "cromer/base/dual.h"
 #include "cromer/base/magnitude.h"
 #include "cromer/methods/method.h"
@@ -26,6 +28,8 @@ struct GeneralizedAlpha {
 
   NewtonOptions newton;
   double rho_inf = 0.8;  ///< 0 to 1
+
+  constexpr std::array<double, 1> asked_at() const { return {1 / (1 + rho_inf)}; }
 
   /// The method's own acceleration: made anew from the state it would leave the method first order. And the
   /// largest so far.

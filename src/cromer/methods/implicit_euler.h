@@ -46,7 +46,7 @@ struct ImplicitEuler {
       return v - y.v - h * system.acceleration(t + h, y.x + h * v, v);
     };
     // A velocity that moves x by less than its last digit changes nothing.
-    const Magnitude<Real> rounding = std::numeric_limits<double>::epsilon() * (magnitude(y.x) / magnitude(h));
+    const Magnitude<Real> rounding = std::numeric_limits<double>::epsilon() / magnitude(h) * magnitude(y.x);
     const auto solved = cromer::newton(residual, y.v + memory.rise, {memory.scale, rounding}, newton);
     const Real v = solved.root;
     memory = {v - y.v, larger(memory.scale, magnitude(v))};

@@ -24,7 +24,7 @@ struct MethodInfo {
   bool symplectic;                ///< of the undamped law
   bool reversible = false;        ///< a step back undoes a step
   bool a_stable = false;          ///< stable at any step where the linear law is
-  int divisions;                  ///< a step asks for accelerations at t + i h/divisions only; 0: at any time
+  int divisions;                  ///< a step asks for accelerations at t + i h/divisions only; 0: elsewhere
   std::string_view source;        ///< who published it
 
   /// Of the acceleration, for so many steps with so many Newton iterations in all.
@@ -52,6 +52,13 @@ concept Method = requires(const M& method, const S& system, double t, double h, 
   { M::info } -> std::convertible_to<MethodInfo>;
   { method.start(system, t, y) } -> std::convertible_to<typename M::template Memory<Real>>;
   { method.step(system, t, h, y, memory) } -> std::convertible_to<Trial<Real>>;
+};
+
+/// A method that says at which other fractions of a step it asks for accelerations, apart from `start`: a
+/// drive is made ready there. More than one of them are known without an object.
+template <class M>
+concept AsksAtFractions = requires(const M& method) {
+  method.asked_at()[0];
 };
 
 /// A method whose error estimate can choose the steps. info.error_order > 0: Trial.error is the embedded

@@ -37,8 +37,8 @@ struct NewtonScale {
 /// [s].
 template <class Real, class Time>
 Magnitude<Real> acceleration_rounding(const State<Real>& y, const Time& h) {
-  const auto step = magnitude(h);
-  return std::numeric_limits<double>::epsilon() * (magnitude(y.x) / step + magnitude(y.v)) / step;
+  const auto per_step = 1.0 / magnitude(h);  // made once for all steps
+  return std::numeric_limits<double>::epsilon() * per_step * (magnitude(y.x) * per_step + magnitude(y.v));
 }
 
 /// When an iteration has arrived. An update is at most the tolerance times the motion (or the root itself, if
@@ -49,12 +49,15 @@ class NewtonArrival {
  public:
   NewtonArrival(const NewtonScale<Size>& scale, double tolerance) : scale_(scale), tolerance_(tolerance) {}
 
-  /// Sizes of the latest update and of the root after it.
-  auto operator()(const Size& update, const Size& root) {
+  /// Sizes of the latest update and of the root after it. `done`: who had arrived before.
+  template <class Yes>
+  Yes operator()(const Size& update, const Size& root, const Yes& done) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Size motion = larger(scale_.motion, root);
-    const auto near = update <= tolerance_ * motion;
-    const auto stalled = update > 0.5 * last_ && update <= larger(scale_.rounding, 1e3 * epsilon * motion);
+    const Yes near = done || update <= tolerance_ * motion;
+    // Nearly always that is all of them, and there is nothing more to ask.
+    if (all(near)) return near;
+    const Yes stalled = update > 0.5 * last_ && update <= larger(scale_.rounding, 1e3 * epsilon * motion);
     last_ = update;
     return near || stalled;
   }
@@ -68,8 +71,9 @@ class NewtonArrival {
 /// A root of residual(u), from the guess; the residual is called with a Dual, so that its derivative is
 /// exact.
 template <class Real, class Residual>
-NewtonResult<Real> newton(const Residual& residual, const Real& guess,
-                          const NewtonScale<Magnitude<Real>>& scale, const NewtonOptions& options) {
+[[gnu::always_inline]] inline NewtonResult<Real> newton(const Residual& residual, const Real& guess,
+                                                        const NewtonScale<Magnitude<Real>>& scale,
+                                                        const NewtonOptions& options) {
   NewtonArrival<Magnitude<Real>> arrived(scale, options.tolerance);
   Real u = guess;
   Truth<Real> done = false;
@@ -77,7 +81,7 @@ NewtonResult<Real> newton(const Residual& residual, const Real& guess,
     const Dual<Real, 1> r = residual(Dual<Real, 1>::variable(u, 0));
     const Real update = r.value / r.derivative[0];
     u = choose(done, u, u - update);
-    done = done || arrived(magnitude(update), magnitude(u));
+    done = arrived(magnitude(update), magnitude(u), done);
     if (all(done)) return {u, i, done};
   }
   return {u, options.iteration_limit, done};
@@ -85,9 +89,9 @@ NewtonResult<Real> newton(const Residual& residual, const Real& guess,
 
 /// The same for two unknowns: residual takes and gives an array of two; sizes are those of the larger.
 template <class Real, class Residual>
-NewtonResult<Real, std::array<Real, 2>> newton(const Residual& residual, const std::array<Real, 2>& guess,
-                                               const NewtonScale<Magnitude<Real>>& scale,
-                                               const NewtonOptions& options) {
+[[gnu::always_inline]] inline NewtonResult<Real, std::array<Real, 2>> newton(
+    const Residual& residual, const std::array<Real, 2>& guess, const NewtonScale<Magnitude<Real>>& scale,
+    const NewtonOptions& options) {
   using Unknown = Dual<Real, 2>;
   NewtonArrival<Magnitude<Real>> arrived(scale, options.tolerance);
   std::array<Real, 2> u = guess;
@@ -104,8 +108,8 @@ NewtonResult<Real, std::array<Real, 2>> newton(const Residual& residual, const s
     // A comparison with NaN must not pass for a small update.
     const auto update = larger(magnitude(first), magnitude(second));
     const auto root = larger(magnitude(u[0]), magnitude(u[1]));
-    done = done ||
-           (magnitude(first + second) < std::numeric_limits<double>::infinity() && arrived(update, root));
+    const auto finite = magnitude(first + second) < std::numeric_limits<double>::infinity();
+    done = done || (finite && arrived(update, root, done));
     if (all(done)) return {u, i, done};
   }
   return {u, options.iteration_limit, done};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 #include "cromer/methods/verlet.h"
@@ -20,6 +22,12 @@ struct Yoshida4 {
       .source = "H. Yoshida, Phys. Lett. A 150, 262 (1990)",
   };
 
+  static constexpr double outer = 1.3512071919596576340;  // 1/(2 - 2^(1/3))
+  static constexpr double inner = 1 - 2 * outer;
+
+  /// The ends of its three steps.
+  static constexpr std::array<double, 3> asked_at() { return {outer, 1 - outer, 1}; }
+
   NewtonOptions newton;
 
   template <class Real>
@@ -33,8 +41,6 @@ struct Yoshida4 {
   template <class S, class Time, class Real>
   Trial<Real> step(const S& system, const Time& t, const Time& h, const State<Real>& y,
                    Memory<Real>& memory) const {
-    constexpr double outer = 1.3512071919596576340;  // 1/(2 - 2^(1/3))
-    constexpr double inner = 1 - 2 * outer;
     const Verlet verlet{newton};
     const Trial<Real> first = verlet.step(system, t, outer * h, y, memory);
     const Trial<Real> second = verlet.step(system, t + outer * h, inner * h, first.y, memory);
