@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/report/palette.h"
 #include "length_unit.h"
 
 namespace cromer::cli {
@@ -94,12 +95,13 @@ class Drawing {
         curve.x.push_back(at(k * points + i, swept_.size() - 1));
         curve.y.push_back(at(k * points + i, column) / measure.unit);
       }
+      curve.with_dots = points <= 2;
       panel.x.logarithmic = is_logarithmic(curve.x);
       if (curve.x.front() > curve.x.back()) {
         std::reverse(curve.x.begin(), curve.x.end());
         std::reverse(curve.y.begin(), curve.y.end());
       }
-      curve.role = outer > 1 ? fmt::format("family:{}", k) : result_.plan.method;
+      curve.role = outer > 1 ? family_role(k, outer) : result_.plan.method;
       // Each name at its own peak: resonance curves end in one line.
       const auto top = std::max_element(curve.y.begin(), curve.y.end(),
                                         [](double a, double b) { return a < b || std::isnan(a); });
