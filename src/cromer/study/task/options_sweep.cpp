@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/sweep.h"
 
@@ -18,6 +19,7 @@ constexpr std::string_view with_grid[] = {"mass",
                                           "natural-frequency",
                                           "damping-ratio",
                                           "quality-factor",
+                                          "loss-factor",
                                           "position",
                                           "velocity",
                                           "drive-amplitude",
@@ -40,7 +42,7 @@ bool is_in(const std::string_view (&names)[n], std::string_view name) {
 std::vector<Option> options_of(SweepOptions& o) {
   constexpr std::string_view sweep = "Sweep";
   std::vector<Option> options;
-  for (Option option : options_of(o.simulate)) {
+  for (Option option : point_options(o.simulate)) {
     if (is_in(with_grid, option.name)) {
       option.target = &o.values[option.name];
       options.push_back(option);

@@ -25,7 +25,8 @@ struct SweepAxis {
 /// Error.
 struct SweepPoint {
   Point point;
-  double until = 0;  // [s]
+  double until = 0;        // [s]
+  double loss_factor = 0;  ///< of hysteretic damping; then there is no damper
 };
 Result<SweepPoint> sweep_point_of(const SimulateOptions& options);
 

@@ -54,7 +54,14 @@ PointResult in_closed_form(const Point& point, const std::optional<MethodSteadyS
 }
 
 template <class M>
-std::optional<MethodSteadyState> steady_state_by(const M& method, const Point& point) {
+std::optional<MethodSteadyState> steady_state_by(const M& method, const SweepPoint& at) {
+  const Point& point = at.point;
+  if (at.loss_factor > 0) {
+    const double w = point.drive.frequency;
+    const SteadyState steady =
+        hysteretic_response(point.oscillator, at.loss_factor, point.drive.amplitude, w);
+    return MethodSteadyState{steady, steady.amplitude * w};
+  }
   if constexpr (M::info.order > 0 && M::info.error_order == 0) {
     return method_steady_state(method, linear_law(point), point.step);
   } else {
@@ -75,8 +82,7 @@ bool make_in_closed_form(const SweepWork& work, std::uint64_t first, std::uint64
       double* row = rows + i * width;
       points.values_of(first + i, row);
       const auto at = points.at(row);
-      write_measures(work,
-                     at ? in_closed_form(at->point, steady_state_by(method, at->point)) : without_numbers(),
+      write_measures(work, at ? in_closed_form(at->point, steady_state_by(method, *at)) : without_numbers(),
                      row + axes);
     }
     return true;
@@ -193,7 +199,7 @@ std::uint64_t SweepWork::rows_per_chunk() const {
 
 PointResult closed_form(const SweepWork& work, const Point& point) {
   return visit_method(work.method, work.settings, [&](const auto& method) {
-    return in_closed_form(point, steady_state_by(method, point));
+    return in_closed_form(point, steady_state_by(method, SweepPoint{point, 0, 0}));
   });
 }
 
