@@ -18,8 +18,9 @@ namespace {
 
 constexpr double most_damping = 20;
 constexpr double least_loss = 1e-3, most_loss = 2;
-constexpr double shortest_period = 1e-3;  // of a spacing: below, the mass follows the ground
-constexpr double longest_period = 1e6;    // of the recording's duration: above, the ground moves past it
+constexpr double most_acceleration = 1e100;  // [m/s^2] its square is summed up
+constexpr double shortest_period = 1e-3;     // of a spacing: below, the mass follows the ground
+constexpr double longest_period = 1e6;       // of the recording's duration: above, the ground moves past it
 
 template <std::size_t n>
 Result<std::size_t> choice(std::string_view option, const std::string& typed,
@@ -72,7 +73,14 @@ Result<Component> read_component(const SpectrumFile& file, const std::string& co
   component.column = record->column;
   component.spacing = record->spacing;
   component.acceleration = record->values;
-  for (double& a : component.acceleration) a *= *factor;
+  for (std::size_t i = 0; i < component.acceleration.size(); ++i) {
+    double& a = component.acceleration[i];
+    a *= *factor;
+    if (!(std::abs(a) <= most_acceleration))
+      return Error{fmt::format(
+          "{}: column \"{}\" has {:.4g} m/s^2 at sample {}: nothing shakes like that; mend the recording",
+          file.name, component.column, a, i + 1)};
+  }
   return component;
 }
 
@@ -84,6 +92,11 @@ Result<void> match(std::vector<Component>& components, std::vector<std::string>&
         "{} has a sample each {:.6g} s and {} one each {:.6g} s; the components of one motion must be "
         "sampled alike: resample one of them",
         first.file, first.spacing, second.file, second.spacing)};
+  if (first.acceleration == second.acceleration)
+    warnings.push_back(fmt::format(
+        "both components hold the same numbers ({}, {}): RotD100 is then larger than either by the root of 2",
+        first.file == second.file ? first.column : first.file,
+        first.file == second.file ? second.column : second.file));
   if (first.acceleration.size() == second.acceleration.size()) return {};
   Component& longer = first.acceleration.size() > second.acceleration.size() ? first : second;
   const Component& shorter = &longer == &first ? second : first;
