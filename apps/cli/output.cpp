@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "cromer/cluster/tables_file.h"
 #include "cromer/report/file.h"
 
 namespace cromer::cli {
@@ -33,7 +34,8 @@ Result<FileFormat> file_format(const std::string& path, bool hdf5) {
   if (ending == ".json") return FileFormat::json;
   if (ending == ".h5" && hdf5) return FileFormat::hdf5;
   if (ending == ".h5")
-    return Error{fmt::format("--output: {}: only sweep writes HDF5 files; use .csv or .json", path)};
+    return Error{fmt::format(
+        "--output: {}: only simulate, sweep and spectrum write HDF5 files; use .csv or .json", path)};
   return Error{fmt::format("--output: {}: the ending says the format, and \"{}\" is {}", path, ending,
                            hdf5 ? "none of .csv, .json and .h5" : "neither .csv nor .json")};
 }
@@ -46,11 +48,14 @@ Result<void> check_outputs(const OutputOptions& options, const std::vector<std::
         return Error{fmt::format("{} {}: that is the recording itself; it would be lost", name, *path)};
     }
   if (!options.output.empty()) {
-    if (auto format = file_format(options.output, options.hdf5); !format) return format.error();
+    const auto format = file_format(options.output, options.hdf5);
+    if (!format) return format.error();
     if (options.output == "-" && options.json)
       return Error{"--json and -o - both want standard output; give -o a file name"};
     if (options.output != "-")
       if (auto good = check_writable(options.output); !good) return good;
+    if (*format == FileFormat::hdf5)
+      if (auto good = can_write_tables(); !good) return good;
   }
   if (!options.plot.empty()) {
     if (auto format = figure_format(options.plot); !format) return Error{"--plot: " + format.error().message};

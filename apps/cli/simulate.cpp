@@ -11,6 +11,7 @@
 #include "output.h"
 #include "simulate_csv.h"
 #include "simulate_figure.h"
+#include "simulate_hdf5.h"
 #include "simulate_text.h"
 #include "syntax.h"
 #include "watching.h"
@@ -26,10 +27,12 @@ double memory_for_states() {
 Result<void> write_files(const SimulateResult& result, const OutputOptions& output,
                          const Arguments& arguments) {
   if (!output.output.empty()) {
-    const bool csv = *file_format(output.output) == FileFormat::csv;
-    if (auto good = write_file(output.output, csv ? simulate_csv(result, arguments) : to_json(result, true));
-        !good)
-      return good;
+    const std::string& file = output.output;
+    const FileFormat format = *file_format(file, true);
+    const auto good = format == FileFormat::hdf5  ? write_tables(file, simulate_tables(result, arguments))
+                      : format == FileFormat::csv ? write_file(file, simulate_csv(result, arguments))
+                                                  : write_file(file, to_json(result, true));
+    if (!good) return good;
   }
   return output.plot.empty() ? Result<void>{} : write_plot(output.plot, simulate_figure(result));
 }
@@ -39,6 +42,7 @@ Result<void> write_files(const SimulateResult& result, const OutputOptions& outp
 int run_simulate(const Arguments& arguments) {
   SimulateOptions options;
   OutputOptions output;
+  output.hdf5 = true;
   Syntax syntax{
       .command = "simulate",
       .description = "One run of the oscillator for each method and each drive frequency.",
@@ -47,7 +51,7 @@ int run_simulate(const Arguments& arguments) {
       .example =
           "  cromer simulate --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 \\\n"
           "    --method exact --method euler-cromer --step 0.01 --until 50 -o run.csv --plot run.svg"};
-  add_output_options(syntax.options, output, {}, "the kept states as .csv or .json");
+  add_output_options(syntax.options, output, {}, "the kept states as .csv, .json or .h5");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output); !good) return refuse(good.error().message);

@@ -8,7 +8,6 @@
 #include "command_line.h"
 #include "cromer/analysis/energy.h"
 #include "cromer/model/sensor.h"
-#include "command_line.h"
 #include "cromer/report/csv.h"
 
 namespace cromer::cli {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "cromer/base/quantity.h"
+#include "cromer/report/palette.h"
 #include "cromer/study/task/simulate_setup.h"
 #include "length_unit.h"
 
@@ -91,8 +92,7 @@ Panel panel_of(const std::vector<const SimulatedRun*>& runs, const SimulateResul
     curve.x = run.trajectory.t;
     for (const double x : run.trajectory.x)
       curve.y.push_back(std::clamp(x, -3 * height, 3 * height) / unit.metres);
-    curve.role = one_method && result.runs.size() > 1 ? fmt::format("family:{}", std::min<std::size_t>(i, 4))
-                                                      : run.method;
+    curve.role = one_method && result.runs.size() > 1 ? family_role(i, runs.size()) : run.method;
     curve.name = name_of(run, one_method, name_frequency);
     curve.remark = remark(run, height, unit);
     panel.curves.push_back(std::move(curve));

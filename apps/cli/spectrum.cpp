@@ -10,6 +10,7 @@
 #include "output.h"
 #include "spectrum_csv.h"
 #include "spectrum_figure.h"
+#include "spectrum_hdf5.h"
 #include "spectrum_text.h"
 #include "syntax.h"
 #include "watching.h"
@@ -44,9 +45,11 @@ Result<void> write_files(const SpectrumResult& result, const SpectrumOutput& out
                          const Arguments& arguments) {
   const std::string& file = output.common.output;
   if (!file.empty()) {
-    const bool csv = *file_format(file) == FileFormat::csv;
-    if (auto good = write_file(file, csv ? spectrum_csv(result, arguments) : to_json(result, true)); !good)
-      return good;
+    const FileFormat format = *file_format(file, true);
+    const auto good = format == FileFormat::hdf5  ? write_tables(file, spectrum_tables(result, arguments))
+                      : format == FileFormat::csv ? write_file(file, spectrum_csv(result, arguments))
+                                                  : write_file(file, to_json(result, true));
+    if (!good) return good;
   }
   if (!output.fourier.empty())
     if (auto good = write_file(output.fourier, fourier_csv(result, arguments)); !good) return good;
@@ -60,6 +63,7 @@ Result<void> write_files(const SpectrumResult& result, const SpectrumOutput& out
 int run_spectrum(const Arguments& arguments) {
   SpectrumOptions options;
   SpectrumOutput output;
+  output.common.hdf5 = true;
   Syntax syntax{
       .command = "spectrum",
       .description =
@@ -73,7 +77,7 @@ int run_spectrum(const Arguments& arguments) {
           "spectrum.csv\n"
           "  cromer spectrum h1.AT2 h2.AT2 --peaks peer --plot spectrum.svg\n"
           "  cromer spectrum drop.uff --shock --frequencies \"5:5000:200:log Hz\" --in-g --plot srs.svg"};
-  add_output_options(syntax.options, output.common, {}, "the spectrum as .csv or .json");
+  add_output_options(syntax.options, output.common, {}, "the spectrum as .csv, .json or .h5");
   syntax.options.push_back({"fourier", &output.fourier, "", Range::any,
                             "the recording's Fourier amplitudes as .csv", "none", "Output"});
   syntax.options.push_back({"tripartite", &output.tripartite, "", Range::any,

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cromer/base/quantity.h"
+#include "cromer/report/palette.h"
 #include "equal_lines.h"
 
 namespace cromer::cli {
@@ -18,7 +19,15 @@ std::string damping_name(const SpectrumResult& result, const ResponseSpectrum& s
                              : fmt::format("{:.4g} % damping", 100 * spectrum.damping_ratio);
 }
 
-std::string family(std::size_t i) { return fmt::format("family:{}", std::min<std::size_t>(i, 4)); }
+/// Dark to light with the damping, in whatever order it was asked for.
+std::string family(const SpectrumResult& result, std::size_t i) {
+  std::size_t less = 0;
+  for (std::size_t k = 0; k < result.spectra.size(); ++k) {
+    const double other = result.spectra[k].damping_ratio, own = result.spectra[i].damping_ratio;
+    less += other < own || (other == own && k < i);
+  }
+  return family_role(less, result.spectra.size());
+}
 
 /// Points of a curve in the order of their abscissa.
 void sort_by_x(Curve& curve) {
@@ -35,6 +44,7 @@ Curve curve_of(const std::vector<double>& x, std::string name, std::string role,
   for (std::size_t i = 0; i < x.size(); ++i) curve.y.push_back(value(i));
   curve.name = std::move(name);
   curve.role = std::move(role);
+  curve.with_dots = x.size() <= 2;
   sort_by_x(curve);
   return curve;
 }
@@ -70,8 +80,11 @@ std::string component_name(const SpectrumResult& result, std::size_t c) {
 
 /// The value at the top of a curve: "1.2 g at 0.3 s".
 void say_summit(Curve& curve, const char* value_unit, const char* at_unit) {
-  const auto top = std::max_element(curve.y.begin(), curve.y.end()) - curve.y.begin();
+  const auto top = std::max_element(curve.y.begin(), curve.y.end(),
+                                    [](double a, double b) { return a < b || std::isnan(a); }) -
+                   curve.y.begin();
   const auto i = static_cast<std::size_t>(top);
+  if (std::isnan(curve.y[i])) return;
   curve.remark =
       fmt::format("{} {} at {} {}", rounded(curve.y[i], 3), value_unit, rounded(curve.x[i], 3), at_unit);
 }
@@ -112,7 +125,7 @@ Panel response_panel(const SpectrumResult& result) {
   };
   if (result.components.size() == 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(i));
+      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(result, i));
     point_words(panel);
     return panel;
   }
@@ -120,8 +133,9 @@ Panel response_panel(const SpectrumResult& result) {
   for (std::size_t c = 0; c < 2; ++c) {
     add(spectrum.displacement[c], component_name(result, c), "family:4");
     panel.curves.back().dashed = c == 1;
-    panel.curves.back().remark.clear();
   }
+  add(spectrum.geometric_mean, "geometric mean", "family:2");
+  panel.curves.back().dashed = true;
   add(spectrum.rotd50, "RotD50", "family:2");
   add(spectrum.rotd100, "RotD100", "family:0");
   point_words(panel);
@@ -146,24 +160,28 @@ Panel shock_panel(const SpectrumResult& result) {
   };
   if (result.spectra.size() > 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i) {
-      add(result.spectra[i], damping_name(result, result.spectra[i]), family(i),
+      add(result.spectra[i], damping_name(result, result.spectra[i]), family(result, i),
           [](const Shock& s) { return s.maximax(); });
       say_summit(panel.curves.back(), acceleration_unit(result), along.unit);
     }
   } else {
     const ResponseSpectrum& spectrum = result.spectra[0];
-    add(spectrum, "negative", "family:4", [](const Shock& s) { return s.negative; });
+    // The largest lies lowest, so that what it is the largest of shows on it.
+    add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
+    add(spectrum, "positive", "positive", [](const Shock& s) { return s.positive; });
+    add(spectrum, "primary", "family:4", [](const Shock& s) { return s.primary; });
     panel.curves.back().dashed = true;
     add(spectrum, "residual", "family:4", [](const Shock& s) { return s.residual; });
-    add(spectrum, "primary", "family:2", [](const Shock& s) { return s.primary; });
-    add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
-    say_summit(panel.curves.back(), acceleration_unit(result), along.unit);
+    add(spectrum, "negative", "negative", [](const Shock& s) { return s.negative; });
+    for (Curve& curve : panel.curves) say_summit(curve, acceleration_unit(result), along.unit);
   }
   // Three decades below the top what is left is of no consequence.
-  double top = 0;
+  double top = 0, least = std::numeric_limits<double>::infinity();
   for (const Curve& curve : panel.curves)
-    for (const double y : curve.y) top = std::isfinite(y) ? std::max(top, y) : top;
-  if (top > 0) panel.y.low = std::pow(10.0, std::floor(std::log10(top)) - 2);
+    for (const double y : curve.y)
+      if (std::isfinite(y)) top = std::max(top, y), least = std::min(least, y);
+  const double low = top > 0 ? std::pow(10.0, std::floor(std::log10(top)) - 2) : 0;
+  if (least < low) panel.y.low = low;
   point_words(panel);
   return panel;
 }
@@ -194,7 +212,7 @@ Figure tripartite_figure(const SpectrumResult& result) {
   };
   if (result.components.size() == 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(i));
+      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(result, i));
   } else {
     add(result.spectra[0].rotd50, "RotD50", "family:2");
     add(result.spectra[0].rotd100, "RotD100", "family:0");

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "cromer/report/palette.h"
 #include "cromer/study/task/sweep_rows.h"
 #include "length_unit.h"
 
@@ -140,12 +141,13 @@ class Drawing {
           curve.x.push_back(place(begin + i, axes_.back()));
           curve.y.push_back(at(begin + i, column) / measure.unit);
         }
+        curve.with_dots = points <= 2;
         panel.x.logarithmic = is_logarithmic(curve.x);
         if (curve.x.front() > curve.x.back()) {
           std::reverse(curve.x.begin(), curve.x.end());
           std::reverse(curve.y.begin(), curve.y.end());
         }
-        curve.role = outer > 1 ? fmt::format("family:{}", k) : result_.plan.method;
+        curve.role = outer > 1 ? family_role(k, outer) : result_.plan.method;
         curve.dashed = way == 1;
         if (outer > 1 && way == 0) curve.name = fmt::format("{:.4g}", place(begin, axes_.front()));
         if (outer == 1 && ways_ == 2) curve.name = way == 0 ? "up" : "down";

@@ -146,8 +146,7 @@ TEST(Spectrum, SaysTheIntensityOfAnySize) {
   EXPECT_THAT(shaken("-100").out, HasSubstr("10⁻²⁰³"));
   EXPECT_THAT(shaken("-200").out, HasSubstr("about 10^-403"));
   EXPECT_THAT(shaken("-200").err, HasSubstr("about 10^-403 m/s, is below any number"));
-  EXPECT_THAT(shaken("300").out, HasSubstr("about 10^597"));
-  EXPECT_THAT(shaken("300").err, HasSubstr("about 10^597 m/s, is above any number"));
+  EXPECT_THAT(shaken("300").err, HasSubstr("1e+300 m/s^2 at sample 2: nothing shakes like that"));
 }
 
 TEST(Spectrum, ShowsFrequenciesToWhomeverAskedForThem) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -27,6 +28,21 @@ TEST(BandLimited, FindsTheSinusoidBetweenItsSamples) {
     for (std::size_t j = 20 * 16; j < 80 * 16; ++j)
       EXPECT_NEAR(fine[j], std::cos(w * static_cast<double>(j) / 16 + 0.3), 2e-4) << share << ' ' << j;
   }
+}
+
+TEST(BandLimited, ReachesCloserToTheNyquistFrequencyWithMoreSamples) {
+  const double w = 31.0 / 32 * std::numbers::pi;
+  std::vector<double> samples(400);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::cos(w * static_cast<double>(i) + 0.3);
+  const auto off = [&](int reach) {
+    const auto fine = refine_band_limited(samples, 16, reach);
+    double most = 0;
+    for (std::size_t j = 140 * 16; j < 260 * 16; ++j)
+      most = std::max(most, std::abs(fine[j] - std::cos(w * static_cast<double>(j) / 16 + 0.3)));
+    return most;
+  };
+  EXPECT_LT(off(128), 2e-4);
+  EXPECT_GT(off(16), 0.1);
 }
 
 TEST(BandLimited, BesselFunction) {

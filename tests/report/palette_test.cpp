@@ -52,6 +52,22 @@ TEST(Palette, HasTheColoursOfLookMd) {
   for (int i = 0; i < 5; ++i) EXPECT_EQ(style_of("family:" + std::to_string(i)).line, family[i]);
 }
 
+TEST(Palette, AnOrderedFamilyOfAnySizeGoesFromDarkToLight) {
+  for (const std::size_t count : {2u, 3u, 5u, 7u, 14u, 40u}) {
+    EXPECT_EQ(style_of(family_role(0, count)).line, "#00304D");
+    EXPECT_EQ(style_of(family_role(count - 1, count)).line, "#5596C2");
+    double last = 1e9;
+    for (std::size_t i = 0; i < count; ++i) {
+      const RoleStyle& style = style_of(family_role(i, count));
+      const double against_white = contrast(style.line, light_surface.ground);
+      EXPECT_LT(against_white, last) << i << " of " << count;
+      EXPECT_GE(contrast(style.word, light_surface.ground), 4.5);
+      last = against_white;
+    }
+  }
+  EXPECT_EQ(style_of("family:x").line, light_surface.ink);
+}
+
 TEST(Palette, HueIsTheFamilyAndDashTheMember) {
   const std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
       dash_dot{8, 3, 2, 3};

@@ -13,9 +13,16 @@ struct CromerHdf5Text {
   const char* text;
 };
 
+/// A group of the file's root.
+struct CromerHdf5Group {
+  const char* name;
+  const CromerHdf5Text* texts;  ///< its attributes
+  std::size_t text_count;
+};
+
 /// A dataset of doubles, one piece in the file.
 struct CromerHdf5Dataset {
-  const char* name;
+  const char* name;             ///< "group/name" in a group
   const CromerHdf5Text* texts;  ///< its attributes
   std::size_t text_count;
   const std::uint64_t* shape;
@@ -33,10 +40,11 @@ struct CromerHdf5Reader {
 struct CromerHdf5 {
   int version;
 
-  /// Makes the file: attributes, and datasets whose fill value is NaN, with room for all numbers, none
-  /// written. The same bytes whenever and wherever. False: `message` says why, the file is not good.
+  /// Makes the file: attributes, groups, and datasets whose fill value is NaN, with room for all numbers,
+  /// none written. The same bytes whenever and wherever. False: `message` says why, the file is not good.
   bool (*create)(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
-                 CromerHdf5Dataset* datasets, std::size_t dataset_count, char* message, std::size_t room);
+                 const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
+                 std::size_t dataset_count, char* message, std::size_t room);
 
   /// Tells text attributes and datasets of the file's root.
   bool (*read)(const char* path, const CromerHdf5Reader* reader, char* message, std::size_t room);
@@ -47,5 +55,5 @@ const CromerHdf5* cromer_hdf5();
 }  // extern "C"
 
 namespace cromer {
-constexpr int hdf5_module_version = 1;
+constexpr int hdf5_module_version = 2;
 }

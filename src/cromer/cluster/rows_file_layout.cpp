@@ -7,29 +7,12 @@
 #include <cmath>
 
 #include "cromer/cluster/differences.h"
-#include "cromer/cluster/hdf5_module.h"
-#include "cromer/cluster/module.h"
+#include "cromer/cluster/load_hdf5.h"
 
 namespace cromer {
 namespace {
 
 constexpr std::size_t message_room = 512;
-
-Result<const CromerHdf5*> hdf5() {
-  auto found = load_module({"libcromer_hdf5.so", "cromer_hdf5", "HDF5 files", "libhdf5-dev"});
-  if (!found) return Error{found.error().message + "; or use -o FILE.csv"};
-  const auto* module = reinterpret_cast<const CromerHdf5* (*)()>(*found)();
-  if (module->version != hdf5_module_version)
-    return Error{"libcromer_hdf5.so is not of this version of cromer; install both together"};
-  return module;
-}
-
-/// "amplitude (m)" is amplitude in m.
-std::pair<std::string, std::string> name_and_unit(const std::string& column) {
-  const auto open = column.find(" (");
-  if (open == std::string::npos || column.back() != ')') return {column, "1"};
-  return {column.substr(0, open), column.substr(open + 2, column.size() - open - 3)};
-}
 
 /// Writes `count` numbers, value(i), from `offset` on.
 template <class Value>
@@ -82,7 +65,7 @@ std::vector<LaidOut> layout_of(const ChunkedRows& work, const std::vector<RowsAx
 
 Result<void> make_file(const std::string& path, const ChunkedRows& work, const RowsFileOptions& options,
                        std::vector<LaidOut>& datasets, const Watch& watch) {
-  auto module = hdf5();
+  auto module = load_hdf5();
   if (!module) return module.error();
   std::string axes;
   for (const LaidOut& dataset : datasets)
@@ -100,8 +83,8 @@ Result<void> make_file(const std::string& path, const ChunkedRows& work, const R
                                     {"program", options.program.c_str()},
                                     {"command", options.command.c_str()}};
   char message[message_room];
-  if (!(*module)->create(path.c_str(), of_file, std::size(of_file), made.data(), made.size(), message,
-                         message_room))
+  if (!(*module)->create(path.c_str(), of_file, std::size(of_file), nullptr, 0, made.data(), made.size(),
+                         message, message_room))
     return Error{fmt::format("cannot write {}: {}", path, message)};
 
   auto file = DiskFile::open(path, 0);
@@ -119,7 +102,7 @@ Result<void> make_file(const std::string& path, const ChunkedRows& work, const R
 
 Result<void> find_in_file(const ChunkedRows& work, const RowsFileOptions& options,
                           std::vector<LaidOut>& datasets) {
-  auto module = hdf5();
+  auto module = load_hdf5();
   if (!module) return module.error();
   Found found;
   const CromerHdf5Reader reader{

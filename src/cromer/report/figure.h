@@ -18,7 +18,7 @@ enum class Mark { line, dots, band, crosses };
 
 /// One curve. `role` says what it means and with it its colour, width and dash (palette.h): "exact",
 /// "measured", "fitted", "forward-euler", "euler-cromer", ... (any method's name), "constant-rate",
-/// "family:0" to "family:4" (one hue, dark to light), "drive".
+/// "family:0" to "family:4" (one hue, dark to light; family_role()), "drive".
 struct Curve {
   std::vector<double> x, y;  ///< same length; NaN breaks the line
   std::string role;
@@ -27,6 +27,8 @@ struct Curve {
   std::string remark;  ///< what it does, under the name: "grows, -0.060 1/s"
   Mark mark = Mark::line;
   bool dashed = false;
+  bool with_dots =
+      false;  ///< dots on the line: of points so few that each is to be seen. Points alone always are
   bool sets_axes = true;  ///< the vertical axis makes room for it
   /// Where the word's leader line points to, in data units (label_y alone is optional: the curve's own height
   /// at label_x). Without label_x the word stands outside at right, or, where names are inside, in a free
@@ -77,8 +79,11 @@ struct Panel {
   std::vector<Note> notes;
   bool phase_portrait = false;  ///< square, names inside
   std::vector<Marker> markers;
-  int span = 1;                  ///< how many of the figure's columns it takes
-  bool names_inside = false;     ///< names in free places of the plot instead of the right margin
+  int span = 1;               ///< how many of the figure's columns it takes
+  bool names_inside = false;  ///< names in free places of the plot instead of the right margin
+  /// Names in a list beside the plot, in the order of the curves. So are more than six, and names inside of
+  /// which one has no place that covers nothing and whose leader line crosses nothing.
+  bool names_listed = false;
   std::optional<HeatMap> map{};  ///< in place of curves
 };
 

@@ -96,14 +96,16 @@ class Script {
 
   double up(double y) const { return layout_.height - y; }
 
-  std::string dash_type(const PlacedCurve& curve) const {
-    if (curve.dash[0] == 0) return "solid";
-    const double unit = terminal_of(format_).dash_unit * curve.width;
+  /// `drawn`: a curve or a line.
+  template <class Drawn>
+  std::string dash_type(const Drawn& drawn) const {
+    if (drawn.dash[0] == 0) return "solid";
+    const double unit = terminal_of(format_).dash_unit * drawn.width;
     // Rounded ends make a dash longer by the line's width and the gap shorter.
-    const double end = format_ == FigureFormat::svg ? 0 : 0.8 * curve.width;
+    const double end = format_ == FigureFormat::svg ? 0 : 0.8 * drawn.width;
     std::string text = "(";
-    for (std::size_t i = 0; i < curve.dash.size() && curve.dash[i] > 0; ++i) {
-      const double px = std::max(0.2, curve.dash[i] + (i % 2 == 0 ? -end : end));
+    for (std::size_t i = 0; i < drawn.dash.size() && drawn.dash[i] > 0; ++i) {
+      const double px = std::max(0.2, drawn.dash[i] + (i % 2 == 0 ? -end : end));
       fmt::format_to(std::back_inserter(text), "{}{:.3g}", i > 0 ? "," : "", px / unit);
     }
     return text + ")";
@@ -139,9 +141,9 @@ class Script {
   }
 
   void add_line(const PlacedLine& segment, const char* layer) {
-    line("set arrow from first {:.2f},{:.2f} to first {:.2f},{:.2f} nohead {} lc rgb '{}' lw {:.3g}",
+    line("set arrow from first {:.2f},{:.2f} to first {:.2f},{:.2f} nohead {} lc rgb '{}' lw {:.3g}{}",
          segment.from.x, up(segment.from.y), segment.to.x, up(segment.to.y), layer, segment.colour,
-         segment.width);
+         segment.width, segment.dash[0] > 0 ? " dt " + dash_type(segment) : "");
   }
 
   void data(const PlacedCurve& curve, std::size_t panel, std::size_t index) {
@@ -156,6 +158,10 @@ class Script {
       for (const Spot& p : piece) line("{:.2f} {:.2f}", p.x, up(p.y));
       line("");
     }
+    line("EOD");
+    if (curve.dots.empty()) return;
+    line("$dots_{}_{} << EOD", panel + 1, index + 1);
+    for (const Spot& p : curve.dots) line("{:.2f} {:.2f}", p.x, up(p.y));
     line("EOD");
   }
 
@@ -204,8 +210,12 @@ class Script {
       case Mark::crosses:
         break;
     }
-    return fmt::format("{} using 1:2 with lines lc rgb '{}' lw {:.3g} dt {}", name, curve.colour, curve.width,
-                       dash_type(curve));
+    std::string line = fmt::format("{} using 1:2 with lines lc rgb '{}' lw {:.3g} dt {}", name, curve.colour,
+                                   curve.width, dash_type(curve));
+    if (!curve.dots.empty())
+      line += fmt::format(", $dots_{}_{} using 1:2 with points pt 7 ps {} lw 1 lc rgb '{}'", panel + 1,
+                          index + 1, 2 * terminal_of(format_).point_size, curve.colour);
+    return line;
   }
 
   void panel(const PlacedPanel& panel, std::size_t number) {

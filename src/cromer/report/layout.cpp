@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cromer/report/axis_range.h"
+#include "cromer/report/figure_grid.h"
 #include "cromer/report/palette.h"
 #include "cromer/report/place_curve.h"
 #include "cromer/report/place_map.h"
@@ -12,62 +13,15 @@
 namespace cromer {
 namespace {
 
-struct Canvas {
-  double width, row_height, text_scale;
-};
-
-constexpr double row_of_several = 310;
-constexpr double wide_text = 1.15;     // a wide figure is shown smaller on the page
 constexpr double margin_share = 0.14;  // of the width, for names
 constexpr double most_margin = 0.30;
 constexpr double beside_others =
     1.35;  // width over height of a phase portrait next to other panels: room for its names
-constexpr double wide_frame = 800;              // [px] has room for more than 7 ticks
+constexpr double wide_frame = 800;  // [px] has room for more than 7 ticks
+constexpr std::size_t most_names_inside = 6;
 constexpr double edge = 6;                      // free at the figure's edge [px]
 constexpr double tick_length = 8;               // with the gap to its number [px]
 constexpr double bar_gap = 16, bar_width = 14;  // of a map's colours, beside its frame [px]
-
-Canvas canvas_of(const Figure& figure, int rows) {
-  const int columns = std::max(1, figure.columns);
-  switch (figure.size) {
-    case FigureSize::single:
-      return {760, rows > 1 ? row_of_several : 440, 1};
-    case FigureSize::wide:
-      return {1100, rows > 1 ? row_of_several : 440, wide_text};
-    case FigureSize::phase:
-      return {480.0 * columns, 440, 1};
-    case FigureSize::half:
-      return {420, rows > 1 ? 230.0 : 300.0, 1};
-    case FigureSize::tall:
-      return {420, rows > 1 ? 230.0 : 385.0, 1};
-  }
-  return {760, 440, 1};
-}
-
-// a, b, ... z, aa, ab, ...
-std::string letter_of(std::size_t panel) {
-  std::string letter;
-  for (std::size_t n = panel + 1; n > 0; n = (n - 1) / 26)
-    letter.insert(letter.begin(), static_cast<char>('a' + (n - 1) % 26));
-  return letter;
-}
-
-// Panels in rows: one row after the other, each as many columns wide as it says.
-std::vector<std::vector<std::size_t>> rows_of(const Figure& figure) {
-  std::vector<std::vector<std::size_t>> rows;
-  const int columns = std::max(1, figure.columns);
-  int used = columns;
-  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    const int span = std::clamp(figure.panels[i].span, 1, columns);
-    if (used + span > columns) {
-      rows.emplace_back();
-      used = 0;
-    }
-    rows.back().push_back(i);
-    used += span;
-  }
-  return rows;
-}
 
 // A panel on its way to its place.
 struct Cell {
@@ -309,14 +263,7 @@ std::vector<double> row_widths(const std::vector<Cell>& row, double width, doubl
   return widths;
 }
 
-}  // namespace
-
-Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
-  Figure figure = source;
-  if (figure.panels.empty()) figure.panels.emplace_back();
-  if (figure.size == FigureSize::half || figure.size == FigureSize::tall) {
-    for (Panel& panel : figure.panels) panel.names_inside = true;
-  }
+Layout lay_out_as_said(const Figure& figure, Typeface typeface, double smaller_by) {
   const auto rows = rows_of(figure);
   const int columns = std::max(1, figure.columns);
   const Canvas canvas = canvas_of(figure, static_cast<int>(rows.size()));
@@ -377,6 +324,31 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
     layout.panels.back().texts.push_back(text(figure.note, {edge, y + note_height / 2 - 2}, Align::left,
                                               fonts.sizes.remark, light_surface.text_2, fonts));
   return layout;
+}
+
+std::size_t names_inside(const Panel& panel) {
+  return static_cast<std::size_t>(
+      std::count_if(panel.curves.begin(), panel.curves.end(), [&](const Curve& curve) {
+        return !curve.name.empty() && curve.mark != Mark::band && !stands_outside(curve, panel);
+      }));
+}
+
+}  // namespace
+
+Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
+  Figure figure = source;
+  if (figure.panels.empty()) figure.panels.emplace_back();
+  const bool small = figure.size == FigureSize::half || figure.size == FigureSize::tall;
+  for (Panel& panel : figure.panels) {
+    panel.names_inside = panel.names_inside || small;
+    if (!panel.phase_portrait && names_inside(panel) > most_names_inside) panel.names_listed = true;
+  }
+  Layout layout = lay_out_as_said(figure, typeface, smaller_by);
+  bool crowded = false;
+  for (std::size_t i = 0; i < figure.panels.size() && !small; ++i)  // a small plot has no room for a list
+    if (layout.panels[i].crowded && !figure.panels[i].phase_portrait)
+      figure.panels[i].names_listed = crowded = true;
+  return crowded ? lay_out_as_said(figure, typeface, smaller_by) : layout;
 }
 
 }  // namespace cromer

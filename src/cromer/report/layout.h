@@ -34,12 +34,14 @@ struct PlacedLine {
   Spot from, to;
   std::string colour;
   double width = 0.8;
+  std::array<double, 4> dash{};
 };
 
 struct PlacedCurve {
   Mark mark = Mark::line;
   std::vector<std::vector<Spot>> pieces;  ///< of a line; of dots: one piece
   Band band;
+  std::vector<Spot> dots;  ///< on a line
   std::string colour;
   double width = 1.3;
   std::array<double, 4> dash{};
@@ -64,6 +66,7 @@ struct PlacedPanel {
   std::vector<PlacedCurve> curves;  ///< lowest first
   std::vector<PlacedText> texts;
   std::vector<Spot> rings, dots;
+  bool crowded = false;  ///< a name inside covers something, or its leader line crosses something
   std::optional<PlacedMap> map;
 };
 

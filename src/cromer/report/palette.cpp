@@ -15,7 +15,7 @@ constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3,
 
 // Hue is the family, dash the member. Where LOOK.md gives one colour only, the word's is darkened (lightened)
 // to 4.5:1.
-constexpr std::array<RoleStyle, 25> roles{{
+constexpr std::array<RoleStyle, 27> roles{{
     {"exact", "#8A93A0", "#5B6573", "#7F8A98", "#AAB4C0", 4, solid},
     {"measured", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 2.6, solid},
     {"fitted", "#AA4488", "#983A79", "#E08CC0", "#EBA3CF", 2, solid},
@@ -42,6 +42,8 @@ constexpr std::array<RoleStyle, 25> roles{{
     {"family:2", "#0072B2", "#0068A3", "#4AA8E8", "#6DBBF0", 1.5, solid},
     {"family:3", "#2E86BE", "#2A76A6", "#3F97D3", "#5AAEE6", 1.5, solid},
     {"family:4", "#5596C2", "#3A7296", "#3985B9", "#4F9FD6", 1.5, solid},
+    {"positive", "#0072B2", "#0068A3", "#4AA8E8", "#6DBBF0", 1.5, long_dash},
+    {"negative", "#0072B2", "#0068A3", "#4AA8E8", "#6DBBF0", 1.5, short_dash},
     {"implicit-family:0", "#003D2C", "#003D2C", "#BFF0DF", "#BFF0DF", 1.5, solid},
     {"implicit-family:4", "#469F84", "#2A7560", "#2FA583", "#4DBB99", 1.5, solid},
 }};
@@ -50,6 +52,37 @@ constexpr std::array<RoleStyle, 25> roles{{
 constexpr RoleStyle grid_line{"grid", "#D5DAE1", "#626C7A", "#323B47", "#949FAE", 0.8, solid};
 
 constexpr RoleStyle unknown{"", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 1.5, solid};
+
+constexpr int family_members = 5, shades_between = 20;
+
+/// Every shade of the family: where it lies between two members, their colours are mixed.
+const RoleStyle& family_shade(double member) {
+  constexpr std::size_t count = (family_members - 1) * shades_between + 1;
+  static const auto colours = [] {
+    std::array<std::array<std::string, 4>, count> made;
+    const auto* first = std::find_if(roles.begin(), roles.end(),
+                                     [](const RoleStyle& style) { return style.role == "family:0"; });
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      const auto below = std::min<std::size_t>(i / shades_between, family_members - 2);
+      const double share = static_cast<double>(i) / shades_between - static_cast<double>(below);
+      const RoleStyle &a = first[below], &b = first[below + 1];
+      made[i] = {mixed_colour(a.line, b.line, share), mixed_colour(a.word, b.word, share),
+                 mixed_colour(a.line_dark, b.line_dark, share),
+                 mixed_colour(a.word_dark, b.word_dark, share)};
+    }
+    return made;
+  }();
+  static const auto styles = [] {
+    std::array<RoleStyle, count> made;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      const auto& c = colours[i];
+      made[i] = {"family", c[0], c[1], c[2], c[3], 1.5, solid};
+    }
+    return made;
+  }();
+  const double at = std::clamp(member * shades_between, 0.0, static_cast<double>(styles.size() - 1));
+  return styles[static_cast<std::size_t>(std::lround(at))];
+}
 
 }  // namespace
 
@@ -60,22 +93,37 @@ const RoleStyle& style_of(std::string_view role) {
     if (style.role == role) return style;
   }
   if (role == grid_line.role) return grid_line;
+  constexpr std::string_view family = "family:";
+  if (role.starts_with(family)) {
+    const std::string member(role.substr(family.size()));
+    char* end = nullptr;
+    const double number = std::strtod(member.c_str(), &end);
+    if (end != member.c_str() && *end == '\0' && number >= 0) return family_shade(number);
+  }
   return unknown;
+}
+
+std::string family_role(std::size_t i, std::size_t n) {
+  if (n < 2) return "family:0";
+  return fmt::format("family:{:.4g}",
+                     (family_members - 1) * static_cast<double>(i) / static_cast<double>(n - 1));
+}
+
+std::string mixed_colour(std::string_view from, std::string_view to, double share) {
+  std::string mixed = "#";
+  for (std::size_t at = 1; at < 7; at += 2) {
+    const auto part = [at](std::string_view colour) {
+      return static_cast<double>(std::strtol(std::string(colour.substr(at, 2)).c_str(), nullptr, 16));
+    };
+    mixed += fmt::format("{:02X}", std::lround(part(from) + share * (part(to) - part(from))));
+  }
+  return mixed;
 }
 
 std::string map_colour(double share) {
   const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(std::size(map_colours) - 1);
   const auto below = std::min(static_cast<std::size_t>(at), std::size(map_colours) - 2);
-  const auto part = [&](std::size_t colour, std::size_t channel) {
-    return std::strtol(std::string(map_colours[colour].substr(1 + 2 * channel, 2)).c_str(), nullptr, 16);
-  };
-  std::string mixed = "#";
-  for (std::size_t channel = 0; channel < 3; ++channel) {
-    const double low = static_cast<double>(part(below, channel)),
-                 high = static_cast<double>(part(below + 1, channel));
-    mixed += fmt::format("{:02X}", std::lround(low + (at - static_cast<double>(below)) * (high - low)));
-  }
-  return mixed;
+  return mixed_colour(map_colours[below], map_colours[below + 1], at - static_cast<double>(below));
 }
 
 }  // namespace cromer

@@ -38,11 +38,18 @@ inline constexpr std::string_view map_colours[] = {"#440154", "#472D7B", "#3B528
 /// The colour at a share of the way, 0 to 1, as "#RRGGBB".
 std::string map_colour(double share);
 
+/// The colour a share of the way, 0 to 1, from one "#RRGGBB" to another.
+std::string mixed_colour(std::string_view from, std::string_view to, double share);
+
 /// All roles: "exact", "measured", "fitted", "drive", "constant-rate", "family:0" to "family:4" and every
 /// method's name.
 std::span<const RoleStyle> palette();
 
-/// The style of `role`, or of "grid", thin lines under the curves; an unknown role is drawn in ink.
+/// The style of `role`, or of "grid", thin lines under the curves; an unknown role is drawn in ink. Between
+/// "family:0" and "family:4" there are shades for more than five: "family:2.35".
 const RoleStyle& style_of(std::string_view role);
+
+/// The role of the i-th of n in an ordered family, from dark to light as far apart as can be; n > i.
+std::string family_role(std::size_t i, std::size_t n);
 
 }  // namespace cromer

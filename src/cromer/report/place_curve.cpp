@@ -112,7 +112,11 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool
     placed.pieces.push_back(thin_dots(spots));
     return placed;
   }
-  for (const auto& piece : unbroken(spots)) placed.pieces.push_back(thin_line(piece));
+  for (const auto& piece : unbroken(spots)) {
+    if (piece.size() == 1 || curve.with_dots)
+      placed.dots.insert(placed.dots.end(), piece.begin(), piece.end());
+    placed.pieces.push_back(thin_line(piece));
+  }
   return placed;
 }
 

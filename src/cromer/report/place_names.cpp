@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/report/clear_place.h"
+#include "cromer/report/name_list.h"
 #include "cromer/report/palette.h"
 #include "cromer/report/place_curve.h"
 
@@ -18,7 +20,7 @@ constexpr std::size_t most_targets = 240;
 
 class Words {
  public:
-  Words(PlacedPanel& placed, Occupancy& drawn, const AxisRange& x, const AxisRange& y)
+  Words(PlacedPanel& placed, Drawn& drawn, const AxisRange& x, const AxisRange& y)
       : placed_(placed), drawn_(drawn), x_(x), y_(y) {}
 
   // `block` with its box at a place already chosen.
@@ -36,7 +38,8 @@ class Words {
       placed_.texts.push_back(line);
       top += height;
     }
-    drawn_.add_box(box);
+    drawn_.all.add_box(box);
+    drawn_.inked.add_box(box);
   }
 
   // Where it was asked for, in graph fractions: to the left or right of that place, on the side away from
@@ -60,29 +63,22 @@ class Words {
     placed_.leaders.push_back({{edge.x + leader_gap * ux, edge.y + leader_gap * uy},
                                {point.x - gap_at_point * ux, point.y - gap_at_point * uy},
                                colour,
-                               0.8});
+                               0.8,
+                               {}});
+    const Spot ends[] = {placed_.leaders.back().from, placed_.leaders.back().to};
+    drawn_.all.add_line(ends, 0.8);
+    drawn_.inked.add_line(ends, 0.8);
   }
 
   Spot at(double x, double y) const { return {x_.px(x), y_.px(y)}; }
-  bool covers(const Box& box) const { return drawn_.taken(box) > 0; }
-  const Occupancy& drawn() const { return drawn_; }
+  bool covers(const Box& box) const { return drawn_.all.taken(box) > 0; }
 
  private:
   PlacedPanel& placed_;
-  Occupancy& drawn_;
+  Drawn& drawn_;
   const AxisRange& x_;
   const AxisRange& y_;
 };
-
-// The curve's height at px `x`, by linear interpolation; NaN where it has none.
-double height_at(const std::vector<Spot>& spots, double x) {
-  for (std::size_t i = 1; i < spots.size(); ++i) {
-    const Spot &a = spots[i - 1], &b = spots[i];
-    if ((a.x <= x && x <= b.x) || (b.x <= x && x <= a.x))
-      return a.x == b.x ? a.y : a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
-  }
-  return std::nan("");
-}
 
 std::vector<Spot> targets_of(const PlacedCurve& curve, const Box& frame) {
   std::vector<Spot> all;
@@ -105,6 +101,7 @@ void draw_on(Occupancy& drawn, const PlacedCurve& curve) {
       drawn.add_line(piece, curve.width);
     }
   }
+  for (const Spot& p : curve.dots) drawn.add_line(std::span(&p, 1), 5);
   for (std::size_t i = 0; i < curve.band.x.size(); ++i) {
     if (std::isnan(curve.band.x[i])) continue;
     drawn.add_box({curve.band.x[i], std::min(curve.band.low[i], curve.band.high[i]), 1,
@@ -142,9 +139,18 @@ void place_outside(Words& words, const PlacedPanel& placed, const Panel& panel,
 
 }  // namespace
 
+double height_at(const std::vector<Spot>& spots, double x) {
+  for (std::size_t i = 1; i < spots.size(); ++i) {
+    const Spot &a = spots[i - 1], &b = spots[i];
+    if ((a.x <= x && x <= b.x) || (b.x <= x && x <= a.x))
+      return a.x == b.x ? a.y : a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+  }
+  return std::nan("");
+}
+
 bool stands_outside(const Curve& curve, const Panel& panel) {
   return !curve.name.empty() && !curve.label_x && !panel.phase_portrait && !panel.names_inside &&
-         curve.mark != Mark::band;
+         !panel.names_listed && curve.mark != Mark::band;
 }
 
 NameBlock name_block(const Curve& curve, const TextSizes& sizes, Typeface typeface, double room) {
@@ -168,6 +174,7 @@ NameBlock name_block(const Curve& curve, const TextSizes& sizes, Typeface typefa
 }
 
 double names_margin(const Panel& panel, const TextSizes& sizes, Typeface typeface, double room) {
+  if (panel.names_listed) return list_margin(panel, sizes, typeface, room);
   double widest = 0;
   for (const Curve& curve : panel.curves) {
     if (stands_outside(curve, panel))
@@ -180,12 +187,15 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
                  const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
                  Typeface typeface) {
   const Box& frame = placed.frame;
-  Occupancy drawn(frame);
+  Drawn drawn{Occupancy(frame), Occupancy(frame), {}};
   std::vector<PlacedCurve> in_order;  // of panel.curves, not of drawing
   for (std::size_t i = 0; i < panel.curves.size(); ++i) {
     in_order.push_back(
         place_curve(panel.curves[i], spots[i], panel.curves.size() == 1, panel.phase_portrait));
-    draw_on(drawn, in_order.back());
+    draw_on(drawn.all, in_order.back());
+    const bool to_read_by = panel.curves[i].role == "grid";
+    if (!to_read_by) draw_on(drawn.inked, in_order.back());
+    drawn.curves.push_back(to_read_by ? std::vector<Spot>{} : spots[i]);
   }
   Words words(placed, drawn, x, y);
   const double room_inside = 0.6 * frame.width;
@@ -223,12 +233,14 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
       words.leader(box, point, std::string(light_surface.ink), note.circle ? ring_radius + 1 : 3);
   }
 
+  place_list(placed, panel, spots, in_order, sizes, typeface, cell.right() - frame.right());
   place_outside(words, placed, panel, spots, cell, sizes, typeface);
 
   for (const bool fixed : {true, false}) {
     for (std::size_t i = 0; i < panel.curves.size(); ++i) {
       const Curve& curve = panel.curves[i];
-      if (curve.name.empty() || stands_outside(curve, panel) || (curve.text_x && curve.text_y) != fixed)
+      if (curve.name.empty() || stands_outside(curve, panel) || stands_in_list(curve, panel) ||
+          (curve.text_x && curve.text_y) != fixed)
         continue;
       const NameBlock block = name_block(curve, sizes, typeface, room_inside);
       const std::string colour(style_of(curve.role).word);
@@ -251,11 +263,12 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
                       block.width, block.height};
         words.put(block, box, Align::centre, true);
       } else {
-        const std::vector<Spot> targets = curve.label_x && std::isfinite(point.y)
-                                              ? std::vector<Spot>{point}
-                                              : targets_of(in_order[i], frame);
-        const FreePlace place = free_place(drawn, frame, block.width, block.height, targets);
-        words.put(block, place.box, Align::left, place.covered > 0);
+        const std::vector<Spot> anywhere = targets_of(in_order[i], frame);
+        const std::vector<Spot> wanted =
+            curve.label_x && std::isfinite(point.y) ? std::vector<Spot>{point} : anywhere;
+        const auto [place, clear] = clear_place(drawn, frame, block.width, block.height, i, wanted, anywhere);
+        placed.crowded = placed.crowded || !clear;
+        words.put(block, place.box, Align::left, words.covers(place.box));
         words.leader(place.box, place.target, colour, 1);
       }
     }

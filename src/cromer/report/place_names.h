@@ -11,6 +11,9 @@ namespace cromer {
 /// Whether the curve's name stands in the right margin.
 bool stands_outside(const Curve& curve, const Panel& panel);
 
+/// The curve's height at px `x`, by linear interpolation; NaN where it has none.
+double height_at(const std::vector<Spot>& spots, double x);
+
 /// The lines of a name and its remark, and how wide they are.
 struct NameBlock {
   std::vector<PlacedText> lines;  ///< only text, size, colour, bold
@@ -23,7 +26,7 @@ double names_margin(const Panel& panel, const TextSizes& sizes, Typeface typefac
 
 /// Adds texts, leaders, rings and dots to `placed`, whose frame and curves are there already. `cell` is the
 /// panel's whole place, `spots` the points of each curve. The words do not overlap each other while there is
-/// room.
+/// room; `crowded` says whether the names inside found good places.
 void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
                  const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
                  Typeface typeface);

@@ -89,8 +89,19 @@ bool make_dataset(hid_t file, CromerHdf5Dataset& made) {
   return offset != HADDR_UNDEF;
 }
 
+bool make_group(hid_t file, const CromerHdf5Group& made) {
+  const Id options(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
+  H5Pset_obj_track_times(options, false);
+  const Id group(H5Gcreate2(file, made.name, H5P_DEFAULT, options, H5P_DEFAULT), H5Gclose);
+  if (!group.good()) return false;
+  for (std::size_t i = 0; i < made.text_count; ++i)
+    if (!write_text(group, made.texts[i])) return false;
+  return true;
+}
+
 bool create(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
-            CromerHdf5Dataset* datasets, std::size_t dataset_count, char* message, std::size_t room) {
+            const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
+            std::size_t dataset_count, char* message, std::size_t room) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_obj_track_times(creation, false);
@@ -99,6 +110,8 @@ bool create(const char* path, const CromerHdf5Text* texts, std::size_t text_coun
   if (!file.good()) return fail("cannot be made", message, room);
   for (std::size_t i = 0; i < text_count; ++i)
     if (!write_text(file, texts[i])) return fail(texts[i].name, message, room);
+  for (std::size_t i = 0; i < group_count; ++i)
+    if (!make_group(file, groups[i])) return fail(groups[i].name, message, room);
   for (std::size_t i = 0; i < dataset_count; ++i)
     if (!make_dataset(file, datasets[i])) return fail(datasets[i].name, message, room);
   if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0 || !file.close()) return fail("cannot be written", message, room);

@@ -64,7 +64,9 @@ Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view f
     return refuse(fmt::format(
         "column \"{}\" holds {}, not {}; choose another with {}", series->column, series->quantity,
         request.quantity == "force" ? "a force (N)" : "an acceleration (m/s^2 or g)", request.column_option));
-  if (series->t.size() < 2) return refuse(fmt::format("a {} needs at least two samples", request.use));
+  if (series->t.size() < 2)
+    return refuse(fmt::format("column \"{}\" has {}, and a {} needs at least two samples", series->column,
+                              series->t.empty() ? "no sample" : "one sample", request.use));
   if (!series->gaps.empty())
     return refuse(fmt::format(
         "the samples have {} of {:.6g} s after t = {:.6g} s; a {} needs even samples without "

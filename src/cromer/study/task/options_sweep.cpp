@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/sweep.h"
 
@@ -20,6 +21,7 @@ constexpr std::string_view with_grid[] = {"mass",
                                           "natural-frequency",
                                           "damping-ratio",
                                           "quality-factor",
+                                          "loss-factor",
                                           "position",
                                           "velocity",
                                           "drive-amplitude",
@@ -84,7 +86,7 @@ std::string sweep_refusal(std::string_view option, std::string_view text) {
 std::vector<Option> options_of(SweepOptions& o) {
   constexpr std::string_view sweep = "Sweep";
   std::vector<Option> options;
-  for (Option option : options_of(o.simulate)) {
+  for (Option option : point_options(o.simulate)) {
     if (is_in(with_grid, option.name)) {
       option.target = &o.values[option.name];
       options.push_back(option);

@@ -19,6 +19,7 @@ namespace cromer {
 namespace {
 
 constexpr int band_limited_factor = 16;  // values for each interval
+constexpr int band_limited_reach = 128;  // samples: faithful up to 31/32 of the Nyquist frequency
 // Periods between two looks at the watch: of one component, of two, and of hysteretic damping.
 constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8;
 
@@ -30,7 +31,8 @@ struct Shaking {
   GroundMotion ground;
 
   Shaking(const Component& component, const Between& between) {
-    if (between.band_limited) refined = refine_band_limited(component.acceleration, band_limited_factor);
+    if (between.band_limited)
+      refined = refine_band_limited(component.acceleration, band_limited_factor, band_limited_reach);
     ground = {between.band_limited ? refined : component.acceleration,
               between.band_limited ? component.spacing / band_limited_factor : component.spacing,
               between.between, between.band_limited ? std::size_t{band_limited_factor} : 1};

@@ -39,6 +39,7 @@ struct SimulateOptions {
   double mass = 1;                            // [kg] > 0
   std::optional<double> stiffness{};          // [N/m] any sign; 1 by default
   std::optional<double> damping{};            // [kg/s] >= 0; 0 by default
+  double loss_factor = 0;                     // >= 0; of sweeps alone, not an option of simulate
   double drag = 0;                            // [kg/m] >= 0
   double friction = 0;                        // [N] >= 0
   std::optional<double> static_friction{};    // [N] >= friction, which it is by default
@@ -90,9 +91,9 @@ struct SimulatedRun {
   double step = 0;   // [s]
   double until = 0;  // [s]
   double tolerance = 0;
-  MethodSettings settings{};             ///< what the method takes besides
-  bool compensated = false;              ///< states in compensated sums
-  std::optional<MethodEffect> effect{};  ///< what it really simulates, of linear laws
+  MethodSettings settings{};                      ///< what the method takes besides
+  bool compensated = false;                       ///< states in compensated sums
+  std::optional<MethodEffect> effect{};           ///< what it really simulates, of linear laws
   std::optional<RunTransmission> transmission{};  ///< what gets through, of driven linear laws
   Outcome outcome;
   Trajectory trajectory;

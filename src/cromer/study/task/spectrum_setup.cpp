@@ -18,8 +18,9 @@ namespace {
 
 constexpr double most_damping = 20;
 constexpr double least_loss = 1e-3, most_loss = 2;
-constexpr double shortest_period = 1e-3;  // of a spacing: below, the mass follows the ground
-constexpr double longest_period = 1e6;    // of the recording's duration: above, the ground moves past it
+constexpr double most_acceleration = 1e100;  // [m/s^2] its square is summed up
+constexpr double shortest_period = 1e-3;     // of a spacing: below, the mass follows the ground
+constexpr double longest_period = 1e6;       // of the recording's duration: above, the ground moves past it
 
 template <std::size_t n>
 Result<std::size_t> choice(std::string_view option, const std::string& typed,
@@ -79,7 +80,14 @@ Result<Component> read_component(const SpectrumFile& file, const std::string& co
   component.column = record->column;
   component.spacing = record->spacing;
   component.acceleration = record->values;
-  for (double& a : component.acceleration) a *= *factor;
+  for (std::size_t i = 0; i < component.acceleration.size(); ++i) {
+    double& a = component.acceleration[i];
+    a *= *factor;
+    if (!(std::abs(a) <= most_acceleration))
+      return Error{fmt::format(
+          "{}: column \"{}\" has {:.4g} m/s^2 at sample {}: nothing shakes like that; mend the recording",
+          file.name, component.column, a, i + 1)};
+  }
   return component;
 }
 

@@ -7,6 +7,7 @@
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/methods/all.h"
 #include "cromer/study/task/drive_setup.h"
+#include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/simulate_setup.h"
 #include "cromer/study/task/sweep.h"
 #include "cromer/study/task/sweep_rows.h"
@@ -22,7 +23,7 @@ constexpr std::uint64_t most_looked_at = 100000;  // values of a grid
 /// nothing else to sweep, one point is swept: along the drive's frequency, or all that has a value.
 Result<void> read_values(const SweepOptions& options, SweepWork& work) {
   std::vector<SweepAxis> single;
-  for (const Option& option : options_of(work.base)) {
+  for (const Option& option : point_options(work.base)) {
     const auto typed = options.values.find(option.name);
     if (typed == options.values.end() || typed->second.empty()) continue;
     const auto wrong = [&](const Error& error) {
@@ -88,7 +89,7 @@ Result<void> order_axes(SweepWork& work) {
 /// The run that the options describe at one end of every axis: whatever `simulate` would refuse is refused.
 Result<SimulatedRun> run_at(const SweepWork& work, bool last) {
   SimulateOptions options = work.base;
-  const auto table = options_of(options);
+  const auto table = point_options(options);
   for (const SweepAxis& axis : work.axes)
     set_number(std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name == axis.name; })
                    ->target,
@@ -263,7 +264,7 @@ std::string describe(const SweepOptions& options, const SweepWork& work, const M
 Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   auto work = std::make_shared<SweepWork>();
   work->base = options.simulate;
-  if (work->base.method.empty()) work->base.method = {"euler-cromer"};
+  if (work->base.method.empty()) work->base.method = {has_loss_factor(options) ? "exact" : "euler-cromer"};
   if (work->base.method.size() > 1)
     return Error{fmt::format("--method: a sweep goes by one method, not by {}; run it once for each",
                              work->base.method.size())};
@@ -273,6 +274,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   if (!direction) return direction.error();
   work->direction = *direction;
   if (auto good = order_axes(*work); !good) return good.error();
+  if (auto good = check_loss_factor(options, *work); !good) return good.error();
 
   double rows = 1;
   for (const SweepAxis& axis : work->axes) rows *= static_cast<double>(axis.grid.size());
@@ -292,6 +294,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   auto measures = find_measures(options.measure, work->driven);
   if (!measures) return measures.error();
   work->measures = *std::move(measures);
+  if (auto good = check_settled_loss(options, *work); !good) return good.error();
   if (auto good = choose_way(options, *work); !good) return good.error();
   if (auto good = check_cycles(*work); !good) return good.error();
   work->settling.dropped = options.settle;

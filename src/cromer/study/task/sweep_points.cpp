@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "cromer/study/task/drive_setup.h"
+#include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/simulate_setup.h"
 
 namespace cromer {
@@ -28,6 +29,7 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   const double period =
       drive.amplitude > 0 && drive.frequency > 0 ? 2 * std::numbers::pi / drive.frequency : 0;
   result.point.step = options.step.value_or(default_step(natural, period));
+  result.loss_factor = options.loss_factor;
   result.until = options.until.value_or(default_end(natural, period));
   if (!(result.point.step > 0) || !(result.until > 0))
     return Error{fmt::format(
@@ -59,7 +61,7 @@ void set_number(const Option::Target& target, double value) {
 
 SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxis>& axes)
     : axes_(axes), options_(base) {
-  const std::vector<Option> table = options_of(options_);
+  const std::vector<Option> table = point_options(options_);
   for (const SweepAxis& axis : axes_) {
     const auto option =
         std::find_if(table.begin(), table.end(), [&](const Option& each) { return each.name == axis.name; });

@@ -30,7 +30,8 @@ bool is_method_setting(std::string_view option);
 /// A point, its end (that of --until, or the default), and what its method is set to.
 struct SweepPoint {
   Point point;
-  double until = 0;  // [s]
+  double until = 0;        // [s]
+  double loss_factor = 0;  ///< of hysteretic damping; then there is no damper
   MethodSettings settings{};
 };
 

@@ -34,14 +34,18 @@ PointResult without_numbers() {
 
 /// Where a linear law's motion settles, or why it does not.
 template <class M>
-PointResult in_closed_form(const M& method, const Point& point) {
+PointResult in_closed_form(const M& method, const SweepPoint& at) {
+  const Point& point = at.point;
   PointResult result;
   const Oscillator<double>& o = point.oscillator;
   std::optional<MethodSteadyState> steady;
-  if constexpr (M::info.order > 0 && M::info.error_order == 0) {
+  const double w = point.drive.frequency;
+  if (at.loss_factor > 0) {
+    const SteadyState answer = hysteretic_response(o, at.loss_factor, point.drive.amplitude, w);
+    steady = MethodSteadyState{answer, answer.amplitude * w};
+  } else if constexpr (M::info.order > 0 && M::info.error_order == 0) {
     steady = method_steady_state(method, linear_law(point), point.step);
   } else if (o.damping > 0 && o.stiffness > 0) {
-    const double w = point.drive.frequency;
     const SteadyState answer = frequency_response(o, point.drive.amplitude, w);
     steady = MethodSteadyState{answer, answer.amplitude * w};
   }
@@ -49,7 +53,7 @@ PointResult in_closed_form(const M& method, const Point& point) {
     result.status = grows(method, point) ? PointStatus::unstable : PointStatus::not_settled;
     return result;
   }
-  if (o.damping == 0) result.status = PointStatus::own_damping;
+  if (o.damping == 0 && at.loss_factor == 0) result.status = PointStatus::own_damping;
   const double x = steady->position.amplitude, v = steady->velocity;
   result.amplitude = result.peak = x;
   result.phase_lag = steady->position.phase_lag;
@@ -68,7 +72,7 @@ bool make_in_closed_form(const SweepWork& work, SweepPoints& points, std::uint64
       double* row = rows + i * width;
       points.values_of(first + i, row);
       const auto at = points.at(row);
-      write_measures(work, at ? in_closed_form(method, at->point) : without_numbers(), row + axes);
+      write_measures(work, at ? in_closed_form(method, *at) : without_numbers(), row + axes);
     }
     return true;
   });
@@ -215,7 +219,7 @@ std::uint64_t SweepWork::rows_of_equal_settings() const {
 
 PointResult closed_form(const SweepWork& work, const SweepPoint& at) {
   return visit_method(work.method, at.settings,
-                      [&](const auto& method) { return in_closed_form(method, at.point); });
+                      [&](const auto& method) { return in_closed_form(method, at); });
 }
 
 std::optional<PointResult> settle_one(const SweepWork& work, const SweepPoint& at, const Watch& watch) {

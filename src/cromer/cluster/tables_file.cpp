@@ -1,0 +1,123 @@
+#include "cromer/cluster/tables_file.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "cromer/cluster/disk.h"
+#include "cromer/cluster/load_hdf5.h"
+
+namespace cromer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t message_room = 512;
+
+/// What the module is told, and the strings that it points to.
+struct Told {
+  std::vector<std::string> names{}, units{};
+  std::vector<std::vector<std::uint64_t>> shapes{};
+  std::vector<std::vector<CromerHdf5Text>> texts{};
+  std::vector<CromerHdf5Dataset> datasets{};
+  std::vector<const Hdf5Column*> columns{};
+  std::vector<std::vector<CromerHdf5Text>> group_texts{};
+  std::vector<CromerHdf5Group> groups{};
+};
+
+std::vector<CromerHdf5Text> texts_of(const Hdf5Table& table) {
+  std::vector<CromerHdf5Text> texts;
+  for (const auto& [name, text] : table.texts) texts.push_back({name.c_str(), text.c_str()});
+  return texts;
+}
+
+Told tell(const std::vector<Hdf5Table>& tables) {
+  Told told;
+  for (const Hdf5Table& table : tables) {
+    if (!table.name.empty()) told.group_texts.push_back(texts_of(table));
+    for (const Hdf5Column& column : table.columns) {
+      if (column.values.empty()) continue;
+      auto [name, unit] = name_and_unit(column.name);
+      told.names.push_back(table.name.empty() ? name : table.name + "/" + name);
+      told.units.push_back(std::move(unit));
+      told.shapes.push_back(column.shape.empty() ? std::vector<std::uint64_t>{column.values.size()}
+                                                 : column.shape);
+      told.columns.push_back(&column);
+    }
+  }
+  // Pointers only now that nothing moves any more.
+  std::size_t group = 0;
+  for (const Hdf5Table& table : tables) {
+    if (table.name.empty()) continue;
+    const auto& texts = told.group_texts[group++];
+    told.groups.push_back({table.name.c_str(), texts.data(), texts.size()});
+  }
+  for (std::size_t i = 0; i < told.columns.size(); ++i) {
+    told.texts.push_back({{"unit", told.units[i].c_str()}});
+    if (!told.columns[i]->axes.empty()) told.texts.back().push_back({"axes", told.columns[i]->axes.c_str()});
+  }
+  for (std::size_t i = 0; i < told.columns.size(); ++i)
+    told.datasets.push_back({told.names[i].c_str(), told.texts[i].data(), told.texts[i].size(),
+                             told.shapes[i].data(), told.shapes[i].size(), 0});
+  return told;
+}
+
+Result<void> fill(const std::string& path, const std::string& name, const std::vector<Hdf5Table>& tables) {
+  auto module = load_hdf5();
+  if (!module) return module.error();
+  Told told = tell(tables);
+  std::vector<CromerHdf5Text> of_file;
+  for (const Hdf5Table& table : tables)
+    if (table.name.empty()) of_file = texts_of(table);
+  char message[message_room];
+  if (!(*module)->create(path.c_str(), of_file.data(), of_file.size(), told.groups.data(), told.groups.size(),
+                         told.datasets.data(), told.datasets.size(), message, message_room))
+    return Error{fmt::format("cannot write {}: {}", name, message)};
+  auto file = DiskFile::open(path, 0);
+  if (!file) return Error{fmt::format("cannot write {}: {}", name, file.error().message)};
+  for (std::size_t i = 0; i < told.columns.size(); ++i) {
+    const auto& values = told.columns[i]->values;
+    if (auto good = file->write(values.data(), values.size() * sizeof(double), told.datasets[i].offset);
+        !good)
+      return Error{fmt::format("cannot write {}: {}", name, good.error().message)};
+  }
+  return file->sync();
+}
+
+}  // namespace
+
+Result<void> can_write_tables() {
+  auto module = load_hdf5();
+  if (!module) return module.error();
+  return {};
+}
+
+Result<void> write_tables(const std::string& path, const std::vector<Hdf5Table>& tables) {
+  std::error_code failed;
+  // The file that a symbolic link stands for, so that the link stays one.
+  const fs::path target = fs::is_symlink(path, failed) ? fs::weakly_canonical(path, failed) : fs::path(path);
+  const std::string folder = target.parent_path().empty() ? "." : target.parent_path().string();
+  std::string temporary = folder + "/.cromer-XXXXXX";
+  const int made = ::mkstemp(temporary.data());
+  if (made < 0) return Error{fmt::format("cannot write {}: {}", path, std::strerror(errno))};
+  ::close(made);
+  auto good = fill(temporary, path, tables);
+  if (good) {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    struct stat before {};
+    const mode_t mode = ::stat(target.c_str(), &before) == 0 ? before.st_mode & 07777 : 0666 & ~mask;
+    if (::chmod(temporary.c_str(), mode) != 0)
+      good = Error{fmt::format("cannot write {}: {}", path, std::strerror(errno))};
+  }
+  if (good) good = rename_file(temporary, target.string());
+  if (!good) ::unlink(temporary.c_str());
+  return good;
+}
+
+}  // namespace cromer

@@ -1,0 +1,60 @@
+#include "cromer/study/task/loss_factor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace cromer {
+
+std::vector<Option> point_options(SimulateOptions& o) {
+  auto options = options_of(o);
+  const auto before = std::find_if(options.begin(), options.end(),
+                                   [](const Option& each) { return each.name == "quality-factor"; });
+  options.insert(before + 1,
+                 {"loss-factor", &o.loss_factor, "", Range::not_negative,
+                  "hysteretic damping, a spring k (1 + i eta), in place of a damper: settled motions alone",
+                  "", before->group});
+  return options;
+}
+
+bool has_loss_factor(const SweepOptions& options) {
+  const auto typed = options.values.find("loss-factor");
+  return typed != options.values.end() && !typed->second.empty();
+}
+
+Result<void> check_loss_factor(const SweepOptions& options, const SweepWork& work) {
+  if (!has_loss_factor(options)) return {};
+  const auto refuse = [](std::string_view other) {
+    return Error{fmt::format(
+        "--loss-factor is said of the settled motion of a linear law, in closed form; leave --{} out",
+        other)};
+  };
+  for (const std::string_view other : {"damping", "damping-ratio", "quality-factor", "cubic", "drag",
+                                       "friction", "static-friction", "until"}) {
+    const auto typed = options.values.find(other);
+    if (typed != options.values.end() && !typed->second.empty()) return refuse(other);
+  }
+  if (options.settle) return refuse("settle");
+  if (!options.direction.empty()) return refuse("direction");
+  if (options.check) return refuse("check");
+  if (work.base.drive == "base") return refuse("drive base");
+  if (work.method != "exact")
+    return Error{
+        fmt::format("--loss-factor has no law in time that {} could step; leave --method out", work.method)};
+  return {};
+}
+
+Result<void> check_settled_loss(const SweepOptions& options, const SweepWork& work) {
+  if (!has_loss_factor(options)) return {};
+  if (!work.driven)
+    return Error{"--loss-factor: nothing drives the motion; give --drive-amplitude and --drive-frequency"};
+  for (const Measure* measure : work.measures)
+    if (!measure->in_closed_form)
+      return Error{fmt::format("--loss-factor is said of the settled motion; --measure {} looks at another",
+                               measure->name)};
+  return {};
+}
+
+}  // namespace cromer
