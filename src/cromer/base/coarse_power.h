@@ -2,16 +2,17 @@
 // hundred cycles.
 #pragma once
 
-#include <bit>
 #include <cstdint>
+
+#include "cromer/base/bit_cast.h"
 
 namespace cromer {
 
 /// log2 x, for normal x > 0. Error: below 9e-4; exact at powers of 2.
 inline double coarse_log2(double x) {
   constexpr std::uint64_t mantissa = (std::uint64_t{1} << 52) - 1, one = std::uint64_t{1023} << 52;
-  const auto bits = std::bit_cast<std::uint64_t>(x);
-  const double u = std::bit_cast<double>((bits & mantissa) | one) - 1;
+  const auto bits = bit_cast<std::uint64_t>(x);
+  const double u = bit_cast<double>((bits & mantissa) | one) - 1;
   const auto exponent = static_cast<double>(static_cast<std::int64_t>(bits >> 52) - 1023);
   // The chord from 1 to 2, and a cubic that vanishes at both.
   return (exponent + u) + (u * (u - 1)) * (u * 0.15922 - 0.422865);
@@ -24,7 +25,7 @@ inline double coarse_exp2(double y) {
   const double u = y - static_cast<double>(whole);
   const double bend = (0.306996 + u * 0.065446) + (u * u) * 0.013702;
   const double power = (1 + u) + (u * (u - 1)) * bend;
-  return power * std::bit_cast<double>(static_cast<std::uint64_t>(whole + 1023) << 52);
+  return power * bit_cast<double>(static_cast<std::uint64_t>(whole + 1023) << 52);
 }
 
 }  // namespace cromer

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
 
 namespace cromer {
@@ -127,8 +128,7 @@ std::string shortest(double value) {
   if (std::isnan(value)) return "nan";
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
   std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end.ptr};
+  return {text.data(), write_shortest(text.data(), value)};
 }
 
 std::string format_quantity(Quantity quantity, std::string_view unit) {

@@ -2,6 +2,14 @@
 
 #include <fast_float/fast_float.h>
 
+#include <charconv>
+#include <cmath>
+#include <version>
+
+#ifndef __cpp_lib_to_chars  // the page's standard library writes no doubles
+#include <fmt/format.h>
+#endif
+
 namespace cromer {
 
 std::optional<LeadingNumber> leading_number(std::string_view text, char decimal) {
@@ -24,6 +32,34 @@ std::optional<LeadingNumber> leading_number(std::string_view text, char decimal)
   const auto end = fast_float::from_chars_advanced(rest.data(), rest.data() + rest.size(), value, options);
   if (end.ptr == rest.data()) return std::nullopt;
   return LeadingNumber{negative ? -value : value, sign + static_cast<std::size_t>(end.ptr - rest.data())};
+}
+
+#ifdef __cpp_lib_to_chars
+
+char* write_shortest(char* to, double value) { return std::to_chars(to, to + 32, value).ptr; }
+
+namespace {
+char* write_15_digits(char* to, double value) {
+  return std::to_chars(to, to + 32, value, std::chars_format::general, 15).ptr;
+}
+}  // namespace
+
+#else
+
+char* write_shortest(char* to, double value) { return fmt::format_to(to, "{}", value); }
+
+namespace {
+char* write_15_digits(char* to, double value) { return fmt::format_to(to, "{:.15g}", value); }
+}  // namespace
+
+#endif
+
+double to_15_digits(double value) {
+  if (!std::isfinite(value)) return value;
+  char digits[32];
+  double clean = value;
+  fast_float::from_chars(digits, write_15_digits(digits, value), clean);
+  return clean;
 }
 
 }  // namespace cromer

@@ -10,7 +10,8 @@
 
 namespace cromer {
 
-/// What went wrong and what to do about it, in one sentence a user can act on (no trailing newline, no "error:").
+/// What went wrong and what to do about it, in one sentence a user can act on (no trailing newline, no
+/// "error:").
 struct Error {
   std::string message;
 };
@@ -19,7 +20,7 @@ struct Error {
 template <class T>
 class [[nodiscard]] Result {
  public:
-  Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}       // NOLINT: implicit on purpose
+  Result(T value) : content_(std::in_place_index<0>, std::move(value)) {}      // NOLINT: implicit on purpose
   Result(Error error) : content_(std::in_place_index<1>, std::move(error)) {}  // NOLINT: implicit on purpose
 
   bool ok() const { return content_.index() == 0; }

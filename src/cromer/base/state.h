@@ -1,4 +1,5 @@
-// What model and methods share: the state of one oscillator and what a method may ask of the thing it integrates.
+// What model and methods share: the state of one oscillator and what a method may ask of the thing it
+// integrates.
 #pragma once
 
 #include <concepts>
@@ -20,7 +21,8 @@ concept System = requires(const S& system, Real t, Real x, Real v) {
   { system.acceleration(t, x, v) } -> std::convertible_to<Real>;
 };
 
-/// A System whose motion has a closed form: propagate(t0, t, y0) is the state at t of the motion through y0 at t0.
+/// A System whose motion has a closed form: propagate(t0, t, y0) is the state at t of the motion through y0
+/// at t0.
 template <class S, class Real>
 concept ExactSystem = System<S, Real> && requires(const S& system, Real t0, Real t, State<Real> y0) {
   { system.propagate(t0, t, y0) } -> std::convertible_to<State<Real>>;

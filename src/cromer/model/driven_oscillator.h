@@ -173,16 +173,22 @@ decltype(auto) with_smooth_terms(const Oscillator<Real>& oscillator, const Harmo
                                  F&& f) {
   const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
-  const auto with_resistance = [&]<bool cubic>() -> decltype(auto) {
-    constexpr Terms bare{.drive = driven, .cubic = cubic};
-    constexpr Terms damped{.drive = driven, .damping = true, .cubic = cubic};
-    constexpr Terms dragged{.drive = driven, .damping = true, .cubic = cubic, .drag = true};
-    if (present.drag) return std::forward<F>(f)(DrivenOscillator<Real, dragged>(per_mass, force));
-    if (present.damping) return std::forward<F>(f)(DrivenOscillator<Real, damped>(per_mass, force));
-    return std::forward<F>(f)(DrivenOscillator<Real, bare>(per_mass, force));
-  };
-  return present.cubic ? with_resistance.template operator()<true>()
-                       : with_resistance.template operator()<false>();
+  if constexpr (!each_set_of_terms) {
+    if (is_linear(present))
+      return std::forward<F>(f)(DrivenOscillator<Real, some_linear_terms>(per_mass, force));
+    return std::forward<F>(f)(DrivenOscillator<Real, all_smooth_terms>(per_mass, force));
+  } else {
+    const auto with_resistance = [&]<bool cubic>() -> decltype(auto) {
+      constexpr Terms bare{.drive = driven, .cubic = cubic};
+      constexpr Terms damped{.drive = driven, .damping = true, .cubic = cubic};
+      constexpr Terms dragged{.drive = driven, .damping = true, .cubic = cubic, .drag = true};
+      if (present.drag) return std::forward<F>(f)(DrivenOscillator<Real, dragged>(per_mass, force));
+      if (present.damping) return std::forward<F>(f)(DrivenOscillator<Real, damped>(per_mass, force));
+      return std::forward<F>(f)(DrivenOscillator<Real, bare>(per_mass, force));
+    };
+    return present.cubic ? with_resistance.template operator()<true>()
+                         : with_resistance.template operator()<false>();
+  }
 }
 
 /// Calls f with the DryFriction around the law. It brings damping and drag along, but for the linear law
@@ -190,21 +196,25 @@ decltype(auto) with_smooth_terms(const Oscillator<Real>& oscillator, const Harmo
 template <class Real, class F>
 decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive,
                                  F&& f) {
-  const Terms present = terms_of(oscillator, drive);
+  [[maybe_unused]] const Terms present = terms_of(oscillator, drive);
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
   const HarmonicForce<Real> force = force_of(drive, oscillator.mass);
   const auto rub = [&]<Terms terms>() -> decltype(auto) {
     return std::forward<F>(f)(DryFriction(DrivenOscillator<Real, terms>(per_mass, force), per_mass.friction,
                                           per_mass.static_friction));
   };
-  const auto with_drag = [&]<bool driven>() -> decltype(auto) {
+  [[maybe_unused]] const auto with_drag = [&]<bool driven>() -> decltype(auto) {
     constexpr Terms linear{.drive = driven, .damping = true, .drag = true};
     constexpr Terms cubic{.drive = driven, .damping = true, .cubic = true, .drag = true};
     return present.cubic ? rub.template operator()<cubic>() : rub.template operator()<linear>();
   };
-  if (present.drive) return with_drag.template operator()<true>();
-  if (present.cubic || present.drag) return with_drag.template operator()<false>();
-  return rub.template operator()<Terms{.damping = true}>();
+  if constexpr (!each_set_of_terms) {
+    return rub.template operator()<all_smooth_terms>();
+  } else {
+    if (present.drive) return with_drag.template operator()<true>();
+    if (present.cubic || present.drag) return with_drag.template operator()<false>();
+    return rub.template operator()<Terms{.damping = true}>();
+  }
 }
 
 /// Calls f with the DrivenOscillator that has the terms with a coefficient other than zero, with friction the

@@ -32,17 +32,15 @@ SampledForce<Real> force_of(const SampledDrive& drive, const Real& mass) {
 /// force would multiply the instantiations.
 template <class Real, class Drive, class F>
 decltype(auto) with_terms_under(const Oscillator<Real>& oscillator, const Drive& drive, F&& f) {
-  constexpr Terms linear{.drive = true, .damping = true};
-  constexpr Terms smooth{.drive = true, .damping = true, .cubic = true, .drag = true};
   const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
   const auto force = force_of(drive, oscillator.mass);
   using Force = std::remove_const_t<decltype(force)>;
-  const DrivenOscillator<Real, smooth, Force> system(per_mass, force);
+  const DrivenOscillator<Real, all_smooth_terms, Force> system(per_mass, force);
   if (present.friction)
     return std::forward<F>(f)(DryFriction(system, per_mass.friction, per_mass.static_friction));
   if (present.cubic || present.drag) return std::forward<F>(f)(system);
-  return std::forward<F>(f)(DrivenOscillator<Real, linear, Force>(per_mass, force));
+  return std::forward<F>(f)(DrivenOscillator<Real, some_linear_terms, Force>(per_mass, force));
 }
 
 /// The same, whichever it is.

@@ -7,10 +7,11 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+
+#include "cromer/base/number.h"
 
 namespace cromer {
 
@@ -85,17 +86,6 @@ class NormalDeviates {
   double second_ = 0;
   bool has_second_ = false;
 };
-
-/// The double nearest to `value` written with 15 significant digits: 23.61 steps of 0.01 read 0.2361, not
-/// 0.23610000000000003.
-inline double to_15_digits(double value) {
-  if (!std::isfinite(value)) return value;
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 15).ptr;
-  double clean = value;
-  std::from_chars(digits, end, clean);
-  return clean;
-}
 
 /// The readings of one sensor, one after another.
 class SensorReadings {

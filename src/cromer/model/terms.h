@@ -6,6 +6,14 @@
 
 namespace cromer {
 
+/// Whether each set of terms has code of its own. A term that is absent then costs nothing; the page, which
+/// must be small, has all of them in two sets, where an absent term adds an exact 0.
+#ifdef CROMER_PAGE
+inline constexpr bool each_set_of_terms = false;
+#else
+inline constexpr bool each_set_of_terms = true;
+#endif
+
 /// Inertia and stiffness are always there.
 struct Terms {
   bool drive = false;
@@ -16,6 +24,10 @@ struct Terms {
 
   friend constexpr bool operator==(const Terms&, const Terms&) = default;
 };
+
+/// All that a linear law may have, and all that any smooth one may.
+inline constexpr Terms some_linear_terms{.drive = true, .damping = true};
+inline constexpr Terms all_smooth_terms{.drive = true, .damping = true, .cubic = true, .drag = true};
 
 /// The terms with a coefficient other than zero.
 template <class Real>

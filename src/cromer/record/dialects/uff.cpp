@@ -1,12 +1,12 @@
 #include "cromer/record/dialects/uff.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <map>
 
+#include "cromer/base/bit_cast.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/columns.h"
@@ -85,7 +85,7 @@ double real_at(std::string_view bytes, std::size_t at, bool little) {
     const std::size_t from = little ? sizeof(Bits) - 1 - k : k;
     bits = static_cast<Bits>(bits << 8) | static_cast<unsigned char>(bytes[at + from]);
   }
-  return static_cast<double>(std::bit_cast<Real>(bits));
+  return static_cast<double>(bit_cast<Real>(bits));
 }
 
 /// All numbers of a binary dataset in their order: uneven ones as pairs, whose time is a single always.

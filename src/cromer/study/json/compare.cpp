@@ -3,9 +3,7 @@
 #include "cromer/study/json/recording.h"
 
 namespace cromer {
-namespace {
-
-Json document(const CompareResult& comparison) {
+Json comparison_object(const CompareResult& comparison) {
   const FreeDecay& fit = comparison.recording.fit;
   Json object;
   object["recording"] = recording_object(comparison.recording);
@@ -36,15 +34,13 @@ Json document(const CompareResult& comparison) {
   return object;
 }
 
-}  // namespace
-
 std::string to_json(std::span<const CompareResult> comparisons) {
-  if (comparisons.size() == 1) return to_text(document(comparisons.front()));
+  if (comparisons.size() == 1) return to_text(comparison_object(comparisons.front()));
   Json all;
   Json& list = all["comparisons"] = Json::array();
   std::size_t failed = 0;
   for (const auto& comparison : comparisons) {
-    list.push_back(document(comparison));
+    list.push_back(comparison_object(comparison));
     failed += comparison.recording.fit.status != FitStatus::converged;
   }
   if (failed > 0)

@@ -2,21 +2,34 @@
 // folder only.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cromer/record/dialects/recording.h"
 
+#ifdef CROMER_PAGE  // which has no JSON library
+#include "json_value.h"
+#else
+#include <nlohmann/json.hpp>
+#endif
+
 namespace cromer {
 
 /// Keeps the fields in the order they were set.
+#ifdef CROMER_PAGE
+using Json = JsonValue;
+#else
 using Json = nlohmann::ordered_json;
+#endif
 
 /// Indented by two, or on one line; NaN and infinity as null, bytes that are not UTF-8 as U+FFFD, a newline
 /// at the end.
-inline std::string to_text(const Json& document, bool on_one_line = false) {
+inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_line = false) {
+#ifdef CROMER_PAGE
+  return document.text();
+#else
   return document.dump(on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace) + "\n";
+#endif
 }
 
 /// Zero stands for unknown in rates and durations.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cromer/study/json/json.h"
+#include "cromer/study/task/compare.h"
 #include "cromer/study/task/fit.h"
 
 namespace cromer {
@@ -11,5 +12,8 @@ Json recording_object(const FittedRecording& fitted);
 
 /// The document of one fit.
 Json fit_object(const FittedRecording& fitted);
+
+/// The document of one comparison.
+Json comparison_object(const CompareResult& comparison);
 
 }  // namespace cromer

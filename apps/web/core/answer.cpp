@@ -1,0 +1,159 @@
+#include "answer.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "cromer/base/grid.h"
+#include "cromer/base/number.h"
+#include "cromer/study/json/documents.h"
+#include "cromer/study/json/json.h"
+#include "cromer/study/json/recording.h"
+#include "cromer/study/task/fitted_motion.h"
+#include "request.h"
+#include "resonance_curves.h"
+
+namespace cromer::page {
+namespace {
+
+Answer bad_input(const Error& error) {
+  return {Status::bad_input, to_text(Json{{"message", error.message}}), {}};
+}
+
+Answer found(const std::string& document, bool ok) {
+  return {ok ? Status::done : Status::no_success, document, std::exchange(json_blocks(), {})};
+}
+
+/// Options of simulate that the page can run.
+Result<SimulateOptions> simulate_options(const Request& request) {
+  SimulateOptions options;
+  if (auto good = assign(request, options_of(options)); !good) return good.error();
+  if (!options.drive.empty() && options.drive != "harmonic" && options.drive != "unbalance" &&
+      options.drive != "base")
+    return Error{"--drive " + options.drive + ": the page drives by a sine; run the others with the program"};
+  if (!options.drive_file.empty() || !options.base_motion.empty())
+    return Error{"the page drives by a sine; run recorded drives with the program"};
+  if (options.compensated) return Error{"--compensated: run it with the program"};
+  return options;
+}
+
+Answer simulate_task(const Request& request, std::string_view) {
+  const auto options = simulate_options(request);
+  if (!options) return bad_input(options.error());
+  const auto result = simulate(*options);
+  return result ? found(to_json(*result, true), result->ok()) : bad_input(result.error());
+}
+
+Answer methods_task(const Request& request, std::string_view) {
+  MethodsOptions options;
+  if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
+  const auto rows = list_methods(options);
+  return rows ? found(to_json(*rows), true) : bad_input(rows.error());
+}
+
+Answer resonance_task(const Request& asked, std::string_view) {
+  Request request = asked;
+  const auto grid = parse_grid(take(request, "frequencies", "0.1:10:200"), "rad/s");
+  if (!grid) return bad_input(grid.error());
+  const auto options = simulate_options(request);
+  if (!options) return bad_input(options.error());
+  const auto curves = resonance_curves(*options, *grid);
+  if (!curves) return bad_input(curves.error());
+  Json document;
+  Json& list = document["curves"] = Json::array();
+  for (const MethodResonance& curve : *curves)
+    list.push_back({{"method", curve.method},
+                    {"settled", curve.settled},
+                    {"frequency", curve.frequency},
+                    {"amplitude", curve.amplitude},
+                    {"phase", curve.phase}});
+  return found(to_text(document), true);
+}
+
+Answer inspect_task(const Request& request, std::string_view file) {
+  ReadOptions options;
+  if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
+  const auto seen = inspect(file, request.file_name, options);
+  return seen ? found(to_json(*seen, true), true) : bad_input(seen.error());
+}
+
+/// The motion beside the law, sample by sample.
+Json curves_of(const FittedRecording& fitted) {
+  if (!fitted.succeeded() || fitted.series.t.empty()) return nullptr;
+  const FittedMotion motion = fitted_motion(fitted);
+  std::vector<double> outlier_times;
+  for (const Outlier& outlier : fitted.series.outliers) outlier_times.push_back(outlier.t);
+  return {{"t", motion.t}, {"measured", motion.measured}, {"residual", motion.residual}, {"x", motion.x},
+          {"v", motion.v}, {"energy", motion.energy},     {"set_aside", outlier_times}};
+}
+
+Answer fit_task(const Request& request, std::string_view file) {
+  FitOptions options;
+  if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
+  const auto fits = fit(file, request.file_name, options);
+  if (!fits) return bad_input(fits.error());
+  bool ok = true;
+  Json document;
+  Json& list = document["fits"] = Json::array();
+  for (const FittedRecording& fitted : *fits) {
+    ok = ok && fitted.succeeded();
+    list.push_back(fit_object(fitted));
+    list.back()["curves"] = curves_of(fitted);
+  }
+  return found(to_text(document), ok);
+}
+
+Answer compare_task(const Request& request, std::string_view file) {
+  CompareOptions options;
+  if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
+  const auto compared = compare(file, request.file_name, options);
+  if (!compared) return bad_input(compared.error());
+  bool ok = true;
+  Json document;
+  Json& list = document["comparisons"] = Json::array();
+  for (const CompareResult& each : *compared) {
+    ok = ok && each.complete;
+    list.push_back(comparison_object(each));
+    Json& states = list.back()["states"] = Json::array();
+    for (const ComparedCurve& curve : each.curves)
+      states.push_back({{"t", curve.trajectory.t}, {"x", curve.trajectory.x}, {"v", curve.trajectory.v}});
+  }
+  return found(to_text(document), ok);
+}
+
+/// What a logger would write of a simulated motion: a recording whose truth is known.
+Answer synthetic_task(const Request& request, std::string_view) {
+  auto options = simulate_options(request);
+  if (!options) return bad_input(options.error());
+  options->sensor.used = true;
+  const auto result = simulate(*options);
+  if (!result) return bad_input(result.error());
+  const SimulatedRun& run = result->runs.front();
+  std::string text = "Time (s),Position (m)\n";
+  for (std::size_t i = 0; i < run.sensor.size(); ++i)
+    text += shortest(to_15_digits(run.trajectory.t[i])) + ',' + shortest(run.sensor[i]) + '\n';
+  return found(to_text(Json{{"text", text}}), result->ok());
+}
+
+struct Task {
+  std::string_view name;
+  Answer (*run)(const Request& request, std::string_view file);
+};
+
+constexpr Task tasks[] = {
+    {"simulate", simulate_task},  {"effective", methods_task}, {"resonance", resonance_task},
+    {"inspect", inspect_task},    {"fit", fit_task},           {"compare", compare_task},
+    {"synthetic", synthetic_task}};
+
+}  // namespace
+
+Answer answer(std::string_view text, std::string_view file) {
+  const auto request = read_request(text);
+  if (!request) return bad_input(request.error());
+  json_blocks().clear();
+  for (const Task& task : tasks)
+    if (task.name == request->task) return task.run(*request, file);
+  return bad_input(Error{"there is no task \"" + request->task + "\""});
+}
+
+}  // namespace cromer::page
