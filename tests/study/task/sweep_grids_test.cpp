@@ -13,9 +13,11 @@
 namespace cromer {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 TEST(SweepGrids, TheMethodsOwnSettingsTakeGrids) {
   // Newmark's gamma above 1/2 damps: each row against a run of its own, whatever else is in the grid.
@@ -135,6 +137,39 @@ TEST(SweepGrids, GridsThatRunDownKeepTheirOrder) {
     const SweepResult a = swept(rising), b = swept(falling);
     for (std::size_t i = 0; i < 21; ++i)
       EXPECT_NEAR(a.rows[3 * i + 1], b.rows[3 * (20 - i) + 1], 1e-5 * a.rows[3 * i + 1]) << direction << i;
+  }
+}
+
+TEST(SweepGrids, TheEndsOfAGridAreItsLowestAndHighestValues) {
+  // Rising, falling, or with the end in the middle: what is driven, refused and warned of is the same.
+  for (const char* amplitudes : {"0:1:3", "1:0:3", "1,0,2"})
+    EXPECT_THAT(refusal(options_with(with(driven, {{"drive-amplitude", amplitudes}}))),
+                HasSubstr("--drive-amplitude: at 0 nothing swings"))
+        << amplitudes;
+  for (const char* frequencies : {"0:2:3", "2:0:3", "1,0,2"})
+    EXPECT_THAT(refusal(options_with(with(driven, {{"drive-frequency", frequencies}}))),
+                HasSubstr("--drive-frequency: at 0 nothing swings"))
+        << frequencies;
+  for (const char* frequencies : {"1:50:3", "50:1:3", "1,50,2"})
+    EXPECT_THAT(swept(options_with(with(driven, {{"drive-frequency", frequencies}, {"step", "0.05"}}), "rk4"))
+                    .plan.warnings,
+                Contains(HasSubstr("has 2.5 steps only")))
+        << frequencies;
+  for (const char* steps : {"0.01,0.5", "0.5,0.01", "0.01,0.5,0.02"})
+    EXPECT_THAT(swept(options_with(with(driven, {{"step", steps}}), "forward-euler")).plan.warnings,
+                Contains(HasSubstr("--step: 0.5 s is beyond the stability limit")))
+        << steps;
+}
+
+TEST(SweepGrids, ARunToItsEndMayHaveNoDrive) {
+  for (const char* amplitudes : {"0:1:3", "1:0:3"}) {
+    SweepOptions options = options_with(
+        with(driven, {{"drive-amplitude", amplitudes}, {"drive-frequency", "1"}, {"until", "3"}}));
+    options.measure = {"final"};
+    EXPECT_EQ(refusal(options), "not refused") << amplitudes;
+    EXPECT_THAT(swept(options).plan.warnings, IsEmpty()) << amplitudes;
+    options.simulate.friction = 0.1;
+    EXPECT_EQ(refusal(options), "not refused") << amplitudes << ", rubbing";
   }
 }
 
