@@ -16,6 +16,7 @@ namespace cromer::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const std::vector<std::string> curve{"sweep", "--damping-ratio",  "0.1", "--drive-amplitude",
@@ -201,6 +202,18 @@ TEST(SweepCommand, DrawsBothDirections) {
   EXPECT_THAT(figure, HasSubstr(">up<"));
   EXPECT_THAT(figure, HasSubstr(">down<"));
   EXPECT_THAT(figure, HasSubstr("stroke-dasharray"));
+}
+
+TEST(SweepCommand, NamesNoCurveThatHasNoNumbers) {
+  const Folder folder;
+  const Finished end = folder.run({"sweep", "--damping-ratio", "0.1", "--drive-amplitude", "1",
+                                   "--drive-frequency", "0.5:2:20", "--step", "0.05,0.3,0.5", "--method",
+                                   "forward-euler", "--measure", "amplitude", "--plot", "steps.svg"});
+  ASSERT_EQ(end.status, 1) << end.err;
+  const std::string figure = folder.read("steps.svg");
+  EXPECT_THAT(figure, HasSubstr(">0.05<"));
+  EXPECT_THAT(figure, Not(HasSubstr(">0.3<")));
+  EXPECT_THAT(figure, HasSubstr("no numbers: 0.3, 0.5"));
 }
 
 TEST(SweepCommand, InterruptedSaysSoOnBothStreams) {
