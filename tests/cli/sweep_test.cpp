@@ -47,6 +47,7 @@ TEST(SweepCommand, TellsItsRowsInJson) {
   EXPECT_NEAR(json["rows"][1][1].get<double>(), std::acos(-1.0) / 2, 1e-12);
   EXPECT_NEAR(json["rows"][1][2].get<double>(), 5, 1e-12);
   EXPECT_EQ(json["way"], "closed form");
+  EXPECT_EQ(json["steps"], "");
   EXPECT_EQ(json["swept"][0]["name"], "drive-frequency");
 }
 
@@ -169,8 +170,8 @@ TEST(SweepCommand, SaysWhatBecameOfEveryPoint) {
   EXPECT_EQ(json["phase_outside"], 1);
   EXPECT_THAT(json["warnings"].dump(), HasSubstr("outside 0 to pi"));
   const std::string csv = folder.read("steps.csv");
-  EXPECT_THAT(csv,
-              HasSubstr("\n# 4 points: 2 settled, 2 unstable\nstep (s),drive_frequency (rad/s),amplitude"));
+  EXPECT_THAT(csv, HasSubstr("\n# by forward-euler, closed form\n# 4 points: 2 settled, 2 unstable\nstep "
+                             "(s),drive_frequency (rad/s),amplitude"));
   EXPECT_THAT(csv, HasSubstr("\n0.3,40,,\n"));
 }
 

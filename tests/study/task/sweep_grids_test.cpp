@@ -1,4 +1,5 @@
 // Grids of a sweep: the method's settings, one point, either direction, and what is said of points.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 namespace cromer {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
@@ -159,6 +161,29 @@ TEST(SweepGrids, TheEndsOfAGridAreItsLowestAndHighestValues) {
     EXPECT_THAT(swept(options_with(with(driven, {{"step", steps}}), "forward-euler")).plan.warnings,
                 Contains(HasSubstr("--step: 0.5 s is beyond the stability limit")))
         << steps;
+}
+
+TEST(SweepGrids, SaysHowLongStepsAndRunsAre) {
+  const auto steps = [](const Values& values, std::string method = "") {
+    return swept(options_with(values, std::move(method))).plan.steps;
+  };
+  const std::string usual = "200 steps in a natural or a drive period, whichever is shorter";
+  EXPECT_EQ(steps(driven), usual);
+  EXPECT_EQ(steps(with(driven, {{"step", "0.05"}})), "steps of 0.05 s");
+  EXPECT_EQ(steps(with(driven, {{"step", "0.05,0.1"}})), "");
+  EXPECT_EQ(steps(driven, "exact"), "");
+  const Values free{{"position", "1,2"}};
+  EXPECT_EQ(steps(free), "200 steps in a natural period, for 20 natural periods");
+  EXPECT_EQ(steps(with(free, {{"until", "3"}, {"step", "0.1"}})), "steps of 0.1 s, to 3 s");
+  EXPECT_EQ(steps(with(free, {{"until", "3,4"}, {"step", "0.1"}})), "steps of 0.1 s");
+  // They are these: a point of its own at that step and end has the same bits.
+  const double period = 2 * std::acos(-1.0), step = period / 200, until = 20 * period;
+  const SweepResult named = swept(options_with(
+      with(free, {{"step", fmt::format("{:.17g}", step)}, {"until", fmt::format("{:.17g}", until)}})));
+  EXPECT_EQ(swept(options_with(free)).rows, named.rows);
+  // A file that would be gone on with after such a default had changed is another sweep's.
+  EXPECT_THAT(swept(options_with(free)).plan.rows.description,
+              AllOf(HasSubstr("\"steps_per_period\": 200"), HasSubstr("\"periods\": 20")));
 }
 
 TEST(SweepGrids, ARunToItsEndMayHaveNoDrive) {

@@ -10,6 +10,7 @@
 #include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/simulate_setup.h"
 #include "cromer/study/task/sweep.h"
+#include "cromer/study/task/sweep_description.h"
 #include "cromer/study/task/sweep_rows.h"
 
 namespace cromer {
@@ -234,40 +235,6 @@ std::string column_of(const SweepAxis& axis, std::string_view unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
-std::string_view words(SweepWay way) {
-  switch (way) {
-    case SweepWay::closed_form:
-      return "closed form";
-    case SweepWay::settled:
-      return "stepped until settled";
-    case SweepWay::to_end:
-      return "stepped to the end";
-    case SweepWay::one_by_one:
-      return "run one by one";
-  }
-  return "";
-}
-
-/// Everything that the rows depend on, in a fixed order.
-std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
-                     const SweepPlan& plan) {
-  std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
-                                 words(work.way), options.direction);
-  if (work.way == SweepWay::settled || work.way == SweepWay::to_end)
-    text += fmt::format(", \"simd\": \"{}\"", work.unit.name);
-  if (options.settle) text += fmt::format(", \"settle\": {}", shortest(*options.settle));
-  text += fmt::format(", \"tolerance\": {}, \"beta\": {}, \"gamma\": {}, \"rho_inf\": {}",
-                      shortest(settings.newton.tolerance), shortest(settings.beta), shortest(settings.gamma),
-                      shortest(settings.rho_inf));
-  if (!work.base.drive.empty()) text += fmt::format(", \"drive\": \"{}\"", work.base.drive);
-  for (const auto& [name, value] : options.values)
-    if (!value.empty()) text += fmt::format(", \"{}\": \"{}\"", name, value);
-  text += ", \"columns\": [";
-  for (std::size_t i = 0; i < plan.rows.columns.size(); ++i)
-    text += fmt::format("{}\"{}\"", i ? ", " : "", plan.rows.columns[i]);
-  return text + "]}";
-}
-
 }  // namespace
 
 Result<SweepPlan> plan_sweep(const SweepOptions& options) {
@@ -318,6 +285,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   plan.simd = work->unit.name;
   plan.way = work->settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
                                     : std::string(words(work->way));
+  plan.steps = steps_in_words(*work);
   for (const SweepAxis& axis : work->axes)
     plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
                           column_of(axis, axis.typed.name), axis.typed.factor});
