@@ -235,6 +235,27 @@ std::string column_of(const SweepAxis& axis, std::string_view unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
+/// What the rows are and how they come about, in words and numbers.
+void describe_rows(const SweepOptions& options, const SweepWork& work, SweepPlan& plan) {
+  plan.method = work.method;
+  plan.simd = work.unit.name;
+  plan.way = work.settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
+                                   : std::string(words(work.way));
+  plan.steps = steps_in_words(work);
+  for (const SweepAxis& axis : work.axes)
+    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
+                          column_of(axis, axis.typed.name), axis.typed.factor});
+  for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
+  for (const Measure* measure : work.measures)
+    for (const std::string& column : measure->columns) plan.measured.push_back(column);
+  plan.rows.columns.insert(plan.rows.columns.end(), plan.measured.begin(), plan.measured.end());
+  plan.rows.columns.emplace_back("status");
+  plan.rows.rows = 1;
+  for (const SweepAxis& axis : work.axes) plan.rows.rows *= axis.grid.size();
+  plan.rows.rows_per_chunk = work.rows_per_chunk();
+  plan.rows.description = describe(options, work, SweepPoints(work.base, work.axes).settings_of(0), plan);
+}
+
 }  // namespace
 
 Result<SweepPlan> plan_sweep(const SweepOptions& options) {
@@ -263,10 +284,8 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   const auto low = run_of(options_at(*work, lowest_of)), high = run_of(highest);
   if (!low) return low.error();
   if (!high) return high.error();
-  if (work->direction == SweepDirection::both) {
+  if (work->direction == SweepDirection::both)
     work->axes.insert(work->axes.begin(), {std::string(direction_axis), "", Grid({1, -1})});
-    rows *= 2;
-  }
   work->driven = high->drive.amplitude > 0 && high->drive.frequency > 0;
 
   auto measures = find_measures(options.measure, work->driven);
@@ -281,22 +300,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   work->unit = *unit;
 
   SweepPlan plan;
-  plan.method = work->method;
-  plan.simd = work->unit.name;
-  plan.way = work->settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
-                                    : std::string(words(work->way));
-  plan.steps = steps_in_words(*work);
-  for (const SweepAxis& axis : work->axes)
-    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
-                          column_of(axis, axis.typed.name), axis.typed.factor});
-  for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
-  for (const Measure* measure : work->measures)
-    for (const std::string& column : measure->columns) plan.measured.push_back(column);
-  plan.rows.columns.insert(plan.rows.columns.end(), plan.measured.begin(), plan.measured.end());
-  plan.rows.columns.emplace_back("status");
-  plan.rows.rows = static_cast<std::uint64_t>(rows);
-  plan.rows.rows_per_chunk = work->rows_per_chunk();
-  plan.rows.description = describe(options, *work, SweepPoints(work->base, work->axes).settings_of(0), plan);
+  describe_rows(options, *work, plan);
   plan.rows.make = [work, per_chunk = plan.rows.rows_per_chunk, all = plan.rows.rows](
                        std::uint64_t chunk, double* to, const Watch& watch) {
     const std::uint64_t first = chunk * per_chunk;
