@@ -19,6 +19,11 @@ std::string damping_name(const SpectrumResult& result, const ResponseSpectrum& s
                              : fmt::format("{:.4g} % damping", 100 * spectrum.damping_ratio);
 }
 
+/// The axis of curves that share a damping ratio, which their names leave out.
+std::string at_one_damping(const char* quantity, const SpectrumResult& result, const char* unit) {
+  return fmt::format("{} at {} ({})", quantity, damping_name(result, result.spectra[0]), unit);
+}
+
 /// Dark to light with the damping, in whatever order it was asked for.
 std::string family(const SpectrumResult& result, std::size_t i) {
   std::size_t less = 0;
@@ -129,7 +134,14 @@ Panel response_panel(const SpectrumResult& result) {
     point_words(panel);
     return panel;
   }
+  if (result.spectra.size() > 1) {
+    for (std::size_t i = 0; i < result.spectra.size(); ++i)
+      add(result.spectra[i].rotd50, "RotD50, " + damping_name(result, result.spectra[i]), family(result, i));
+    point_words(panel);
+    return panel;
+  }
   const ResponseSpectrum& spectrum = result.spectra[0];
+  panel.y.name = at_one_damping("pseudo-acceleration", result, acceleration_unit(result));
   for (std::size_t c = 0; c < 2; ++c) {
     add(spectrum.displacement[c], component_name(result, c), "family:4");
     panel.curves.back().dashed = c == 1;
@@ -166,6 +178,7 @@ Panel shock_panel(const SpectrumResult& result) {
     }
   } else {
     const ResponseSpectrum& spectrum = result.spectra[0];
+    panel.y.name = at_one_damping("largest acceleration", result, acceleration_unit(result));
     // The largest lies lowest, so that what it is the largest of shows on it.
     add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
     add(spectrum, "positive", "positive", [](const Shock& s) { return s.positive; });
@@ -213,7 +226,11 @@ Figure tripartite_figure(const SpectrumResult& result) {
   if (result.components.size() == 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i)
       add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(result, i));
+  } else if (result.spectra.size() > 1) {
+    for (std::size_t i = 0; i < result.spectra.size(); ++i)
+      add(result.spectra[i].rotd50, "RotD50, " + damping_name(result, result.spectra[i]), family(result, i));
   } else {
+    panel.y.name = at_one_damping("pseudo-velocity", result, "m/s");
     add(result.spectra[0].rotd50, "RotD50", "family:2");
     add(result.spectra[0].rotd100, "RotD100", "family:0");
   }

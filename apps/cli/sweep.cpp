@@ -45,7 +45,9 @@ std::string sweep_csv(const SweepResult& result, const Arguments& arguments) {
   for (std::size_t column = 0; column < width; ++column)
     columns.push_back({result.plan.rows.columns[column], std::span<const double>(cells[column])});
   std::string out;
-  append_csv(out, columns, std::vector<std::string>{command_line("sweep", arguments), status_counts(result)},
+  append_csv(out, columns,
+             std::vector<std::string>{command_line("sweep", arguments), "by " + how(result.plan),
+                                      status_counts(result)},
              true);
   return out;
 }

@@ -114,6 +114,12 @@ class Drawing {
     return {low, high};
   }
 
+  bool has_numbers(std::uint64_t first, std::uint64_t points, std::size_t column) const {
+    for (std::uint64_t row = first; row < first + points; ++row)
+      if (std::isfinite(at(row, column))) return true;
+    return false;
+  }
+
   /// Where up and down are farthest apart.
   double widest(std::size_t column, std::uint64_t points) const {
     std::uint64_t where = 0;
@@ -133,6 +139,7 @@ class Drawing {
     if (outer > 1 && ways_ == 2) panel.title += ", down dashed";
     panel.y.name = measure.name;
     panel.x.name = axis_name(axes_.back());
+    std::string without;  // names of curves that have no numbers
     for (std::uint64_t k = 0; k < outer; ++k)
       for (std::size_t way = 0; way < ways_; ++way) {
         const std::uint64_t begin = (way * outer + k) * points;
@@ -151,6 +158,11 @@ class Drawing {
         curve.dashed = way == 1;
         if (outer > 1 && way == 0) curve.name = fmt::format("{:.4g}", place(begin, axes_.front()));
         if (outer == 1 && ways_ == 2) curve.name = way == 0 ? "up" : "down";
+        if (!curve.name.empty() && !has_numbers(begin, points, column)) {
+          // A name without a curve would stand anywhere.
+          without += (without.empty() ? "" : ", ") + curve.name;
+          curve.name.clear();
+        }
         // Each name at its own peak: resonance curves end in one line.
         const auto top = std::max_element(curve.y.begin(), curve.y.end(),
                                           [](double a, double b) { return a < b || std::isnan(a); });
@@ -160,6 +172,7 @@ class Drawing {
         if (outer == 1 && ways_ == 2 && !inside) curve.label_x = widest(column, points);
         panel.curves.push_back(std::move(curve));
       }
+    if (!without.empty()) panel.title += fmt::format(", no numbers: {}", without);
     return panel;
   }
 

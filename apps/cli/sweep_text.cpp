@@ -72,10 +72,14 @@ bool undamped(const SweepPlan& plan) {
 
 }  // namespace
 
+std::string how(const SweepPlan& plan) {
+  return fmt::format("{}, {}{}{}", plan.method, plan.way, plan.steps.empty() ? "" : ", ", plan.steps);
+}
+
 std::string sweep_text(const SweepResult& result) {
   const SweepPlan& plan = result.plan;
-  std::string text = fmt::format("{} point{} by {}, {}\n", plan.rows.rows, plan.rows.rows == 1 ? "" : "s",
-                                 plan.method, plan.way);
+  std::string text =
+      fmt::format("{} point{} by {}\n", plan.rows.rows, plan.rows.rows == 1 ? "" : "s", how(plan));
   for (const SweptOption& option : plan.swept)
     text += fmt::format("  {}: {} value{}\n", option.shown, option.points, option.points == 1 ? "" : "s");
   if (result.interrupted) text += fmt::format("interrupted: {} of {} points\n", result.done, plan.rows.rows);

@@ -7,6 +7,9 @@
 
 namespace cromer::cli {
 
+/// "euler-cromer, closed form, steps of 0.01 s".
+std::string how(const SweepPlan& plan);
+
 /// What was swept and how, each measure's smallest and largest value with where they are; of a short sweep
 /// every row.
 std::string sweep_text(const SweepResult& result);

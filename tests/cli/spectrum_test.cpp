@@ -202,6 +202,27 @@ TEST(Spectrum, FiguresAreDrawn) {
   }
 }
 
+TEST(Spectrum, FiguresSayEveryDampingRatio) {
+  Folder folder;
+  folder.write("h1.csv", shaking(400, 0.01));
+  folder.write("h2.csv", shaking(400, 0.01, 0.05));
+  const auto figure = [&](std::vector<std::string> more) {
+    more.insert(more.begin(),
+                {"spectrum", "h1.csv", "--plot", "figure.svg", "--quiet", "--periods", "0.05:2:20:log"});
+    const Finished end = folder.run(more);
+    EXPECT_EQ(end.status, 0) << end.err;
+    return folder.read("figure.svg");
+  };
+  EXPECT_THAT(figure({"h2.csv"}), HasSubstr("pseudo-acceleration at 5 % damping (m/s²)"));
+  EXPECT_THAT(figure({"h2.csv", "--tripartite"}), HasSubstr("pseudo-velocity at 5 % damping (m/s)"));
+  EXPECT_THAT(figure({"--shock"}), HasSubstr("largest acceleration at 5 % damping (m/s²)"));
+  for (const char* way : {"--in-g", "--tripartite"}) {
+    const std::string both = figure({"h2.csv", "--damping-ratio", "2%,10%", way});
+    EXPECT_THAT(both, HasSubstr("RotD50, 2 % damping")) << way;
+    EXPECT_THAT(both, HasSubstr("RotD50, 10 % damping")) << way;
+  }
+}
+
 TEST(Spectrum, IsATaskOfAStudy) {
   const Folder folder;
   folder.write("h1.csv", shaking(300, 0.01));

@@ -16,6 +16,7 @@ namespace cromer::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const std::vector<std::string> curve{"sweep", "--damping-ratio",  "0.1", "--drive-amplitude",
@@ -46,6 +47,7 @@ TEST(SweepCommand, TellsItsRowsInJson) {
   EXPECT_NEAR(json["rows"][1][1].get<double>(), std::acos(-1.0) / 2, 1e-12);
   EXPECT_NEAR(json["rows"][1][2].get<double>(), 5, 1e-12);
   EXPECT_EQ(json["way"], "closed form");
+  EXPECT_EQ(json["steps"], "");
   EXPECT_EQ(json["swept"][0]["name"], "drive-frequency");
 }
 
@@ -168,8 +170,8 @@ TEST(SweepCommand, SaysWhatBecameOfEveryPoint) {
   EXPECT_EQ(json["phase_outside"], 1);
   EXPECT_THAT(json["warnings"].dump(), HasSubstr("outside 0 to pi"));
   const std::string csv = folder.read("steps.csv");
-  EXPECT_THAT(csv,
-              HasSubstr("\n# 4 points: 2 settled, 2 unstable\nstep (s),drive_frequency (rad/s),amplitude"));
+  EXPECT_THAT(csv, HasSubstr("\n# by forward-euler, closed form\n# 4 points: 2 settled, 2 unstable\nstep "
+                             "(s),drive_frequency (rad/s),amplitude"));
   EXPECT_THAT(csv, HasSubstr("\n0.3,40,,\n"));
 }
 
@@ -201,6 +203,18 @@ TEST(SweepCommand, DrawsBothDirections) {
   EXPECT_THAT(figure, HasSubstr(">up<"));
   EXPECT_THAT(figure, HasSubstr(">down<"));
   EXPECT_THAT(figure, HasSubstr("stroke-dasharray"));
+}
+
+TEST(SweepCommand, NamesNoCurveThatHasNoNumbers) {
+  const Folder folder;
+  const Finished end = folder.run({"sweep", "--damping-ratio", "0.1", "--drive-amplitude", "1",
+                                   "--drive-frequency", "0.5:2:20", "--step", "0.05,0.3,0.5", "--method",
+                                   "forward-euler", "--measure", "amplitude", "--plot", "steps.svg"});
+  ASSERT_EQ(end.status, 1) << end.err;
+  const std::string figure = folder.read("steps.svg");
+  EXPECT_THAT(figure, HasSubstr(">0.05<"));
+  EXPECT_THAT(figure, Not(HasSubstr(">0.3<")));
+  EXPECT_THAT(figure, HasSubstr("no numbers: 0.3, 0.5"));
 }
 
 TEST(SweepCommand, InterruptedSaysSoOnBothStreams) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -97,6 +98,14 @@ double Grid::operator[](std::uint64_t i) const {
   if (!logarithmic_) return low_ + part * (high_ - low_);
   const double from = std::log10(low_);
   return std::pow(10.0, from + part * (std::log10(high_) - from));
+}
+
+double Grid::lowest() const {
+  return list_.empty() ? std::min(low_, high_) : *std::min_element(list_.begin(), list_.end());
+}
+
+double Grid::highest() const {
+  return list_.empty() ? std::max(low_, high_) : *std::max_element(list_.begin(), list_.end());
 }
 
 Result<Grid> parse_grid(std::string_view text, std::string_view si_unit) {

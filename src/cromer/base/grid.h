@@ -25,6 +25,10 @@ class Grid {
   /// decades of a logarithmic range are met as exactly as the machine's powers of ten.
   double operator[](std::uint64_t i) const;
 
+  /// The ends by value, whichever way the grid runs and wherever in a list they stand.
+  double lowest() const;
+  double highest() const;
+
  private:
   std::vector<double> list_;
   double low_ = 0, high_ = 0;

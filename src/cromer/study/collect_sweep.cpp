@@ -104,6 +104,7 @@ void collect(const std::string& id, const SweepResult& all, Results& results) {
   results.set(id + ".not_finite", static_cast<double>(all.counts.not_finite));
   results.set(id + ".method", all.plan.method);
   results.set(id + ".way", all.plan.way);
+  results.set(id + ".steps", all.plan.steps);
   const Collector collector(all, results);
   const std::uint64_t points = all.plan.swept.back().points, curves = all.plan.rows.rows / points;
   for (std::uint64_t n = 0; n < curves; ++n)

@@ -1,4 +1,5 @@
 // Grids of a sweep: the method's settings, one point, either direction, and what is said of points.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,9 +14,12 @@
 namespace cromer {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 TEST(SweepGrids, TheMethodsOwnSettingsTakeGrids) {
   // Newmark's gamma above 1/2 damps: each row against a run of its own, whatever else is in the grid.
@@ -135,6 +139,62 @@ TEST(SweepGrids, GridsThatRunDownKeepTheirOrder) {
     const SweepResult a = swept(rising), b = swept(falling);
     for (std::size_t i = 0; i < 21; ++i)
       EXPECT_NEAR(a.rows[3 * i + 1], b.rows[3 * (20 - i) + 1], 1e-5 * a.rows[3 * i + 1]) << direction << i;
+  }
+}
+
+TEST(SweepGrids, TheEndsOfAGridAreItsLowestAndHighestValues) {
+  // Rising, falling, or with the end in the middle: what is driven, refused and warned of is the same.
+  for (const char* amplitudes : {"0:1:3", "1:0:3", "1,0,2"})
+    EXPECT_THAT(refusal(options_with(with(driven, {{"drive-amplitude", amplitudes}}))),
+                HasSubstr("--drive-amplitude: at 0 nothing swings"))
+        << amplitudes;
+  for (const char* frequencies : {"0:2:3", "2:0:3", "1,0,2"})
+    EXPECT_THAT(refusal(options_with(with(driven, {{"drive-frequency", frequencies}}))),
+                HasSubstr("--drive-frequency: at 0 nothing swings"))
+        << frequencies;
+  for (const char* frequencies : {"1:50:3", "50:1:3", "1,50,2"})
+    EXPECT_THAT(swept(options_with(with(driven, {{"drive-frequency", frequencies}, {"step", "0.05"}}), "rk4"))
+                    .plan.warnings,
+                Contains(HasSubstr("has 2.5 steps only")))
+        << frequencies;
+  for (const char* steps : {"0.01,0.5", "0.5,0.01", "0.01,0.5,0.02"})
+    EXPECT_THAT(swept(options_with(with(driven, {{"step", steps}}), "forward-euler")).plan.warnings,
+                Contains(HasSubstr("--step: 0.5 s is beyond the stability limit")))
+        << steps;
+}
+
+TEST(SweepGrids, SaysHowLongStepsAndRunsAre) {
+  const auto steps = [](const Values& values, std::string method = "") {
+    return swept(options_with(values, std::move(method))).plan.steps;
+  };
+  const std::string usual = "200 steps in a natural or a drive period, whichever is shorter";
+  EXPECT_EQ(steps(driven), usual);
+  EXPECT_EQ(steps(with(driven, {{"step", "0.05"}})), "steps of 0.05 s");
+  EXPECT_EQ(steps(with(driven, {{"step", "0.05,0.1"}})), "");
+  EXPECT_EQ(steps(driven, "exact"), "");
+  const Values free{{"position", "1,2"}};
+  EXPECT_EQ(steps(free), "200 steps in a natural period, for 20 natural periods");
+  EXPECT_EQ(steps(with(free, {{"until", "3"}, {"step", "0.1"}})), "steps of 0.1 s, to 3 s");
+  EXPECT_EQ(steps(with(free, {{"until", "3,4"}, {"step", "0.1"}})), "steps of 0.1 s");
+  // They are these: a point of its own at that step and end has the same bits.
+  const double period = 2 * std::acos(-1.0), step = period / 200, until = 20 * period;
+  const SweepResult named = swept(options_with(
+      with(free, {{"step", fmt::format("{:.17g}", step)}, {"until", fmt::format("{:.17g}", until)}})));
+  EXPECT_EQ(swept(options_with(free)).rows, named.rows);
+  // A file that would be gone on with after such a default had changed is another sweep's.
+  EXPECT_THAT(swept(options_with(free)).plan.rows.description,
+              AllOf(HasSubstr("\"steps_per_period\": 200"), HasSubstr("\"periods\": 20")));
+}
+
+TEST(SweepGrids, ARunToItsEndMayHaveNoDrive) {
+  for (const char* amplitudes : {"0:1:3", "1:0:3"}) {
+    SweepOptions options = options_with(
+        with(driven, {{"drive-amplitude", amplitudes}, {"drive-frequency", "1"}, {"until", "3"}}));
+    options.measure = {"final"};
+    EXPECT_EQ(refusal(options), "not refused") << amplitudes;
+    EXPECT_THAT(swept(options).plan.warnings, IsEmpty()) << amplitudes;
+    options.simulate.friction = 0.1;
+    EXPECT_EQ(refusal(options), "not refused") << amplitudes << ", rubbing";
   }
 }
 

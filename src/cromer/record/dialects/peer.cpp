@@ -91,6 +91,16 @@ Column values_of(const std::vector<std::string_view>& lines, std::size_t header,
   return {std::string(found->name), std::string(found->quantity), unit, 1, {}};
 }
 
+/// Event, date and station of "Loma Prieta, 10/18/1989, Corralitos, 90", the second line of PEER's files:
+/// what stands before the direction, its last cell. Empty where there is no such line above `header`.
+std::string motion_of(const std::vector<std::string_view>& lines, std::size_t header) {
+  if (header < 2) return "";
+  const std::string_view line = lines[1];
+  const std::size_t last = line.rfind(',');
+  if (last == std::string_view::npos || line.find(',') == last) return "";
+  return std::string(trimmed(line.substr(0, last)));
+}
+
 /// How many numbers follow those taken.
 std::size_t numbers_behind(const std::vector<std::string_view>& lines, const NumberStream& taken) {
   const long last = taken.lines.back();
@@ -131,6 +141,7 @@ Result<Sets> read_peer(const Source& source) {
   else if (const std::size_t more = numbers_behind(source.lines, *stream); more > 0)
     found.warnings.push_back(
         concat({counted(more, "value"), " behind the ", std::to_string(count), " of NPTS left out"}));
+  found.motion = motion_of(source.lines, head.line);
   Set set;
   set.columns.push_back({"Time", "time", "s", 1, {}});
   for (std::size_t i = 0; i < count; ++i)

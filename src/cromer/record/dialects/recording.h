@@ -52,6 +52,7 @@ struct Recording {
   std::vector<std::vector<long>> lines_of_set;
   std::vector<std::size_t> set_of_column;
   std::vector<std::string> warnings;
+  std::string motion{};  ///< what was recorded where, without its direction, where the file says so
 };
 
 /// Reads a whole file. An Error names file, line, column and cure: `lab.csv:17: column "Position (m)": "abc"

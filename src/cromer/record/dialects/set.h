@@ -36,6 +36,7 @@ struct Sets {
   char decimal = '.';
   std::vector<Set> sets;
   std::vector<std::string> warnings;
+  std::string motion{};  ///< as Recording has it
 };
 
 /// Lays the sets side by side as runs 1, 2, ...: sets without a label, or whose columns are there already,

@@ -36,6 +36,7 @@ Result<Recording> recording_of(Result<Sets> sets) {
   recording.dialect.decimal = sets->decimal == ',' ? "comma" : "point";
   recording.named = true;
   recording.warnings = std::move(sets->warnings);
+  recording.motion = std::move(sets->motion);
   if (const auto laid = lay_side_by_side(std::move(sets->sets), recording); !laid) return laid.error();
   return recording;
 }

@@ -13,6 +13,7 @@ std::string to_json(const SweepResult& result) {
     swept.push_back({{"name", option.name}, {"column", option.column}, {"points", option.points}});
   document["method"] = plan.method;
   document["way"] = plan.way;
+  document["steps"] = plan.steps;
   document["simd"] = plan.simd;
   document["points"] = plan.rows.rows;
   document["not_settled"] = result.counts.not_settled;

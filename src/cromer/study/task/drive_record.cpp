@@ -79,6 +79,7 @@ Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view f
     return refuse(even.error().message);
   record.values = series->y;
   record.column = series->column;
+  record.motion = recording->motion;
   const auto target = parse_unit(request.quantity == "force" ? "N" : "m/s^2");
   const auto unit = parse_unit(series->unit, &target->dimension);
   record.unit_known = !series->unit.empty() && unit && unit->dimension == target->dimension;

@@ -16,6 +16,7 @@ struct DriveRecord {
   double spacing = 0;          // [s] > 0
   std::vector<std::string> warnings;
   std::string column{};    ///< as the file names it, with unit
+  std::string motion{};    ///< as Recording has it
   bool unit_known = true;  ///< else the values are as they stand in the file
 };
 

@@ -38,6 +38,7 @@ struct SpectrumFile {
 /// One horizontal component, or the only one.
 struct Component {
   std::string file, column;
+  std::string motion;                ///< event and station, where the file names them
   std::vector<double> acceleration;  // [m/s^2] as recorded
   double spacing = 0;                // [s]
   double peak = 0;                   // [m/s^2] largest |a|: the peak ground acceleration

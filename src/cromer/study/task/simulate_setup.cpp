@@ -22,8 +22,6 @@ namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double steps_per_period = 200;
-constexpr double periods_per_run = 20;
 
 bool is_adaptive(std::string_view name) { return find_method(name)->error_order > 0; }
 
@@ -62,7 +60,8 @@ Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
     // A whole number of steps from sample to sample.
     const double spacing = o.drive_record->spacing;
     run.step = o.step.value_or(
-        natural > 0 ? spacing / std::ceil(steps_per_period * spacing / natural * (1 - 1e-9)) : spacing);
+        natural > 0 ? spacing / std::ceil(default_steps_per_period * spacing / natural * (1 - 1e-9))
+                    : spacing);
     run.until = o.until.value_or(drive_end(run));
     return {};
   }
@@ -209,10 +208,10 @@ State<double> start_of(const SimulateOptions& o) {
 
 double default_step(double natural, double drive) {
   const double shorter = natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
-  return shorter / steps_per_period;
+  return shorter / default_steps_per_period;
 }
 
-double default_end(double natural, double drive) { return periods_per_run * (natural > 0 ? natural : drive); }
+double default_end(double natural, double drive) { return default_periods * (natural > 0 ? natural : drive); }
 
 double natural_period(const Oscillator<double>& oscillator) {
   const double k = oscillator.stiffness;

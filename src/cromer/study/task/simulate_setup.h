@@ -26,6 +26,9 @@ MethodSettings settings_of(const SimulateOptions& options, std::string_view meth
 /// Where the motion begins.
 State<double> start_of(const SimulateOptions& options);
 
+inline constexpr double default_steps_per_period = 200;
+inline constexpr double default_periods = 20;
+
 /// The step where none is asked for [s]: a 200th of the shorter of natural and drive period, of which 0 is
 /// none; 0 where there is neither.
 double default_step(double natural_period, double drive_period);

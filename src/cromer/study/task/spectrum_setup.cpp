@@ -78,6 +78,7 @@ Result<Component> read_component(const SpectrumFile& file, const std::string& co
   Component component;
   component.file = file.name;
   component.column = record->column;
+  component.motion = record->motion;
   component.spacing = record->spacing;
   component.acceleration = record->values;
   for (std::size_t i = 0; i < component.acceleration.size(); ++i) {
@@ -104,6 +105,10 @@ Result<void> match(std::vector<Component>& components, std::vector<std::string>&
         "{} has a sample each {:.6g} s and {} one each {:.6g} s; the components of one motion must be "
         "sampled alike: resample one of them",
         first.file, first.spacing, second.file, second.spacing)};
+  if (!first.motion.empty() && !second.motion.empty() && first.motion != second.motion)
+    warnings.push_back(
+        fmt::format("{} is of \"{}\" and {} of \"{}\": components of two motions, whose RotD50 means nothing",
+                    first.file, first.motion, second.file, second.motion));
   if (first.acceleration == second.acceleration)
     warnings.push_back(
         fmt::format("{} and {} hold the same samples: one component given twice, so RotD50 is its own "

@@ -44,7 +44,9 @@ struct SweepWork;
 struct SweepPlan {
   std::vector<SweptOption> swept;     ///< outermost first
   std::vector<std::string> measured;  ///< columns of the measures
-  std::string way;                    ///< "closed form", "settled", "to the end": how points are found
+  std::string
+      way;  ///< how points are found: "closed form", "stepped until settled", ... (sweep_description.h)
+  std::string steps;  ///< how long steps and runs are: "steps of 0.01 s, to 60 s"; may be empty
   std::string method;
   std::string simd;  ///< the unit of the kernel: baseline, avx2, avx512
   ChunkedRows rows;  ///< the swept values, the measures, and last the status (PointStatus)

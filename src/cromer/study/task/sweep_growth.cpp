@@ -29,7 +29,7 @@ std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings
 
 void name_status(const SweepWork& work, const MethodSettings& settings, const Point& point,
                  PointResult& result) {
-  if (work.way == SweepWay::to_end || work.base.until || !work.driven) return;
+  if (work.runs_to_end()) return;
   const Oscillator<double>& o = point.oscillator;
   if (o.friction != 0 || result.status == PointStatus::no_convergence) return;
   if (is_linear(o) &&

@@ -73,7 +73,7 @@ PointResult result_of(const Point& point, const Run& run) {
 
 std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at, const Watch& watch) {
   const Point& point = at.point;
-  if (work.way != SweepWay::one_by_one || !work.driven || work.base.until) {
+  if (work.way != SweepWay::one_by_one || work.runs_to_end()) {
     const Run run = run_to(work, at, 0, at.until, watch);
     if (run.outcome.interrupted) return std::nullopt;
     return result_of(point, run);

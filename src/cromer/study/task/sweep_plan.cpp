@@ -10,6 +10,7 @@
 #include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/simulate_setup.h"
 #include "cromer/study/task/sweep.h"
+#include "cromer/study/task/sweep_description.h"
 #include "cromer/study/task/sweep_rows.h"
 
 namespace cromer {
@@ -18,6 +19,8 @@ namespace {
 constexpr double most_rows = 9007199254740992.0;  // 2^53: beyond, rows cannot be told apart
 
 constexpr std::uint64_t most_looked_at = 100000;  // values of a grid
+
+constexpr double enough_steps = 10;  // in a cycle of the drive, not to be warned of
 
 /// Grids into axes, single values into the base. A range is a grid of however few points; where there is
 /// nothing else to sweep, one point is swept: along the drive's frequency, or all that has a value.
@@ -86,14 +89,23 @@ Result<void> order_axes(SweepWork& work) {
   return {};
 }
 
-/// The run that the options describe at one end of every axis: whatever `simulate` would refuse is refused.
-Result<SimulatedRun> run_at(const SweepWork& work, bool last) {
+double first_of(const Grid& grid) { return grid[0]; }
+double lowest_of(const Grid& grid) { return grid.lowest(); }
+double highest_of(const Grid& grid) { return grid.highest(); }
+
+/// The options with this value of every axis.
+SimulateOptions options_at(const SweepWork& work, double (*value_of)(const Grid&)) {
   SimulateOptions options = work.base;
   const auto table = point_options(options);
   for (const SweepAxis& axis : work.axes)
     set_number(std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name == axis.name; })
                    ->target,
-               axis.grid[last ? axis.grid.size() - 1 : 0]);
+               value_of(axis.grid));
+  return options;
+}
+
+/// The run that these options describe: whatever `simulate` would refuse is refused.
+Result<SimulatedRun> run_of(const SimulateOptions& options) {
   auto runs = set_up_runs(options);
   if (!runs) return runs.error();
   if (runs->front().general)
@@ -117,9 +129,7 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
   const bool rubs = has_term(work, o.friction, {"friction"}) ||
                     has_term(work, o.static_friction.value_or(0), {"static-friction"});
   const bool linear = !rubs && !has_term(work, o.cubic, {"cubic"}) && !has_term(work, o.drag, {"drag"});
-  const bool to_end = o.until.has_value() || !work.driven ||
-                      std::any_of(work.axes.begin(), work.axes.end(),
-                                  [](const SweepAxis& axis) { return axis.name == "until"; });
+  const bool to_end = work.runs_to_end();
   for (const Measure* measure : work.measures)
     if (to_end && measure->of_settled_motion)
       return Error{fmt::format(
@@ -154,10 +164,10 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
 
 /// Points whose motion has cycles to settle over.
 Result<void> check_cycles(const SweepWork& work) {
-  if (!work.driven || work.way == SweepWay::to_end) return {};
+  if (work.runs_to_end()) return {};
   for (const SweepAxis& axis : work.axes) {
     if (axis.name != "drive-frequency" && axis.name != "drive-amplitude") continue;
-    const double low = std::min(axis.grid[0], axis.grid[axis.grid.size() - 1]);
+    const double low = axis.grid.lowest();
     if (!(low > 0))
       return Error{fmt::format("--{}: at {} nothing swings, so nothing settles; begin above it", axis.name,
                                shortest(low))};
@@ -199,7 +209,7 @@ std::string nothing_to_check(const SweepOptions& options, const SweepWork& work)
   if (work.direction != SweepDirection::none)
     return none("with --direction each starts where the one before ended");
   if (options.settle) return none("--settle asks for stepping");
-  if (work.base.until || !work.driven) return none("they are stepped to an end, not settled under a drive");
+  if (work.runs_to_end()) return none("they are stepped to an end, not settled under a drive");
   for (const Measure* measure : work.measures)
     if (!measure->in_closed_form) return none(fmt::format("{} comes from stepping alone", measure->name));
   if (info.error_order > 0) return none(fmt::format("{} chooses its own steps", work.method));
@@ -208,11 +218,11 @@ std::string nothing_to_check(const SweepOptions& options, const SweepWork& work)
 
 /// A drive that the steps hardly see.
 std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
-  double fewest = 1e9;
+  double fewest = enough_steps;
   for (const SimulatedRun* run : {&one, &other})
     if (run->drive.amplitude > 0 && run->drive.frequency > 0 && run->method != "exact")
       fewest = std::min(fewest, drive_period(*run) / run->step);
-  if (fewest >= 10) return "";
+  if (fewest >= enough_steps) return "";
   return fmt::format(
       "--step: at an end of the grid a cycle of the drive has {:.2g} steps only: what is found there is the "
       "method's doing, not the law's",
@@ -225,38 +235,25 @@ std::string column_of(const SweepAxis& axis, std::string_view unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
-std::string_view words(SweepWay way) {
-  switch (way) {
-    case SweepWay::closed_form:
-      return "closed form";
-    case SweepWay::settled:
-      return "stepped until settled";
-    case SweepWay::to_end:
-      return "stepped to the end";
-    case SweepWay::one_by_one:
-      return "run one by one";
-  }
-  return "";
-}
-
-/// Everything that the rows depend on, in a fixed order.
-std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
-                     const SweepPlan& plan) {
-  std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
-                                 words(work.way), options.direction);
-  if (work.way == SweepWay::settled || work.way == SweepWay::to_end)
-    text += fmt::format(", \"simd\": \"{}\"", work.unit.name);
-  if (options.settle) text += fmt::format(", \"settle\": {}", shortest(*options.settle));
-  text += fmt::format(", \"tolerance\": {}, \"beta\": {}, \"gamma\": {}, \"rho_inf\": {}",
-                      shortest(settings.newton.tolerance), shortest(settings.beta), shortest(settings.gamma),
-                      shortest(settings.rho_inf));
-  if (!work.base.drive.empty()) text += fmt::format(", \"drive\": \"{}\"", work.base.drive);
-  for (const auto& [name, value] : options.values)
-    if (!value.empty()) text += fmt::format(", \"{}\": \"{}\"", name, value);
-  text += ", \"columns\": [";
-  for (std::size_t i = 0; i < plan.rows.columns.size(); ++i)
-    text += fmt::format("{}\"{}\"", i ? ", " : "", plan.rows.columns[i]);
-  return text + "]}";
+/// What the rows are and how they come about, in words and numbers.
+void describe_rows(const SweepOptions& options, const SweepWork& work, SweepPlan& plan) {
+  plan.method = work.method;
+  plan.simd = work.unit.name;
+  plan.way = work.settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
+                                   : std::string(words(work.way));
+  plan.steps = steps_in_words(work);
+  for (const SweepAxis& axis : work.axes)
+    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
+                          column_of(axis, axis.typed.name), axis.typed.factor});
+  for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
+  for (const Measure* measure : work.measures)
+    for (const std::string& column : measure->columns) plan.measured.push_back(column);
+  plan.rows.columns.insert(plan.rows.columns.end(), plan.measured.begin(), plan.measured.end());
+  plan.rows.columns.emplace_back("status");
+  plan.rows.rows = 1;
+  for (const SweepAxis& axis : work.axes) plan.rows.rows *= axis.grid.size();
+  plan.rows.rows_per_chunk = work.rows_per_chunk();
+  plan.rows.description = describe(options, work, SweepPoints(work.base, work.axes).settings_of(0), plan);
 }
 
 }  // namespace
@@ -281,15 +278,15 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   if (!(rows < most_rows))
     return Error{fmt::format(
         "the grids multiply to {:.3g} points, too many to be told apart; take coarser ones", rows)};
-  const auto run = run_at(*work, false), last = run_at(*work, true);
-  if (!run) return run.error();
-  if (!last) return last.error();
+  if (const auto first = run_of(options_at(*work, first_of)); !first) return first.error();
   if (auto good = check_along_axes(*work); !good) return good.error();
-  if (work->direction == SweepDirection::both) {
+  const SimulateOptions highest = options_at(*work, highest_of);
+  const auto low = run_of(options_at(*work, lowest_of)), high = run_of(highest);
+  if (!low) return low.error();
+  if (!high) return high.error();
+  if (work->direction == SweepDirection::both)
     work->axes.insert(work->axes.begin(), {std::string(direction_axis), "", Grid({1, -1})});
-    rows *= 2;
-  }
-  work->driven = last->drive.amplitude > 0 && last->drive.frequency > 0;
+  work->driven = high->drive.amplitude > 0 && high->drive.frequency > 0;
 
   auto measures = find_measures(options.measure, work->driven);
   if (!measures) return measures.error();
@@ -303,31 +300,17 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   work->unit = *unit;
 
   SweepPlan plan;
-  plan.method = work->method;
-  plan.simd = work->unit.name;
-  plan.way = work->settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
-                                    : std::string(words(work->way));
-  for (const SweepAxis& axis : work->axes)
-    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
-                          column_of(axis, axis.typed.name), axis.typed.factor});
-  for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
-  for (const Measure* measure : work->measures)
-    for (const std::string& column : measure->columns) plan.measured.push_back(column);
-  plan.rows.columns.insert(plan.rows.columns.end(), plan.measured.begin(), plan.measured.end());
-  plan.rows.columns.emplace_back("status");
-  plan.rows.rows = static_cast<std::uint64_t>(rows);
-  plan.rows.rows_per_chunk = work->rows_per_chunk();
-  plan.rows.description = describe(options, *work, run->settings, plan);
+  describe_rows(options, *work, plan);
   plan.rows.make = [work, per_chunk = plan.rows.rows_per_chunk, all = plan.rows.rows](
                        std::uint64_t chunk, double* to, const Watch& watch) {
     const std::uint64_t first = chunk * per_chunk;
     return make_rows(*work, first, std::min(per_chunk, all - first), to, watch);
   };
-  plan.warnings = setup_warnings(work->base, {*run, *last});
+  plan.warnings = setup_warnings(highest, {*low, *high});
   std::erase_if(plan.warnings, [](const std::string& warning) {
     return warning.find("whole number of steps") != std::string::npos;
   });
-  if (const std::string few = few_steps(*run, *last); !few.empty()) plan.warnings.push_back(few);
+  if (const std::string few = few_steps(*low, *high); !few.empty()) plan.warnings.push_back(few);
   if (options.check)
     if (std::string none = nothing_to_check(options, *work); !none.empty())
       plan.warnings.push_back(std::move(none));

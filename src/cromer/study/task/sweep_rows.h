@@ -39,7 +39,10 @@ struct SweepWork {
   Settling settling{};
   KernelUnit unit{};
   std::string method{};
-  bool driven = false;
+  bool driven = false;  ///< by a force that swings, at the highest values of the grids
+
+  /// For a given time, or without a drive: nothing is waited for.
+  bool runs_to_end() const { return base.until.has_value() || !driven; }
 
   Stepping stepping(const MethodSettings& settings) const { return {method, settings}; }
   std::size_t columns() const;  ///< axes, measures, status

@@ -110,7 +110,7 @@ std::string_view status_word(const SweepPlan& plan, unsigned char status) {
   const SweepWork& work = *plan.work;
   switch (static_cast<PointStatus>(status)) {
     case PointStatus::done:
-      if (work.way == SweepWay::to_end || work.base.until || !work.driven) return "reached_end";
+      if (work.runs_to_end()) return "reached_end";
       return work.settling.dropped ? "measured" : "settled";
     case PointStatus::not_settled:
       return "not_settled";

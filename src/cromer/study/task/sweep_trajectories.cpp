@@ -48,9 +48,7 @@ class Blocks {
 
 Result<double> count_trajectory_states(const SweepPlan& plan, long long every) {
   const SweepWork& work = *plan.work;
-  const bool until_swept = std::any_of(work.axes.begin(), work.axes.end(),
-                                       [](const SweepAxis& axis) { return axis.name == "until"; });
-  if (work.driven && !work.base.until && !until_swept)
+  if (!work.runs_to_end())
     return Error{
         "--trajectories: this sweep looks for settled motion, which has no end; say with --until how long "
         "the "

@@ -11,7 +11,6 @@
 namespace cromer {
 namespace {
 
-constexpr double default_steps_per_period = 200;
 constexpr double finest = 1e-14;
 
 /// The last state, and the largest position and velocity on the way.
