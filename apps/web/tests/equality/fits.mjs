@@ -18,7 +18,7 @@ function estimates(kind, ours, theirs) {
     const page = ours[name], program = theirs[name]
     if (!page || !program) return [`${kind}.${name} is in one of them only`]
     const error = program.standard_error
-    const near = (a, b) => a === b || Math.abs(a - b) <= share * error
+    const near = (a, b) => a === b || Math.abs(a - b) <= Math.max(share * error, 1e-12 * Math.abs(b))
     return near(page.value, program.value) && near(page.standard_error, error)
       ? []
       : [`${kind}.${name}: ${page.value} ± ${page.standard_error}, the program has ${program.value} ± ${error}`]
