@@ -50,8 +50,8 @@ Outcome uniform_steps(AnyTerms& system, Stepper& stepper, const LawRun& run, Kee
     keep.pause();
     return status;
   };
-  Outcome outcome = walk_in_blocks(run.interval, step, TabulatedForce<double>::block / divisions, tally, steps,
-                                   last_step, watch, {});
+  Outcome outcome = walk_in_blocks(run.interval, step, TabulatedForce<double>::block / divisions, tally,
+                                   steps, last_step, watch, {});
   outcome.y = y;
   outcome.counts.evaluations = info.evaluations_of(tally.accepted, tally.newton_iterations);
   return outcome;
