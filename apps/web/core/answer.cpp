@@ -33,6 +33,8 @@ Result<SimulateOptions> simulate_options(const Request& request) {
     return Error{"--drive " + options.drive + ": the page drives by a sine; run the others with the program"};
   if (!options.drive_file.empty() || !options.base_motion.empty())
     return Error{"the page drives by a sine; run recorded drives with the program"};
+  if (!options.event.empty()) return Error{"--event: run it with the program"};
+  options.memory = 512e6;  // of the 2 GB that a module may have
   if (options.compensated) return Error{"--compensated: run it with the program"};
   return options;
 }

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 #include "cromer/analysis/frequency_response.h"
@@ -23,8 +25,8 @@
 namespace cromer {
 
 /// More digits than double where the machine has them: beyond the stability limit the small eigenvalue is a
-/// difference of large numbers.
-using Precise = long double;
+/// difference of large numbers. Where long double is 113 digits in software it costs too much.
+using Precise = std::conditional_t<std::numeric_limits<long double>::digits == 113, double, long double>;
 
 /// One step of the linear law: z' = map z + drive Re e^{i W t}, of (x, h v) and, where the method carries an
 /// acceleration of its own, h^2 a. All in metres: entries stay comparable at every step.
@@ -62,15 +64,42 @@ Number* carried_acceleration([[maybe_unused]] const M& method, [[maybe_unused]] 
     return nullptr;
 }
 
+/// The map from images of states: image.template operator()<terms>(per_mass, force, z, map) is one step from
+/// (x, h v, h^2 a) under the law with these terms, and notes in the map its size and whether it converged.
+template <class Number, class ImageOf>
+StepMapOf<Number> step_map_of(const ImageOf& image, const LinearLaw<double>& law) {
+  using Image = std::array<Number, 3>;
+  StepMapOf<Number> map;
+  const Oscillator<Number> per_mass{
+      .mass = 1, .stiffness = law.stiffness, .damping = 2 * Number(law.decay_rate)};
+  // Undamped, methods may spare an equation: the run would, so the map does.
+  const auto free = [&](const Image& z) {
+    return law.decay_rate == 0 ? image.template operator()<Terms{}>(per_mass, {}, z, map)
+                               : image.template operator()<Terms{.damping = true}>(per_mass, {}, z, map);
+  };
+  map.column[0] = free({1, 0, 0});
+  map.column[1] = free({0, 1, 0});
+  if (map.size == 3) map.column[2] = free({0, 0, 1});
+  if (law.drive_amplitude != 0) {
+    // By cos(W t) and by sin(W t): the real and the imaginary part.
+    const auto driven = [&](Number phase) {
+      return image.template operator()<Terms{.drive = true, .damping = true}>(
+          per_mass, HarmonicForce<Number>{law.drive_amplitude, law.drive_frequency, phase}, Image{0, 0, 0},
+          map);
+    };
+    const Image real = driven(0), imaginary = driven(-std::numbers::pi_v<Number> / 2);
+    for (std::size_t i = 0; i < 3; ++i) map.drive[i] = {real[i], imaginary[i]};
+  }
+  return map;
+}
+
 /// The map of one step h > 0 of the method on the law.
 template <class Number = Precise, class M>
 StepMapOf<Number> step_map(const M& method, const LinearLaw<double>& law, double step) {
   using Image = std::array<Number, 3>;
-  StepMapOf<Number> map;
   const Number h = step;
-  const Oscillator<Number> per_mass{
-      .mass = 1, .stiffness = law.stiffness, .damping = 2 * Number(law.decay_rate)};
-  const auto image = [&]<Terms terms>(const Image& z, const HarmonicForce<Number>& force) {
+  const auto image = [&]<Terms terms>(const Oscillator<Number>& per_mass, const HarmonicForce<Number>& force,
+                                      const Image& z, StepMapOf<Number>& map) {
     const DrivenOscillator<Number, terms> system(per_mass, force);
     const State<Number> y{z[0], z[1] / h};
     auto memory = method.start(system, Number(0), y);
@@ -84,24 +113,7 @@ StepMapOf<Number> step_map(const M& method, const LinearLaw<double>& law, double
     if (const Number* carried = carried_acceleration<Number>(method, memory)) result[2] = h * h * *carried;
     return result;
   };
-  // Undamped, methods may spare an equation: the run would, so the map does.
-  const auto free = [&](const Image& z) {
-    return law.decay_rate == 0 ? image.template operator()<Terms{}>(z, {})
-                               : image.template operator()<Terms{.damping = true}>(z, {});
-  };
-  map.column[0] = free({1, 0, 0});
-  map.column[1] = free({0, 1, 0});
-  if (map.size == 3) map.column[2] = free({0, 0, 1});
-  if (law.drive_amplitude != 0) {
-    // By cos(W t) and by sin(W t): the real and the imaginary part.
-    const auto driven = [&](Number phase) {
-      return image.template operator()<Terms{.drive = true, .damping = true}>(
-          {0, 0, 0}, {law.drive_amplitude, law.drive_frequency, phase});
-    };
-    const Image real = driven(0), imaginary = driven(-std::numbers::pi_v<Number> / 2);
-    for (std::size_t i = 0; i < 3; ++i) map.drive[i] = {real[i], imaginary[i]};
-  }
-  return map;
+  return step_map_of<Number>(image, law);
 }
 
 /// Eigenvalues and what follows from them; the steady state where W > 0.

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "cromer/identify/bounds.h"
 #include "cromer/identify/free_motion.h"
+#include "cromer/identify/student.h"
 
 namespace cromer {
 namespace {
@@ -147,10 +147,9 @@ struct Hill {
 
 // Where the share p of the hills' area lies below.
 double quantile(const std::vector<Hill>& hills, double p, double degrees) {
-  const boost::math::students_t student(degrees);
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Hill& hill : hills) {
-    const double reach = boost::math::quantile(student, 0.9999) * hill.deviation;
+    const double reach = student_quantile(0.9999, degrees) * hill.deviation;
     low = std::min(low, hill.centre - reach);
     high = std::max(high, hill.centre + reach);
   }
@@ -158,7 +157,7 @@ double quantile(const std::vector<Hill>& hills, double p, double degrees) {
     const double middle = 0.5 * (low + high);
     double below = 0;
     for (const Hill& hill : hills)
-      below += hill.weight * boost::math::cdf(student, (middle - hill.centre) / hill.deviation);
+      below += hill.weight * student_cdf((middle - hill.centre) / hill.deviation, degrees);
     (below < p ? low : high) = middle;
   }
   return 0.5 * (low + high);

@@ -1,13 +1,14 @@
 #include "cromer/identify/uncertainty.h"
 
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
+
+#include "cromer/identify/student.h"
 
 namespace cromer {
 
 double student_95(double degrees) {
   if (degrees > 1e6) return 1.959964;
-  return boost::math::quantile(boost::math::students_t(std::max(1.0, degrees)), 0.975);
+  return student_quantile(0.975, std::max(1.0, degrees));
 }
 
 Estimate make_estimate(double value, double standard_error, double t) {

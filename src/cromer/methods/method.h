@@ -82,13 +82,22 @@ concept CarriesAcceleration = requires(const M& method, Memory& memory) {
   method.carried(memory);
 };
 
-/// False only where the system says so: then methods spare the equation for v'.
+/// False only where the system's type says so: then methods spare the equation for v'.
 template <class S>
 constexpr bool depends_on_velocity() {
   if constexpr (requires { S::depends_on_velocity; })
     return S::depends_on_velocity;
   else
     return true;
+}
+
+/// False also where a system that may resist says that it does not.
+template <class S>
+constexpr bool depends_on_velocity([[maybe_unused]] const S& system) {
+  if constexpr (requires { system.resists(); })
+    return system.resists();
+  else
+    return depends_on_velocity<S>();
 }
 
 }  // namespace cromer

@@ -43,10 +43,11 @@ struct Verlet {
                    Memory<Real>& memory) const {
     const Real a = memory.acceleration;
     const Real x = y.x + h * (y.v + h / 2 * a);
-    if constexpr (!depends_on_velocity<S>()) {
+    if (!depends_on_velocity(system)) {
       memory.acceleration = system.acceleration(t + h, x, y.v);
       return {.y = {x, y.v + h / 2 * (a + memory.acceleration)}};
-    } else {
+    }
+    if constexpr (depends_on_velocity<S>()) {
       const auto residual = [&](const Dual<Real, 1>& v) {
         return v - y.v - h / 2 * (a + system.acceleration(t + h, Dual<Real, 1>(x), v));
       };
@@ -59,6 +60,7 @@ struct Verlet {
       memory.scale = larger(memory.scale, magnitude(v));
       return {.y = {x, v}, .newton_iterations = solved.iterations, .converged = solved.converged};
     }
+    return {};
   }
 };
 

@@ -13,6 +13,7 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
+#include "cromer/model/any_terms.h"
 #include "cromer/model/drive.h"
 #include "cromer/model/friction.h"
 #include "cromer/model/harmonic_force.h"
@@ -171,12 +172,10 @@ HarmonicForce<Real> force_of(const HarmonicDrive<Real>& drive, const Real& mass)
 template <bool driven, class Real, class F>
 decltype(auto) with_smooth_terms(const Oscillator<Real>& oscillator, const HarmonicForce<Real>& force,
                                  F&& f) {
-  const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
+  [[maybe_unused]] const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
   if constexpr (!each_set_of_terms) {
-    if (is_linear(present))
-      return std::forward<F>(f)(DrivenOscillator<Real, some_linear_terms>(per_mass, force));
-    return std::forward<F>(f)(DrivenOscillator<Real, all_smooth_terms>(per_mass, force));
+    return std::forward<F>(f)(AnyTerms(per_mass, driven ? force : HarmonicForce<Real>{}));
   } else {
     const auto with_resistance = [&]<bool cubic>() -> decltype(auto) {
       constexpr Terms bare{.drive = driven, .cubic = cubic};
@@ -199,7 +198,7 @@ decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const Harmo
   [[maybe_unused]] const Terms present = terms_of(oscillator, drive);
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
   const HarmonicForce<Real> force = force_of(drive, oscillator.mass);
-  const auto rub = [&]<Terms terms>() -> decltype(auto) {
+  [[maybe_unused]] const auto rub = [&]<Terms terms>() -> decltype(auto) {
     return std::forward<F>(f)(DryFriction(DrivenOscillator<Real, terms>(per_mass, force), per_mass.friction,
                                           per_mass.static_friction));
   };
@@ -209,7 +208,8 @@ decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const Harmo
     return present.cubic ? rub.template operator()<cubic>() : rub.template operator()<linear>();
   };
   if constexpr (!each_set_of_terms) {
-    return rub.template operator()<all_smooth_terms>();
+    return std::forward<F>(f)(
+        AnyFriction(AnyTerms(per_mass, force), per_mass.friction, per_mass.static_friction));
   } else {
     if (present.drive) return with_drag.template operator()<true>();
     if (present.cubic || present.drag) return with_drag.template operator()<false>();

@@ -7,7 +7,7 @@
 namespace cromer {
 
 /// Whether each set of terms has code of its own. A term that is absent then costs nothing; the page, which
-/// must be small, has all of them in two sets, where an absent term adds an exact 0.
+/// must be small, has one code for all (any_terms.h).
 #ifdef CROMER_PAGE
 inline constexpr bool each_set_of_terms = false;
 #else

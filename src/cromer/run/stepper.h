@@ -25,6 +25,9 @@ class Stepper {
   /// A step from where the last one began, which leaves no trace: what part of it gives.
   virtual Trial<double> part(double t, double h, const State<double>& y) const = 0;
 
+  /// The acceleration of its own that the method keeps from step to step; nullptr where it keeps none.
+  virtual double* carried() = 0;
+
   virtual const MethodInfo& info() const = 0;
 
   /// No two zeros of the velocity lie closer [s]; infinite where the system does not say (then the step is
@@ -49,6 +52,13 @@ class StepperOf final : public Stepper {
   Trial<double> part(double t, double h, const State<double>& y) const override {
     auto copy = before_;
     return one_step(system_, method_, t, h, y, copy);
+  }
+
+  double* carried() override {
+    if constexpr (CarriesAcceleration<M, typename M::template Memory<double>>)
+      return &method_.carried(memory_);
+    else
+      return nullptr;
   }
 
   const MethodInfo& info() const override { return M::info; }

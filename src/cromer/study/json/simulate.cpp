@@ -68,11 +68,12 @@ Json events(const SimulatedRun& run, const SimulateOptions& options) {
 }
 
 Json states(const SimulatedRun& run) {
-  Json energies = Json::array();
+  std::vector<double> energies;
+  energies.reserve(run.trajectory.size());
   for (std::size_t i = 0; i < run.trajectory.size(); ++i)
     energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[i], run.trajectory.v[i]}));
   Json columns = {{"t", run.trajectory.t}, {"x", run.trajectory.x}, {"v", run.trajectory.v}};
-  columns["energy"] = std::move(energies);
+  columns["energy"] = energies;
   if (!run.sensor.empty()) columns["sensor"] = run.sensor;
   return columns;
 }

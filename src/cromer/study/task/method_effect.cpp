@@ -61,16 +61,16 @@ std::optional<MethodEffect> method_effect(std::string_view method, const MethodS
 std::optional<MethodEffect> effect_at_step(std::string_view method, const MethodSettings& settings,
                                            const LinearLaw<double>& law, double h, bool with_limit) {
   MethodEffect result;
-  visit_method(method, settings, [&](const auto& m) {
-    result.effective = effective_oscillator(m, law, h);
-    result.stable = result.effective.stable();
-    if (law.stiffness > 0 && (with_limit || !result.stable)) {
-      result.stability_limit = stability_limit(m, law);
-      // Where every step is stable a radius above 1 is rounding.
-      result.stable = result.stable || !result.stability_limit;
-    }
-    return 0;
-  });
+  result.effective = effective_oscillator_of(method, settings, law, h);
+  result.stable = result.effective.stable();
+  if (law.stiffness > 0 && (with_limit || !result.stable)) {
+    const LinearLaw<double> free{.decay_rate = law.decay_rate, .stiffness = law.stiffness};
+    result.stability_limit = first_unstable_step(free, [&](double step) {
+      return effective_oscillator_of(method, settings, free, step).spectral_radius;
+    });
+    // Where every step is stable a radius above 1 is rounding.
+    result.stable = result.stable || !result.stability_limit;
+  }
   if (std::isnan(result.effective.spectral_radius)) return std::nullopt;
   if (method == "exact") {
     // Also where the step is too long to show the frequency.

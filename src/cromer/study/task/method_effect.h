@@ -28,6 +28,10 @@ std::optional<MethodEffect> method_effect(std::string_view method, const MethodS
 std::optional<MethodEffect> effect_at_step(std::string_view method, const MethodSettings& settings,
                                            const LinearLaw<double>& law, double h, bool with_limit);
 
+/// The oscillator that the method of that name simulates of the law with steps h > 0 [s].
+EffectiveOscillator effective_oscillator_of(std::string_view method, const MethodSettings& settings,
+                                            const LinearLaw<double>& law, double h);
+
 /// What became of decay rate and frequency: "turns your damping of 0.15 1/s into growth of 0.02999 1/s and
 /// swings at 5.98 rad/s, 0.3 % too slow".
 std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law);

@@ -1,0 +1,80 @@
+// The core in its WebAssembly module: bytes in, documents out. In the page it runs in a worker, in the tests
+// under node.
+import { withBlocks } from './blocks'
+import type { Answer, Options, Task } from './types'
+
+interface Exports {
+  memory: WebAssembly.Memory
+  _initialize(): void
+  page_allocate(bytes: number): number
+  page_release(pointer: number): void
+  page_answer(request: number, length: number, file: number, fileLength: number): number
+  page_text(): number
+  page_text_length(): number
+  page_numbers(): number
+  page_numbers_length(): number
+}
+
+export interface Core {
+  /// Runs one task to its end. `file`: a recording, of tasks that read one; its name is the option "file-name".
+  answer<T extends Task>(task: T, options: Options, file?: Uint8Array): Answer<T>
+}
+
+/// The core from the bytes of its module, or from them gzipped.
+export async function open(bytes: Uint8Array): Promise<Core> {
+  const plain = bytes[0] === 0x1f && bytes[1] === 0x8b ? await unzip(bytes) : bytes
+  const module = await WebAssembly.compile(plain as Uint8Array<ArrayBuffer>)
+  let core = start(module)
+  return {
+    answer(task, options, file) {
+      try {
+        return ask(core, task, options, file)
+      } catch (error) {
+        // Its memory may be in any state after that; the next question gets a new one.
+        core = start(module)
+        return { status: 2, document: { message: message(error) } }
+      }
+    }
+  }
+}
+
+async function unzip(bytes: Uint8Array): Promise<Uint8Array> {
+  const stream = new Blob([bytes as Uint8Array<ArrayBuffer>]).stream().pipeThrough(new DecompressionStream('gzip'))
+  return new Uint8Array(await new Response(stream).arrayBuffer())
+}
+
+function message(error: unknown): string {
+  if (error instanceof RangeError || /memory|unreachable/.test(String(error)))
+    return 'the computation needs more memory than the page has: ask for fewer states or samples'
+  return `the computation broke off: ${error}`
+}
+
+/// The module asks a system for little (arguments, an output for its last words), and gets none of it.
+function start(module: WebAssembly.Module): Exports {
+  const imports: Record<string, Record<string, () => number>> = {}
+  for (const each of WebAssembly.Module.imports(module)) (imports[each.module] ??= {})[each.name] = () => 0
+  const core = new WebAssembly.Instance(module, imports).exports as unknown as Exports
+  core._initialize()
+  return core
+}
+
+function ask<T extends Task>(core: Exports, task: T, options: Options, file?: Uint8Array): Answer<T> {
+  const lines = options.map(([name, value]) => `${name}=${value.replace(/[\r\n]+/g, ' ')}`)
+  const request = new TextEncoder().encode([task, ...lines].join('\n'))
+  const at = put(core, request)
+  const fileAt = file ? put(core, file) : 0
+  const status = core.page_answer(at, request.length, fileAt, file?.length ?? 0)
+  core.page_release(at)
+  if (fileAt) core.page_release(fileAt)
+  const { buffer } = core.memory
+  const text = new TextDecoder().decode(new Uint8Array(buffer, core.page_text(), core.page_text_length()))
+  const numbers = new Float64Array(buffer, core.page_numbers(), core.page_numbers_length())
+  return { status, document: withBlocks(JSON.parse(text), numbers) } as Answer<T>
+}
+
+function put(core: Exports, bytes: Uint8Array): number {
+  const at = core.page_allocate(bytes.length || 1)
+  if (at === 0) throw new RangeError('no memory')
+  new Uint8Array(core.memory.buffer, at, bytes.length).set(bytes)
+  return at
+}

@@ -1,0 +1,10 @@
+// The program beside it.
+import { spawnSync } from 'node:child_process'
+
+/// Exit status, and standard error's first message without the program's name before it.
+export function run(cromer, command, parameters, options) {
+  const named = options.map(([name, value]) => `--${name}=${value}`)
+  const done = spawnSync(cromer, [command, ...parameters, ...named], { encoding: 'utf8', maxBuffer: 1 << 28 })
+  if (done.error) throw done.error
+  return { status: done.status, output: done.stdout, message: done.stderr.trim().replace(/^cromer: /, '') }
+}
