@@ -105,6 +105,7 @@ void Recorder::conclude() {
          fmt::format("the device's times run {:.4g} times as fast as the clock: --time-unit says what "
                      "they are in",
                      pace)});
+  source_.reset();  // the device is free for others
   Result<void> good;
   if (rows_.size() > 0 && failure_.empty()) {
     std::vector<std::string> lines;
