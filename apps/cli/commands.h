@@ -23,6 +23,8 @@ int run_fit(const Arguments& arguments);
 int run_compare(const Arguments& arguments);
 int run_sweep(const Arguments& arguments);
 int run_spectrum(const Arguments& arguments);
+int run_record(const Arguments& arguments);
+int run_serve(const Arguments& arguments);
 int run_report(const Arguments& arguments);
 
 }  // namespace cromer::cli

@@ -23,6 +23,8 @@ constexpr Command commands[] = {
     {"compare", "lay simulations beside a recording", run_compare},
     {"sweep", "run it over grids of its options: resonance curves, maps", run_sweep},
     {"spectrum", "response and shock spectra of a recorded acceleration", run_spectrum},
+    {"record", "record from a sensor or a phone as it measures", run_record},
+    {"serve", "the lab in the browser, with live recording", run_serve},
     {"report", "run a study and write its figures and page", run_report},
 };
 

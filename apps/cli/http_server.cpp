@@ -1,0 +1,105 @@
+#include "http_server.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <utility>  // which Boost.Asio 1.74 needs and does not include
+//
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+
+#include "http_connection.h"
+
+namespace cromer::cli {
+namespace {
+
+namespace asio = boost::asio;
+using Failure = boost::system::error_code;
+
+constexpr auto tick = std::chrono::milliseconds(100);
+
+/// As many connections as the system allows, some descriptors kept for files.
+std::size_t most_connections() {
+  rlimit files{};
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return 512;
+  files.rlim_cur = std::min<rlim_t>(files.rlim_max, 8192);
+  ::setrlimit(RLIMIT_NOFILE, &files);
+  ::getrlimit(RLIMIT_NOFILE, &files);
+  return files.rlim_cur > 128 ? static_cast<std::size_t>(files.rlim_cur) - 64 : 64;
+}
+
+}  // namespace
+
+struct HttpServer::State : std::enable_shared_from_this<State> {
+  asio::io_context context{1};
+  asio::ip::tcp::acceptor acceptor{context};
+  asio::steady_timer timer{context}, pause{context};
+  HttpConnections connections;
+  std::size_t most = most_connections();
+
+  void accept() {
+    acceptor.async_accept([this](Failure failed, asio::ip::tcp::socket socket) {
+      if (!acceptor.is_open()) return;
+      // Full: who has waited longest without asking for anything makes room.
+      if (failed || connections.count() >= most) connections.drop_oldest_idle();
+      if (failed) {
+        pause.expires_after(std::chrono::milliseconds(20));
+        pause.async_wait([this](Failure stopped) {
+          if (!stopped) accept();
+        });
+        return;
+      }
+      connections.begin(std::move(socket));
+      accept();
+    });
+  }
+
+  void send_events(const std::function<bool()>& stop) {
+    if (stop()) return context.stop();
+    connections.send_events();
+    timer.expires_after(tick);
+    timer.async_wait([this, &stop](Failure failed) {
+      if (!failed) send_events(stop);
+    });
+  }
+};
+
+HttpServer::HttpServer(Handler handler, Events events, HttpLimits limits)
+    : state_(std::make_shared<State>()) {
+  state_->connections.handler = std::move(handler);
+  state_->connections.events = std::move(events);
+  state_->connections.limits = limits;
+}
+
+HttpServer::~HttpServer() = default;
+
+Result<void> HttpServer::listen(const std::string& address, int port) {
+  Failure failed;
+  const auto place = asio::ip::make_address(address, failed);
+  if (failed)
+    return Error{
+        fmt::format("--address \"{}\" is no IP address; 0.0.0.0 stands for all of this computer", address)};
+  const asio::ip::tcp::endpoint end(place, static_cast<unsigned short>(port));
+  auto& acceptor = state_->acceptor;
+  acceptor.open(end.protocol(), failed);
+  if (!failed) acceptor.set_option(asio::socket_base::reuse_address(true), failed);
+  if (!failed) acceptor.bind(end, failed);
+  if (!failed) acceptor.listen(asio::socket_base::max_listen_connections, failed);
+  if (failed) return Error{fmt::format("cannot serve at {} port {}: {}", address, port, failed.message())};
+  return {};
+}
+
+int HttpServer::port() const {
+  Failure failed;
+  return state_->acceptor.local_endpoint(failed).port();
+}
+
+void HttpServer::run(const std::function<bool()>& stop) {
+  state_->accept();
+  state_->send_events(stop);
+  state_->context.run();
+}
+
+}  // namespace cromer::cli

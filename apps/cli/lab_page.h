@@ -1,0 +1,14 @@
+// The page that cromer serve hands out.
+#pragma once
+
+#include <string>
+
+namespace cromer::cli {
+
+/// The file itself: beside the build (build/page) or installed (share/cromer); "" where neither is.
+std::string find_lab_page();
+
+/// What is shown where the page has not been built.
+std::string page_is_missing();
+
+}  // namespace cromer::cli

@@ -1,0 +1,45 @@
+#include "live_fitter.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace cromer::cli {
+
+LiveFitter::LiveFitter(const Recorder& recorder, std::string column)
+    : recorder_(recorder), column_(std::move(column)), thread_([this] { work(); }) {}
+
+LiveFitter::~LiveFitter() {
+  stop_ = true;
+  thread_.join();
+}
+
+std::shared_ptr<const FittedRecording> LiveFitter::latest() const {
+  const std::lock_guard lock(mutex_);
+  return latest_;
+}
+
+void LiveFitter::work() {
+  Rows rows;
+  double next = steady_seconds() + 1;
+  while (!stop_) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const double begun = steady_seconds();
+    if (begun < next) continue;
+    next = begun + 1;
+    const Rows more = recorder_.rows_since(rows.size());
+    if (more.size() == 0) continue;
+    rows.width = more.width;
+    rows.t.insert(rows.t.end(), more.t.begin(), more.t.end());
+    rows.values.insert(rows.values.end(), more.values.begin(), more.values.end());
+    Watch watch;
+    watch.interrupt = &stop_;
+    auto found = live_fit(rows, recorder_.headings(), column_, watch);
+    next = std::max(next, begun + 3 * (steady_seconds() - begun));
+    if (!found || stop_) continue;
+    const std::lock_guard lock(mutex_);
+    latest_ = std::make_shared<const FittedRecording>(*std::move(found));
+    ++count_;
+  }
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "command_line.h"
+#include "commands.h"
+#include "cromer/study/json/live.h"
+#include "exit_status.h"
+#include "live_fitter.h"
+#include "message.h"
+#include "output.h"
+#include "record_options.h"
+#include "syntax.h"
+#include "watching.h"
+#include "words.h"
+
+namespace cromer::cli {
+namespace {
+
+/// "1234 samples, 100.0 a second, last 0.0213; frequency 0.9552(3) Hz"
+std::string status_line(const RecorderStatus& status, const FittedRecording* fit) {
+  std::string line = fmt::format("{} samples", status.samples);
+  if (status.rate > 0) line += fmt::format(", {:.1f} a second", status.rate);
+  for (std::size_t i = 0; i < std::min<std::size_t>(status.last.size(), 3); ++i)
+    line += fmt::format("{}{:.5g}", i == 0 ? ", last " : " ", status.last[i]);
+  if (status.notices > 0) line += fmt::format(", {} notices", status.notices);
+  const Estimate* frequency = fit && fit->succeeded() ? fit->find("frequency") : nullptr;
+  if (frequency) line += "; frequency " + format_concise({frequency->value, frequency->standard_error}, "Hz");
+  return line;
+}
+
+/// Until the recording ends by itself or by a signal.
+void watch_it(const Recorder& recorder, const std::string& column, const Watch& watch, bool quiet) {
+  const bool shown = !quiet && isatty(STDERR_FILENO);
+  std::optional<LiveFitter> fitter;
+  if (shown) fitter.emplace(recorder, column);
+  for (int i = 0; !watch.interrupted() && recorder.status().running; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    if (!shown || i % 5 != 0) continue;
+    std::fprintf(stderr, "\r\033[K%s", status_line(recorder.status(), fitter->latest().get()).c_str());
+  }
+  if (shown) std::fputs("\r\033[K", stderr);
+}
+
+std::string summary(const std::string& path, const RecorderStatus& status) {
+  std::string text = fmt::format("{}: {} samples", path, status.samples);
+  if (status.rate > 0)
+    text += fmt::format(" in {}, {} a second", format_quantity({status.end - status.begin, 0}, "s"),
+                        rounded(status.rate, 6));
+  return text + "\n";
+}
+
+}  // namespace
+
+int run_record(const Arguments& arguments) {
+  RecordOptions options;
+  OutputOptions output;
+  Syntax syntax{
+      .command = "record",
+      .description =
+          "Records samples as they come: lines `time value` or `value` of a serial device, a TCP "
+          "connection or standard input, or a phone that runs phyphox with remote access allowed. They are "
+          "on the disk within a second; whatever interrupts it, what came until then is a valid file. "
+          "Ctrl-C ends it well.",
+      .files = "",
+      .options = options_of(options),
+      .example =
+          "  cromer record --from serial:/dev/ttyACM0:115200 --for \"60 s\" -o swing.csv\n"
+          "  cromer record --from phyphox:192.168.1.7 --for \"20 s\" -o phone.csv"};
+  add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
+  std::vector<std::string> none;
+  if (const auto status = parse(syntax, arguments, none)) return *status;
+  if (options.from.empty()) return refuse("cromer record needs --from SOURCE; see cromer record --help");
+  const auto setup = check(options);
+  if (!setup) return refuse(setup.error().message);
+
+  const Watch watch = watching(true);
+  const auto recorder =
+      make_recorder(*setup, options.duration, options.output, command_line("record", arguments));
+  if (auto good = recorder->start(); !good) return refuse(good.error().message);
+  watch_it(*recorder, options.column, watch, output.quiet);
+  recorder->stop();
+
+  const RecorderStatus end = recorder->status();
+  const auto notices = recorder->notices_since(0);
+  std::vector<std::string> said;
+  for (std::size_t i = 0; i < std::min<std::size_t>(notices.size(), 20); ++i) said.push_back(notices[i].text);
+  if (end.garbage > 1) said.push_back(fmt::format("{} lines were no samples", end.garbage));
+  if (end.samples > 0 && notices.size() > 20) said.push_back("the end of the file lists more");
+  warn(said, output.quiet);
+  RecorderStatus document = end;
+  if (end.samples == 0 && document.failure.empty())
+    document.failure = fmt::format("no sample came from {}", options.from);
+  if (!print(output.json       ? recording_json(options.output, document, recorder->headings(), notices)
+             : end.samples > 0 ? summary(options.output, end)
+                               : ""))
+    return refuse("standard output cannot be written");
+  if (document.failure.empty()) return done;
+  complain(document.failure);
+  return no_success;
+}
+
+}  // namespace cromer::cli

@@ -1,0 +1,65 @@
+// From the bytes of a device that writes `time value` or `value` lines to rows. Pure.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/result.h"
+#include "cromer/record/live/line.h"
+#include "cromer/record/live/rows.h"
+#include "cromer/record/live/timekeeper.h"
+
+namespace cromer {
+
+struct LineSettings {
+  double rate = 0;         ///< [1/s] of lines without a time; 0: stamped by arrival
+  double time_unit = 0;    ///< [s] of the device's times; 0: what its heading says, else 1
+  std::string headings{};  ///< of the values, comma between; "": the device's own, else "Value"
+};
+
+/// The first line of numbers says how many there are in each; one number is a value, more are a time and
+/// values. A line of words right before it is a heading if it has a name for each number and states a unit or
+/// more than one name; `Time (ms)` scales the times. All else is garbage: counted, reported with its number
+/// (of the lines that are not empty) and text (of a device that is opened in the middle of a line the first
+/// one is left out without a word).
+class LineReader {
+ public:
+  LineReader(LineSettings settings, bool begins_within_line)
+      : settings_(std::move(settings)), clock_(settings_.rate), within_line_(begins_within_line) {}
+
+  /// Adds what the bytes complete to `rows` and `notices`; the rest is kept for the next time.
+  void take(std::string_view bytes, double arrival, Rows& rows, std::vector<Notice>& notices);
+
+  /// The input has ended: a last line without its end is taken, or after a lost connection dropped.
+  void end(double arrival, Rows& rows, std::vector<Notice>& notices);
+  void connection_lost();
+
+  /// Empty until the first row.
+  const Headings& headings() const { return headings_; }
+  std::size_t garbage() const { return garbage_; }
+  double pace() const { return timed_ ? clock_.pace() : 0; }
+
+ private:
+  void take_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices);
+  double in_seconds(double device) const;
+  void begin(std::size_t fields);
+  void refuse(std::string_view text, long line, std::vector<Notice>& notices);
+
+  LineSettings settings_;
+  Timekeeper clock_;
+  bool within_line_;       ///< what comes up to the next line's end is no whole line
+  bool too_long_ = false;  ///< what comes up to the next line's end is part of a line already refused
+  std::string partial_;
+  long line_ = 0;
+  std::size_t fields_ = 0;  ///< 0 until the first line of numbers
+  bool timed_ = false;
+  double to_seconds_ = 1;
+  std::size_t garbage_ = 0;
+  std::vector<std::string> heading_;  ///< the last line of words before the first numbers
+  std::string heading_text_;
+  long heading_line_ = 0;
+  Headings headings_;
+};
+
+}  // namespace cromer

@@ -1,0 +1,159 @@
+#include "cromer/record/live/recorder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace cromer {
+namespace {
+
+constexpr double wait = 0.05;  // [s] for the source, before looking whether to stop
+constexpr double grace = 2;    // [s] that samples may be late before the duration is over without them
+constexpr std::size_t kept_notices = 200;  // of a device that writes garbage all the time
+
+}  // namespace
+
+Result<void> Recorder::start() {
+  // The file first: nothing is asked of a device for a recording that cannot be kept.
+  if (auto good = file_.open(settings_.path); !good) return good;
+  if (auto good = source_->open(); !good) {
+    file_.drop_if_empty();
+    return good;
+  }
+  running_ = true;
+  thread_ = std::thread([this] { record(); });
+  disk_ = std::thread([this] { keep_on_disk(); });
+  return {};
+}
+
+void Recorder::stop() {
+  stop_ = true;
+  if (thread_.joinable()) thread_.join();
+  if (disk_.joinable()) disk_.join();
+}
+
+// Waiting for the disk may take a while, and arrivals are stamped meanwhile: hence a thread of its own.
+void Recorder::keep_on_disk() {
+  using namespace std::chrono_literals;
+  for (int i = 1; running_; ++i) {
+    std::this_thread::sleep_for(50ms);
+    if (i % 20 != 0) continue;
+    if (auto good = file_.sync(); !good) {
+      const std::lock_guard lock(mutex_);
+      failure_ = good.error().message;
+      stop_ = true;
+    }
+  }
+}
+
+void Recorder::record() {
+  const double begun = steady_seconds();
+  double first_arrival = 0;
+  Rows rows;
+  std::vector<Notice> notices;
+  for (bool more = true; more && !stop_;) {
+    more = source_->receive(wait, rows, notices);
+    if (first_arrival == 0 && rows.size() > 0) first_arrival = steady_seconds();
+    if (!store(rows, notices)) break;
+    if (settings_.duration) {
+      const double since = steady_seconds() - (first_arrival > 0 ? first_arrival : begun);
+      more = more && since < *settings_.duration + grace;
+    }
+  }
+  conclude();
+  running_ = false;
+}
+
+/// False when the recording is over. The file is written before the lock is taken: nobody waits for it.
+bool Recorder::store(Rows& rows, std::vector<Notice>& notices) {
+  bool more = true;
+  if (settings_.duration && rows.size() > 0) {
+    const double begin = rows_.size() > 0 ? rows_.t.front() : rows.t.front();
+    const double limit = begin + *settings_.duration * (1 + 1e-9);
+    const auto beyond = std::upper_bound(rows.t.begin(), rows.t.end(), limit);
+    if (beyond != rows.t.end()) {
+      rows.t.erase(beyond, rows.t.end());
+      rows.values.resize(rows.width * rows.t.size());
+      more = false;
+    }
+  }
+  Result<void> good;
+  const bool first = rows.size() > 0 && headings_.empty();
+  if (first) good = file_.begin(settings_.comments, source_->headings());
+  if (good && rows.size() > 0) good = file_.append(rows);
+
+  const std::lock_guard lock(mutex_);
+  if (first) headings_ = source_->headings(), rows_.width = rows.width;
+  rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
+  rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
+  for (auto& notice : notices) {
+    garbage_ += notice.kind == NoticeKind::garbage;
+    if (notices_.size() < kept_notices) notices_.push_back(std::move(notice));
+  }
+  rows.clear();
+  notices.clear();
+  if (!good) failure_ = good.error().message;
+  return more && good.ok();
+}
+
+void Recorder::conclude() {
+  const std::lock_guard lock(mutex_);
+  if (const double pace = source_->pace(); pace > 50)
+    notices_.push_back(
+        {NoticeKind::clock,
+         fmt::format("the device's times run {:.4g} times as fast as the clock: --time-unit says what "
+                     "they are in",
+                     pace)});
+  source_.reset();  // the device is free for others
+  Result<void> good;
+  if (rows_.size() > 0 && failure_.empty()) {
+    std::vector<std::string> lines;
+    for (const auto& notice : notices_) lines.push_back(notice.text);
+    if (garbage_ > 0) lines.push_back(fmt::format("{} lines were no samples", garbage_));
+    good = file_.comment(lines);
+  }
+  file_.drop_if_empty();
+  if (good) good = file_.sync();
+  if (!good && failure_.empty()) failure_ = good.error().message;
+}
+
+RecorderStatus Recorder::status() const {
+  const std::lock_guard lock(mutex_);
+  RecorderStatus now;
+  now.running = running_;
+  now.samples = rows_.size();
+  if (now.samples > 0) {
+    now.begin = rows_.t.front();
+    now.end = rows_.t.back();
+    const auto last = rows_.row(now.samples - 1);
+    now.last.assign(last.begin(), last.end());
+  }
+  if (now.end > now.begin) now.rate = static_cast<double>(now.samples - 1) / (now.end - now.begin);
+  now.garbage = garbage_;
+  now.notices = notices_.size();
+  now.failure = failure_;
+  return now;
+}
+
+Headings Recorder::headings() const {
+  const std::lock_guard lock(mutex_);
+  return headings_;
+}
+
+Rows Recorder::rows_since(std::size_t first, std::size_t most) const {
+  const std::lock_guard lock(mutex_);
+  Rows some;
+  some.width = rows_.width;
+  const std::size_t from = std::min(first, rows_.size()), to = from + std::min(most, rows_.size() - from);
+  some.t.assign(rows_.t.begin() + from, rows_.t.begin() + to);
+  some.values.assign(rows_.values.begin() + from * rows_.width, rows_.values.begin() + to * rows_.width);
+  return some;
+}
+
+std::vector<Notice> Recorder::notices_since(std::size_t first) const {
+  const std::lock_guard lock(mutex_);
+  return {notices_.begin() + std::min(first, notices_.size()), notices_.end()};
+}
+
+}  // namespace cromer

@@ -1,0 +1,74 @@
+// A recording in progress: a thread that takes what the source sends to the file and holds it for others to
+// look at.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "cromer/record/live/recording_file.h"
+#include "cromer/record/live/source.h"
+
+namespace cromer {
+
+struct RecorderSettings {
+  std::string path;                     ///< of the file
+  std::optional<double> duration;       ///< [s] > 0, from the first sample on; until stopped where not given
+  std::vector<std::string> comments{};  ///< for the head of the file
+};
+
+/// At one moment.
+struct RecorderStatus {
+  bool running = false;
+  std::size_t samples = 0;
+  double begin = 0, end = 0;  // [s] times of the first and the last sample
+  double rate = 0;            ///< [1/s] over all samples; 0 for less than two
+  std::vector<double> last{};
+  std::size_t garbage = 0;  ///< lines that were no samples
+  std::size_t notices = 0;
+  std::string failure{};  ///< why it ended by itself where it should not have: a disk that is full
+};
+
+class Recorder {
+ public:
+  Recorder(std::unique_ptr<Source> source, RecorderSettings settings)
+      : source_(std::move(source)), settings_(std::move(settings)) {}
+  ~Recorder() { stop(); }
+
+  /// Connects, makes the file, and starts the two threads: one records, one brings the file to the disk
+  /// each second. An Error leaves nothing.
+  Result<void> start();
+
+  /// Ends the recording; the file is complete, and on the disk, when this returns. Once or more often.
+  void stop();
+
+  RecorderStatus status() const;
+  Headings headings() const;
+  /// The rows from `first` on, at most `most` of them; the notices likewise.
+  Rows rows_since(std::size_t first, std::size_t most = static_cast<std::size_t>(-1)) const;
+  std::vector<Notice> notices_since(std::size_t first) const;
+
+ private:
+  void record();
+  void keep_on_disk();
+  bool store(Rows& rows, std::vector<Notice>& notices);
+  void conclude();
+
+  std::unique_ptr<Source> source_;
+  RecorderSettings settings_;
+  RecordingFile file_;
+  std::thread thread_, disk_;
+  std::atomic<bool> stop_{false}, running_{false};
+  mutable std::mutex mutex_;  ///< over what follows, which only the recording thread changes
+  Headings headings_;
+  Rows rows_;
+  std::vector<Notice> notices_;
+  std::size_t garbage_ = 0;
+  std::string failure_;
+};
+
+}  // namespace cromer

@@ -1,0 +1,105 @@
+#include "cromer/record/live/recording_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+#include "cromer/base/number.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::size_t piece = 4096;  // bytes at most in one write, but for a longer line
+
+Error cannot_write(const std::string& path, int number) {
+  return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
+}
+
+void append_number(std::string& text, double value) {
+  char digits[32];
+  if (std::isfinite(value))
+    text.append(digits, static_cast<std::size_t>(write_shortest(digits, value) - digits));
+}
+
+}  // namespace
+
+Result<void> RecordingFile::open(const std::string& path) {
+  path_ = path;
+  file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666));
+  made_ = file_.is_open();
+  if (made_) return {};
+  if (errno != EEXIST) return cannot_write(path, errno);
+  file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  if (!file_.is_open()) return cannot_write(path, errno);
+  struct stat found {};
+  if (::fstat(file_.number(), &found) == 0 && found.st_size == 0) return {};
+  file_.close();
+  return Error{
+      fmt::format("{} exists and is not empty; a recording overwrites nothing: name another file, or move "
+                  "that one away",
+                  path)};
+}
+
+Result<void> RecordingFile::write(std::string_view lines) {
+  while (!lines.empty()) {
+    std::size_t end = lines.size();
+    if (end > piece) {
+      end = lines.rfind('\n', piece - 1);
+      end = end == std::string_view::npos ? lines.find('\n') + 1 : end + 1;
+    }
+    std::string_view whole = lines.substr(0, end);
+    lines.remove_prefix(end);
+    while (!whole.empty()) {
+      const ssize_t count = ::write(file_.number(), whole.data(), whole.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return cannot_write(path_, errno);
+      whole.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+  written_ = true;
+  return {};
+}
+
+Result<void> RecordingFile::begin(const std::vector<std::string>& comments, const Headings& headings) {
+  std::string text;
+  for (const auto& each : comments) text += "# " + each + "\n";
+  for (std::size_t i = 0; i < headings.size(); ++i) text += (i > 0 ? "," : "") + headings[i];
+  return write(text + "\n");
+}
+
+Result<void> RecordingFile::append(const Rows& rows) {
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    append_number(text, rows.t[i]);
+    for (const double value : rows.row(i)) {
+      text += ',';
+      append_number(text, value);
+    }
+    text += '\n';
+  }
+  return write(text);
+}
+
+Result<void> RecordingFile::comment(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const auto& each : lines) text += "# " + each + "\n";
+  return write(text);
+}
+
+Result<void> RecordingFile::sync() {
+  // A pipe or /dev/null has no disk.
+  if (::fdatasync(file_.number()) != 0 && errno != EINVAL && errno != EROFS)
+    return cannot_write(path_, errno);
+  return {};
+}
+
+void RecordingFile::drop_if_empty() {
+  if (made_ && !written_) ::unlink(path_.c_str());
+}
+
+}  // namespace cromer

@@ -1,0 +1,38 @@
+// The file of a recording in progress: whole lines, one after the other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cromer/base/result.h"
+#include "cromer/record/live/descriptor.h"
+#include "cromer/record/live/rows.h"
+
+namespace cromer {
+
+/// Not the rule of all other outputs (whole or not at all): what came is kept, whatever happens. Each append
+/// is written at once, in whole lines, so that a program that is killed leaves a valid file; sync brings it
+/// to the disk.
+class RecordingFile {
+ public:
+  /// Makes the file, or takes one that is empty; any other that exists is an Error that says so.
+  Result<void> open(const std::string& path);
+
+  /// Lines that begin with "# ", then the headings.
+  Result<void> begin(const std::vector<std::string>& comments, const Headings& headings);
+  Result<void> append(const Rows& rows);
+  Result<void> comment(const std::vector<std::string>& lines);
+  Result<void> sync();
+
+  /// Removes a file in which nothing was written.
+  void drop_if_empty();
+
+ private:
+  Result<void> write(std::string_view lines);
+
+  std::string path_;
+  Descriptor file_;
+  bool made_ = false, written_ = false;
+};
+
+}  // namespace cromer

@@ -1,0 +1,37 @@
+// What a device has sent so far: rows of a time and one or more values, and what went wrong on the way.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace cromer {
+
+/// Rows with equally many values each, one after the other.
+struct Rows {
+  std::size_t width = 0;       ///< values of a row, the time not counted
+  std::vector<double> t;       // [s]
+  std::vector<double> values;  ///< width * t.size(), row by row; NaN where missing
+
+  std::size_t size() const { return t.size(); }
+  std::span<const double> row(std::size_t i) const { return {values.data() + i * width, width}; }
+  void add(double time, std::span<const double> row) {
+    t.push_back(time);
+    values.insert(values.end(), row.begin(), row.end());
+  }
+  void clear() { t.clear(), values.clear(); }
+};
+
+/// The columns' names with their units: "Time (s)", then one for each value.
+using Headings = std::vector<std::string>;
+
+enum class NoticeKind { garbage, clock, gap, connection, device };
+
+/// Something a person should know of, in a sentence.
+struct Notice {
+  NoticeKind kind;
+  std::string text;
+};
+
+}  // namespace cromer

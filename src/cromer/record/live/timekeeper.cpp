@@ -1,0 +1,111 @@
+#include "cromer/record/live/timekeeper.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cromer {
+namespace {
+
+constexpr double least_step = 1e-6;       // [s]
+constexpr double clear_difference = 0.5;  // [s] which no computer's scheduling makes
+
+double to_microseconds(double t) { return std::round(t * 1e6) / 1e6; }
+
+}  // namespace
+
+double Timekeeper::usual_step() const {
+  const std::size_t known = std::min(window, samples_ - 1);
+  if (known == 0) return rate_ > 0 ? 1 / rate_ : 0;
+  auto steps = steps_;
+  const auto middle = steps.begin() + known / 2;
+  std::nth_element(steps.begin(), middle, steps.begin() + known);
+  return *middle;
+}
+
+// A file piped in arrives at once: the computer's clock then knows nothing of its times.
+bool Timekeeper::keeps_pace() const {
+  const std::size_t known = std::min(window, samples_ - 1);
+  if (known < 8) return false;
+  const double device = std::accumulate(steps_.begin(), steps_.begin() + known, 0.0);
+  const double arrival = std::accumulate(arrival_steps_.begin(), arrival_steps_.begin() + known, 0.0);
+  return arrival > 0.5 * device && device > 0.5 * arrival;
+}
+
+void Timekeeper::remember(double device, double arrival, double t) {
+  if (samples_ == 0) {
+    first_arrival_ = arrival, first_device_ = device;
+  } else {
+    steps_[(samples_ - 1) % window] = t - last_t_;
+    arrival_steps_[(samples_ - 1) % window] = arrival - last_arrival_;
+  }
+  last_arrival_ = arrival, last_device_ = device, last_t_ = t;
+  ++samples_;
+}
+
+Stamp Timekeeper::of_device(double device, double arrival) {
+  Stamp stamp{device + offset_};
+  if (samples_ > 0) {
+    const double step = device - last_device_, passed = arrival - last_arrival_, usual = usual_step();
+    const bool back = !(step > 0);
+    const bool forward = !back && step > passed + clear_difference && step > 5 * usual && keeps_pace();
+    if (back || forward) {
+      stamp.t = to_microseconds(last_t_ + std::max({passed, usual, least_step}));
+      offset_ = stamp.t - device;
+      stamp.notice = Notice{
+          NoticeKind::clock,
+          step == 0
+              ? fmt::format("the device gave the time {:.6g} s twice", device)
+              : fmt::format("the device's clock jumped {} by {:.6g} s at {:.6g} s; the times go on from "
+                            "the computer's clock",
+                            back ? "back" : "forward", std::abs(step), last_t_)};
+    } else if (step > 5 * usual && step > 0.1 && samples_ > 2) {
+      stamp.notice =
+          Notice{NoticeKind::gap, fmt::format("nothing for {:.3g} s from {:.6g} s on", step, last_t_)};
+    }
+    // An offset rounds; the times still rise.
+    if (!(stamp.t > last_t_)) stamp.t = last_t_ + least_step;
+  }
+  remember(device, arrival, stamp.t);
+  return stamp;
+}
+
+Stamp Timekeeper::of_arrival(double arrival) {
+  if (samples_ == 0) {
+    remember(0, arrival, 0);
+    counted_ = 1;
+    return {0};
+  }
+  const double since_first = arrival - first_arrival_;
+  Stamp stamp{to_microseconds(since_first)};
+  const double step = stamp.t - last_t_, usual = usual_step();
+  if (rate_ > 0) {
+    const double counted = counted_from_ + static_cast<double>(counted_) / rate_;
+    if (std::abs(since_first - counted) > clear_difference && since_first > last_t_) {
+      counted_from_ = stamp.t;
+      counted_ = 0;
+      stamp.notice = Notice{
+          NoticeKind::gap,
+          fmt::format("{:.3g} s {} than --rate lets expect at {:.6g} s; counting begins anew",
+                      std::abs(since_first - counted), since_first > counted ? "later" : "earlier", last_t_)};
+    } else {
+      stamp.t = counted;
+    }
+    ++counted_;
+  } else if (step > 5 * usual && step > clear_difference && samples_ > 2) {
+    stamp.notice =
+        Notice{NoticeKind::gap, fmt::format("nothing for {:.3g} s from {:.6g} s on", step, last_t_)};
+  }
+  if (!(stamp.t > last_t_)) stamp.t = to_microseconds(last_t_ + least_step);
+  remember(0, arrival, stamp.t);
+  return stamp;
+}
+
+double Timekeeper::pace() const {
+  const double passed = last_arrival_ - first_arrival_;
+  return passed < 2 ? 0 : (last_device_ - first_device_) / passed;
+}
+
+}  // namespace cromer

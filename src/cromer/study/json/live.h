@@ -1,0 +1,33 @@
+// A recording in progress as JSON documents, each on one line.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cromer/record/live/recorder.h"
+#include "cromer/study/task/fit.h"
+
+namespace cromer {
+
+/// {"recording", "running", "samples", "from", "to", "rate", "last", "garbage", "columns", "message"}
+std::string live_status_json(const std::string& recording, const RecorderStatus& status,
+                             const Headings& headings);
+
+/// {"first", "t": [...], "values": [[...], ...]}, one list of values for each column.
+std::string live_samples_json(std::size_t first, const Rows& rows);
+
+/// {"column", "status", "samples", "from", "to", "law", "parameters", "derived"}
+std::string live_fit_json(const FittedRecording& fitted);
+
+/// {"notices": [{"kind", "text"}, ...]}
+std::string live_notices_json(std::span<const Notice> notices);
+
+/// The end of a recording: its status with the notices.
+std::string recording_json(const std::string& recording, const RecorderStatus& status,
+                           const Headings& headings, std::span<const Notice> notices);
+
+/// {"message"}
+std::string message_json(const std::string& message);
+
+}  // namespace cromer

@@ -1,0 +1,63 @@
+#include "cromer/study/live_fit.h"
+
+#include <cmath>
+
+#include "cromer/base/number.h"
+
+namespace cromer {
+namespace {
+
+constexpr std::size_t fewest = 20, most = 100000;  // rows
+
+/// What the fit leaves of the swing's spread; 1 where there is no fit.
+double unexplained(const FittedRecording& fitted) {
+  if (!fitted.succeeded()) return 1;
+  double mean = 0, squares = 0, n = 0;
+  for (const double y : fitted.series.y) {
+    ++n;
+    const double from_mean = y - mean;
+    mean += from_mean / n;
+    squares += from_mean * (y - mean);
+  }
+  return squares > 0 ? fitted.fit.residual.rms / std::sqrt(squares / n) : 1;
+}
+
+bool is_named(std::string_view heading, std::string_view name) {
+  return name.empty() || heading == name || heading.substr(0, heading.find(" (")) == name;
+}
+
+std::string csv(const Rows& rows, std::size_t column, const std::string& heading) {
+  std::string text = "Time (s)," + heading + "\n";
+  const auto append = [&](double value) {
+    char digits[32];
+    if (std::isfinite(value))
+      text.append(digits, static_cast<std::size_t>(write_shortest(digits, value) - digits));
+  };
+  for (std::size_t i = rows.size() > most ? rows.size() - most : 0; i < rows.size(); ++i) {
+    append(rows.t[i]);
+    text += ',';
+    append(rows.row(i)[column]);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headings, std::string_view column,
+                                        const Watch& watch) {
+  std::optional<FittedRecording> best;
+  if (rows.size() < fewest) return best;
+  FitOptions options;
+  options.law = "viscous";
+  options.recognise_drive = false;
+  for (std::size_t c = 0; c < rows.width && c + 1 < headings.size(); ++c) {
+    if (!is_named(headings[c + 1], column)) continue;
+    auto fits = fit(csv(rows, c, headings[c + 1]), "recording", options, watch);
+    if (!fits || fits->empty() || watch.interrupted()) continue;
+    if (!best || unexplained(fits->front()) < unexplained(*best)) best = std::move(fits->front());
+  }
+  return best;
+}
+
+}  // namespace cromer

@@ -1,0 +1,20 @@
+// The law of a recording that is still going on.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/record/live/rows.h"
+#include "cromer/study/task/fit.h"
+
+namespace cromer {
+
+/// Viscous law of the last 100 000 rows at most, found as `cromer fit --law viscous` finds it in the file.
+/// `column` is a heading, with or without its unit; where none is named, the column that such a swing
+/// explains best, by what is left of its spread. Nothing while the rows are too few to say anything, or
+/// cannot be fitted at all.
+std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headings, std::string_view column,
+                                        const Watch& watch = {});
+
+}  // namespace cromer

@@ -1,0 +1,59 @@
+// The other end of the server's connections, well behaved or not: bytes in, bytes out.
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+
+#include "program.h"
+
+namespace cromer::test {
+
+/// A connection to a port of this computer; closed with the object.
+class Peer {
+ public:
+  explicit Peer(int port);
+  ~Peer();
+  Peer(Peer&& other) noexcept;
+  Peer(const Peer&) = delete;
+
+  bool connected() const { return socket_ >= 0; }
+  /// False where the other side has closed or takes nothing within two seconds.
+  bool send(const std::string& bytes) const;
+  /// What comes until the other side closes, or `until` has come, or `seconds` are over.
+  std::string receive(double seconds, const std::string& until = "") const;
+  /// Whether the other side closes within `seconds`.
+  bool is_closed_within(double seconds) const;
+
+ private:
+  int socket_ = -1;
+};
+
+/// "GET /" with a good Host and what else is given, each line with its end; "Connection: close".
+std::string request(int port, const std::string& first_line, const std::string& headers = "",
+                    const std::string& body = "");
+
+/// The whole answer to one request; "" where there is none within `seconds`.
+std::string ask(int port, const std::string& bytes, double seconds = 10);
+
+/// 200, ... of an answer; 0 where it is none.
+int status_of(const std::string& answer);
+std::string body_of(const std::string& answer);
+
+/// cromer serve, running in a folder with a page of its own until the object ends.
+class Served {
+ public:
+  explicit Served(const Folder& folder, std::vector<std::string> more = {});
+  ~Served();
+  int port() const { return port_; }
+  const std::string& address() const { return address_; }  ///< as it was printed
+  bool is_up() const;
+
+ private:
+  const Folder& folder_;
+  pid_t process_;
+  int port_ = 0;
+  std::string address_;
+};
+
+}  // namespace cromer::test

@@ -1,0 +1,113 @@
+#include "cromer/record/live/line_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cromer {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// A reader with what it made of its input so far.
+struct Reading {
+  explicit Reading(LineSettings settings = {}, bool within_line = false) : reader(settings, within_line) {}
+  void take(std::string_view bytes, double arrival = 100) { reader.take(bytes, arrival, rows, notices); }
+
+  LineReader reader;
+  Rows rows;
+  std::vector<Notice> notices;
+};
+
+TEST(Line, IsNumbersWordsOrGarbage) {
+  EXPECT_THAT(read_line("1.5 2").numbers, ElementsAre(1.5, 2));
+  EXPECT_THAT(read_line(" 1.5,\t-2e-3 \r").numbers.size(), 0u) << "two hard separators";
+  EXPECT_THAT(read_line("1.5,-2e-3").numbers, ElementsAre(1.5, -2e-3));
+  EXPECT_THAT(read_line("1,5;2,25").numbers, ElementsAre(1.5, 2.25));
+  EXPECT_THAT(read_line("0.5\t7").numbers, ElementsAre(0.5, 7));
+  EXPECT_TRUE(std::isnan(read_line("1,nan").numbers.at(1)));
+  EXPECT_TRUE(std::isnan(read_line("1,").numbers.at(1)));
+  EXPECT_EQ(read_line("  ").kind, LineKind::blank);
+  EXPECT_EQ(read_line("# begin").kind, LineKind::comment);
+  EXPECT_THAT(read_line("Time (ms),Distance (cm)").words, ElementsAre("Time (ms)", "Distance (cm)"));
+  for (const char* garbage : {"12 cm", "1.2.3", "0x1f", "1e999", "\x01\x02", "12,3abc"})
+    EXPECT_EQ(read_line(garbage).kind, LineKind::garbage) << garbage;
+}
+
+TEST(LineReader, TakesLinesInWhateverPiecesTheyCome) {
+  const std::string text = "0.00 1.5\r\n0.01 1.25\r\n0.02 -1e-3\r\n";
+  for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+    Reading reading;
+    for (std::size_t at = 0; at < text.size(); at += piece) reading.take(text.substr(at, piece));
+    EXPECT_THAT(reading.rows.t, ElementsAre(0, 0.01, 0.02)) << piece;
+    EXPECT_THAT(reading.rows.values, ElementsAre(1.5, 1.25, -1e-3)) << piece;
+    EXPECT_TRUE(reading.notices.empty());
+  }
+  Reading reading;
+  EXPECT_TRUE(reading.reader.headings().empty());
+  reading.take(text);
+  EXPECT_THAT(reading.reader.headings(), ElementsAre("Time (s)", "Value"));
+}
+
+TEST(LineReader, TakesHeadingAndUnitOfTime) {
+  Reading reading;
+  reading.take("Time (ms),Distance (cm)\n1234,56.5\n1244,57\n");
+  EXPECT_THAT(reading.reader.headings(), ElementsAre("Time (s)", "Distance (cm)"));
+  EXPECT_THAT(reading.rows.t, ElementsAre(1.234, 1.244));
+  // After a reset the device announces them again.
+  reading.take("Time (ms),Distance (cm)\n1254,58\n");
+  EXPECT_EQ(reading.reader.garbage(), 0u);
+  EXPECT_EQ(reading.rows.size(), 3u);
+
+  Reading told({.time_unit = 1e-6, .headings = "Position (mm), Tilt (deg)"});
+  told.take("1500000 2 3\n");
+  EXPECT_THAT(told.rows.t, ElementsAre(1.5));
+  EXPECT_THAT(told.rows.values, ElementsAre(2, 3));
+  EXPECT_THAT(told.reader.headings(), ElementsAre("Time (s)", "Position (mm)", "Tilt (deg)"));
+}
+
+TEST(LineReader, CountsAndReportsGarbage) {
+  Reading reading;
+  reading.take("Sensor ready\n0.00 1\n0.01 ?!\x7f\n0.02 3\n5\n0.03 4 5\n\n0.04 6\n");
+  EXPECT_THAT(reading.rows.t, ElementsAre(0, 0.02, 0.04));
+  ASSERT_EQ(reading.reader.garbage(), 4u);
+  EXPECT_THAT(reading.notices[0].text, HasSubstr("line 1 is no sample: \"Sensor ready\""));
+  EXPECT_THAT(reading.notices[1].text, HasSubstr("line 3 is no sample: \"0.01 ?!?\""));
+  EXPECT_THAT(reading.notices[3].text, HasSubstr("line 6"));
+}
+
+TEST(LineReader, AnEndlessLineTakesNoMemory) {
+  Reading reading;
+  const std::string noise(4096, '7');
+  for (int i = 0; i < 1000; ++i) reading.take(noise);
+  reading.take("\n0 1\n0.1 2\n");
+  EXPECT_EQ(reading.reader.garbage(), 1u);
+  EXPECT_LT(reading.notices[0].text.size(), 200u);
+  EXPECT_EQ(reading.rows.size(), 2u);
+}
+
+TEST(LineReader, OpenedWithinALineLeavesItsRestOut) {
+  Reading reading({}, true);
+  reading.take(".07 1.5\n0.08 1\n");
+  EXPECT_THAT(reading.rows.t, ElementsAre(0.08));
+  reading.take("0.09 1");
+  reading.reader.connection_lost();
+  reading.take("9 7\n0.10 2\n");
+  EXPECT_THAT(reading.rows.t, ElementsAre(0.08, 0.10));
+  EXPECT_EQ(reading.reader.garbage(), 0u);
+}
+
+TEST(LineReader, ValuesAloneAreStampedByArrival) {
+  Reading reading;
+  for (int i = 0; i < 5; ++i) reading.take(std::to_string(i) + "\n", 100 + 0.01 * i);
+  ASSERT_EQ(reading.rows.size(), 5u);
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(reading.rows.t[i], 0.01 * i, 1e-6);
+  // What arrives at once still has rising times.
+  reading.take("5\n6\n7\n", 100.05);
+  for (std::size_t i = 1; i < reading.rows.size(); ++i) EXPECT_GT(reading.rows.t[i], reading.rows.t[i - 1]);
+}
+
+}  // namespace
+}  // namespace cromer
