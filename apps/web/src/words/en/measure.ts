@@ -1,0 +1,3 @@
+export const measure = {
+  soon: 'This page is not there yet.',
+}

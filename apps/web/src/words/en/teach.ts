@@ -1,0 +1,3 @@
+export const teach = {
+  soon: 'This page is not there yet.',
+}
