@@ -1,0 +1,3 @@
+export const simulate = {
+  oscillator: 'Oscillator',
+}
