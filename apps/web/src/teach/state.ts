@@ -10,9 +10,9 @@ export const teachDefaults = {
   doneTwo: [] as string[],
   course: '',
   student: '',
-  /// Answer and ± of each question in the order of key.ts.
-  values: ['', '', '', '', ''] as string[],
-  uncertainties: ['', '', '', '', ''] as string[],
+  /// Answer and ± of each question in the order of key.ts, joined by ; for a comma may be a decimal one.
+  values: '',
+  uncertainties: '',
   checked: false,
   // What the steps of lab one set.
   position: 0,

@@ -174,6 +174,7 @@ export const measure: typeof en = {
     says: (method, amplitude, phase) =>
       `${method}: Am Ende hat die Amplitude ${amplitude} von der des Gesetzes, die Phase weicht um ${phase} ab.`,
     grown: (method) => `${method} wächst bei diesem Schritt ohne Ende.`,
+    constantEnd: (off) => `Mit einer festen Abklingrate liegt die Amplitude am Ende um ${off} daneben.`,
     step: (step) => `Schritt ${step}`
   },
   command: 'Befehl kopieren',

@@ -174,6 +174,7 @@ export const measure = {
     says: (method: string, amplitude: string, phase: string) =>
       `${method}: the amplitude at the end is ${amplitude} of the law’s, its phase off by ${phase}.`,
     grown: (method: string) => `${method} grows without end at this step.`,
+    constantEnd: (off: string) => `With one constant decay rate the amplitude at the end is off by ${off}.`,
     step: (step: string) => `step ${step}`
   },
   command: 'Copy command',
