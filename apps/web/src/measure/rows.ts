@@ -2,7 +2,7 @@
 import type { Estimate, Fit } from '../core/types'
 import { withUnit } from '../look/numbers'
 import type { measure } from '../words/en/measure'
-import { interval, placesOf, rounded, withUncertainty } from './uncertain'
+import { grouped, interval, placesOf, rounded, withUncertainty } from './uncertain'
 import { scaleFor } from './units'
 import { fixed } from '../look/numbers'
 
@@ -47,8 +47,8 @@ function rowOf(key: string, estimate: Estimate | undefined, words: Words): Row[]
 function shortest(low: number, high: number, to: string): string {
   const places = placesOf((high - low) / 2)
   if (places < 5) return interval(low, high, to)
-  const [a, b] = [rounded(low, places), rounded(high, places)]
-  return `${interval(low, high, to).split('\u00a0')[0]}\u00a0${to} …${b.slice(Math.max(0, firstDifference(a, b) - 1))}`
+  const [a, b] = [rounded(low, places - 1), rounded(high, places - 1)]
+  return `${grouped(a)}\u00a0${to}\u00a0…${b.slice(firstDifference(a, b) === a.length ? -3 : Math.min(firstDifference(a, b), b.length - 3))}`
 }
 
 function firstDifference(a: string, b: string): number {

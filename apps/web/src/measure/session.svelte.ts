@@ -21,6 +21,7 @@ export interface Simulated {
   amplitude: number | null // at the end, of the law's own
   phase: number | null // [rad]
   diverged: boolean
+  atRest: boolean // the recording ends at rest: ratios of amplitudes there say nothing
   t: Float64Array
   x: Float64Array
   v: Float64Array
@@ -187,7 +188,8 @@ async function simulate(mine: number, law: string): Promise<void> {
     if (!curve) continue
     if (method === 'euler-cromer') session.constantAtEnd = compared.curves[0]!.amplitude_ratio_end
     const { method_amplitude_ratio: amplitude, method_phase: phase, diverged, step } = curve
-    found.push({ method, law: curve.law, step, amplitude, phase, diverged, ...compared.states[i]! })
+    const atRest = compared.measured_at_rest === true
+    found.push({ method, law: curve.law, step, amplitude, phase, diverged, atRest, ...compared.states[i]! })
   }
   session.simulated = found
   session.busy = ''

@@ -17,9 +17,16 @@ export function storyOf(fit: Fit, words: Words): Sentence[] {
   return [...decay(fit, words), ...limits(fit, words), ...flow(fit, words), ...warnings(fit, words)]
 }
 
+/// The pieces that say something: a swing larger than the noise, a rate known to a third.
+export const piecesOf = (fit: Fit): Fit['decay_by_amplitude'] =>
+  fit.decay_by_amplitude.filter(
+    ({ rate, standard_error, amplitude }) =>
+      rate !== null && standard_error !== null && amplitude > 3 * (fit.residual.rms ?? 0) && 3 * standard_error < Math.abs(rate),
+  )
+
 /// Whether the decay rate depends on the amplitude by more than what pieces of the recording scatter.
 export function rateFalls(fit: Fit): boolean {
-  const pieces = fit.decay_by_amplitude.filter((piece) => piece.rate !== null && piece.standard_error !== null)
+  const pieces = piecesOf(fit)
   if (pieces.length < 3) return false
   const [first, last] = [pieces[0]!, pieces.at(-1)!]
   const sigma = Math.hypot(first.standard_error!, last.standard_error!)
@@ -27,13 +34,13 @@ export function rateFalls(fit: Fit): boolean {
 }
 
 function decay(fit: Fit, words: Words): Sentence[] {
-  const pieces = fit.decay_by_amplitude.filter((piece) => piece.rate !== null)
+  const pieces = piecesOf(fit)
   if (pieces.length < 3) return []
   const ends = [pieces[0]!, pieces.at(-1)!].map((piece) => piece.law_rate ?? piece.rate!)
   if (rateFalls(fit)) {
     // A law with one rate hides the fall: then the pieces themselves say it.
     const [from, to] = fit.law === 'viscous' ? [pieces[0]!.rate!, pieces.at(-1)!.rate!] : ends
-    const text = words.story.falls(significant(from!, 3), significant(to!, 3))
+    const text = (from! > to! ? words.story.falls : words.story.rises)(significant(from!, 3), significant(to!, 3))
     return [{ kind: 'note', title: words.story.notEnough, text }]
   }
   const rate = fit.parameters.decay_rate

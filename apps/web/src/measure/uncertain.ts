@@ -45,7 +45,7 @@ function inBrackets(value: number, uncertainty: number, places: number): string 
 }
 
 /// From five digits behind the mark on in groups of three, as 1.408 398 8.
-function grouped(text: string): string {
+export function grouped(text: string): string {
   const [whole, mark, part] = text.split(/([.,])/)
   if (part === undefined || part.length < 5) return text
   return `${whole}${mark}${part.replace(/(\d{3})(?=\d)/g, '$1\u202f')}`

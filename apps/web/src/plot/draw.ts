@@ -45,7 +45,7 @@ export function drawAxes(pen: Pen, frame: Frame, x: Axis, y: Axis, look: Look): 
 
 /** Width that the ticks of `y` need left of the axis. */
 export function ticksWidth(pen: Pen, frame: Frame, size: number): number {
-  const { values, step } = ticksOf(...frame.y, 6)
+  const { values, step } = ticksOf(...frame.y, frame.bottom - frame.top < 160 ? 4 : 6)
   return Math.max(...values.map((value) => pen.width(tickText(value, step), { size })), 12)
 }
 

@@ -20,9 +20,9 @@ export const measure: typeof en = {
   examples: {
     disc: { name: 'Scheibe in Luft', about: '217,6 g, Scheibe von 12 cm, 120 s: zähe Dämpfung und Luftwiderstand' },
     plain: { name: 'Einfache Dämpfung', about: '200,8 g, 40 s: eine Abklingrate beschreibt sie' },
-    rubbing: { name: 'Trockene Reibung', about: '250 g, 20 s: reibt an einer Führung und bleibt stehen' }
+    rubbing: { name: 'Trockene Reibung', about: '250 g, 12 s: reibt an einer Führung und bleibt stehen' }
   },
-  synthetic: 'synthetisch: simuliert, mit dem Rauschen eines Sensors',
+  synthetic: 'synthetisch: simuliert',
   dropped: 'eben gelesen',
   file: {
     title: 'Die Datei',
@@ -149,6 +149,7 @@ export const measure: typeof en = {
   story: {
     notEnough: 'Eine Abklingrate genügt nicht.',
     falls: (from, to) => `Sie fällt von ${from} auf ${to} 1/s, während die Schwingung abklingt; anzugeben ist das Gesetz.`,
+    rises: (from, to) => `Sie steigt von ${from} auf ${to} 1/s, während die Schwingung abklingt; anzugeben ist das Gesetz.`,
     enough: 'Eine Abklingrate genügt.',
     enoughWhy: (rate) => `Bei jeder Amplitude ist sie ${rate} im Rahmen ihrer Unsicherheit.`,
     limits: (of) => ['Die Masse begrenzt ', of, '.'],

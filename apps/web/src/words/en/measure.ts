@@ -18,9 +18,9 @@ export const measure = {
   examples: {
     disc: { name: 'Disc in air', about: '217.6 g, disc of 12 cm, 120 s: viscous damping and drag' },
     plain: { name: 'Plain damping', about: '200.8 g, 40 s: one decay rate describes it' },
-    rubbing: { name: 'Dry friction', about: '250 g, 20 s: rubs on a guide, and stops' }
+    rubbing: { name: 'Dry friction', about: '250 g, 12 s: rubs on a guide, and stops' }
   },
-  synthetic: 'synthetic: simulated, with a sensor’s noise',
+  synthetic: 'synthetic: simulated',
   dropped: 'read just now',
   file: {
     title: 'The file',
@@ -149,6 +149,7 @@ export const measure = {
   story: {
     notEnough: 'One decay rate is not enough.',
     falls: (from: string, to: string) => `It falls from ${from} to ${to} 1/s as the swing dies down; quote the law instead.`,
+    rises: (from: string, to: string) => `It rises from ${from} to ${to} 1/s as the swing dies down; quote the law instead.`,
     enough: 'One decay rate is enough.',
     enoughWhy: (rate: string) => `At every amplitude it is ${rate} within its uncertainty.`,
     limits: (of: string) => ['The mass limits ', of, '.'],
