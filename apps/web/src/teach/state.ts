@@ -13,7 +13,6 @@ export const teachDefaults = {
   /// Answer and ± of each question in the order of key.ts, joined by ; for a comma may be a decimal one.
   values: '',
   uncertainties: '',
-  checked: false,
   // What the steps of lab one set.
   position: 0,
   damping: 0,
