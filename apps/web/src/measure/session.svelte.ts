@@ -168,7 +168,9 @@ function show(fit: Fit | null): void {
   const { frame } = session
   if (frame && frame.from >= first && frame.to <= last) return
   const period = fit.derived.period?.value ?? (last - first) / 8
-  const wide = Math.min(last - first, Math.max(8.5 * period, 20 * (session.series?.spacing ?? 0)))
+  const spacing = session.series?.spacing ?? 0
+  // Few enough samples that each is a dot of its own.
+  const wide = Math.min(last - first, Math.max(20 * spacing, 2.5 * period, Math.min(8.5 * period, 560 * spacing)))
   const from = first + 0.3 * (last - first - wide)
   session.frame = { from, to: from + wide }
 }
