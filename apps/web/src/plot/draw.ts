@@ -20,7 +20,7 @@ const looksOf = (curve: Curve) => lookOf(curve.meaning, curve.road ?? curve.mean
 export function drawAxes(pen: Pen, frame: Frame, x: Axis, y: Axis, look: Look): void {
   const { left, right, top, bottom } = frame
   const [ink2, grid, line] = [token('text2'), token('grid'), token('axis')]
-  const xTicks = ticksOf(...frame.x, right - left < 300 ? 5 : 7)
+  const xTicks = ticksOf(...frame.x, right - left < 180 ? 4 : 6)
   const yTicks = ticksOf(...frame.y, bottom - top < 160 ? 4 : 6)
   for (const value of xTicks.values) {
     const at = Math.round(frame.toX(value)) + 0.5
@@ -103,7 +103,7 @@ export function drawWords(pen: Pen, frame: Frame, curves: Curve[], look: Look): 
       return { curve, note, y: inside ? frame.top + 8 : wordHeight(frame, curve), height: note ? 30 : 15 }
     })
   for (const { curve, note, y } of spread(words, frame.top + 8, frame.bottom + 4)) {
-    const text = look.phase && curve.note ? `${curve.name} ${curve.note}` : curve.name
+    const text = look.phase && curve.note ? curve.note : curve.name
     const wide = Math.max(pen.width(text, { size, bold: true }), pen.width(note ?? '', { size: look.size }))
     const x = !inside ? frame.right + 8 : look.phase ? frame.right - wide : insideAt(frame, curve, wide)
     if (inside) pen.box(x - 3, y - 8, wide + 6, note ? 31 : 16, token('surface'), undefined, 3)

@@ -8,6 +8,7 @@ export interface Shown {
   marks: { meaning: string; road: boolean; x: number }[] // where each method puts it
   force: number // now [N]
   forceMost: number
+  forceName: string // beside the arrow
   forceText: string
   cursor: number // [s]
   shares: boolean // the plot's axis is the position
@@ -20,7 +21,7 @@ const spring = { turns: 11, width: 8 }
 export function oscillator(shown: Shown, room: number): Decoration {
   return (pen, frame) => {
     const small = room < 140
-    const [ink, surface] = [token('ink'), token('surface')]
+    const ink = token('ink')
     const box = small ? { width: 52, height: 30 } : { width: 60, height: 34 }
     const middle = room / 2 - (small ? 6 : 8)
     const ceiling = frame.top - 6
@@ -29,7 +30,6 @@ export function oscillator(shown: Shown, room: number): Decoration {
     const most = frame.bottom - box.height / 2 + 6
     const y = Math.max(least, Math.min(most, Number.isFinite(shown.x) ? toY(shown.x) : toY(0)))
     const top = y - box.height / 2
-    const line = { colour: ink, width: 1.4 }
 
     drawCeiling(pen, middle, ceiling, small ? 30 : 37, ink)
     drawSpring(pen, middle - 17, ceiling, top, ink)
@@ -44,7 +44,7 @@ export function oscillator(shown: Shown, room: number): Decoration {
       const beside = middle + box.width / 2 + 8
       pen.line([beside, at, beside + 15, at], { colour, width: width > 3 ? 5 : 3, round: false })
     }
-    drawForce(pen, middle, y, box.height, shown, line.colour && surface)
+    drawForce(pen, middle, y + box.height / 2 + 5, shown, room)
   }
 }
 
@@ -84,13 +84,12 @@ function drawLink(pen: Pen, frame: Frame, cursor: number, from: number, y: numbe
 }
 
 /** Up is positive, as in the plot; its length is the force now. */
-function drawForce(pen: Pen, x: number, y: number, height: number, shown: Shown, _: string): void {
+function drawForce(pen: Pen, x: number, base: number, shown: Shown, room: number): void {
   if (!(shown.forceMost > 0)) return
   const colour = token('line-drive')
   const length = (46 * shown.force) / shown.forceMost
   const sign = Math.sign(length)
   // an upward push is drawn from below the mass up to it, so that the spring stays visible
-  const base = y + height / 2 + 5
   const size = Math.abs(length)
   if (size > 2) {
     const [tail, head] = sign < 0 ? [base, base + size] : [base + size, base]
@@ -98,5 +97,11 @@ function drawForce(pen: Pen, x: number, y: number, height: number, shown: Shown,
     pen.line([x, tail, x, head + sign * tip], { colour, width: 3, round: false })
     pen.fill([x - 6, head + sign * tip, x + 6, head + sign * tip, x, head], colour)
   }
-  pen.text(x + 11, base + 14, shown.forceText, { colour: token('word-drive'), size: 11.5, bold: true })
+  const lettering = { colour: token('word-drive'), size: 11.5, bold: true }
+  const [name, force] = [shown.forceName, shown.forceText]
+  if (pen.width(`${name} ${force}`, lettering) < room - x - 8) pen.text(x + 11, base + 14, `${name} ${force}`, lettering)
+  else {
+    pen.text(x + 11, base + 12, name, lettering)
+    pen.text(x + 11, base + 26, force, lettering)
+  }
 }
