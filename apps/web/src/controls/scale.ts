@@ -2,14 +2,14 @@
 export interface Scale {
   least: number
   most: number
-  /** `even`, `ratio` (logarithmic), or `square`: finer near zero, for quantities that may be 0. */
-  kind: 'even' | 'ratio' | 'square'
+  /** `even`, `ratio` (logarithmic), or `fine`: by the cube, finer near zero, for quantities that may be 0. */
+  kind: 'even' | 'ratio' | 'fine'
 }
 
 export function wayOf({ least, most, kind }: Scale, value: number): number {
   const way =
     kind === 'ratio' ? Math.log(value / least) / Math.log(most / least)
-    : kind === 'square' ? Math.sqrt(Math.max(0, value - least) / (most - least))
+    : kind === 'fine' ? Math.cbrt(Math.max(0, value - least) / (most - least))
     : (value - least) / (most - least)
   return Number.isFinite(way) ? Math.min(1, Math.max(0, way)) : 0
 }
@@ -18,7 +18,7 @@ export function wayOf({ least, most, kind }: Scale, value: number): number {
 export function valueAt({ least, most, kind }: Scale, way: number): number {
   const at = Math.min(1, Math.max(0, way))
   if (kind === 'ratio') return Number((least * (most / least) ** at).toPrecision(3))
-  if (kind === 'square') return Number((least + (most - least) * at * at).toPrecision(3))
+  if (kind === 'fine') return Number((least + (most - least) * at ** 3).toPrecision(3))
   const step = 10 ** Math.floor(Math.log10((most - least) / 400))
   return Number((Math.round((least + (most - least) * at) / step) * step).toPrecision(12))
 }

@@ -43,7 +43,8 @@ export function exactly(value: number): string {
 
 /** A part of one as "+0.15 %", signed. */
 export function percent(part: number, digits = 2): string {
-  const text = significant(part * 100, digits)
+  const size = Math.abs(part * 100)
+  const text = size >= 0.01 && size < 10 ** (digits - 1) ? fixed(part * 100, size < 1 ? 2 : 1) : significant(part * 100, digits)
   return `${part > 0 ? '+' : ''}${text}${space}%`
 }
 

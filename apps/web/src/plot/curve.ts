@@ -34,7 +34,7 @@ export interface Frame {
 }
 
 /** Draws beside or over a plot with its axes; called for every picture of a moving plot. */
-export type Decoration = (pen: Pen, frame: Frame) => void
+export type Decoration = (pen: Pen, frame: Frame, curves: Curve[]) => void
 
 export function frameOf(left: number, right: number, top: number, bottom: number, x: Limits, y: Limits): Frame {
   const perX = (right - left) / (x[1] - x[0])

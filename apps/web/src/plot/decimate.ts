@@ -41,8 +41,8 @@ export function lineOf(x: Float64Array, y: Float64Array, toX: ToPixel, toY: ToPi
       if (!(value <= y[most]!)) most = i
       last = i
     }
-    const order = least < most ? [first, least, most, last] : [first, most, least, last]
-    for (const each of order) points.push(column, cut(toY(y[each]!)))
+    const order = least < most ? [first, least, most, last] : [first, most, least, last] // in their order in time
+    for (const each of order) points.push(toX(x[each]!), cut(toY(y[each]!)))
     if (gap) points.push(NaN, NaN)
   }
   return Float32Array.from(points)

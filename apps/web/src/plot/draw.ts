@@ -1,7 +1,7 @@
 // The still layer of a plot: grid, axes, curves and their words.
 import { lookOf, token } from '../look/curves'
-import type { Axis, Curve, Frame } from './curve'
-import { everyPoint, lineOf, valueAtX } from './decimate'
+import type { Axis, Curve, Frame, Limits } from './curve'
+import { everyPoint, firstFrom, lineOf, valueAtX } from './decimate'
 import { drawDots } from './dots'
 import { spread } from './labels'
 import type { Pen } from './pen'
@@ -19,8 +19,8 @@ const looksOf = (curve: Curve) => lookOf(curve.meaning, curve.road ?? curve.mean
 
 export function drawAxes(pen: Pen, frame: Frame, x: Axis, y: Axis, look: Look): void {
   const { left, right, top, bottom } = frame
-  const [ink2, ink3, grid, line] = [token('text2'), token('text3'), token('grid'), token('axis')]
-  const xTicks = ticksOf(...frame.x, right - left < 300 ? 5 : 7)
+  const [ink2, grid, line] = [token('text2'), token('grid'), token('axis')]
+  const xTicks = ticksOf(...frame.x, right - left < 180 ? 4 : 6)
   const yTicks = ticksOf(...frame.y, bottom - top < 160 ? 4 : 6)
   for (const value of xTicks.values) {
     const at = Math.round(frame.toX(value)) + 0.5
@@ -40,7 +40,6 @@ export function drawAxes(pen: Pen, frame: Frame, x: Axis, y: Axis, look: Look): 
   const before = Math.max(2, left - pen.width(named(y), { size }) / 2)
   pen.text(before, top - 14, named(y), { colour: ink2, size })
   pen.text(right, bottom + 29, named(x), { colour: ink2, size, align: 'right' })
-  void ink3
 }
 
 /** Width that the ticks of `y` need left of the axis. */
@@ -66,48 +65,55 @@ export function drawCurves(pen: Pen, frame: Frame, curves: Curve[], look: Look):
   })
 }
 
+const noteOf = (curve: Curve, y: readonly [number, number]): string | undefined =>
+  curve.note && (!curve.unbounded || leaves(curve, y)) ? curve.note : undefined
+function leaves(curve: Curve, [least, most]: readonly [number, number]): boolean {
+  for (const value of curve.y) if (!(value >= least && value <= most)) return true
+  return false
+}
+
 /** The words that stand at the curves' ends, and the room they need at the right. */
-export function endWords(pen: Pen, curves: Curve[], look: Look): number {
+export function endWords(pen: Pen, curves: Curve[], y: Limits, look: Look): number {
   if (look.labels !== 'end' || curves.length === 0) return 14
   const size = look.size + 1
   const widths = curves.map((curve) =>
-    Math.max(pen.width(curve.name, { size, bold: true }), curve.note ? pen.width(curve.note, { size: look.size }) : 0),
+    Math.max(pen.width(curve.name, { size, bold: true }), pen.width(noteOf(curve, y) ?? '', { size: look.size })),
   )
   return Math.max(...widths) + 12
 }
 
-/** Where `curve` ends inside the frame, or leaves it. */
-function endOf(frame: Frame, curve: Curve, phase: boolean): { x: number; y: number } {
-  if (phase) return { x: frame.toX(curve.x.at(-1) ?? 0), y: frame.toY(curve.y.at(-1) ?? 0) }
+/** Where the word of `curve` wants to stand: at its end; of one that grows at its last peak, or where it left. */
+function wordHeight(frame: Frame, curve: Curve): number {
   const lastX = Math.min(curve.x.at(-1) ?? frame.x[1], frame.x[1])
-  const y = valueAtX(curve.x, curve.y, lastX)
-  return { x: frame.toX(lastX), y: frame.toY(Number.isFinite(y) ? y : frame.y[1]) }
+  let y = valueAtX(curve.x, curve.y, lastX)
+  if (curve.unbounded)
+    for (let i = firstFrom(curve.x, lastX - (lastX - frame.x[0]) / 8); i < curve.x.length && curve.x[i]! <= lastX; ++i)
+      if (!(curve.y[i]! <= y)) y = curve.y[i]!
+  return Math.max(frame.top + 8, Math.min(frame.bottom - 8, Number.isFinite(y) ? frame.toY(y) : frame.top))
 }
 
 export function drawWords(pen: Pen, frame: Frame, curves: Curve[], look: Look): void {
+  if (look.labels === 'none') return
+  const inside = look.labels === 'inside'
   const size = look.size + 1
   const words = curves
-    .filter((curve) => look.labels === 'end' || (look.labels === 'inside' && curve.note))
+    .filter((curve) => !inside || curve.unbounded)
     .map((curve) => {
-      const end = endOf(frame, curve, look.phase)
-      const y = curve.unbounded ? frame.top + 8 : Math.max(frame.top + 8, Math.min(frame.bottom - 8, end.y))
-      return { curve, y, height: curve.note ? 30 : 15 }
+      const note = look.phase ? undefined : noteOf(curve, frame.y)
+      return { curve, note, y: inside ? frame.top + 8 : wordHeight(frame, curve), height: note ? 30 : 15 }
     })
-  if (look.labels === 'none') return
-  for (const { curve, y } of spread(words, frame.top + 8, frame.bottom + 4)) {
-    const colour = looksOf(curve).word
-    const inside = look.labels === 'inside'
-    const x = inside ? (look.phase ? frame.right : insideAt(pen, frame, curve, size)) : frame.right + 8
-    const align = inside && look.phase ? 'right' : 'left'
-    if (inside && !look.phase) backed(pen, x, y, curve, size)
-    pen.text(x, y, curve.name, { colour, size, bold: true, align })
-    if (curve.note) pen.text(x, y + 15, curve.note, { colour: token('text2'), size: look.size, align })
+  for (const { curve, note, y } of spread(words, frame.top + 8, frame.bottom + 4)) {
+    const text = look.phase && curve.note ? curve.note : curve.name
+    const wide = Math.max(pen.width(text, { size, bold: true }), pen.width(note ?? '', { size: look.size }))
+    const x = !inside ? frame.right + 8 : look.phase ? frame.right - wide : insideAt(frame, curve, wide)
+    if (inside) pen.box(x - 3, y - 8, wide + 6, note ? 31 : 16, token('surface'), undefined, 3)
+    pen.text(x, y, text, { colour: looksOf(curve).word, size, bold: true })
+    if (note) pen.text(x, y + 15, note, { colour: token('text2'), size: look.size })
   }
 }
 
 /** Left of where the curve leaves the frame, so that the word does not lie on it. */
-function insideAt(pen: Pen, frame: Frame, curve: Curve, size: number): number {
-  const wide = Math.max(pen.width(curve.name, { size, bold: true }), pen.width(curve.note ?? '', { size: size - 1 }))
+function insideAt(frame: Frame, curve: Curve, wide: number): number {
   let leaves = frame.right
   for (let i = 0; i < curve.x.length; ++i)
     if (!(curve.y[i]! < frame.y[1] && curve.y[i]! > frame.y[0])) {
@@ -115,9 +121,4 @@ function insideAt(pen: Pen, frame: Frame, curve: Curve, size: number): number {
       break
     }
   return Math.max(frame.left + 6, Math.min(leaves, frame.right) - wide - 24)
-}
-
-function backed(pen: Pen, x: number, y: number, curve: Curve, size: number): void {
-  const wide = Math.max(pen.width(curve.name, { size, bold: true }), pen.width(curve.note ?? '', { size: size - 1 }))
-  pen.box(x - 3, y - 8, wide + 6, curve.note ? 31 : 16, token('surface'), undefined, 3)
 }

@@ -24,5 +24,5 @@ export function drawMoving(
       }
     })
   }
-  moving?.(pen, frame)
+  moving?.(pen, frame, curves)
 }

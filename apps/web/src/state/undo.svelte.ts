@@ -8,13 +8,15 @@ interface Step {
   name: string
   before: PageDocument
 }
+const copyOfPage = (): PageDocument => structuredClone($state.snapshot(page) as PageDocument)
+
 const past: Step[] = $state([])
 const undone: PageDocument[] = $state([])
 let last = { name: '', at: -Infinity }
 
 /** Changes the state. `name` tells changes apart: those of one slider share it. */
 export function change(name: string, mutate: (state: PageDocument) => void, now = performance.now()): void {
-  const before = $state.snapshot(page) as PageDocument
+  const before = copyOfPage()
   mutate(page)
   const goesOn = name === last.name && now - last.at < oneGo && past.length > 0
   last = { name, at: now }
@@ -29,7 +31,7 @@ export const canUndo = (): boolean => past.length > 0
 export function undo(): void {
   const step = past.pop()
   if (!step) return
-  undone.push($state.snapshot(page) as PageDocument)
+  undone.push(copyOfPage())
   last = { name: '', at: -Infinity }
   replace(step.before)
 }
@@ -37,7 +39,7 @@ export function undo(): void {
 export function redo(): void {
   const next = undone.pop()
   if (!next) return
-  past.push({ name: 'redo', before: $state.snapshot(page) as PageDocument })
+  past.push({ name: 'redo', before: copyOfPage() })
   replace(next)
 }
 

@@ -1,5 +1,5 @@
 // The recording that belongs to the student, the key to it, and what became of the answers.
-import { ask } from '../core/ask'
+import { askAside as ask } from '../core/ask'
 import { openSynthetic } from '../measure/examples'
 import type { MeasureState } from '../measure/state'
 import { page } from '../state/page.svelte'
