@@ -1,0 +1,46 @@
+// How a curve of each meaning is drawn. The colours themselves stand in tokens.css.
+
+/** A method's name, or a meaning that is no method. */
+export type Meaning = string
+
+export interface CurveLook {
+  line: string // colour of the line
+  word: string // colour of its name
+  dash: number[] // [px], empty: solid
+  width: number // [px]
+}
+
+const families: Record<string, [hue: string, dash: number[]]> = {
+  verlet: ['sky', []],
+  yoshida4: ['sky', [8, 3]],
+  rk4: ['amber', []],
+  heun: ['amber', [3, 3]],
+  'dormand-prince': ['amber', [8, 3, 2, 3]],
+  'implicit-midpoint': ['implicit-euler', [8, 3]],
+  newmark: ['implicit-euler', [3, 3]],
+  'generalized-alpha': ['implicit-euler', [8, 3, 2, 3]],
+  'gauss-legendre4': ['implicit-euler', [2, 2]],
+}
+
+/** The value of a token of tokens.css, such as "ink" or "grid". */
+export function token(name: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()
+}
+
+/** `exact`, `measured`, `fitted`, `model` (dashed grey), `drive` or a method's name. `road`: drawn as the exact solution is. */
+export function lookOf(meaning: Meaning, road = meaning === 'exact'): CurveLook {
+  if (road) return { line: token('line-exact'), word: token('word-exact'), dash: [], width: 4 }
+  if (meaning === 'measured') return { line: token('ink'), word: token('ink'), dash: [], width: 1.5 }
+  if (meaning === 'model') return { line: token('text3'), word: token('text3'), dash: [6, 4], width: 1.5 }
+  const [hue, dash] = families[meaning] ?? [meaning, []]
+  const width = meaning === 'fitted' ? 2 : 1.5
+  return { line: token(`line-${hue}`), word: token(`word-${hue}`), dash, width }
+}
+
+/** CSS colours of a meaning, for words and swatches outside of plots. */
+export function cssOf(meaning: Meaning, road = meaning === 'exact'): { line: string; word: string; dash: number[] } {
+  if (meaning === 'measured') return { line: 'var(--ink)', word: 'var(--ink)', dash: [] }
+  if (meaning === 'model') return { line: 'var(--text3)', word: 'var(--text3)', dash: [6, 4] }
+  const [hue, dash] = road ? ['exact', []] : (families[meaning] ?? [meaning, []])
+  return { line: `var(--line-${hue})`, word: `var(--word-${hue})`, dash: dash as number[] }
+}

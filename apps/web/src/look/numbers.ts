@@ -1,0 +1,54 @@
+// Numbers as people read them: true minus, no-break space before units, as many digits as asked for.
+const minus = '\u2212'
+export const space = '\u00a0'
+
+/** A decimal text with the language's mark; exponents as ×10ⁿ. */
+function dress(text: string, comma: boolean): string {
+  const [mantissa, exponent] = text.split('e')
+  let dressed = mantissa.replace('-', minus)
+  if (comma) dressed = dressed.replace('.', ',')
+  if (exponent === undefined) return dressed
+  const raised = [...String(Number(exponent))].map((c) => (c === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(c)])).join('')
+  return `${dressed}\u202f×\u202f10${raised}`
+}
+
+let comma = false
+/** German texts write 0,5. Set once by the language. */
+export function useComma(yes: boolean): void {
+  comma = yes
+}
+
+/** `digits` significant ones: 0.025 with 3 is 0.0250. */
+export function significant(value: number, digits: number): string {
+  if (!Number.isFinite(value)) return Number.isNaN(value) ? '–' : value > 0 ? '∞' : `${minus}∞`
+  if (value === 0) return dress((0).toFixed(Math.max(0, digits - 1)), comma)
+  const size = Math.floor(Math.log10(Math.abs(value)))
+  if (size < -5 || size > 6) return dress(value.toExponential(Math.max(0, Math.min(digits, 3) - 1)), comma)
+  const places = Math.max(0, digits - 1 - size)
+  return dress(value.toFixed(Math.min(places, 12)), comma)
+}
+
+/** `places` behind the mark. */
+export function fixed(value: number, places: number): string {
+  if (!Number.isFinite(value) || Math.abs(value) >= 1e7) return significant(value, 3)
+  return dress(value.toFixed(places), comma).replace(/^−(0([.,]0*)?)$/, '$1')
+}
+
+/** What a field shows: at least three digits, and all that were given, to seven. */
+export function exactly(value: number): string {
+  let digits = 3
+  while (digits < 7 && Number(value.toPrecision(digits)) !== Number(value.toPrecision(7))) ++digits
+  return significant(value, digits)
+}
+
+/** A part of one as "+0.15 %", signed. */
+export function percent(part: number, digits = 2): string {
+  const size = Math.abs(part * 100)
+  const text = size >= 0.01 && size < 10 ** (digits - 1) ? fixed(part * 100, size < 1 ? 2 : 1) : significant(part * 100, digits)
+  return `${part > 0 ? '+' : ''}${text}${space}%`
+}
+
+export const withUnit = (text: string, unit: string): string => (unit ? `${text}${space}${unit}` : text)
+
+/** What a person typed as the core reads it: true minus and decimal comma become plain. */
+export const asTyped = (text: string): string => text.replaceAll(minus, '-').replace(/(\d),(\d)/, '$1.$2').trim()

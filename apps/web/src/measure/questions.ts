@@ -1,0 +1,59 @@
+// The questions that Measure puts to the core, and the command line that asks the program the same.
+import type { Options } from '../core/types'
+import { asTyped } from '../look/numbers'
+import type { MeasureState } from './state'
+
+type Settings = Pick<MeasureState, 'column' | 'run' | 'rate' | 'from' | 'to' | 'law' | 'mass' | 'disc' | 'air'>
+
+/// Every decimal comma in it becomes a point: "217,6 ± 0,3 g" has two.
+const plain = (text: string) => asTyped(text.replace(/(\d),(?=\d)/g, '$1.'))
+
+const given = (pairs: [string, string][]): Options =>
+  pairs.map(([name, value]) => [name, plain(value)] as const).filter(([, value]) => value !== '')
+
+/// How the file is read.
+export const inspectOptions = (state: Pick<MeasureState, 'rate'>): Options => given([['rate', state.rate]])
+
+/// Which samples are used. Of several runs one is fitted: the page shows one at a time.
+function samplesOf(state: Settings, runs: number): [string, string][] {
+  return [
+    ['rate', state.rate],
+    ['column', state.column],
+    ['run', runs > 1 ? String(state.run) : ''],
+    ['from', state.from],
+    ['to', state.to]
+  ]
+}
+
+/// `law` takes the place of the state's own, for a quick answer before all laws are compared.
+export function fitOptions(state: Settings, runs = 1, law = state.law): Options {
+  return given([
+    ...samplesOf(state, runs),
+    ['law', law],
+    ['mass', state.mass],
+    ['disc-diameter', state.disc],
+    ['temperature', state.disc && state.air]
+  ])
+}
+
+/// The fitted `law` simulated by `method`.
+export function compareOptions(state: Settings, runs: number, law: string, method: string): Options {
+  return given([...samplesOf(state, runs), ['law', law], ['mass', state.mass], ['method', method]])
+}
+
+/// A word as a shell reads it back: bare where nothing in it means something to the shell.
+export function quoted(word: string): string {
+  if (/^[\w.,:+\/=@%-]+$/.test(word)) return word
+  return /["$`\\!]/.test(word) ? `'${word.replaceAll("'", `'\\''`)}'` : `"${word}"`
+}
+
+export function commandLine(file: string, state: Settings, runs = 1, overlay = false): string {
+  const words = ['cromer', overlay ? 'compare' : 'fit', quoted(file.startsWith('-') ? `./${file}` : file)]
+  const ofFit = ['disc-diameter', 'temperature']
+  for (const [name, value] of fitOptions(state, runs)) {
+    if (overlay && ofFit.includes(name)) continue
+    if (name === 'temperature' && value === '20 °C') continue
+    words.push(`--${name}`, quoted(value))
+  }
+  return words.join(' ')
+}

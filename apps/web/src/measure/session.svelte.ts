@@ -1,0 +1,209 @@
+// The recording that is open, and what the core found in it. None of it is in the address: files stay here.
+import { openCore } from '../core/ask'
+import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
+import { page } from '../state/page.svelte'
+import { change } from '../state/undo.svelte'
+import { numberOf } from '../teach/check'
+import { compareOptions, fitOptions, inspectOptions } from './questions'
+import { columnTaken, namesOf, runsOf, seriesOf } from './series'
+import { measureDefaults } from './state'
+
+export interface File {
+  name: string
+  bytes: Uint8Array
+  synthetic: boolean
+}
+
+export interface Simulated {
+  method: string
+  law: string
+  step: number
+  amplitude: number | null // at the end, of the law's own
+  phase: number | null // [rad]
+  diverged: boolean
+  atRest: boolean // the recording ends at rest: ratios of amplitudes there say nothing
+  t: Float64Array
+  x: Float64Array
+  v: Float64Array
+}
+
+/// Longest file that is read [bytes].
+export const longest = 250e6
+
+class Session {
+  file: File | null = $state.raw(null)
+  inspection: Inspection | null = $state.raw(null)
+  /// The fit shown, and that with one constant rate.
+  fit: Fit | null = $state.raw(null)
+  constant: Fit | null = $state.raw(null)
+  simulated: Simulated[] = $state.raw([])
+  /// What a constant rate makes of the last swing, as a part of it.
+  constantAtEnd: number | null = $state(null)
+  /// 'first': no fit of these settings yet; 'more': the laws are still being compared.
+  busy: '' | 'reading' | 'first' | 'more' | 'overlay' = $state('')
+  /// A file that was not read, with the core's message; what was open before stays.
+  refused: { name: string; message: string } | null = $state.raw(null)
+  /// Why there is no fit.
+  message = $state('')
+  /// The frame that is shown larger [s].
+  frame: { from: number; to: number } | null = $state.raw(null)
+
+  runs = $derived(this.inspection ? runsOf(this.inspection) : 1)
+  series = $derived(
+    this.inspection
+      ? seriesOf(this.inspection, page.measure.column, page.measure.run, numberOf(page.measure.rate))
+      : null
+  )
+}
+
+export const session = new Session()
+
+let core: ReturnType<typeof openCore> | undefined
+let asking = 0
+let turn = 0
+
+/// What is being computed for older settings is let go of: its worker ends.
+function newTurn(): number {
+  if (asking > 0) {
+    core?.close()
+    core = undefined
+    asking = 0
+  }
+  return ++turn
+}
+
+/// Null where a newer turn has begun meanwhile.
+async function ask<T extends Task>(mine: number, task: T, options: Options, file?: File): Promise<Answer<T> | null> {
+  if (mine !== turn) return null
+  core ??= openCore()
+  ++asking
+  const answer = await core.ask(task, options, file && { file: file.bytes, fileName: file.name })
+  if (mine !== turn) return null
+  --asking
+  return answer
+}
+
+/// Reads a recording. A bad one leaves what was open before as it was. `settings`: what goes with it.
+export async function openFile(file: File, settings: Partial<typeof measureDefaults> = {}): Promise<boolean> {
+  const mine = newTurn()
+  session.busy = 'reading'
+  const rate = settings.rate ?? ''
+  const answer = await ask(mine, 'inspect', inspectOptions({ rate }), file)
+  if (!answer) return false
+  session.busy = ''
+  if (answer.status === 2) {
+    session.refused = { name: file.name, message: answer.document.message }
+    if (session.file) void refit()
+    return false
+  }
+  const inspection = answer.document
+  const alike = namesOf(inspection).length > 1
+  const column = settings.column ?? (alike ? columnTaken(inspection) : '')
+  clear()
+  change('open', (state) =>
+    Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '' }, settings)
+  )
+  session.refused = null
+  session.inspection = inspection
+  session.file = file
+  return true
+}
+
+function clear(): void {
+  Object.assign(session, { fit: null, constant: null, simulated: [], constantAtEnd: null, message: '', frame: null })
+}
+
+const bic = (fit: Fit) => fit.candidates.find((each) => each.law === fit.law)?.bic ?? Infinity
+
+/// Two laws first, which takes a moment; then, unless one was chosen, all of them.
+async function refit(): Promise<void> {
+  const { file } = session
+  if (!file) return
+  const mine = newTurn()
+  const state = $state.snapshot(page.measure)
+  const runs = session.runs
+  session.busy = 'first'
+  session.simulated = []
+  const fitOf = async (law: string) => {
+    const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file)
+    if (!answer) return null
+    if (answer.status === 2) return answer.document.message
+    return answer.document.fits[0]!
+  }
+  const constant = await fitOf('viscous')
+  if (mine !== turn) return
+  if (typeof constant === 'string' || constant === null || constant.status !== 'converged') {
+    const why = typeof constant === 'string' ? constant : (constant?.message ?? constant?.status ?? '')
+    session.constant = null
+    if (state.law === 'viscous' || typeof constant === 'string' || state.law === '') return settle(mine, null, why)
+  } else session.constant = constant
+  let best = state.law === 'viscous' ? constant : await fitOf(state.law || 'viscous+drag')
+  if (mine !== turn) return
+  if (state.law === '') {
+    if (typeof best === 'string' || best?.status !== 'converged' || (session.constant && bic(session.constant) < bic(best)))
+      best = constant
+    show(best as Fit)
+    session.busy = 'more'
+    best = await fitOf('')
+    if (mine !== turn) return
+  }
+  if (typeof best === 'string') return settle(mine, null, best)
+  if (best && best.status !== 'converged') return settle(mine, null, best.message ?? best.status)
+  settle(mine, best, '')
+  if (best && state.overlay) await simulate(mine, best.law!)
+}
+
+function settle(mine: number, fit: Fit | null, message: string): void {
+  if (mine !== turn) return
+  session.busy = ''
+  session.message = message
+  show(fit)
+}
+
+function show(fit: Fit | null): void {
+  session.fit = fit
+  const t = fit?.curves?.t
+  if (!t || t.length < 2) return
+  const [first, last] = [t[0]!, t.at(-1)!]
+  const { frame } = session
+  if (frame && frame.from >= first && frame.to <= last) return
+  const period = fit.derived.period?.value ?? (last - first) / 8
+  const spacing = session.series?.spacing ?? 0
+  // Few enough samples that each is a dot of its own.
+  const wide = Math.min(last - first, Math.max(20 * spacing, 2.5 * period, Math.min(8.5 * period, 560 * spacing)))
+  const from = first + 0.3 * (last - first - wide)
+  session.frame = { from, to: from + wide }
+}
+
+/// The fitted law stepped by two methods, beside the recording.
+async function simulate(mine: number, law: string): Promise<void> {
+  session.busy = 'overlay'
+  const state = $state.snapshot(page.measure)
+  const found: Simulated[] = []
+  for (const method of ['forward-euler', 'euler-cromer']) {
+    const answer = await ask(mine, 'compare', compareOptions(state, session.runs, law, method), session.file!)
+    if (mine !== turn) return
+    if (!answer || answer.status === 2) continue
+    const compared = answer.document.comparisons[0]!
+    const i = compared.curves.length - 1
+    const curve = compared.curves[i]
+    if (!curve) continue
+    if (method === 'euler-cromer') session.constantAtEnd = compared.curves[0]!.amplitude_ratio_end
+    const { method_amplitude_ratio: amplitude, method_phase: phase, diverged, step } = curve
+    const atRest = compared.measured_at_rest === true
+    found.push({ method, law: curve.law, step, amplitude, phase, diverged, atRest, ...compared.states[i]! })
+  }
+  session.simulated = found
+  session.busy = ''
+}
+
+// What a change of the settings asks for is asked once they rest.
+$effect.root(() => {
+  let timer = 0
+  $effect(() => {
+    const { column, run, rate, from, to, law, mass, disc, air, overlay } = page.measure
+    void [column, run, rate, from, to, law, mass, disc, air, overlay, session.file]
+    clearTimeout(timer)
+    if (session.file) timer = window.setTimeout(refit, 160)
+  })
+})

@@ -1,0 +1,19 @@
+// What the Measure page keeps in the address. Recordings themselves never leave the page.
+export const measureDefaults = {
+  /// Empty: the core's choice.
+  column: '',
+  run: 1,
+  /// Samples per second of a file without times.
+  rate: '',
+  /// The free part [s]; empty: from the first sample, to the last.
+  from: '',
+  to: '',
+  /// As in --law; empty: the core compares all of them.
+  law: '',
+  mass: '',
+  disc: '',
+  air: '20 °C',
+  /// Simulations of the fitted law beside the recording.
+  overlay: false
+}
+export type MeasureState = typeof measureDefaults

@@ -1,0 +1,87 @@
+// What the panel says of each method, from what the core found.
+import { percent, significant, withUnit } from '../look/numbers'
+import type { Run } from '../core/types'
+import type { Words } from '../words/words.svelte'
+import { decayRate, naturalFrequency } from './law'
+import type { SimulateState } from './state'
+
+export interface Row {
+  method: string
+  simulated: number | null // decay rate [1/s]; null: it creeps, or has steps of its own
+  frequencyError: number | null // part of one
+  stable: boolean
+  limit: number | null | undefined // [s]
+  energyFactor: number | null // a cycle
+}
+
+/** The law's own frequency [rad/s], 0 where it creeps. */
+const ownFrequency = (s: SimulateState): number => Math.sqrt(Math.max(0, naturalFrequency(s) ** 2 - decayRate(s) ** 2))
+
+export function rowsOf(runs: Run[], s: SimulateState): Row[] {
+  const own = ownFrequency(s)
+  return runs
+    .filter((run) => run.method !== 'exact' && run.effective)
+    .map((run) => {
+      const frequency = run.effective!.angular_frequency
+      return {
+        method: run.method,
+        simulated: run.effective!.decay_rate,
+        frequencyError: frequency !== null && own > 0 ? frequency / own - 1 : null,
+        stable: run.stable !== false,
+        limit: run.stability_limit,
+        energyFactor: run.energy_factor_per_cycle ?? null,
+      }
+    })
+}
+
+const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
+/** Of the amplitude in a cycle, as a part of one: grown above 0. */
+const change = (energyFactor: number): number => Math.sqrt(energyFactor) - 1
+const asPercent = (part: number): string => percent(Math.abs(part), 2).replace('+', '')
+
+export interface Sentence {
+  method: string
+  lead: string
+  text: string
+}
+
+/** One sentence on the worst method. */
+export function sentenceOf(rows: Row[], s: SimulateState, words: Words): Sentence {
+  const w = words.simulate.panel
+  const asked = decayRate(s)
+  const digits = (value: number) => fixedLike(value)
+  const say = (row: Row, text: (name: string) => string): Sentence => {
+    const lead = capital(words.methods[row.method] ?? row.method)
+    return { method: row.method, lead, text: text(lead) }
+  }
+  if (rows.length === 0) return { method: '', lead: '', text: w.exactOnly }
+  const growing = rows.filter((row) => !row.stable).sort((a, b) => (a.simulated ?? -Infinity) - (b.simulated ?? -Infinity))[0]
+  if (growing) {
+    const limit = withUnit(significant(growing.limit ?? 0, 3), 's')
+    const { simulated, energyFactor } = growing
+    if (simulated === null || energyFactor === null) return say(growing, (name) => w.growsFast(name, limit))
+    const by = asPercent(change(energyFactor))
+    return growing.limit
+      ? say(growing, (name) => w.growsBelow(name, digits(asked), digits(simulated), by, limit))
+      : say(growing, (name) => w.growsAlways(name, digits(-simulated), by))
+  }
+  const swinging = rows.filter((row) => row.simulated !== null)
+  if (swinging.length === 0) return { method: '', lead: '', text: w.creep }
+  const off = (row: Row) => Math.abs(row.simulated! - asked)
+  const worst = swinging.reduce((a, b) => (off(b) > off(a) ? b : a))
+  if (off(worst) > 0.005 * asked && off(worst) > 1e-6 * naturalFrequency(s) && worst.energyFactor !== null) {
+    const loses = asPercent(change(worst.energyFactor))
+    const own = ownFrequency(s)
+    const should = asPercent(own > 0 ? Math.exp((-2 * Math.PI * asked) / own) - 1 : -1)
+    const text = worst.simulated! > asked ? w.adds : w.takes
+    return say(worst, (name) => text(name, digits(asked), digits(worst.simulated!), loses, should))
+  }
+  const slowest = swinging.reduce((a, b) => (Math.abs(b.frequencyError ?? 0) > Math.abs(a.frequencyError ?? 0) ? b : a))
+  return { method: slowest.method, lead: '', text: w.fine(words.methods[slowest.method] ?? '', percent(slowest.frequencyError ?? 0)) }
+}
+
+/** Decay rates: four places where that shows three digits. */
+export function fixedLike(value: number): string {
+  const size = Math.abs(value)
+  return size >= 0.01 && size < 100 ? significant(value, size >= 1 ? 5 : size >= 0.1 ? 4 : 3) : significant(value, 3)
+}

@@ -1,0 +1,71 @@
+// What the core says to the state of the page: asked anew at every change, the newest question first.
+import { untrack } from 'svelte'
+import { ask, askAside } from '../core/ask'
+import type { MethodList, Resonance, Run } from '../core/types'
+import { page } from '../state/page.svelte'
+import { dampingRatio, isLinear, naturalFrequency } from './law'
+import { coreOptions, resonanceOptions, steady } from './options'
+import { resonanceRange } from './ranges'
+import type { SimulateState } from './state'
+
+interface Results {
+  runs: Run[]
+  /** Why there is no newer picture: the core's own words. */
+  message: string
+  resonance: Resonance['curves']
+  limits: Record<string, number> // largest stable step [s] of each method that has one
+}
+let current: Results = $state.raw({ runs: [], message: '', resonance: [], limits: {} })
+
+/** The newest results; a component that reads them follows them. */
+export const latest = (): Results => current
+
+function put(part: Partial<Results>): void {
+  current = { ...untrack(() => current), ...part }
+}
+
+async function simulate(state: SimulateState): Promise<void> {
+  const options = coreOptions(state)
+  if (!options.some(([name]) => name === 'method')) return put({ runs: [], message: '' })
+  const answer = await ask('simulate', options, { channel: 'simulate' })
+  if (!answer) return
+  if (answer.status === 2) put({ message: answer.document.message })
+  else put({ runs: answer.document.runs, message: '' })
+}
+
+async function resonate(state: SimulateState): Promise<void> {
+  if (!steady(state)) return put({ resonance: [] })
+  const answer = await askAside('resonance', resonanceOptions(state, ...resonanceRange(state)), { channel: 'resonance' })
+  if (answer) put({ resonance: answer.status === 2 ? [] : (answer.document as Resonance).curves })
+}
+
+async function bound(state: SimulateState): Promise<void> {
+  const frequency = naturalFrequency(state)
+  if (!isLinear(state) || frequency === 0) return put({ limits: {} })
+  const answer = await askAside(
+    'effective',
+    [['natural-frequency', String(frequency)], ['damping-ratio', String(dampingRatio(state))], ['step', String(0.01 / frequency)]],
+    { channel: 'effective' },
+  )
+  if (!answer || answer.status === 2) return
+  const limits: Record<string, number> = {}
+  for (const method of (answer.document as MethodList).methods)
+    if (typeof method.stability_limit === 'number') limits[method.name] = method.stability_limit
+  put({ limits })
+}
+
+/** Keeps the results up to date for as long as the component lives that calls it. */
+export function followState(): void {
+  $effect(() => {
+    void simulate($state.snapshot(page.simulate) as SimulateState)
+  })
+  $effect(() => {
+    const { position: _, velocity: __, until: ___, quantity: ____, ...state } = $state.snapshot(page.simulate) as SimulateState
+    void resonate({ ...state, position: 0, velocity: 0, until: 1, quantity: 'position' })
+  })
+  const law = $derived([page.simulate.mass, page.simulate.stiffness, page.simulate.damping, isLinear(page.simulate)].join())
+  $effect(() => {
+    void law
+    void bound($state.snapshot(page.simulate) as SimulateState)
+  })
+}

@@ -1,0 +1,21 @@
+// What the Simulate page keeps: the law, its drive, the start and the run, in SI units.
+export type Quantity = 'position' | 'velocity' | 'difference'
+export type PhonePlot = 'motion' | 'energy' | 'phase' | 'resonance'
+
+export const simulateDefaults = {
+  mass: 1,
+  stiffness: 9,
+  damping: 0.2,
+  drag: 0,
+  friction: 0,
+  cubic: 0,
+  driveAmplitude: 1,
+  driveFrequency: 3,
+  position: 0,
+  velocity: 0,
+  step: 0.025,
+  until: 25,
+  methods: ['exact', 'forward-euler', 'euler-cromer', 'implicit-euler'] as string[],
+  quantity: 'position' as Quantity,
+}
+export type SimulateState = typeof simulateDefaults

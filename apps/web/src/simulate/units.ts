@@ -1,0 +1,33 @@
+// Units that suit the size: what swings by millimetres is plotted in mm.
+import type { Curve } from '../plot/curve'
+
+const lengths = [
+  { name: 'm', factor: 1, least: 0.1 },
+  { name: 'cm', factor: 100, least: 0.01 },
+  { name: 'mm', factor: 1e3, least: 1e-4 },
+  { name: 'µm', factor: 1e6, least: 0 },
+]
+const energies = [
+  { name: 'J', factor: 1, least: 0.1 },
+  { name: 'mJ', factor: 1e3, least: 1e-4 },
+  { name: 'µJ', factor: 1e6, least: 0 },
+]
+export interface Unit {
+  name: string
+  factor: number
+}
+
+function fit(curves: Curve[], units: (Unit & { least: number })[]): Unit {
+  let most = 0
+  for (const curve of curves)
+    if (!curve.unbounded || curves.every((each) => each.unbounded))
+      for (const value of curve.y) if (Math.abs(value) > most && Number.isFinite(value)) most = Math.abs(value)
+  return (most > 0 && units.find((unit) => most >= unit.least)) || units[0]!
+}
+
+export const lengthUnit = (curves: Curve[]): Unit => fit(curves, lengths)
+export const energyUnit = (curves: Curve[]): Unit => fit(curves, energies)
+
+/** y times `factor`. */
+export const scaled = (curves: Curve[], factor: number): Curve[] =>
+  factor === 1 ? curves : curves.map((curve) => ({ ...curve, y: curve.y.map((value) => value * factor) }))

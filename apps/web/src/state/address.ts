@@ -1,0 +1,51 @@
+// The state as the address has it: `#simulate?mass=2&method=rk4`. Only what differs from the defaults is written.
+import { defaults, type PageDocument, type TabName } from './page.svelte'
+
+type Plain = number | string | boolean | string[] | null
+type Part = Record<string, Plain>
+const tabs: TabName[] = ['simulate', 'measure', 'teach']
+
+const textOf = (value: Plain): string => (Array.isArray(value) ? value.join(',') : String(value))
+
+/** `text` as the kind of value that `like` is; undefined where it is none. */
+function read(text: string, like: Plain): Plain | undefined {
+  if (Array.isArray(like)) return text === '' ? [] : text.split(',')
+  if (typeof like === 'boolean') return text === 'true'
+  if (typeof like !== 'number') return text
+  const value = Number(text)
+  return text !== '' && Number.isFinite(value) ? value : undefined
+}
+
+/** The part of the address behind #. Values of other pages are written too, as `measure.file=…`. */
+export function addressOf(document: PageDocument): string {
+  const base = defaults()
+  const values = new URLSearchParams()
+  for (const tab of tabs) {
+    const now = document[tab] as Part
+    const before = base[tab] as Part
+    for (const key of Object.keys(before))
+      if (textOf(now[key]) !== textOf(before[key]))
+        values.set(tab === document.tab ? key : `${tab}.${key}`, textOf(now[key]))
+  }
+  const text = values.toString().replaceAll('%2C', ',')
+  return `#${document.tab}${text ? `?${text}` : ''}`
+}
+
+/** Of an address, whatever it is: what cannot be read keeps its default. */
+export function documentOf(address: string): PageDocument {
+  const document = defaults()
+  const [name, query] = address.replace(/^#/, '').split('?', 2)
+  const tab = tabs.find((each) => each === name)
+  if (!tab) return document
+  document.tab = tab
+  for (const [key, text] of new URLSearchParams(query ?? '')) {
+    const [head, tail] = key.split('.', 2)
+    const of = tail ? tabs.find((each) => each === head) : tab
+    const field = tail ?? key
+    const part = of && (document[of] as Part)
+    if (!part || !Object.hasOwn(part, field)) continue
+    const value = read(text, part[field])
+    if (value !== undefined) part[field] = value
+  }
+  return document
+}

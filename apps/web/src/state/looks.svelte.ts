@@ -1,0 +1,61 @@
+// Language and theme: of the browser, until chosen; kept where the browser allows it.
+import { useComma } from '../look/numbers'
+
+export type Language = 'en' | 'de'
+export type Theme = 'light' | 'dark'
+
+function kept(key: string): string | null {
+  try {
+    return localStorage.getItem(key)
+  } catch {
+    return null
+  }
+}
+function keep(key: string, value: string): void {
+  try {
+    localStorage.setItem(key, value)
+  } catch {
+    // a page from disk may be forbidden to keep anything: it then lasts as long as the page
+  }
+}
+
+const languageAtFirst = (): Language =>
+  (kept('cromer-language') ?? navigator.language).startsWith('de') ? 'de' : 'en'
+const darkAtFirst = (): boolean =>
+  (kept('cromer-theme') ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light')) === 'dark'
+
+/** Read anywhere. `plain`: motion is to be reduced. */
+export const looks = $state({
+  language: languageAtFirst(),
+  theme: (darkAtFirst() ? 'dark' : 'light') as Theme,
+  plain: matchMedia('(prefers-reduced-motion: reduce)').matches,
+  width: innerWidth,
+})
+
+function show(): void {
+  document.documentElement.dataset.theme = looks.theme
+  document.documentElement.lang = looks.language
+  useComma(looks.language === 'de')
+}
+
+export function setTheme(theme: Theme): void {
+  looks.theme = theme
+  keep('cromer-theme', theme)
+  show()
+}
+export function setLanguage(language: Language): void {
+  looks.language = language
+  keep('cromer-language', language)
+  show()
+}
+export const isPhone = (): boolean => looks.width < 700
+
+export function watchLooks(): void {
+  show()
+  addEventListener('resize', () => (looks.width = innerWidth))
+  matchMedia('(prefers-reduced-motion: reduce)').addEventListener('change', (event) => (looks.plain = event.matches))
+  matchMedia('(prefers-color-scheme: dark)').addEventListener('change', (event) => {
+    if (kept('cromer-theme') === null) looks.theme = event.matches ? 'dark' : 'light'
+    show()
+  })
+}

@@ -1,0 +1,50 @@
+// Every change of the state goes through `change`; what a slider does in one go is one change.
+import { page, replace, type PageDocument } from './page.svelte'
+
+const oneGo = 800 // [ms] changes of one name closer together than this are one
+const most = 200 // changes kept
+
+interface Step {
+  name: string
+  before: PageDocument
+}
+const copyOfPage = (): PageDocument => structuredClone($state.snapshot(page) as PageDocument)
+
+const past: Step[] = $state([])
+const undone: PageDocument[] = $state([])
+let last = { name: '', at: -Infinity }
+
+/** Changes the state. `name` tells changes apart: those of one slider share it. */
+export function change(name: string, mutate: (state: PageDocument) => void, now = performance.now()): void {
+  const before = copyOfPage()
+  mutate(page)
+  const goesOn = name === last.name && now - last.at < oneGo && past.length > 0
+  last = { name, at: now }
+  if (goesOn) return
+  past.push({ name, before })
+  if (past.length > most) past.shift()
+  undone.length = 0
+}
+
+export const canUndo = (): boolean => past.length > 0
+
+export function undo(): void {
+  const step = past.pop()
+  if (!step) return
+  undone.push(copyOfPage())
+  last = { name: '', at: -Infinity }
+  replace(step.before)
+}
+
+export function redo(): void {
+  const next = undone.pop()
+  if (!next) return
+  past.push({ name: 'redo', before: copyOfPage() })
+  replace(next)
+}
+
+/** Forgets everything: after a link was opened. */
+export function forget(): void {
+  past.length = 0
+  undone.length = 0
+}

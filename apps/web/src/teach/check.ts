@@ -1,0 +1,51 @@
+// Whether an answer with its uncertainty is right, and what it lacks where it is not.
+import { asTyped } from '../look/numbers'
+import type { Expected } from './key'
+
+export type Verdict = 'empty' | 'right' | 'tooSmall' | 'tooLarge' | 'notYet' | 'noUncertainty' | 'noNumber'
+
+export interface Checked {
+  verdict: Verdict
+  /// How far off, in the answer's own ±.
+  off: number
+  /// Signed: above the truth or below it.
+  above: boolean
+  /// The slip of the key that the value looks like.
+  slip: string
+}
+
+const plain = (verdict: Verdict): Checked => ({ verdict, off: 0, above: false, slip: '' })
+
+/// A number as typed; NaN where it is none.
+export function numberOf(text: string): number {
+  const typed = asTyped(text.replace(/(\d),(?=\d)/g, '$1.').replace(/[\s\u202f\u00a0]/g, ''))
+  return typed === '' ? NaN : Number(typed)
+}
+
+/// Right: within twice the larger of the own ± and the least that is possible. A value is not held against a
+/// student for a ± that claims too much; the ± is.
+export function check(value: string, uncertainty: string, expected: Expected): Checked {
+  if (value.trim() === '') return plain('empty')
+  const given = numberOf(value)
+  if (!Number.isFinite(given)) return plain('noNumber')
+  const own = numberOf(uncertainty)
+  if (!(own > 0)) return plain('noUncertainty')
+  const error = given - expected.value
+  const off = Math.abs(error) / own
+  const above = error > 0
+  if (Math.abs(error) > 2 * Math.max(own, expected.least))
+    return { verdict: 'notYet', off, above, slip: slipOf(given, expected) }
+  // An honest ± is hardly below a third of the least possible one.
+  const verdict = own < expected.least / 2 ? 'tooSmall' : own > expected.most ? 'tooLarge' : 'right'
+  return { verdict, off, above, slip: '' }
+}
+
+/// The nearest slip within 3 % of the value.
+function slipOf(given: number, expected: Expected): string {
+  let best = { name: '', part: 0.03 }
+  for (const slip of expected.slips) {
+    const part = Math.abs(given - slip.value) / Math.abs(slip.value)
+    if (part < best.part) best = { name: slip.name, part }
+  }
+  return best.name
+}

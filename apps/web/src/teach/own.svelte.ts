@@ -1,0 +1,61 @@
+// The recording that belongs to the student, the key to it, and what became of the answers.
+import { askAside as ask } from '../core/ask'
+import { openSynthetic } from '../measure/examples'
+import type { MeasureState } from '../measure/state'
+import { page } from '../state/page.svelte'
+import { change } from '../state/undo.svelte'
+import { check, type Checked } from './check'
+import { keyOf, questions, type Key } from './key'
+import { nameOf, seedOf } from './seed'
+import { recordingOptions, truthOf } from './truth'
+
+const practice = seedOf('practice', '1')
+
+class Own {
+  /// Of a class and a student; else the practice recording, the same for all.
+  personal = $derived(page.teach.course.trim() !== '' && page.teach.student.trim() !== '')
+  name = $derived(this.personal ? nameOf(page.teach.course, page.teach.student) : '')
+  truth = $derived(truthOf(this.personal ? seedOf(page.teach.course, page.teach.student) : practice))
+  results: Checked[] = $state([])
+  checking = $state(false)
+  failed = $state(false)
+  right = $derived(this.results.filter((each) => each.verdict === 'right').length)
+}
+
+export const own = new Own()
+
+let known: { seed: number; key: Key } | null = null
+
+export async function checkAnswers(): Promise<void> {
+  const { truth } = own
+  own.checking = true
+  own.failed = false
+  const key = known?.seed === truth.seed ? known.key : await keyOf(truth, ask)
+  own.checking = false
+  if (truth.seed !== own.truth.seed) return
+  if (!key) {
+    own.failed = true
+    return
+  }
+  known = { seed: truth.seed, key }
+  own.results = questions.map((question, i) => check(answerAt('values', i), answerAt('uncertainties', i), key[question]))
+}
+
+export const answerAt = (of: 'values' | 'uncertainties', i: number): string => page.teach[of].split(';')[i] ?? ''
+
+/// An answer changed after a check is not judged any more.
+export function setAnswer(of: 'values' | 'uncertainties', i: number, text: string): void {
+  if (text === answerAt(of, i)) return
+  change(`answer ${i} ${of}`, (state) => {
+    const all = questions.map((_, j) => state.teach[of].split(';')[j] ?? '')
+    all[i] = text.replaceAll(';', '').trim()
+    state.teach[of] = all.every((each) => each === '') ? '' : all.join(';')
+  })
+  if (own.results[i]) own.results[i] = { verdict: 'empty', off: 0, above: false, slip: '' }
+}
+
+/// Opens the student's recording, unless it is open already; `settings` say which part of it and which law.
+export async function openOwn(settings: Partial<MeasureState> = {}): Promise<boolean> {
+  const name = `${own.name || 'practice'}.csv`.replace(/[^\w.-]+/g, '_')
+  return openSynthetic(name, recordingOptions(own.truth), settings)
+}

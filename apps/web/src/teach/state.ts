@@ -1,0 +1,24 @@
+// What the Teach page keeps in the address: the place in the tours, the class, and the answers.
+export type Lab = 'one' | 'two'
+
+export const teachDefaults = {
+  lab: 'one',
+  /// The step shown, from 1, of each lab; and those whose goal was reached, as "1,2".
+  one: 1,
+  two: 1,
+  doneOne: [] as string[],
+  doneTwo: [] as string[],
+  course: '',
+  student: '',
+  /// Answer and ± of each question in the order of key.ts, joined by ; for a comma may be a decimal one.
+  values: '',
+  uncertainties: '',
+  // What the steps of lab one set.
+  position: 0,
+  damping: 0,
+  driveAmplitude: 0,
+  driveFrequency: 1,
+  step: 0.01,
+  methods: ['euler-cromer'] as string[]
+}
+export type TeachState = typeof teachDefaults

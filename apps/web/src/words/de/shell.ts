@@ -1,0 +1,31 @@
+import type { shell as en } from '../en/shell'
+
+export const shell: typeof en = {
+  skip: 'Zum Inhalt springen',
+  tabs: { simulate: 'Simulieren', measure: 'Messen', teach: 'Lehren' },
+  pages: 'Seiten',
+  tools: 'Werkzeuge',
+  undo: 'Rückgängig',
+  copyLink: 'Link kopieren',
+  save: 'Bild oder Daten sichern',
+  print: 'Drucken',
+  dark: 'Dunkle Farben',
+  light: 'Helle Farben',
+  language: 'Sprache',
+  close: 'Schließen',
+  linkCopied: 'Der Link ist kopiert; er enthält alle Einstellungen.',
+  cannotCopy: 'Der Browser hat das Kopieren nicht erlaubt. Der Text ist markiert: bitte von Hand kopieren.',
+  saved: (name) => `Gesichert als ${name}.`,
+  plot: {
+    showNumbers: 'Zahlen zeigen',
+    hideNumbers: 'Zahlen ausblenden',
+    all: 'Alles zeigen',
+    zoomIn: 'Vergrößern',
+    against: (y, x, from, to) => `${y} gegen ${x}, ${from} bis ${to}.`,
+    grows: (name, to) => `${name} wächst auf ${to}.`,
+    ends: (name, at) => `${name} endet bei ${at}.`,
+    keys: 'Pfeile verschieben, + und − vergrößern und verkleinern, 0 zeigt alles, [ und ] bewegen den Zeiger.',
+    rows: (shown, of) => `${shown} von ${of} Zeilen`,
+  },
+  badCore: (why) => `Der Rechenkern ist nicht gestartet: ${why}`,
+}

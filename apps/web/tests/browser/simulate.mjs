@@ -1,0 +1,284 @@
+// Simulate and Keep in a real browser, on the built file from disk: node tests/browser/simulate.mjs
+import assert from 'node:assert/strict'
+import { readFile } from 'node:fs/promises'
+import { createRequire } from 'node:module'
+import { address, check, finish, launch, open } from './harness.mjs'
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
+const browser = await launch()
+
+/** What is seen: the plots' names and the panel, and how often each was drawn. */
+const seen = (page) =>
+  page.evaluate(() => ({
+    text: [...document.querySelectorAll('[role=img]')].map((each) => each.getAttribute('aria-label')).join('\n'),
+    panel: document.querySelector('.panel')?.textContent,
+    drawn: [...document.querySelectorAll('[data-drawn]')].map((each) => Number(each.dataset.drawn)),
+  }))
+/** The page has nothing more to draw. */
+async function rest(page) {
+  let before = ''
+  for (let i = 0; i < 60; ++i) {
+    await page.waitForTimeout(60)
+    const now = JSON.stringify(await seen(page))
+    if (now === before) return
+    before = now
+  }
+}
+async function moves(page, act, what) {
+  await rest(page)
+  const before = await seen(page)
+  await act()
+  await rest(page)
+  const after = await seen(page)
+  assert.notDeepEqual([after.text, after.panel, after.drawn], [before.text, before.panel, before.drawn], `${what} moved nothing`)
+}
+const field = (page, option) => page.locator(`.slider:has([data-option="${option}"]) .field input`)
+const slider = (page, option) => page.locator(`[data-option="${option}"]`)
+const button = (page, name) => page.getByRole('button', { name })
+
+{
+  const { page, faults, context } = await open(browser)
+  await check('every slider moves something', async () => {
+    for (const fold of await page.locator('summary').all()) await fold.click()
+    const options = await page.locator('[data-option]').evaluateAll((all) => all.map((each) => each.dataset.option))
+    assert.equal(options.length, 12)
+    for (const option of options) {
+      await slider(page, option).focus()
+      await moves(page, () => page.keyboard.press('Shift+ArrowRight'), option)
+    }
+    await page.goto(`${address}#simulate`)
+    await page.evaluate(() => (location.hash = '#simulate?mass=1'))
+    await rest(page)
+  })
+  await check('every method can be switched off and on', async () => {
+    await page.evaluate(() => (location.hash = '#simulate?until=20'))
+    await rest(page)
+    for (const fold of await page.locator('details:not([open]) summary').all()) await fold.click()
+    const boxes = page.locator('[data-method]')
+    assert.equal(await boxes.count(), 13)
+    for (let i = 0; i < 13; ++i) await moves(page, () => boxes.nth(i).click(), `method ${i}`)
+  })
+  await check('a field takes units, and keeps a bad value with the core’s message', async () => {
+    await page.evaluate(() => (location.hash = '#simulate?mass=3'))
+    await rest(page)
+    await field(page, 'step').fill('20 ms')
+    await page.keyboard.press('Enter')
+    await page.waitForFunction(() => location.hash.includes('step=0.02'))
+    assert.equal(await field(page, 'step').inputValue(), '0.0200')
+    await field(page, 'mass').fill('217.6 g')
+    await page.keyboard.press('Enter')
+    await page.waitForFunction(() => location.hash.includes('mass=0.2176'))
+    await field(page, 'damping').fill('1e-9')
+    await page.keyboard.press('Enter')
+    await page.waitForFunction(() => location.hash.includes('damping=1e-9'))
+    await field(page, 'mass').fill('3 s')
+    await page.keyboard.press('Enter')
+    const described = await field(page, 'mass').and(page.locator('[aria-invalid=true]')).getAttribute('aria-describedby')
+    assert.match(await page.locator(`#${described}`).textContent(), /expected a mass/)
+    await field(page, 'mass').fill('-1')
+    await page.keyboard.press('Enter')
+    await page.waitForFunction(() => /positive/.test(document.querySelector('.message')?.textContent ?? ''))
+    await page.keyboard.press('Escape')
+    assert.equal(await page.locator('[aria-invalid]').count(), 0)
+    await field(page, 'until').fill('1e9')
+    await page.keyboard.press('Enter')
+    await page.waitForFunction(() => /million/.test(document.querySelector('.message')?.textContent ?? ''))
+    await page.keyboard.press('Escape')
+  })
+  await check('critical damping and resonance are one click', async () => {
+    await page.evaluate(() => (location.hash = '#simulate?driveFrequency=1'))
+    await rest(page)
+    await button(page, /Set resonance: 2.997/).click()
+    await page.waitForFunction(() => location.hash.includes('driveFrequency=2.997'))
+    await button(page, /Set critical damping: 6.00/).click()
+    await page.waitForFunction(() => location.hash.includes('damping=6'))
+  })
+  await check('forward Euler is said to grow, and by how much', async () => {
+    await page.evaluate(() => (location.hash = '#simulate?until=26'))
+    await rest(page)
+    const { panel, text } = await seen(page)
+    assert.match(panel, /−0\.0125/)
+    assert.match(panel, /grows by 2\.7\s%/)
+    assert.match(panel, /0\.0222\ss it is stable/)
+    assert.match(text, /forward Euler grows to/)
+  })
+  await check('a slider’s change is told politely', async () => {
+    await slider(page, 'step').focus()
+    await page.keyboard.press('ArrowRight')
+    await page.waitForFunction(() => /forward Euler grows/.test(document.querySelector('[aria-live=polite].unseen').textContent))
+  })
+  await check('position, velocity, difference', async () => {
+    for (const [name, axis] of [['Velocity', 'Velocity'], ['Difference from exact', 'Difference'], ['Position', 'Position']]) {
+      await page.getByRole('radio', { name, exact: true }).check()
+      await rest(page)
+      assert.ok((await seen(page)).text.startsWith(axis), name)
+    }
+  })
+  await check('without an exact solution Dormand-Prince stands in, by name', async () => {
+    await page.evaluate(() => (location.hash = '#simulate?cubic=2'))
+    await rest(page)
+    assert.match((await seen(page)).panel, /Dormand-Prince \(reference\)/)
+    assert.match((await seen(page)).text, /Dormand-Prince ends at/)
+  })
+  await check('undo takes back one change after another', async () => {
+    await page.evaluate(() => (location.hash = '#simulate?until=24'))
+    await rest(page)
+    await slider(page, 'mass').focus()
+    await page.keyboard.press('PageUp')
+    await page.getByRole('radio', { name: 'Velocity' }).check()
+    await page.locator('[data-method=exact]').click()
+    await page.waitForFunction(() => location.hash.includes('velocity') && location.hash.includes('mass') && location.hash.includes('methods'))
+    await page.keyboard.press('Control+z')
+    await page.waitForFunction(() => !location.hash.includes('methods'))
+    await page.keyboard.press('Control+z')
+    await button(page, 'Undo').click()
+    await page.waitForFunction(() => location.hash === '#simulate?until=24')
+  })
+  await check('a link brings everything back', async () => {
+    await field(page, 'damping').fill('0.05')
+    await page.keyboard.press('Enter')
+    await slider(page, 'step').focus()
+    await page.keyboard.press('PageDown')
+    await page.locator('[data-method=rk4]').evaluate((each) => each.closest('details').setAttribute('open', ''))
+    await page.locator('[data-method=rk4]').click()
+    await rest(page)
+    await page.waitForTimeout(1200) // limits have come to rest
+    const [link, before] = [page.url(), await seen(page)]
+    const other = await open(browser, { hash: link.slice(link.indexOf('#')) })
+    await rest(other.page)
+    const after = await seen(other.page)
+    assert.equal(after.text, before.text)
+    assert.equal(after.panel, before.panel)
+    assert.deepEqual(other.faults, [])
+    await other.context.close()
+  })
+  await check('figures and data are saved', async () => {
+    for (const [name, test] of [
+      ['position.svg', /^<svg[\s\S]*RK4[\s\S]*<\/svg>\n$/], ['position.csv', /^time \(s\),exact: position \(m\),/], ['phase.svg', /velocity/],
+      ['resonance.csv', /^drive frequency \(rad\/s\),/], ['energy.png', /^.PNG/],
+    ]) {
+      await button(page, 'Save figure or data').click()
+      const [file] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-save="${name}"]`).click()])
+      assert.equal(file.suggestedFilename(), `cromer-${name}`)
+      const content = await readFile(await file.path())
+      assert.match(content.toString('latin1').slice(0, 200_000), name.endsWith('svg') ? new RegExp(test.source) : test, name)
+      assert.ok(content.length > 1000)
+    }
+  })
+  await check('command, study file and link are copied', async () => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write'])
+    const copied = async (name) => {
+      await button(page, name).click()
+      await page.waitForTimeout(150)
+      return page.evaluate(() => navigator.clipboard.readText())
+    }
+    assert.match(await copied('Copy command'), /^cromer simulate --mass 1 .*--method rk4 --step /)
+    assert.match(await copied('Copy study file'), /simulate = "run"[\s\S]*damping = "0\.05 kg\/s"/)
+    assert.match(await copied('Copy link'), /cromer-lab\.html#simulate\?.*damping=0\.05/)
+  })
+  await check('plots pan, zoom and show all', async () => {
+    const box = page.locator('[data-drawn]').first()
+    const name = async () => (await seen(page)).text.split('\n')[0]
+    const whole = await name()
+    await box.focus()
+    await page.keyboard.press('+')
+    await rest(page)
+    const near = await name()
+    assert.notEqual(near, whole)
+    await page.keyboard.press('ArrowRight')
+    await rest(page)
+    assert.notEqual(await name(), near)
+    await page.keyboard.press('0')
+    await rest(page)
+    assert.equal(await name(), whole)
+    const at = await box.boundingBox()
+    await page.mouse.move(at.x + at.width * 0.6, at.y + at.height / 2)
+    await page.mouse.wheel(0, -300)
+    await rest(page)
+    assert.notEqual(await name(), whole)
+    await page.mouse.dblclick(at.x + at.width * 0.6, at.y + at.height / 3)
+    await rest(page)
+    assert.equal(await name(), whole)
+  })
+  await check('the numbers behind a plot can be read', async () => {
+    await page.getByRole('button', { name: 'Show numbers' }).first().click()
+    assert.ok((await page.locator('.numbers tbody tr').count()) > 50)
+    await button(page, 'Close').click()
+  })
+  await check('no error, no request', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
+{
+  const { page, faults, context } = await open(browser, { reducedMotion: 'no-preference' })
+  await check('the mass moves by itself, and stands when told to', async () => {
+    const time = () => page.locator('.read b').first().textContent()
+    const first = await time()
+    await page.waitForTimeout(400)
+    assert.notEqual(await time(), first)
+    await button(page, 'Pause').click()
+    const held = await time()
+    await page.waitForTimeout(300)
+    assert.equal(await time(), held)
+    await button(page, 'A tenth of a period on').click()
+    assert.notEqual(await time(), held)
+  })
+  await check('with the keyboard alone', async () => {
+    await page.locator('.skip').focus()
+    const reached = ['Skip to the page']
+    for (let i = 0; i < 60; ++i) {
+      await page.keyboard.press('Tab')
+      const [name, ring] = await page.evaluate(() => {
+        const at = document.activeElement
+        const shown = [at, at.closest('.field'), at.closest('label')].filter(Boolean)
+        return [at.getAttribute('aria-label') ?? at.dataset.option ?? at.dataset.method ?? at.textContent.trim().slice(0, 30),
+          at === document.body || shown.some((each) => getComputedStyle(each).outlineStyle !== 'none')]
+      })
+      assert.ok(ring, `no focus ring at ${name}`)
+      reached.push(name)
+    }
+    const order = ['Skip to the page', 'Simulate', 'Copy link', 'mass', 'damping', 'step', 'exact', 'Play', 'Copy command']
+    const places = order.map((name) => reached.findIndex((each) => each === name || each?.startsWith(name)))
+    assert.ok(places.every((place, i) => place >= 0 && (i === 0 || place > places[i - 1])), `${order} at ${places}: ${reached}`)
+  })
+  await check('no error while playing', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
+for (const [width, height, theme, language] of [
+  [1440, 900, 'light', 'en-GB'], [1440, 900, 'dark', 'de-DE'], [1000, 800, 'light', 'de-DE'], [390, 844, 'dark', 'en-GB'], [390, 844, 'light', 'de-DE'],
+]) {
+  const { page, faults, context } = await open(browser, { width, height, colorScheme: theme, locale: language })
+  await rest(page)
+  await check(`accessible, and nothing wider than the page: ${width} ${theme} ${language}`, async () => {
+    assert.equal(await page.evaluate(() => document.documentElement.lang), language.slice(0, 2))
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'wider than the page')
+    await page.addScriptTag({ path: axe })
+    const { violations } = await page.evaluate(() => window.axe.run())
+    const serious = violations.filter((each) => ['serious', 'critical'].includes(each.impact))
+    assert.deepEqual(serious.map((each) => `${each.id}: ${each.nodes.map((node) => node.html.slice(0, 120)).join(' | ')}`), [])
+    assert.deepEqual(faults.filter((each) => !each.startsWith('request: file')), [])
+  })
+  if (width < 700 && language === 'en-GB')
+    await check('on a phone: plots, sheet and tabs', async () => {
+      for (const name of ['Energy', 'Phase', 'Resonance', 'Position']) {
+        await page.getByRole('radio', { name, exact: true }).check()
+        await rest(page)
+        assert.equal(await page.locator('[data-drawn]').count(), 1, name)
+      }
+      for (const name of ['Oscillator', 'Drive', 'Start', 'Method']) {
+        await page.getByRole('radio', { name, exact: true }).check()
+        const size = await page.locator('.sheet [data-option]').first().boundingBox()
+        assert.ok(size.height >= 44, `${name}: ${size.height}`)
+      }
+      await moves(page, () => slider(page, 'step').press('PageUp'), 'step')
+      await button(page, 'Show or hide the controls').click()
+      assert.equal(await page.locator('.sheet [data-option]').count(), 0)
+      await page.getByRole('link', { name: 'Measure' }).click()
+      await page.waitForFunction(() => location.hash.startsWith('#measure'))
+    })
+  await context.close()
+}
+
+await browser.close()
+finish()

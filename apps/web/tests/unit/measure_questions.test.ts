@@ -1,0 +1,51 @@
+import { describe, expect, it } from 'vitest'
+import { equationOf } from '../../src/measure/laws'
+import { commandLine, compareOptions, fitOptions, quoted } from '../../src/measure/questions'
+import { measureDefaults } from '../../src/measure/state'
+
+const lab = { ...measureDefaults, mass: '217,6 ± 0,3 g', disc: '12 cm', from: '4', to: '124' }
+
+describe('questions', () => {
+  it('carry only what was given, with decimal points', () => {
+    expect(fitOptions(measureDefaults)).toEqual([])
+    expect(fitOptions(lab)).toEqual([
+      ['from', '4'],
+      ['to', '124'],
+      ['mass', '217.6 ± 0.3 g'],
+      ['disc-diameter', '12 cm'],
+      ['temperature', '20 °C']
+    ])
+  })
+  it('name the run only where there are several', () => {
+    expect(fitOptions({ ...measureDefaults, run: 2 }, 1)).toEqual([])
+    expect(fitOptions({ ...measureDefaults, run: 2 }, 3)).toEqual([['run', '2']])
+  })
+  it('compare without what only a fit uses', () => {
+    const names = compareOptions(lab, 1, 'viscous+drag', 'forward-euler').map(([name]) => name)
+    expect(names).toEqual(['from', 'to', 'law', 'mass', 'method'])
+  })
+})
+
+describe('the command line', () => {
+  it('asks the program the same', () => {
+    expect(commandLine('disc 12.csv', lab)).toBe(
+      'cromer fit "disc 12.csv" --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm"'
+    )
+    expect(commandLine('a.csv', { ...lab, air: '25 °C' })).toContain('--temperature "25 °C"')
+    expect(commandLine('a.csv', lab, 1, true)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g"')
+  })
+  it('is safe in a shell', () => {
+    expect(quoted('$(rm).csv')).toBe("'$(rm).csv'")
+    expect(quoted("it's $5")).toBe(`'it'\\''s $5'`)
+    expect(commandLine('-x.csv', measureDefaults)).toBe('cromer fit ./-x.csv')
+  })
+})
+
+describe('the equation', () => {
+  const text = (law: string) => equationOf(law).map((part) => part.text).join('').replaceAll('\u00a0', ' ')
+  it('has the terms of the law', () => {
+    expect(text('viscous+drag')).toBe('m x″ + c x′ + d |x′| x′ + k x = 0')
+    expect(text('friction')).toBe('m x″ + f sgn x′ + k x = 0')
+    expect(text('viscous+cubic')).toBe('m x″ + c x′ + k x + k₃ x³ = 0')
+  })
+})

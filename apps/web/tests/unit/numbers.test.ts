@@ -1,0 +1,31 @@
+import { afterEach, expect, test } from 'vitest'
+import { asTyped, exactly, fixed, percent, significant, useComma, withUnit } from '../../src/look/numbers'
+
+afterEach(() => useComma(false))
+
+test('numbers have the digits asked for and a true minus', () => {
+  expect(significant(0.025, 3)).toBe('0.0250')
+  expect(significant(-0.012496, 3)).toBe('−0.0125')
+  expect(significant(1234567, 3)).toBe('1234567')
+  expect(significant(1.5e-9, 2)).toBe('1.5\u202f×\u202f10⁻⁹')
+  expect(fixed(-0.0001, 2)).toBe('0.00')
+  expect(significant(NaN, 3)).toBe('–')
+})
+
+test('a field shows all that was given', () => {
+  expect(exactly(9)).toBe('9.00')
+  expect(exactly(9.80665)).toBe('9.80665')
+  expect(exactly(1e-7)).toBe('1.00\u202f×\u202f10⁻⁷')
+})
+
+test('units stand behind a no-break space; German has a comma', () => {
+  expect(withUnit('2.997', 'rad/s')).toBe('2.997\u00a0rad/s')
+  expect(percent(0.00063)).toBe('+0.06\u00a0%')
+  expect(percent(-0.0043)).toBe('−0.43\u00a0%')
+  useComma(true)
+  expect(significant(0.025, 3)).toBe('0,0250')
+})
+
+test('what is shown can be typed again', () => {
+  expect(asTyped('−0,5 m')).toBe('-0.5 m')
+})

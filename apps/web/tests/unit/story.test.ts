@@ -1,0 +1,64 @@
+import { describe, expect, it } from 'vitest'
+import type { Fit } from '../../src/core/types'
+import { rowsOf } from '../../src/measure/rows'
+import { storyOf } from '../../src/measure/story'
+import { measure as en } from '../../src/words/en/measure'
+
+const piece = (amplitude: number, rate: number, standard_error = 0.0005) =>
+  ({ amplitude, rate, standard_error, law_rate: rate, from: 0, to: 1 })
+const estimate = (value: number, standard_error: number, unit: string) =>
+  ({ value, standard_error, confidence_95: [value - 1.96 * standard_error, value + 1.96 * standard_error], unit })
+
+function fit(change: Partial<Fit>): Fit {
+  return {
+    law: 'viscous+drag',
+    residual: { rms: 0.0003, normality: 1, autocorrelation: 0, white: true },
+    parameters: { stiffness: estimate(17.04, 0.0235, 'N/m'), damping: estimate(0.000785, 0.0000182, 'kg/s') },
+    derived: { frequency: estimate(1.40839883, 9.35e-7, 'Hz') },
+    decay_by_amplitude: [piece(0.034, 0.0139), piece(0.02, 0.009), piece(0.012, 0.0067)],
+    stiffness_budget: [],
+    reynolds: null,
+    warnings: [],
+    ...change
+  } as unknown as Fit
+}
+const said = (change: Partial<Fit>) => storyOf(fit(change), en).map(({ title, text }) => `${title} ${text}`)
+
+describe('the story', () => {
+  it('says that one rate is not enough, with its numbers', () => {
+    expect(said({})).toEqual([
+      'One decay rate is not enough. It falls from 0.0139 to 0.00670 1/s as the swing dies down; quote the law instead.'
+    ])
+  })
+  it('says where the rate rises', () => {
+    const pieces = [piece(0.05, 0.1), piece(0.03, 0.2), piece(0.01, 0.4)]
+    expect(said({ law: 'friction', decay_by_amplitude: pieces })[0]).toContain('rises from 0.100 to 0.400')
+  })
+  it('does not take noise for a fall', () => {
+    const pieces = [piece(0.03, 0.0101), piece(0.02, 0.01), piece(0.01, 0.0097)]
+    const parameters = { decay_rate: estimate(0.01, 0.0002, '1/s') } as unknown as Fit['parameters']
+    expect(said({ law: 'viscous', decay_by_amplitude: pieces, parameters })).toEqual([
+      'One decay rate is enough. At every amplitude it is 0.01000\u00a0±\u00a00.00020\u00a01/s within its uncertainty.'
+    ])
+  })
+  it('leaves out pieces that are all noise', () => {
+    const pieces = [piece(0.05, 0.1, 0.001), piece(0.04, 0.1, 0.001), piece(0.03, 0.1, 0.001), piece(0.0004, 300, 90)]
+    expect(said({ law: 'friction', decay_by_amplitude: pieces })).toEqual([])
+  })
+  it('names what limits k', () => {
+    const budget = [{ quantity: 'mass', standard_uncertainty: 0.0003, share: 0.99 }] as unknown as Fit['stiffness_budget']
+    expect(said({ stiffness_budget: budget })[1]).toBe(
+      'The mass limits k. Of its ± 0.024\u00a0N/m, the balance causes all but 1.0\u00a0%.'
+    )
+  })
+})
+
+describe('the table of the law', () => {
+  it('has values with their uncertainties and intervals', () => {
+    const rows = rowsOf(fit({}), en)
+    expect(rows.map((row) => row.key)).toEqual(['stiffness', 'damping', 'frequency'])
+    expect(rows[0]).toMatchObject({ value: '17.040\u00a0±\u00a00.024\u00a0N/m', interval: '16.99\u00a0to 17.09' })
+    expect(rows[1]!.value).toBe('0.785\u00a0±\u00a00.018\u00a0g/s')
+    expect(rows[2]!.value).toBe('1.408\u202f398\u202f8(9)\u00a0Hz')
+  })
+})

@@ -1,0 +1,74 @@
+import { describe, expect, it } from 'vitest'
+import { open } from '../../src/core/core'
+import type { Fits } from '../../src/core/types'
+import { check, numberOf } from '../../src/teach/check'
+import { keyOf, type AskCore, type Expected } from '../../src/teach/key'
+import { seedOf } from '../../src/teach/seed'
+import { massText, discText, recordingOptions, truthOf } from '../../src/teach/truth'
+
+const expected: Expected = {
+  value: 2532,
+  unit: '',
+  least: 2.5,
+  most: 380,
+  slips: [{ name: 'radius', value: 1266 }]
+}
+
+describe('an answer', () => {
+  it.each([
+    ['', '', 'empty'],
+    ['2535', '5', 'right'],
+    ['2535', '1', 'tooSmall'],
+    ['2600', '500', 'tooLarge'],
+    ['2600', '5', 'notYet'],
+    ['2535', '', 'noUncertainty'],
+    ['2535', '0', 'noUncertainty'],
+    ['abc', '1', 'noNumber']
+  ])('%s ± %s is %s', (value, uncertainty, verdict) => {
+    expect(check(value, uncertainty, expected).verdict).toBe(verdict)
+  })
+  it('says by how many of its own ± it is off', () => {
+    expect(check('2536', '20', expected).off).toBeCloseTo(0.2, 12)
+    expect(check('2500', '5', expected)).toMatchObject({ above: false, verdict: 'notYet' })
+  })
+  it('recognises a common slip', () => {
+    expect(check('1270', '5', expected).slip).toBe('radius')
+    expect(check('1500', '5', expected).slip).toBe('')
+  })
+  it('may be typed with a decimal comma', () => {
+    expect(numberOf('0,0094')).toBe(0.0094)
+    expect(numberOf('−2')).toBe(-2)
+    expect(numberOf('')).toBeNaN()
+  })
+})
+
+const core = await import('virtual:core').then((module) => module.default, () => '')
+
+describe.skipIf(!core)('the key of a recording (skipped where the core is not built)', () => {
+  it('is what a careful student finds, and refuses a careless one', { timeout: 60_000 }, async () => {
+    const opened = await open(Uint8Array.from(atob(core), (c) => c.charCodeAt(0)))
+    const ask: AskCore = async (task, options, asking) =>
+      opened.answer(task, asking?.fileName ? [...options, ['file-name', asking.fileName]] : options, asking?.file)
+    const truth = truthOf(seedOf('7F3A', '19'))
+    const key = (await keyOf(truth, ask))!
+    expect(key.stiffness.value).toBe(truth.stiffness)
+    expect(key.frequency.value).toBeCloseTo(Math.sqrt(truth.stiffness / truth.mass) / (2 * Math.PI), 5)
+
+    const made = await ask('synthetic', recordingOptions(truth))
+    const file = new TextEncoder().encode((made!.document as { text: string }).text)
+    const fit = async (options: [string, string][]) =>
+      ((await ask('fit', options, { file, fileName: 'own.csv' }))!.document as Fits).fits[0]!
+    const lab: [string, string][] = [['mass', massText(truth)], ['disc-diameter', discText(truth)]]
+    const own = await fit([['law', 'viscous+drag'], ...lab])
+    const k = own.parameters.stiffness!
+    expect(check(String(k.value), String(k.standard_error), key.stiffness).verdict).toBe('right')
+    const re = own.reynolds!
+    expect(check(String(re.max), String(0.002 * re.max), key.reynolds).verdict).toBe('right')
+    const f = own.derived.frequency!
+    expect(check(String(f.value), String(f.standard_error), key.frequency).verdict).toBe('right')
+    const middle = (await fit([['law', 'viscous'], ['from', '30'], ['to', '60']])).parameters.decay_rate!
+    expect(check(String(middle.value), String(middle.standard_error), key.rate).verdict).toBe('right')
+    const early = (await fit([['law', 'viscous'], ['to', '30']])).parameters.decay_rate!
+    expect(check(String(early.value), '0.0001', key.rate)).toMatchObject({ verdict: 'notYet', slip: 'first' })
+  })
+})
