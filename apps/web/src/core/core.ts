@@ -35,12 +35,14 @@ export async function open(bytes: Uint8Array): Promise<Core> {
         core = start(module)
         return { status: 2, document: { message: message(error) } }
       }
-    }
+    },
   }
 }
 
 async function unzip(bytes: Uint8Array): Promise<Uint8Array> {
-  const stream = new Blob([bytes as Uint8Array<ArrayBuffer>]).stream().pipeThrough(new DecompressionStream('gzip'))
+  const stream = new Blob([bytes as Uint8Array<ArrayBuffer>])
+    .stream()
+    .pipeThrough(new DecompressionStream('gzip'))
   return new Uint8Array(await new Response(stream).arrayBuffer())
 }
 

@@ -17,7 +17,7 @@ class Bits {
 
   constructor(
     private readonly bytes: Uint8Array,
-    private at: number
+    private at: number,
   ) {
     for (let i = 0; i < 5; ++i) this.code = ((this.code << 8) | this.bytes[this.at++]!) >>> 0
   }
@@ -196,6 +196,7 @@ export function unlzma(file: Uint8Array): Uint8Array {
 function sizeOf(file: Uint8Array): number {
   const heading = new DataView(file.buffer, file.byteOffset, file.byteLength)
   const size = file.length < 18 ? 0 : heading.getUint32(5, true)
-  if (file.length < 18 || heading.getUint32(9, true) !== 0) throw new RangeError('the compressed data do not say how many they are')
+  if (file.length < 18 || heading.getUint32(9, true) !== 0)
+    throw new RangeError('the compressed data do not say how many they are')
   return size
 }

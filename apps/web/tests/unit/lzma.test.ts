@@ -10,7 +10,10 @@ const built = fileURLToPath(new URL('../../../../build/page/core.wasm', import.m
 /// By xz, with the number of bytes in the heading.
 function lzma(bytes: Uint8Array, settings: string): Uint8Array {
   const packed = new Uint8Array(
-    execFileSync('xz', ['--format=lzma', `--lzma1=preset=9e,${settings}`, '--stdout'], { input: bytes, maxBuffer: 1 << 28 })
+    execFileSync('xz', ['--format=lzma', `--lzma1=preset=9e,${settings}`, '--stdout'], {
+      input: bytes,
+      maxBuffer: 1 << 28,
+    }),
   )
   new DataView(packed.buffer).setBigUint64(5, BigInt(bytes.length), true)
   return packed
@@ -21,7 +24,7 @@ function mixture(count: number): Uint8Array {
   const bytes = new Uint8Array(count)
   let state = 7
   const next = (below: number) => (state = (state * 48271) % 2147483647) % below
-  for (let at = 0; at < count; ) {
+  for (let at = 0; at < count;) {
     const length = Math.min(count - at, 1 + next(2 ** (1 + next(9))))
     const back = at > 0 && next(3) > 0 ? 1 + next(Math.min(at, 2 ** (1 + next(20)))) : 0
     for (let i = 0; i < length; ++i, ++at) bytes[at] = back ? bytes[at - back]! : next(256)

@@ -7,7 +7,7 @@
 
 #include "cromer/record/dialects/recording.h"
 
-#ifdef CROMER_PAGE  // which has no JSON library
+#ifdef CROMER_PAGE       // which has no JSON library
 #include <json_value.h>  // apps/web/core
 #else
 #include <nlohmann/json.hpp>
