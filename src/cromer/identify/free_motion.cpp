@@ -45,7 +45,8 @@ FreeStart<Real> start_of(const MotionParameters& motion, Value value) {
            .cubic = value(&MotionParameters::cubic, motion.cubic),
            .static_friction = Real(0)},
           {value(&MotionParameters::position, motion.position),
-           value(&MotionParameters::velocity, motion.velocity)}};
+           value(&MotionParameters::velocity, motion.velocity)},
+          motion.pendulum};
 }
 
 FreeStart<double> start_of(const MotionParameters& motion) {

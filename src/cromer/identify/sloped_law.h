@@ -9,6 +9,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/identify/law.h"
 #include "cromer/model/oscillator.h"
+#include "cromer/model/terms.h"
 
 namespace cromer {
 
@@ -21,13 +22,15 @@ class SlopedLaw {
   static constexpr bool depends_on_velocity = true;
   static constexpr bool depends_on_time = false;
 
-  explicit SlopedLaw(const Oscillator<Real>& per_mass) : law_(per_mass) {}
+  /// `pendulum` counts where code is shared (each_set_of_terms); elsewhere the law's own does.
+  SlopedLaw(const Oscillator<Real>& per_mass, bool pendulum) : law_(per_mass), pendulum_(pendulum) {}
 
   template <class Time>
   Real acceleration(const Time&, const Real& position, const Real& velocity) const {
     const double x = position.value, v = velocity.value;
-    const double pull = law.pendulum ? std::sin(x) : x;
-    double by_x = -law_.stiffness.value * (law.pendulum ? std::cos(x) : 1);
+    const bool pendulum = each_set_of_terms ? law.pendulum : pendulum_;
+    const double pull = pendulum ? std::sin(x) : x;
+    double by_x = -law_.stiffness.value * (pendulum ? std::cos(x) : 1);
     double by_v = -law_.damping.value, drag = 0, cube = 0;
     Real a(-law_.damping.value * v - law_.stiffness.value * pull);
     if constexpr (law.drag) {
@@ -52,6 +55,7 @@ class SlopedLaw {
 
  private:
   Oscillator<Real> law_;
+  bool pendulum_;
 };
 
 }  // namespace cromer

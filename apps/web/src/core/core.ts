@@ -1,6 +1,7 @@
 // The core in its WebAssembly module: bytes in, documents out. In the page it runs in a worker, in the tests
 // under node.
 import { withBlocks } from './blocks'
+import { unlzma } from './lzma'
 import type { Answer, Options, Task } from './types'
 
 interface Exports {
@@ -20,9 +21,9 @@ export interface Core {
   answer<T extends Task>(task: T, options: Options, file?: Uint8Array): Answer<T>
 }
 
-/// The core from the bytes of its module, or from them gzipped.
+/// The core from the bytes of its module, as they are, gzipped or as .lzma.
 export async function open(bytes: Uint8Array): Promise<Core> {
-  const plain = bytes[0] === 0x1f && bytes[1] === 0x8b ? await unzip(bytes) : bytes
+  const plain = bytes[0] === 0x1f ? await unzip(bytes) : bytes[0] === 0 ? bytes : unlzma(bytes)
   const module = await WebAssembly.compile(plain as Uint8Array<ArrayBuffer>)
   let core = start(module)
   return {
@@ -34,12 +35,14 @@ export async function open(bytes: Uint8Array): Promise<Core> {
         core = start(module)
         return { status: 2, document: { message: message(error) } }
       }
-    }
+    },
   }
 }
 
 async function unzip(bytes: Uint8Array): Promise<Uint8Array> {
-  const stream = new Blob([bytes as Uint8Array<ArrayBuffer>]).stream().pipeThrough(new DecompressionStream('gzip'))
+  const stream = new Blob([bytes as Uint8Array<ArrayBuffer>])
+    .stream()
+    .pipeThrough(new DecompressionStream('gzip'))
   return new Uint8Array(await new Response(stream).arrayBuffer())
 }
 

@@ -19,8 +19,7 @@ export interface Documents {
 
 /// 0 done; 1 the computation did not succeed and the document says why; 2 bad input.
 export type Answer<T extends Task = Task> =
-  | { status: 0 | 1; document: Documents[T] }
-  | { status: 2; document: Refusal }
+  { status: 0 | 1; document: Documents[T] } | { status: 2; document: Refusal }
 
 export interface Refusal {
   message: string
@@ -81,12 +80,7 @@ export interface Run {
 }
 
 export type RunStatus =
-  | 'reached_end'
-  | 'stopped_by_event'
-  | 'step_limit'
-  | 'step_too_small'
-  | 'no_convergence'
-  | 'not_finite'
+  'reached_end' | 'stopped_by_event' | 'step_limit' | 'step_too_small' | 'no_convergence' | 'not_finite'
 
 export interface Parameters {
   mass: number

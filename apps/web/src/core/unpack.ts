@@ -41,17 +41,19 @@ function directoryOf(file: Uint8Array): Entry[] {
   for (let left = all.getUint16(end + 10, true); left > 0; --left) {
     if (all.getUint32(at, true) !== centralMark) throw new RangeError('no directory')
     const size = all.getUint32(at + 20, true)
-    const length = 46 + all.getUint16(at + 28, true) + all.getUint16(at + 30, true) + all.getUint16(at + 32, true)
+    const length =
+      46 + all.getUint16(at + 28, true) + all.getUint16(at + 30, true) + all.getUint16(at + 32, true)
     const local = all.getUint32(at + 42, true)
     if (all.getUint32(local, true) !== localMark) throw new RangeError('no entry')
     const from = local + 30 + all.getUint16(local + 26, true) + all.getUint16(local + 28, true)
     packed += size
     // Entries that share their bytes could be many times the file.
-    if (from + size > file.length || at + length > end || packed > file.length) throw new RangeError('too short')
+    if (from + size > file.length || at + length > end || packed > file.length)
+      throw new RangeError('too short')
     entries.push({
       record: file.slice(at, at + length),
       local: file.slice(local, from),
-      content: file.subarray(from, from + size)
+      content: file.subarray(from, from + size),
     })
     at += length
   }
@@ -65,7 +67,11 @@ const allowance = 10_000
 function isDeflated({ record, content }: Entry): boolean {
   const of = view(record)
   const locked = (of.getUint16(8, true) & 1) !== 0
-  return of.getUint16(10, true) === deflated && !locked && of.getUint32(24, true) <= mostTimes * content.length + allowance
+  return (
+    of.getUint16(10, true) === deflated &&
+    !locked &&
+    of.getUint32(24, true) <= mostTimes * content.length + allowance
+  )
 }
 
 async function storedEntry(entry: Entry): Promise<Entry> {
@@ -81,7 +87,9 @@ async function storedEntry(entry: Entry): Promise<Entry> {
 
 /// Throws where it is not deflated, or is not of that size.
 async function inflate(content: Uint8Array, size: number): Promise<Uint8Array> {
-  const stream = new Blob([content as Uint8Array<ArrayBuffer>]).stream().pipeThrough(new DecompressionStream('deflate-raw'))
+  const stream = new Blob([content as Uint8Array<ArrayBuffer>])
+    .stream()
+    .pipeThrough(new DecompressionStream('deflate-raw'))
   const inflated = new Uint8Array(size)
   const reader = stream.getReader()
   let at = 0
@@ -109,9 +117,17 @@ function archiveOf(entries: Entry[]): Uint8Array {
   view(end).setUint32(0, endMark, true)
   view(end).setUint16(8, entries.length, true)
   view(end).setUint16(10, entries.length, true)
-  view(end).setUint32(12, entries.reduce((sum, { record }) => sum + record.length, 0), true)
+  view(end).setUint32(
+    12,
+    entries.reduce((sum, { record }) => sum + record.length, 0),
+    true,
+  )
   view(end).setUint32(16, offset, true)
-  return joined([...entries.flatMap(({ local, content }) => [local, content]), ...entries.map(({ record }) => record), end])
+  return joined([
+    ...entries.flatMap(({ local, content }) => [local, content]),
+    ...entries.map(({ record }) => record),
+    end,
+  ])
 }
 
 function joined(parts: Uint8Array[]): Uint8Array {

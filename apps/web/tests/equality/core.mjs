@@ -25,9 +25,15 @@ export function openCore(path) {
     core.page_release(at)
     if (fileAt) core.page_release(fileAt)
     const text = Buffer.from(new Uint8Array(core.memory.buffer, core.page_text(), core.page_text_length()))
-    const numbers = new Float64Array(core.memory.buffer, core.page_numbers(), core.page_numbers_length()).slice()
+    const numbers = new Float64Array(
+      core.memory.buffer,
+      core.page_numbers(),
+      core.page_numbers_length(),
+    ).slice()
     const document = JSON.parse(text.toString(), (_, value) =>
-      Array.isArray(value?.block) ? Array.from(numbers.subarray(value.block[0], value.block[0] + value.block[1])) : value
+      Array.isArray(value?.block)
+        ? Array.from(numbers.subarray(value.block[0], value.block[0] + value.block[1]))
+        : value,
     )
     return { status, document }
   }

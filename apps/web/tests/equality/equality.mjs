@@ -29,7 +29,9 @@ try {
   const fits = recordings(cromer, data, folder)
   for (const each of fits) report(each.name, compareFit(core, cromer, folder, each))
   const exactly = cases.filter((each) => each.exactly).length
-  console.log(`${cases.length} simulations (${exactly} to the bit) and ${fits.length} fits compared, ${wrong} differ`)
+  console.log(
+    `${cases.length} simulations (${exactly} to the bit) and ${fits.length} fits compared, ${wrong} differ`,
+  )
 } finally {
   rmSync(folder, { recursive: true })
 }

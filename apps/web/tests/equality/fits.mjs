@@ -15,13 +15,16 @@ const share = 1e-4
 function estimates(kind, ours, theirs) {
   const names = new Set([...Object.keys(ours), ...Object.keys(theirs)])
   return [...names].flatMap((name) => {
-    const page = ours[name], program = theirs[name]
+    const page = ours[name],
+      program = theirs[name]
     if (!page || !program) return [`${kind}.${name} is in one of them only`]
     const error = program.standard_error
     const near = (a, b) => a === b || Math.abs(a - b) <= Math.max(share * error, 1e-12 * Math.abs(b))
     return near(page.value, program.value) && near(page.standard_error, error)
       ? []
-      : [`${kind}.${name}: ${page.value} ± ${page.standard_error}, the program has ${program.value} ± ${error}`]
+      : [
+          `${kind}.${name}: ${page.value} ± ${page.standard_error}, the program has ${program.value} ± ${error}`,
+        ]
   })
 }
 
@@ -30,17 +33,31 @@ export function compareFit(core, cromer, folder, { name, bytes, options }) {
   writeFileSync(file, bytes)
   const theirs = run(cromer, 'fit', [file, '--json', '--quiet'], options)
   const ours = core('fit', [...options, ['file-name', file]], bytes)
-  if (ours.status !== theirs.status) return [`status ${ours.status} (${ours.document.message}), the program's ${theirs.status}: ${theirs.message}`]
-  if (theirs.status === 2) return ours.document.message === theirs.message ? [] : [`"${ours.document.message}", the program says "${theirs.message}"`]
-  const program = JSON.parse(theirs.output), page = ours.document.fits[0]
+  if (ours.status !== theirs.status)
+    return [
+      `status ${ours.status} (${ours.document.message}), the program's ${theirs.status}: ${theirs.message}`,
+    ]
+  if (theirs.status === 2)
+    return ours.document.message === theirs.message
+      ? []
+      : [`"${ours.document.message}", the program says "${theirs.message}"`]
+  const program = JSON.parse(theirs.output),
+    page = ours.document.fits[0]
   const found = ['recording', 'law', 'status', 'message', 'warnings'].flatMap((each) =>
-    differences(each, page[each], program[each], 1e-9)
+    differences(each, page[each], program[each], 1e-9),
   )
   if (page.parameters && program.parameters) {
     found.push(...estimates('parameters', page.parameters, program.parameters))
     found.push(...estimates('derived', page.derived, program.derived))
     found.push(...differences('rms', page.residual.rms, program.residual.rms, 1e-9))
-    found.push(...differences('candidates', page.candidates.map((each) => each.law), program.candidates.map((each) => each.law), 0))
+    found.push(
+      ...differences(
+        'candidates',
+        page.candidates.map((each) => each.law),
+        program.candidates.map((each) => each.law),
+        0,
+      ),
+    )
   }
   return found
 }

@@ -2,8 +2,19 @@
 // to beyond what is stable.
 
 const methods = [
-  'forward-euler', 'euler-cromer', 'implicit-euler', 'verlet', 'newmark', 'implicit-midpoint', 'generalized-alpha',
-  'heun', 'rk4', 'yoshida4', 'gauss-legendre4', 'dormand-prince', 'exact'
+  'forward-euler',
+  'euler-cromer',
+  'implicit-euler',
+  'verlet',
+  'newmark',
+  'implicit-midpoint',
+  'generalized-alpha',
+  'heun',
+  'rk4',
+  'yoshida4',
+  'gauss-legendre4',
+  'dormand-prince',
+  'exact',
 ]
 
 /// Numbers from 0 to 1 (Lehmer's generator, W. H. Payne et al., 1969).
@@ -23,33 +34,76 @@ export function simulations() {
     overdamped: () => ({ stiffness: some(1, 20), damping: some(20, 60) }),
     massless_spring: () => ({ stiffness: 0, damping: some(0.1, 2), velocity: some(0.1, 2) }),
     cubic: () => ({ stiffness: some(1, 50), cubic: some(1, 200), position: some(0.1, 2) }),
-    softening: () => ({ stiffness: some(5, 50), cubic: -some(0.01, 1), damping: some(0.01, 0.3), position: 0.5 }),
-    double_well: () => ({ stiffness: -some(1, 5), cubic: some(1, 20), damping: some(0.01, 0.5), position: 0.3 }),
+    softening: () => ({
+      stiffness: some(5, 50),
+      cubic: -some(0.01, 1),
+      damping: some(0.01, 0.3),
+      position: 0.5,
+    }),
+    double_well: () => ({
+      stiffness: -some(1, 5),
+      cubic: some(1, 20),
+      damping: some(0.01, 0.5),
+      position: 0.3,
+    }),
     repelling: () => ({ stiffness: -some(0.1, 2), position: 0.01 }),
     drag: () => ({ stiffness: some(1, 100), drag: some(0.001, 1), position: some(0.1, 2) }),
-    all_smooth: () => ({ stiffness: some(1, 100), damping: some(0.01, 1), drag: some(0.01, 1), cubic: some(0.1, 50) }),
+    all_smooth: () => ({
+      stiffness: some(1, 100),
+      damping: some(0.01, 1),
+      drag: some(0.01, 1),
+      cubic: some(0.1, 50),
+    }),
     friction: () => ({ stiffness: some(5, 100), friction: some(0.01, 1) }),
     sticking: () => ({
-      stiffness: some(5, 100), damping: some(0.01, 1), friction: 0.3, 'static-friction': some(0.3, 2)
+      stiffness: some(5, 100),
+      damping: some(0.01, 1),
+      friction: 0.3,
+      'static-friction': some(0.3, 2),
     }),
-    rubbing: () => ({ stiffness: some(5, 100), friction: some(0.01, 0.3), drag: some(0.01, 1), cubic: some(0.1, 10) }),
+    rubbing: () => ({
+      stiffness: some(5, 100),
+      friction: some(0.01, 0.3),
+      drag: some(0.01, 1),
+      cubic: some(0.1, 10),
+    }),
     driven: () => ({
-      stiffness: some(1, 100), damping: some(0.01, 2), 'drive-amplitude': some(0.1, 10),
-      'drive-frequency': some(0.5, 20), 'drive-phase': some(0.1, 3)
+      stiffness: some(1, 100),
+      damping: some(0.01, 2),
+      'drive-amplitude': some(0.1, 10),
+      'drive-frequency': some(0.5, 20),
+      'drive-phase': some(0.1, 3),
     }),
     resonant: () => ({ stiffness: 16, 'drive-amplitude': 1, 'drive-frequency': 4, position: 0.2 }),
     duffing: () => ({
-      stiffness: some(1, 20), cubic: some(0.1, 10), damping: some(0.1, 1), 'drive-amplitude': some(0.1, 3),
-      'drive-frequency': some(1, 6)
+      stiffness: some(1, 20),
+      cubic: some(0.1, 10),
+      damping: some(0.1, 1),
+      'drive-amplitude': some(0.1, 3),
+      'drive-frequency': some(1, 6),
     }),
     driven_friction: () => ({
-      stiffness: some(5, 50), friction: some(0.01, 0.5), damping: some(0.01, 1), 'drive-amplitude': some(0.5, 3),
-      'drive-frequency': some(1, 8)
+      stiffness: some(5, 50),
+      friction: some(0.01, 0.5),
+      damping: some(0.01, 1),
+      'drive-amplitude': some(0.5, 3),
+      'drive-frequency': some(1, 8),
     }),
-    base: () => ({ stiffness: some(5, 50), damping: some(0.1, 1), drive: 'base', 'base-displacement': 0.02,
-      'drive-frequency': some(1, 8) }),
-    unbalance: () => ({ stiffness: some(5, 50), damping: some(0.1, 1), drive: 'unbalance', 'unbalance-mass': 0.05,
-      eccentricity: 0.1, 'drive-frequency': some(1, 8) })
+    base: () => ({
+      stiffness: some(5, 50),
+      damping: some(0.1, 1),
+      drive: 'base',
+      'base-displacement': 0.02,
+      'drive-frequency': some(1, 8),
+    }),
+    unbalance: () => ({
+      stiffness: some(5, 50),
+      damping: some(0.1, 1),
+      drive: 'unbalance',
+      'unbalance-mass': 0.05,
+      eccentricity: 0.1,
+      'drive-frequency': some(1, 8),
+    }),
   }
 
   /// Only + - * / and square roots: the same bits are due. A sine, a power or an exponential may differ by its
@@ -75,8 +129,8 @@ export function simulations() {
       name: `${i} ${name} by ${method}`,
       exactly: arithmetic(law, method),
       options: Object.entries({ ...law, method, step, until: Number((steps * step).toPrecision(12)) }).map(
-        ([option, value]) => [option, String(value)]
-      )
+        ([option, value]) => [option, String(value)],
+      ),
     })
   }
   return cases

@@ -10,8 +10,15 @@ const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', impor
 describe('blocks', () => {
   it('come back into their places', () => {
     const numbers = new Float64Array([1, 2, 3, 4])
-    const document = withBlocks({ a: { block: [1, 2] }, list: [{ block: [0, 1] }, null], text: 'block' }, numbers)
-    expect(document).toEqual({ a: new Float64Array([2, 3]), list: [new Float64Array([1]), null], text: 'block' })
+    const document = withBlocks(
+      { a: { block: [1, 2] }, list: [{ block: [0, 1] }, null], text: 'block' },
+      numbers,
+    )
+    expect(document).toEqual({
+      a: new Float64Array([2, 3]),
+      list: [new Float64Array([1]), null],
+      text: 'block',
+    })
     expect(buffersOf(document)).toHaveLength(2)
   })
 })
@@ -21,7 +28,12 @@ describe.skipIf(!existsSync(built))('core', async () => {
   const core = existsSync(built) ? await open(readFileSync(built)) : undefined!
 
   it('simulates', () => {
-    const answer = core.answer('simulate', [['stiffness', '4 N/m'], ['method', 'exact'], ['step', '10 ms'], ['until', '1 s']])
+    const answer = core.answer('simulate', [
+      ['stiffness', '4 N/m'],
+      ['method', 'exact'],
+      ['step', '10 ms'],
+      ['until', '1 s'],
+    ])
     if (answer.status !== 0) throw new Error(JSON.stringify(answer))
     const { t, x } = answer.document.runs[0]!.states
     expect(t).toHaveLength(101)
@@ -31,12 +43,15 @@ describe.skipIf(!existsSync(built))('core', async () => {
   it('says what is wrong as the program does', () => {
     expect(core.answer('simulate', [['step', '-1']])).toEqual({
       status: 2,
-      document: { message: '--step: it must be positive, not -1 s' }
+      document: { message: '--step: it must be positive, not -1 s' },
     })
   })
 
   it('asks for less where its memory ends, and goes on', () => {
-    const answer = core.answer('simulate', [['step', '1e-9'], ['until', '10']])
+    const answer = core.answer('simulate', [
+      ['step', '1e-9'],
+      ['until', '10'],
+    ])
     expect(answer.status).toBe(2)
     expect(core.answer('effective', []).status).toBe(0)
   })

@@ -46,13 +46,15 @@ function archive(held: Held[]): Uint8Array {
   return new Uint8Array(Buffer.concat([...locals, directory, end]))
 }
 
-const table = 'Time (s),Position (m)\n' + Array.from({ length: 200 }, (_, i) => `${i / 100},${Math.cos(i / 10)}\n`).join('')
+const table =
+  'Time (s),Position (m)\n' +
+  Array.from({ length: 200 }, (_, i) => `${i / 100},${Math.cos(i / 10)}\n`).join('')
 
 describe('unpack', () => {
   it('stores what was deflated', async () => {
     const held = [
       { name: 'Raw Data.csv', text: table },
-      { name: 'meta/device.csv', text: 'property,value\n', deflated: false }
+      { name: 'meta/device.csv', text: 'property,value\n', deflated: false },
     ]
     const stored = held.map((each) => ({ ...each, deflated: false }))
     expect(await unpack(archive(held))).toEqual(archive(stored))

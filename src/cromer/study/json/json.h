@@ -7,8 +7,8 @@
 
 #include "cromer/record/dialects/recording.h"
 
-#ifdef CROMER_PAGE  // which has no JSON library
-#include "json_value.h"
+#ifdef CROMER_PAGE       // which has no JSON library
+#include <json_value.h>  // apps/web/core
 #else
 #include <nlohmann/json.hpp>
 #endif

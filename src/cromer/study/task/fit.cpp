@@ -8,6 +8,7 @@
 
 #include "cromer/analysis/air.h"
 #include "cromer/analysis/reynolds.h"
+#include "cromer/base/number.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/choose_law.h"
 #include "cromer/identify/departures.h"
@@ -63,7 +64,9 @@ Result<void> check_options(const FitOptions& options) {
 }
 
 // Twelve significant digits: a logger's times do not carry more.
-double to_twelve_digits(double value) { return std::stod(fmt::format("{:.12g}", value)); }
+double to_twelve_digits(double value) {
+  return leading_number(fmt::format("{:.12g}", value)).value_or(LeadingNumber{value}).value;
+}
 
 std::string simulate_line(const FreeDecay& fit, const Series& series, double mass) {
   const MotionParameters law = fit.motion();

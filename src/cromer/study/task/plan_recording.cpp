@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cromer/base/nearest.h"
+#include "cromer/base/number.h"
 #include "cromer/study/task/decay_by_amplitude.h"
 
 namespace cromer {
@@ -112,7 +113,9 @@ double end_of_the_swing(const FreeDecay& fit) {
   return std::min(t, most_periods * period);
 }
 
-std::string seconds(double t) { return format_quantity({std::stod(fmt::format("{:.3g}", t)), 0}, "s"); }
+std::string seconds(double t) {
+  return format_quantity({leading_number(fmt::format("{:.3g}", t))->value, 0}, "s");
+}
 
 std::string certainty(const RecordingPlan& plan, bool relative, double error) {
   const double percent = 100 * error / std::abs(plan.value);

@@ -134,19 +134,21 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
     if (closed) return from_closed_form(run, force, period > 0 ? period / 4 : spacing);
     return from_states(run, force, 0, run.trajectory.size() - 1);
   }
-  return std::visit(
-      [&](const auto& drive) -> std::optional<EnergyBalance> {
-        const auto force = force_of(drive, m);
-        if constexpr (HasClosedForm<std::remove_const_t<decltype(force)>, double>)
-          if (closed)
-            return from_closed_form(run, force, period > 0 ? std::min(period / 4, spacing) : spacing);
-        // Of a recording the breaks are as many as its samples, and hardly jumps.
-        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(drive)>, SampledDrive>)
-          return from_states(run, force, 0, run.trajectory.size() - 1);
-        else
-          return from_stretches(run, force);
-      },
-      *run.general);
+  if constexpr (each_set_of_terms)  // the page drives by sines only
+    return std::visit(
+        [&](const auto& drive) -> std::optional<EnergyBalance> {
+          const auto force = force_of(drive, m);
+          if constexpr (HasClosedForm<std::remove_const_t<decltype(force)>, double>)
+            if (closed)
+              return from_closed_form(run, force, period > 0 ? std::min(period / 4, spacing) : spacing);
+          // Of a recording the breaks are as many as its samples, and hardly jumps.
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(drive)>, SampledDrive>)
+            return from_states(run, force, 0, run.trajectory.size() - 1);
+          else
+            return from_stretches(run, force);
+        },
+        *run.general);
+  return std::nullopt;
 }
 
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {
