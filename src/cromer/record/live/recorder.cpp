@@ -10,6 +10,7 @@ namespace {
 
 constexpr double wait = 0.05;  // [s] for the source, before looking whether to stop
 constexpr double grace = 2;    // [s] that samples may be late before the duration is over without them
+constexpr double between_syncs = 0.8;      // [s]
 constexpr std::size_t kept_notices = 200;  // of a device that writes garbage all the time
 
 }  // namespace
@@ -33,18 +34,34 @@ void Recorder::stop() {
   if (disk_.joinable()) disk_.join();
 }
 
-// Waiting for the disk may take a while, and arrivals are stamped meanwhile: hence a thread of its own.
+void Recorder::fail(const Error& error) {
+  const std::lock_guard lock(mutex_);
+  if (failure_.empty()) failure_ = error.message;
+  stop_ = true;
+}
+
+// Arrivals are stamped while the disk, which may take its time, is waited for: hence a thread of its own.
 void Recorder::keep_on_disk() {
-  using namespace std::chrono_literals;
-  for (int i = 1; running_; ++i) {
-    std::this_thread::sleep_for(50ms);
-    if (i % 20 != 0) continue;
-    if (auto good = file_.sync(); !good) {
-      const std::lock_guard lock(mutex_);
-      failure_ = good.error().message;
-      stop_ = true;
+  std::size_t written = 0;
+  double synced = steady_seconds();
+  Result<void> good;
+  for (bool over = false; !over && good;) {
+    {
+      std::unique_lock lock(mutex_);
+      more_.wait_for(lock, std::chrono::milliseconds(100), [&] { return over_ || rows_.size() > written; });
+      over = over_;
     }
+    const Rows rows = rows_since(written);
+    if (written == 0 && rows.size() > 0) good = file_.begin(settings_.comments, headings());
+    if (good && rows.size() > 0) good = file_.append(rows);
+    written += rows.size();
+    if (!good || steady_seconds() - synced < between_syncs) continue;
+    good = file_.sync();
+    synced = steady_seconds();
   }
+  if (good) good = write_end();
+  if (!good) fail(good.error());
+  running_ = false;
 }
 
 void Recorder::record() {
@@ -55,18 +72,28 @@ void Recorder::record() {
   for (bool more = true; more && !stop_;) {
     more = source_->receive(wait, rows, notices);
     if (first_arrival == 0 && rows.size() > 0) first_arrival = steady_seconds();
-    if (!store(rows, notices)) break;
+    if (!publish(rows, notices)) break;
     if (settings_.duration) {
       const double since = steady_seconds() - (first_arrival > 0 ? first_arrival : begun);
       more = more && since < *settings_.duration + grace;
     }
   }
-  conclude();
-  running_ = false;
+  if (const double pace = source_->pace(); pace > 50)
+    notices.push_back(
+        {NoticeKind::clock, fmt::format("the device's times run {:.4g} times as fast as the clock: "
+                                        "--time-unit says what they are in",
+                                        pace)});
+  publish(rows, notices);
+  source_.reset();  // the device is free for others
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  more_.notify_one();
 }
 
-/// False when the recording is over. The file is written before the lock is taken: nobody waits for it.
-bool Recorder::store(Rows& rows, std::vector<Notice>& notices) {
+/// False when the recording has its whole length.
+bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
   bool more = true;
   if (settings_.duration && rows.size() > 0) {
     const double begin = rows_.size() > 0 ? rows_.t.front() : rows.t.front();
@@ -78,44 +105,34 @@ bool Recorder::store(Rows& rows, std::vector<Notice>& notices) {
       more = false;
     }
   }
-  Result<void> good;
-  const bool first = rows.size() > 0 && headings_.empty();
-  if (first) good = file_.begin(settings_.comments, source_->headings());
-  if (good && rows.size() > 0) good = file_.append(rows);
-
-  const std::lock_guard lock(mutex_);
-  if (first) headings_ = source_->headings(), rows_.width = rows.width;
-  rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
-  rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
-  for (auto& notice : notices) {
-    garbage_ += notice.kind == NoticeKind::garbage;
-    if (notices_.size() < kept_notices) notices_.push_back(std::move(notice));
+  {
+    const std::lock_guard lock(mutex_);
+    if (headings_.empty() && rows.size() > 0) headings_ = source_->headings(), rows_.width = rows.width;
+    rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
+    rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
+    for (auto& notice : notices) {
+      garbage_ += notice.kind == NoticeKind::garbage;
+      if (notices_.size() < kept_notices) notices_.push_back(std::move(notice));
+    }
   }
+  more_.notify_one();
   rows.clear();
   notices.clear();
-  if (!good) failure_ = good.error().message;
-  return more && good.ok();
+  return more;
 }
 
-void Recorder::conclude() {
-  const std::lock_guard lock(mutex_);
-  if (const double pace = source_->pace(); pace > 50)
-    notices_.push_back(
-        {NoticeKind::clock,
-         fmt::format("the device's times run {:.4g} times as fast as the clock: --time-unit says what "
-                     "they are in",
-                     pace)});
-  source_.reset();  // the device is free for others
-  Result<void> good;
-  if (rows_.size() > 0 && failure_.empty()) {
-    std::vector<std::string> lines;
+Result<void> Recorder::write_end() {
+  std::vector<std::string> lines;
+  {
+    const std::lock_guard lock(mutex_);
     for (const auto& notice : notices_) lines.push_back(notice.text);
     if (garbage_ > 0) lines.push_back(fmt::format("{} lines were no samples", garbage_));
-    good = file_.comment(lines);
+    if (rows_.size() == 0) lines.clear();
   }
+  if (!lines.empty())
+    if (auto good = file_.comment(lines); !good) return good;
   file_.drop_if_empty();
-  if (good) good = file_.sync();
-  if (!good && failure_.empty()) failure_ = good.error().message;
+  return file_.sync();
 }
 
 RecorderStatus Recorder::status() const {

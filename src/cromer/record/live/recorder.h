@@ -1,8 +1,9 @@
-// A recording in progress: a thread that takes what the source sends to the file and holds it for others to
-// look at.
+// A recording in progress: one thread takes what the source sends, another brings it to the disk, and others
+// may look at it.
 #pragma once
 
 #include <atomic>
+#include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -39,8 +40,7 @@ class Recorder {
       : source_(std::move(source)), settings_(std::move(settings)) {}
   ~Recorder() { stop(); }
 
-  /// Connects, makes the file, and starts the two threads: one records, one brings the file to the disk
-  /// each second. An Error leaves nothing.
+  /// Connects, makes the file, and starts the two threads. An Error leaves nothing.
   Result<void> start();
 
   /// Ends the recording; the file is complete, and on the disk, when this returns. Once or more often.
@@ -55,15 +55,18 @@ class Recorder {
  private:
   void record();
   void keep_on_disk();
-  bool store(Rows& rows, std::vector<Notice>& notices);
-  void conclude();
+  bool publish(Rows& rows, std::vector<Notice>& notices);
+  void fail(const Error& error);
+  Result<void> write_end();
 
   std::unique_ptr<Source> source_;
   RecorderSettings settings_;
   RecordingFile file_;
   std::thread thread_, disk_;
   std::atomic<bool> stop_{false}, running_{false};
-  mutable std::mutex mutex_;  ///< over what follows, which only the recording thread changes
+  mutable std::mutex mutex_;  ///< over what follows; only the recording thread changes headings and rows
+  std::condition_variable more_;
+  bool over_ = false;  ///< nothing more will come
   Headings headings_;
   Rows rows_;
   std::vector<Notice> notices_;
