@@ -1,7 +1,6 @@
 // What the core says to the state of the page: asked anew at every change, the newest question first.
 import { untrack } from 'svelte'
-import { askAside } from '../core/aside'
-import { ask } from '../core/ask'
+import { ask, askAside } from '../core/ask'
 import type { MethodList, Resonance, Run } from '../core/types'
 import { page } from '../state/page.svelte'
 import { dampingRatio, isLinear, naturalFrequency } from './law'
