@@ -4,8 +4,9 @@ import { ask, askAside } from '../core/ask'
 import type { MethodList, Resonance, Run } from '../core/types'
 import { page } from '../state/page.svelte'
 import { dampingRatio, isLinear, naturalFrequency } from './law'
-import { coreOptions, resonanceOptions, steady } from './options'
+import { coreOptions, resonanceOptions } from './options'
 import { resonanceRange } from './ranges'
+import { steppedResonance } from './stepped_resonance'
 import type { SimulateState } from './state'
 
 interface Results {
@@ -39,7 +40,12 @@ async function simulate(state: SimulateState): Promise<boolean> {
 }
 
 async function resonate(state: SimulateState): Promise<void> {
-  if (!steady(state)) return put({ resonance: [] })
+  if (state.driveAmplitude === 0 || state.methods.length === 0) return put({ resonance: [] })
+  if (!isLinear(state)) {
+    const curves = await steppedResonance(state, ...resonanceRange(state))
+    if (curves) put({ resonance: curves })
+    return
+  }
   const answer = await askAside('resonance', resonanceOptions(state, ...resonanceRange(state)), { channel: 'resonance' })
   if (answer) put({ resonance: answer.status === 2 ? [] : (answer.document as Resonance).curves })
 }
