@@ -8,7 +8,7 @@ export function drawMoving(
   pen: Pen, frame: Frame, curves: Curve[], cursor: number | null, moving: Decoration | undefined, knob: boolean,
 ): void {
   const { left, right, top, bottom } = frame
-  if (cursor !== null && cursor >= frame.x[0] && cursor <= frame.x[1]) {
+  if (cursor !== null && curves.length > 0 && cursor >= frame.x[0] && cursor <= frame.x[1]) {
     const at = frame.toX(cursor)
     const ink = token('ink')
     pen.line([at, top, at, bottom], { colour: ink, width: 1 })

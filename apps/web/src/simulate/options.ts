@@ -1,5 +1,5 @@
 // The state as options of `cromer simulate`: for the core, for a command line, for a study file.
-import { isLinear, referenceOf } from './law'
+import { referenceOf } from './law'
 import type { SimulateState } from './state'
 
 export const mostSteps = 1_000_000
@@ -68,4 +68,3 @@ export function studyFile(s: SimulateState, title: string): string {
   return lines.join('\n')
 }
 
-export const steady = (s: SimulateState): boolean => isLinear(s) && s.driveAmplitude > 0

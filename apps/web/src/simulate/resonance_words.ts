@@ -54,13 +54,17 @@ function drawPeaks(pen: Pen, frame: Frame, { unit }: Words, curves: Curve[]): vo
     return { curve, peak, text, y: Math.max(frame.top + 40, frame.toY(peak.y) + 14), height: 16 }
   })
   for (const { curve, peak, text, y } of spread(labels, frame.top + 38, frame.bottom - 10)) {
-    // where the curve has come down to the word's height, and then a little
-    let x = frame.toX(peak.x)
-    for (let i = 0; i < curve.x.length; ++i)
-      if (curve.x[i]! >= peak.x && frame.toY(curve.y[i]!) < y + 10) x = frame.toX(curve.x[i]!)
+    // beside the curve where it has come down to the word's height: right of it, or left where that is too narrow
+    let [before, after] = [frame.toX(peak.x), frame.toX(peak.x)]
+    for (let i = 0; i < curve.x.length; ++i) {
+      if (frame.toY(curve.y[i]!) >= y + 10) continue
+      before = Math.min(before, frame.toX(curve.x[i]!))
+      after = Math.max(after, frame.toX(curve.x[i]!))
+    }
     const wide = pen.width(text, { size, bold: true })
-    const at = Math.max(frame.left + 6, Math.min(x + 12, frame.right - wide - 2))
+    const right = after + 12 + wide <= frame.right
+    const at = Math.max(frame.left + 6, Math.min(right ? after + 12 : before - 12 - wide, frame.right - wide - 2))
     pen.box(at - 3, y - 8, wide + 6, 16, token('surface'), undefined, 3)
-    pen.text(at, y, text, { colour: lookOf(curve.meaning).word, size, bold: true })
+    pen.text(at, y, text, { colour: lookOf(curve.meaning, curve.road).word, size, bold: true })
   }
 }

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict'
 import { readFile } from 'node:fs/promises'
 import { createRequire } from 'node:module'
-import { address, check, finish, launch, open } from './harness.mjs'
+import { check, finish, launch, open } from './harness.mjs'
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
 const browser = await launch()
@@ -14,16 +14,31 @@ const seen = (page) =>
     panel: document.querySelector('.panel')?.textContent,
     drawn: [...document.querySelectorAll('[data-drawn]')].map((each) => Number(each.dataset.drawn)),
   }))
-/** The page has nothing more to draw. */
+/** The page has nothing more to draw: for a third of a second nothing has changed. */
 async function rest(page) {
-  let before = ''
-  for (let i = 0; i < 60; ++i) {
-    await page.waitForTimeout(60)
+  let [before, same] = ['', 0]
+  for (let i = 0; i < 120 && same < 4; ++i) {
+    await page.waitForTimeout(80)
     const now = JSON.stringify(await seen(page))
-    if (now === before) return
+    same = now === before ? same + 1 : 0
     before = now
   }
 }
+/** Opens another link in the same page. */
+async function go(page, hash) {
+  await page.evaluate(
+    (to) =>
+      new Promise((resolve) => {
+        addEventListener('hashchange', () => setTimeout(resolve, 50), { once: true })
+        location.hash = to
+      }),
+    hash,
+  )
+  await rest(page)
+}
+/** The curves are there. */
+const ready = (page) =>
+  page.waitForFunction(() => / (ends at|grows to|endet bei|wächst auf) /.test(document.querySelector('[role=img]')?.getAttribute('aria-label')))
 async function moves(page, act, what) {
   await rest(page)
   const before = await seen(page)
@@ -38,6 +53,7 @@ const button = (page, name) => page.getByRole('button', { name })
 
 {
   const { page, faults, context } = await open(browser)
+  await ready(page)
   await check('every slider moves something', async () => {
     for (const fold of await page.locator('summary').all()) await fold.click()
     const options = await page.locator('[data-option]').evaluateAll((all) => all.map((each) => each.dataset.option))
@@ -46,21 +62,17 @@ const button = (page, name) => page.getByRole('button', { name })
       await slider(page, option).focus()
       await moves(page, () => page.keyboard.press('Shift+ArrowRight'), option)
     }
-    await page.goto(`${address}#simulate`)
-    await page.evaluate(() => (location.hash = '#simulate?mass=1'))
-    await rest(page)
+    await go(page, '#simulate?mass=1')
   })
   await check('every method can be switched off and on', async () => {
-    await page.evaluate(() => (location.hash = '#simulate?until=20'))
-    await rest(page)
+    await go(page, '#simulate?until=20')
     for (const fold of await page.locator('details:not([open]) summary').all()) await fold.click()
     const boxes = page.locator('[data-method]')
     assert.equal(await boxes.count(), 13)
     for (let i = 0; i < 13; ++i) await moves(page, () => boxes.nth(i).click(), `method ${i}`)
   })
   await check('a field takes units, and keeps a bad value with the core’s message', async () => {
-    await page.evaluate(() => (location.hash = '#simulate?mass=3'))
-    await rest(page)
+    await go(page, '#simulate?mass=3')
     await field(page, 'step').fill('20 ms')
     await page.keyboard.press('Enter')
     await page.waitForFunction(() => location.hash.includes('step=0.02'))
@@ -86,16 +98,14 @@ const button = (page, name) => page.getByRole('button', { name })
     await page.keyboard.press('Escape')
   })
   await check('critical damping and resonance are one click', async () => {
-    await page.evaluate(() => (location.hash = '#simulate?driveFrequency=1'))
-    await rest(page)
+    await go(page, '#simulate?driveFrequency=1')
     await button(page, /Set resonance: 2.997/).click()
     await page.waitForFunction(() => location.hash.includes('driveFrequency=2.997'))
     await button(page, /Set critical damping: 6.00/).click()
     await page.waitForFunction(() => location.hash.includes('damping=6'))
   })
   await check('forward Euler is said to grow, and by how much', async () => {
-    await page.evaluate(() => (location.hash = '#simulate?until=26'))
-    await rest(page)
+    await go(page, '#simulate?until=26')
     const { panel, text } = await seen(page)
     assert.match(panel, /−0\.0125/)
     assert.match(panel, /grows by 2\.7\s%/)
@@ -115,14 +125,13 @@ const button = (page, name) => page.getByRole('button', { name })
     }
   })
   await check('without an exact solution Dormand-Prince stands in, by name', async () => {
-    await page.evaluate(() => (location.hash = '#simulate?cubic=2'))
-    await rest(page)
+    await go(page, '#simulate?cubic=2')
     assert.match((await seen(page)).panel, /Dormand-Prince \(reference\)/)
     assert.match((await seen(page)).text, /Dormand-Prince ends at/)
+    await page.waitForFunction(() => /Steady amplitude[^\n]*Dormand-Prince ends at/.test([...document.querySelectorAll('[role=img]')].at(-1).getAttribute('aria-label')))
   })
   await check('undo takes back one change after another', async () => {
-    await page.evaluate(() => (location.hash = '#simulate?until=24'))
-    await rest(page)
+    await go(page, '#simulate?until=24')
     await slider(page, 'mass').focus()
     await page.keyboard.press('PageUp')
     await page.getByRole('radio', { name: 'Velocity' }).check()
@@ -145,6 +154,8 @@ const button = (page, name) => page.getByRole('button', { name })
     await page.waitForTimeout(1200) // limits have come to rest
     const [link, before] = [page.url(), await seen(page)]
     const other = await open(browser, { hash: link.slice(link.indexOf('#')) })
+    await ready(other.page)
+    await page.waitForTimeout(1200)
     await rest(other.page)
     const after = await seen(other.page)
     assert.equal(after.text, before.text)
@@ -205,6 +216,16 @@ const button = (page, name) => page.getByRole('button', { name })
     assert.ok((await page.locator('.numbers tbody tr').count()) > 50)
     await button(page, 'Close').click()
   })
+  await check('a printed page is a report with figures in light', async () => {
+    await page.emulateMedia({ media: 'print' })
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+    assert.equal(await page.locator('.printed svg').count(), 4)
+    assert.ok(await page.getByText('A mass on a spring, simulated').isVisible())
+    assert.equal(await page.locator('canvas').first().isVisible(), false)
+    await page.evaluate(() => dispatchEvent(new Event('afterprint')))
+    await page.emulateMedia({ media: 'screen' })
+    assert.equal(await page.locator('.printed').count(), 0)
+  })
   await check('no error, no request', async () => assert.deepEqual(faults, []))
   await context.close()
 }
@@ -249,6 +270,7 @@ for (const [width, height, theme, language] of [
   [1440, 900, 'light', 'en-GB'], [1440, 900, 'dark', 'de-DE'], [1000, 800, 'light', 'de-DE'], [390, 844, 'dark', 'en-GB'], [390, 844, 'light', 'de-DE'],
 ]) {
   const { page, faults, context } = await open(browser, { width, height, colorScheme: theme, locale: language })
+  await ready(page)
   await rest(page)
   await check(`accessible, and nothing wider than the page: ${width} ${theme} ${language}`, async () => {
     assert.equal(await page.evaluate(() => document.documentElement.lang), language.slice(0, 2))

@@ -97,7 +97,8 @@ export const simulate: typeof en = {
     now: (value) => `Antrieb jetzt, ${value}`,
     unsettled: 'keine bleibende Bewegung:',
     noDrive: 'Dem Antrieb eine Amplitude geben.',
-    notLinear: 'Ein nichtlineares Gesetz hat nicht eine einzige Kurve.',
+    notLinear: 'Nichtlinear: von Dormand-Prince gerechnet, aus der Ruhe bei jeder Frequenz; ein anderer Anfang kann anders enden.',
+    restless: 'keine bleibende Bewegung gefunden',
     undamped: 'keine bleibende Bewegung: nichts dämpft sie',
   },
   copyCommand: 'Befehl kopieren',
@@ -109,6 +110,13 @@ export const simulate: typeof en = {
     grows: (step, method, percent) => `Schritt ${step}: ${method} wächst, ${percent} je Periode.`,
     stable: (step) => `Schritt ${step}: alle Verfahren sind stabil.`,
     failed: (why) => why,
+  },
+  report: {
+    title: 'Eine Masse an einer Feder, simuliert',
+    driven: (force, frequency) => `Eine Kraft von ${force} treibt sie mit ${frequency}.`,
+    free: 'Nichts treibt sie an.',
+    start: (x, v) => `Sie beginnt bei ${x} mit ${v}.`,
+    run: (methods, step, until) => `Verfahren: ${methods}; Schritte von ${step}, bis ${until}.`,
   },
   openControls: 'Einstellungen zeigen oder verbergen',
 }

@@ -95,7 +95,8 @@ export const simulate = {
     now: (value: string) => `drive now, ${value}`,
     unsettled: 'no steady motion:',
     noDrive: 'Give the drive an amplitude.',
-    notLinear: 'A law that is not linear has no one curve.',
+    notLinear: 'Not linear: stepped by Dormand-Prince, from rest at each frequency; another start may settle elsewhere.',
+    restless: 'no steady motion found',
     undamped: 'no steady motion: nothing damps it',
   },
   copyCommand: 'Copy command',
@@ -107,6 +108,13 @@ export const simulate = {
     grows: (step: string, method: string, percent: string) => `Step ${step}: ${method} grows, ${percent} a cycle.`,
     stable: (step: string) => `Step ${step}: all methods are stable.`,
     failed: (why: string) => why,
+  },
+  report: {
+    title: 'A mass on a spring, simulated',
+    driven: (force: string, frequency: string) => `A force of ${force} drives it at ${frequency}.`,
+    free: 'Nothing drives it.',
+    start: (x: string, v: string) => `It starts at ${x} with ${v}.`,
+    run: (methods: string, step: string, until: string) => `Methods: ${methods}; steps of ${step}, to ${until}.`,
   },
   openControls: 'Show or hide the controls',
 }
