@@ -62,8 +62,8 @@ std::string LiveSession::stop() {
 
 std::string LiveSession::status() const {
   const auto now = active();
-  return now ? live_status_json(now->name, now->recorder->status(), now->recorder->headings())
-             : live_status_json("", {}, {});
+  return now ? live_status_json(options_.from, now->name, now->recorder->status(), now->recorder->headings())
+             : live_status_json(options_.from, "", {}, {});
 }
 
 std::optional<std::string> LiveSession::path_of(const std::string& name) const {

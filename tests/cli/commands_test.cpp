@@ -17,7 +17,8 @@ TEST(Program, SaysItsVersion) {
 }
 
 TEST(Program, EveryCommandHasHelpWithAnExample) {
-  for (const char* command : {"simulate", "methods", "inspect", "fit", "compare", "record", "serve", "report"}) {
+  for (const char* command :
+       {"simulate", "methods", "inspect", "fit", "compare", "record", "serve", "report"}) {
     const Finished end = Folder().run({command, "--help"});
     EXPECT_EQ(end.status, 0) << command;
     EXPECT_THAT(end.out, HasSubstr("Example:\n  cromer " + std::string(command)));

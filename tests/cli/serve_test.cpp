@@ -48,6 +48,7 @@ TEST(Serve, AnswersOnlyWhatItKnows) {
   EXPECT_EQ(status("DELETE /api/status"), 405);
   EXPECT_EQ(status("GET /api/record"), 405);
   EXPECT_EQ(status("GET /api/status"), 200);
+  EXPECT_TRUE(json_of(ask(served.port(), request(served.port(), "GET /api/status")))["source"].is_null());
   // Nothing was named to record from: the page cannot name it.
   const std::string answer = ask(served.port(), request(served.port(), "POST /api/record"));
   EXPECT_EQ(status_of(answer), 409);
@@ -104,6 +105,7 @@ TEST(Serve, RecordsAndSendsEverySampleAndTheFitLive) {
       port, request(port, "POST /api/record", "Content-Type: application/json\r\n", "{\"for\": \"8 s\"}"));
   ASSERT_EQ(status_of(begun), 200) << begun;
   EXPECT_EQ(json_of(begun)["recording"], "swing.csv");
+  EXPECT_EQ(json_of(begun)["source"], "phyphox:127.0.0.1:" + std::to_string(phone.port()));
   EXPECT_EQ(status_of(ask(port, request(port, "POST /api/record"))), 409);
   const std::string stream = listener.receive(30, "\"running\":false,\"samples\":801");
   EXPECT_THAT(stream, StartsWith("HTTP/1.1 200 OK\r\n"));

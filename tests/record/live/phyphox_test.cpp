@@ -15,7 +15,8 @@ constexpr const char* config = R"json({"title": "Acceleration", "buffers": [{"na
   "inputs": [{"source": "accelerometer", "outputs": [{"x": "accX"}, {"y": "accY"}, {"t": "acc_time"}]}],
   "export": [{"set": "Settings", "sources": [{"label": "Mass (kg)", "buffer": "m"}]},
              {"set": "Raw Data", "sources": [{"label": "Time (s)", "buffer": "acc_time"},
-               {"label": "Acceleration x (m/s^2)", "buffer": "accX"}, {"label": "y, \"up\"", "buffer": "acc Y"}]}]})json";
+               {"label": "Acceleration x (m/s^2)", "buffer": "accX"},
+               {"label": "y, \"up\"", "buffer": "acc Y"}]}]})json";
 
 PhyphoxSet set() { return *read_phyphox_config(config); }
 

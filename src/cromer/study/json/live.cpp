@@ -54,9 +54,11 @@ Json quantities(const std::vector<NamedEstimate>& estimates) {
 
 }  // namespace
 
-std::string live_status_json(const std::string& recording, const RecorderStatus& status,
-                             const Headings& headings) {
-  return to_text(status_object(recording, status, headings), on_one_line);
+std::string live_status_json(const std::string& source, const std::string& recording,
+                             const RecorderStatus& status, const Headings& headings) {
+  Json object{{"source", or_null(source)}};
+  object.update(status_object(recording, status, headings));
+  return to_text(object, on_one_line);
 }
 
 std::string live_samples_json(std::size_t first, const Rows& rows) {

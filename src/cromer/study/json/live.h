@@ -10,9 +10,10 @@
 
 namespace cromer {
 
-/// {"recording", "running", "samples", "from", "to", "rate", "last", "garbage", "columns", "message"}
-std::string live_status_json(const std::string& recording, const RecorderStatus& status,
-                             const Headings& headings);
+/// {"source" (null where nothing can be recorded), "recording", "running", "samples", "from", "to", "rate",
+/// "last", "garbage", "columns", "message"}
+std::string live_status_json(const std::string& source, const std::string& recording,
+                             const RecorderStatus& status, const Headings& headings);
 
 /// {"first", "t": [...], "values": [[...], ...]}, one list of values for each column.
 std::string live_samples_json(std::size_t first, const Rows& rows);
