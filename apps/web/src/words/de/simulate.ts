@@ -59,7 +59,7 @@ export const simulate: typeof en = {
   toStart: 'Zum Anfang',
   stepOn: 'Ein Zehntel einer Periode weiter',
   cursor: 'Zeit des Zeigers',
-  atCursor: (symbol, unit) => `am Zeiger, *${symbol}* in ${unit}:`,
+  atCursor: (symbol, unit) => `*${symbol}* in ${unit}:`,
   driveForce: 'Antrieb',
   panel: {
     title: 'Was das Verfahren wirklich simuliert',

@@ -57,7 +57,7 @@ export const simulate = {
   toStart: 'Back to the start',
   stepOn: 'A tenth of a period on',
   cursor: 'Time of the cursor',
-  atCursor: (symbol: string, unit: string) => `at the cursor, *${symbol}* in ${unit}:`,
+  atCursor: (symbol: string, unit: string) => `*${symbol}* in ${unit}:`,
   driveForce: 'drive',
   panel: {
     title: 'What the method really simulates',
