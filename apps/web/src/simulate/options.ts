@@ -60,11 +60,17 @@ const units: Record<string, string> = {
 }
 
 /** A study file for `cromer report`: the same runs and a figure of them. */
-export function studyFile(s: SimulateState, title: string): string {
+export function studyFile(s: SimulateState, title: string, caption: string, names: Record<string, string>): string {
   const lines = [`title = "${title}"`, '', '[[task]]', 'simulate = "run"']
   for (const [name, value] of lawOptions(s)) lines.push(`${name.replaceAll('-', '_')} = "${value} ${units[name]}"`)
   lines.push(`method = [${methodsOf(s).map((name) => `"${name}"`).join(', ')}]`)
   lines.push(`step = "${s.step} s"`, `until = "${s.until} s"`, '')
+  lines.push('[[figure]]', 'id = "position"', `title = "${title}"`, `caption = "${caption}"`, 'size = "wide"', 'x = "t"', 'y = "x"')
+  lines.push('x_name = "time *t* (s)"', 'y_name = "position *x* (m)"', '')
+  methodsOf(s).forEach((name, i) => {
+    const role = name === referenceOf(s) ? 'exact' : name
+    lines.push('[[figure.curve]]', `of = "run.${i + 1}"`, `role = "${role}"`, `name = "${names[name] ?? name}"`, '')
+  })
   return lines.join('\n')
 }
 

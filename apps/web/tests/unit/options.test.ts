@@ -8,7 +8,7 @@ test('the command line says all that differs from nothing', () => {
     'cromer simulate --mass 1 --stiffness 9 --damping 0.2 --drive-amplitude 1 --drive-frequency 3 --position 0' +
       ' --method exact --method forward-euler --method euler-cromer --method implicit-euler --step 0.025 --until 25',
   )
-  expect(studyFile(simulateDefaults, 'A')).toContain('damping = "0.2 kg/s"')
+  expect(studyFile(simulateDefaults, 'A', 'B', {})).toContain('damping = "0.2 kg/s"')
 })
 
 test('without an exact solution Dormand-Prince stands in', () => {

@@ -59,7 +59,7 @@ export const simulate: typeof en = {
   toStart: 'Zum Anfang',
   stepOn: 'Ein Zehntel einer Periode weiter',
   cursor: 'Zeit des Zeigers',
-  atCursor: (symbol, unit) => `am Zeiger, *${symbol}* in ${unit}:`,
+  atCursor: (symbol, unit) => `*${symbol}* in ${unit}:`,
   driveForce: 'Antrieb',
   panel: {
     title: 'Was das Verfahren wirklich simuliert',
@@ -104,8 +104,9 @@ export const simulate: typeof en = {
   copyCommand: 'Befehl kopieren',
   copyStudy: 'Studie kopieren',
   commandCopied: 'Der Befehl ist kopiert. Er simuliert dasselbe in einem Terminal.',
-  studyCopied: 'Die Studie ist kopiert. Als study.toml sichern, dann: cromer report study.toml',
-  studyTitle: 'Eine Simulation von der Seite',
+  studyCopied: 'Die Studie ist kopiert. Als study.toml sichern, dann: cromer report study.toml -o report',
+  studyTitle: 'Eine Masse an einer Feder, simuliert',
+  studyCaption: 'Ort gegen Zeit, Verfahren für Verfahren.',
   live: {
     grows: (step, method, percent) => `Schritt ${step}: ${method} wächst, ${percent} je Periode.`,
     stable: (step) => `Schritt ${step}: alle Verfahren sind stabil.`,

@@ -57,7 +57,7 @@ export const simulate = {
   toStart: 'Back to the start',
   stepOn: 'A tenth of a period on',
   cursor: 'Time of the cursor',
-  atCursor: (symbol: string, unit: string) => `at the cursor, *${symbol}* in ${unit}:`,
+  atCursor: (symbol: string, unit: string) => `*${symbol}* in ${unit}:`,
   driveForce: 'drive',
   panel: {
     title: 'What the method really simulates',
@@ -102,8 +102,9 @@ export const simulate = {
   copyCommand: 'Copy command',
   copyStudy: 'Copy study file',
   commandCopied: 'The command is copied. It simulates the same in a terminal.',
-  studyCopied: 'The study file is copied. Save it as study.toml, then: cromer report study.toml',
-  studyTitle: 'A simulation from the page',
+  studyCopied: 'The study file is copied. Save it as study.toml, then: cromer report study.toml -o report',
+  studyTitle: 'A mass on a spring, simulated',
+  studyCaption: 'Position against time, method by method.',
   live: {
     grows: (step: string, method: string, percent: string) => `Step ${step}: ${method} grows, ${percent} a cycle.`,
     stable: (step: string) => `Step ${step}: all methods are stable.`,
