@@ -6,7 +6,7 @@ import { defineConfig, type Plugin } from 'vite'
 
 /** The compiled core: what CROMER_WASM names, else the one of the build directory. */
 function coreFile(): string {
-  const files = [process.env.CROMER_WASM, '../../build/page/core.wasm', '/tmp/core.wasm']
+  const files = [process.env.CROMER_WASM, '../../build/page/core.wasm']
   const found = files.find((file) => file && existsSync(file))
   if (!found) throw new Error('no core.wasm: build apps/web/core, or name it in CROMER_WASM')
   return found

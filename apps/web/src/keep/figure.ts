@@ -15,18 +15,18 @@ function scratch(width: number, height: number): CanvasRenderingContext2D {
 }
 
 /** A figure is printed: always in the light colours. */
-async function inLight<T>(draw: () => T | Promise<T>): Promise<T> {
+function inLight<T>(draw: () => T): T {
   const root = document.documentElement
   const before = root.dataset.theme
   root.dataset.theme = 'light'
   try {
-    return await draw()
+    return draw()
   } finally {
     root.dataset.theme = before
   }
 }
 
-export const asSvg = (plot: ShownPlot): Promise<string> =>
+export const asSvg = (plot: ShownPlot): string =>
   inLight(() => {
     const [width, height] = sizeOf(plot)
     const pen = svgPen(canvasPen(scratch(1, 1)).width)

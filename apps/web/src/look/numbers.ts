@@ -41,9 +41,10 @@ export function exactly(value: number): string {
   return significant(value, digits)
 }
 
-/** A part of one as "+0.15 %", signed. */
+/** A part of one as "+0.15 %", signed; below 0.005 % only that it is. */
 export function percent(part: number, digits = 2): string {
   const size = Math.abs(part * 100)
+  if (size > 0 && size < 0.005) return `<${space}${fixed(0.01, 2)}${space}%`
   const text = size >= 0.01 && size < 10 ** (digits - 1) ? fixed(part * 100, size < 1 ? 2 : 1) : significant(part * 100, digits)
   return `${part > 0 ? '+' : ''}${text}${space}%`
 }

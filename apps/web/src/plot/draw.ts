@@ -37,7 +37,7 @@ export function drawAxes(pen: Pen, frame: Frame, x: Axis, y: Axis, look: Look): 
   }
   pen.line([left + 0.5, top, left + 0.5, bottom + 0.5, right, bottom + 0.5], { colour: line, width: 1 })
   const size = look.size + 0.5
-  const before = Math.max(2, left - pen.width(named(y), { size }) / 2)
+  const before = Math.max(2, left - Math.min(40, pen.width(named(y), { size }) / 2))
   pen.text(before, top - 14, named(y), { colour: ink2, size })
   pen.text(right, bottom + 29, named(x), { colour: ink2, size, align: 'right' })
 }
@@ -112,7 +112,7 @@ export function drawWords(pen: Pen, frame: Frame, curves: Curve[], look: Look): 
   }
 }
 
-/** Left of where the curve leaves the frame, so that the word does not lie on it. */
+/** Left of where the curve leaves the frame, else right of it: the word does not lie on it. */
 function insideAt(frame: Frame, curve: Curve, wide: number): number {
   let leaves = frame.right
   for (let i = 0; i < curve.x.length; ++i)
@@ -120,5 +120,6 @@ function insideAt(frame: Frame, curve: Curve, wide: number): number {
       leaves = frame.toX(curve.x[i]!)
       break
     }
-  return Math.max(frame.left + 6, Math.min(leaves, frame.right) - wide - 24)
+  const before = Math.min(leaves, frame.right) - wide - 24
+  return before > frame.left + 6 ? before : Math.min(leaves + 14, frame.right - wide)
 }

@@ -5,7 +5,6 @@ import type { Pen } from './pen'
 export interface ShownPlot {
   name: string
   element: HTMLElement
-  size(): [width: number, height: number]
   draw(pen: Pen, width: number, height: number): void
   table(): { x: Axis; y: Axis; curves: Curve[] }
 }

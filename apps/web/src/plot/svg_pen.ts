@@ -4,10 +4,11 @@ import { pieces, sans, type Pen } from './pen'
 const short = (value: number): string => String(Math.round(value * 100) / 100)
 const safe = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;')
 
+let clips = 0 // of all figures: several stand in one printed page
+
 /** `measure`: of a canvas, for the widths of texts. */
 export function svgPen(measure: Pen['width']): Pen & { done(width: number, height: number, ground: string): string } {
   const parts: string[] = []
-  let clips = 0
   function path(points: ArrayLike<number>): string {
     let text = ''
     let down = false

@@ -24,13 +24,18 @@ function put(part: Partial<Results>): void {
   current = { ...untrack(() => current), ...part }
 }
 
-async function simulate(state: SimulateState): Promise<void> {
+/** False where a newer question took its place. */
+async function simulate(state: SimulateState): Promise<boolean> {
   const options = coreOptions(state)
-  if (!options.some(([name]) => name === 'method')) return put({ runs: [], message: '' })
+  if (!options.some(([name]) => name === 'method')) {
+    put({ runs: [], message: '' })
+    return true
+  }
   const answer = await ask('simulate', options, { channel: 'simulate' })
-  if (!answer) return
+  if (!answer) return false
   if (answer.status === 2) put({ message: answer.document.message })
   else put({ runs: answer.document.runs, message: '' })
+  return true
 }
 
 async function resonate(state: SimulateState): Promise<void> {
@@ -54,18 +59,27 @@ async function bound(state: SimulateState): Promise<void> {
   put({ limits })
 }
 
-/** Keeps the results up to date for as long as the component lives that calls it. */
+/** What the resonance curve depends on. */
+const resonanceKey = (state: SimulateState): string =>
+  JSON.stringify({ ...state, position: 0, velocity: 0, until: 0, quantity: '' })
+const limitsKey = (s: SimulateState): string => [s.mass, s.stiffness, s.damping, isLinear(s)].join()
+const calm = 120 // [ms] of rest before the limits are asked for
+
+/** Keeps the results up to date for as long as the component lives that calls it: first the curves, then the rest. */
 export function followState(): void {
+  let [resonanceFor, limitsFor, timer] = ['', '', 0]
   $effect(() => {
-    void simulate($state.snapshot(page.simulate) as SimulateState)
-  })
-  $effect(() => {
-    const { position: _, velocity: __, until: ___, quantity: ____, ...state } = $state.snapshot(page.simulate) as SimulateState
-    void resonate({ ...state, position: 0, velocity: 0, until: 1, quantity: 'position' })
-  })
-  const law = $derived([page.simulate.mass, page.simulate.stiffness, page.simulate.damping, isLinear(page.simulate)].join())
-  $effect(() => {
-    void law
-    void bound($state.snapshot(page.simulate) as SimulateState)
+    const state = $state.snapshot(page.simulate) as SimulateState
+    void simulate(state).then((newest) => {
+      if (!newest) return
+      if (resonanceFor !== (resonanceFor = resonanceKey(state))) void resonate(state)
+      clearTimeout(timer)
+      if (limitsFor !== limitsKey(state))
+        timer = window.setTimeout(() => {
+          limitsFor = limitsKey(state)
+          void bound(state)
+        }, limitsFor ? calm : 0)
+    })
+    return () => clearTimeout(timer)
   })
 }

@@ -110,5 +110,12 @@ export const simulate: typeof en = {
     stable: (step) => `Schritt ${step}: alle Verfahren sind stabil.`,
     failed: (why) => why,
   },
+  report: {
+    title: 'Eine Masse an einer Feder, simuliert',
+    driven: (force, frequency) => `Eine Kraft von ${force} treibt sie mit ${frequency}.`,
+    free: 'Nichts treibt sie an.',
+    start: (x, v) => `Sie beginnt bei ${x} mit ${v}.`,
+    run: (methods, step, until) => `Verfahren: ${methods}; Schritte von ${step}, bis ${until}.`,
+  },
   openControls: 'Einstellungen zeigen oder verbergen',
 }

@@ -108,5 +108,12 @@ export const simulate = {
     stable: (step: string) => `Step ${step}: all methods are stable.`,
     failed: (why: string) => why,
   },
+  report: {
+    title: 'A mass on a spring, simulated',
+    driven: (force: string, frequency: string) => `A force of ${force} drives it at ${frequency}.`,
+    free: 'Nothing drives it.',
+    start: (x: string, v: string) => `It starts at ${x} with ${v}.`,
+    run: (methods: string, step: string, until: string) => `Methods: ${methods}; steps of ${step}, to ${until}.`,
+  },
   openControls: 'Show or hide the controls',
 }
