@@ -1,6 +1,7 @@
 // The recording that is open, and what the core found in it. None of it is in the address: files stay here.
 import { openCore } from '../core/ask'
 import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
+import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
 import { numberOf } from '../teach/check'
@@ -170,7 +171,8 @@ function show(fit: Fit | null): void {
   const period = fit.derived.period?.value ?? (last - first) / 8
   const spacing = session.series?.spacing ?? 0
   // Few enough samples that each is a dot of its own.
-  const wide = Math.min(last - first, Math.max(20 * spacing, 2.5 * period, Math.min(8.5 * period, 560 * spacing)))
+  const dots = Math.max(120, 0.34 * looks.width)
+  const wide = Math.min(last - first, Math.max(20 * spacing, 2.5 * period, Math.min(8.5 * period, dots * spacing)))
   const from = first + 0.3 * (last - first - wide)
   session.frame = { from, to: from + wide }
 }
