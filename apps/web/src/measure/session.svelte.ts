@@ -114,6 +114,9 @@ function clear(): void {
   Object.assign(session, { fit: null, constant: null, simulated: [], constantAtEnd: null, message: '', frame: null })
 }
 
+const converged = (fit: Fit | string | null): fit is Fit =>
+  fit !== null && typeof fit !== 'string' && fit.status === 'converged'
+
 const bic = (fit: Fit) => fit.candidates.find((each) => each.law === fit.law)?.bic ?? Infinity
 
 /// Two laws first, which takes a moment; then, unless one was chosen, all of them.
@@ -133,18 +136,16 @@ async function refit(): Promise<void> {
   }
   const constant = await fitOf('viscous')
   if (mine !== turn) return
-  if (typeof constant === 'string' || constant === null || constant.status !== 'converged') {
-    const why = typeof constant === 'string' ? constant : (constant?.message ?? constant?.status ?? '')
-    session.constant = null
-    if (state.law === 'viscous' || typeof constant === 'string' || state.law === '') return settle(mine, null, why)
-  } else session.constant = constant
+  if (typeof constant === 'string') return settle(mine, null, constant)
+  session.constant = converged(constant) ? constant : null
   let best = state.law === 'viscous' ? constant : await fitOf(state.law || 'viscous+drag')
   if (mine !== turn) return
   if (state.law === '') {
-    if (typeof best === 'string' || best?.status !== 'converged' || (session.constant && bic(session.constant) < bic(best)))
-      best = constant
-    show(best as Fit)
-    session.busy = 'more'
+    const quick = [constant, best].filter(converged).sort((a, b) => bic(a) - bic(b))[0]
+    if (quick) {
+      show(quick)
+      session.busy = 'more'
+    }
     best = await fitOf('')
     if (mine !== turn) return
   }
