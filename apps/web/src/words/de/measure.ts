@@ -171,7 +171,7 @@ export const measure: typeof en = {
     velocityAxis: (unit) => ['Geschwindigkeit ', 'v', ` (${unit})`],
     displacementAxis: (unit) => ['Auslenkung ', 'x', ` (${unit})`],
     exact: 'exaktes Gesetz',
-    show: 'Simulationen dieses Gesetzes zeigen',
+    show: 'Simulationen zeigen',
     hide: 'Simulationen ausblenden',
     says: (method, amplitude, phase) =>
       `${method}: Am Ende hat die Amplitude ${amplitude} von der des Gesetzes, die Phase weicht um ${phase} ab.`,

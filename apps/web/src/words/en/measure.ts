@@ -171,7 +171,7 @@ export const measure = {
     velocityAxis: (unit: string) => ['velocity ', 'v', ` (${unit})`],
     displacementAxis: (unit: string) => ['displacement ', 'x', ` (${unit})`],
     exact: 'exact law',
-    show: 'Show simulations of this law',
+    show: 'Show simulations',
     hide: 'Hide the simulations',
     says: (method: string, amplitude: string, phase: string) =>
       `${method}: the amplitude at the end is ${amplitude} of the law’s, its phase off by ${phase}.`,
