@@ -48,7 +48,8 @@ function shortest(low: number, high: number, to: string): string {
   const places = placesOf((high - low) / 2)
   if (places < 5) return interval(low, high, to)
   const [a, b] = [rounded(low, places - 1), rounded(high, places - 1)]
-  return `${grouped(a)}\u00a0${to}\u00a0…${b.slice(firstDifference(a, b) === a.length ? -3 : Math.min(firstDifference(a, b), b.length - 3))}`
+  if (firstDifference(a, b) < 4) return `${grouped(a)}\u00a0${to} ${grouped(b)}`
+  return `${grouped(a)}\u00a0${to} …${b.slice(firstDifference(a, b) === a.length ? -3 : Math.min(firstDifference(a, b), b.length - 3))}`
 }
 
 function firstDifference(a: string, b: string): number {

@@ -1,6 +1,7 @@
 // The recording that is open, and what the core found in it. None of it is in the address: files stay here.
 import { openCore } from '../core/ask'
 import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
+import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
 import { numberOf } from '../teach/check'
@@ -113,6 +114,9 @@ function clear(): void {
   Object.assign(session, { fit: null, constant: null, simulated: [], constantAtEnd: null, message: '', frame: null })
 }
 
+const converged = (fit: Fit | string | null): fit is Fit =>
+  fit !== null && typeof fit !== 'string' && fit.status === 'converged'
+
 const bic = (fit: Fit) => fit.candidates.find((each) => each.law === fit.law)?.bic ?? Infinity
 
 /// Two laws first, which takes a moment; then, unless one was chosen, all of them.
@@ -132,18 +136,16 @@ async function refit(): Promise<void> {
   }
   const constant = await fitOf('viscous')
   if (mine !== turn) return
-  if (typeof constant === 'string' || constant === null || constant.status !== 'converged') {
-    const why = typeof constant === 'string' ? constant : (constant?.message ?? constant?.status ?? '')
-    session.constant = null
-    if (state.law === 'viscous' || typeof constant === 'string' || state.law === '') return settle(mine, null, why)
-  } else session.constant = constant
+  if (typeof constant === 'string') return settle(mine, null, constant)
+  session.constant = converged(constant) ? constant : null
   let best = state.law === 'viscous' ? constant : await fitOf(state.law || 'viscous+drag')
   if (mine !== turn) return
   if (state.law === '') {
-    if (typeof best === 'string' || best?.status !== 'converged' || (session.constant && bic(session.constant) < bic(best)))
-      best = constant
-    show(best as Fit)
-    session.busy = 'more'
+    const quick = [constant, best].filter(converged).sort((a, b) => bic(a) - bic(b))[0]
+    if (quick) {
+      show(quick)
+      session.busy = 'more'
+    }
     best = await fitOf('')
     if (mine !== turn) return
   }
@@ -170,7 +172,8 @@ function show(fit: Fit | null): void {
   const period = fit.derived.period?.value ?? (last - first) / 8
   const spacing = session.series?.spacing ?? 0
   // Few enough samples that each is a dot of its own.
-  const wide = Math.min(last - first, Math.max(20 * spacing, 2.5 * period, Math.min(8.5 * period, 560 * spacing)))
+  const dots = Math.max(120, 0.34 * looks.width)
+  const wide = Math.min(last - first, Math.max(20 * spacing, 2.5 * period, Math.min(8.5 * period, dots * spacing)))
   const from = first + 0.3 * (last - first - wide)
   session.frame = { from, to: from + wide }
 }

@@ -159,7 +159,8 @@ export const measure: typeof en = {
     reynolds: 'Die Strömung ist nicht laminar.',
     reynoldsWhy: (largest) =>
       `Die Reynolds-Zahl erreicht ${largest}: ein Widerstand mit dem Quadrat der Geschwindigkeit ist zu erwarten.`,
-    core: 'Der Rechenkern meldet'
+    core: 'Der Rechenkern meldet',
+    more: (count) => `${count} weitere`
   },
   overlay: {
     title: 'Das Gesetz, simuliert',
@@ -170,13 +171,13 @@ export const measure: typeof en = {
     velocityAxis: (unit) => ['Geschwindigkeit ', 'v', ` (${unit})`],
     displacementAxis: (unit) => ['Auslenkung ', 'x', ` (${unit})`],
     exact: 'exaktes Gesetz',
-    show: 'Simulationen dieses Gesetzes zeigen',
+    show: 'Simulationen zeigen',
     hide: 'Simulationen ausblenden',
     says: (method, amplitude, phase) =>
       `${method}: Am Ende hat die Amplitude ${amplitude} von der des Gesetzes, die Phase weicht um ${phase} ab.`,
     grown: (method) => `${method} wächst bei diesem Schritt ohne Ende.`,
     constantEnd: (off) => `Mit einer festen Abklingrate liegt die Amplitude am Ende um ${off} daneben.`,
-    step: (step) => `Schritt ${step}`
+    step: (step) => `Schritt ${step}.`
   },
   command: 'Befehl kopieren',
   commandCopied: 'Der Befehl ist kopiert.',

@@ -159,7 +159,8 @@ export const measure = {
     reynolds: 'The flow is not the laminar one.',
     reynoldsWhy: (largest: string) =>
       `The Reynolds number reaches ${largest}: drag with the square of the speed is to be expected.`,
-    core: 'The core says'
+    core: 'The core says',
+    more: (count: number) => `${count} more`
   },
   overlay: {
     title: 'The law, simulated',
@@ -170,13 +171,13 @@ export const measure = {
     velocityAxis: (unit: string) => ['velocity ', 'v', ` (${unit})`],
     displacementAxis: (unit: string) => ['displacement ', 'x', ` (${unit})`],
     exact: 'exact law',
-    show: 'Show simulations of this law',
+    show: 'Show simulations',
     hide: 'Hide the simulations',
     says: (method: string, amplitude: string, phase: string) =>
       `${method}: the amplitude at the end is ${amplitude} of the law’s, its phase off by ${phase}.`,
     grown: (method: string) => `${method} grows without end at this step.`,
     constantEnd: (off: string) => `With one constant decay rate the amplitude at the end is off by ${off}.`,
-    step: (step: string) => `step ${step}`
+    step: (step: string) => `Step ${step}.`
   },
   command: 'Copy command',
   commandCopied: 'The command is copied.',

@@ -1,0 +1,234 @@
+// Measure in a real browser, on the built file from disk: node tests/browser/measure.mjs
+import assert from 'node:assert/strict'
+import { existsSync } from 'node:fs'
+import { readFile } from 'node:fs/promises'
+import { createRequire } from 'node:module'
+import { basename } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { flawed, recordings, twoRuns } from './dialects.mjs'
+import { check, finish, launch, open } from './harness.mjs'
+
+const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
+const browser = await launch()
+
+async function measure(options = {}) {
+  const opened = await open(browser, options)
+  await opened.page.locator('header nav a').nth(1).click()
+  return opened
+}
+async function drop(page, name, content) {
+  const data = await page.evaluateHandle(([name, bytes]) => {
+    const transfer = new DataTransfer()
+    transfer.items.add(new File([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))], name))
+    return transfer
+  }, [name, Buffer.from(content).toString('base64')])
+  await page.dispatchEvent('main', 'dragover', { dataTransfer: data })
+  await page.dispatchEvent('main', 'drop', { dataTransfer: data })
+}
+const idle = (page, seconds = 90) =>
+  page.waitForFunction(() => document.querySelector('.fit') && !document.querySelector('.fit[aria-busy=true]'), null, { timeout: 1000 * seconds })
+const settled = async (page, seconds) => {
+  await page.waitForTimeout(350) // the settings rest for 160 ms before they are asked for
+  await idle(page, seconds)
+}
+const value = (page, quantity) => page.locator(`[data-quantity=${quantity}]`).innerText()
+const numberIn = (text) => Number(text.replace(/\u202f/g, '').match(/[\d.]+/)[0])
+const faultless = async (page, what) => {
+  await page.addScriptTag({ path: axe })
+  const found = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }))
+  const serious = found.violations.filter((each) => ['serious', 'critical'].includes(each.impact))
+  assert.deepEqual(serious.map((each) => `${each.id}: ${each.nodes[0].html.slice(0, 160)} ${each.nodes[0].failureSummary}`), [], what)
+}
+
+{
+  const { page, faults, context } = await measure()
+  await check('an empty page says what to do', async () => {
+    assert.match(await page.locator('.zone h1').innerText(), /Drop a recording here/)
+    assert.equal(await page.locator('.examples button').count(), 3)
+    await faultless(page, 'empty')
+  })
+  await check('a bad file is refused with the core’s message', async () => {
+    await drop(page, 'poem.txt', 'no table\njust words\n')
+    await page.getByRole('alert').waitFor()
+    assert.match(await page.getByRole('alert').innerText(), /could not be read.*poem\.txt: no rows of numbers/)
+    assert.equal(await page.locator('.zone').count(), 1)
+  })
+  for (const [dialect, name, content] of recordings)
+    await check(`${dialect}: ${name} is read and fitted`, async () => {
+      await drop(page, name, content)
+      await page.locator('.row', { hasText: name }).waitFor({ timeout: 20000 })
+      assert.match(await page.locator('.row').innerText(), new RegExp(dialect, 'i'))
+      await page.locator('[data-quantity=frequency]').waitFor({ timeout: 60000 })
+      assert.ok(Math.abs(numberIn(await value(page, 'frequency')) - 1.5) < 0.003, await value(page, 'frequency'))
+    })
+  await check('a bad file leaves what is open', async () => {
+    await drop(page, 'bad.csv', 'Time (s),Position (m)\n0,1\n0.1,2\n0.2,abc\n0.3,1\n')
+    await page.getByRole('alert').waitFor()
+    assert.match(await page.getByRole('alert').innerText(), /bad\.csv:4: .*abc/)
+    assert.match(await page.locator('.row').innerText(), /latin\.csv/)
+    await page.locator('[data-quantity=frequency]').waitFor()
+  })
+  await check('spikes and gaps are counted', async () => {
+    await drop(page, 'flawed.csv', flawed)
+    await page.locator('.row', { hasText: 'flawed.csv' }).waitFor()
+    await page.locator('[data-quantity=frequency]').waitFor({ timeout: 60000 })
+    assert.match(await page.locator('.row').innerText(), /1 spike set aside, 1 gap of 0\.70\u00a0s/)
+  })
+  await check('runs without times ask for the rate, then fit', async () => {
+    await drop(page, 'runs.csv', twoRuns)
+    await page.locator('#rate').waitFor()
+    await page.locator('.fit ~ *, .bad').first().waitFor()
+    await page.locator('#rate').fill('50')
+    await page.keyboard.press('Enter')
+    await page.locator('[data-quantity=frequency]').waitFor({ timeout: 60000 })
+    await page.getByLabel('Run', { exact: true }).selectOption('2')
+    await settled(page)
+    assert.ok(Math.abs(numberIn(await value(page, 'frequency')) - 1.5) < 0.003)
+  })
+  await check('a pasted table is read', async () => {
+    await page.evaluate((text) => {
+      const data = new DataTransfer()
+      data.setData('text', text)
+      window.dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true }))
+    }, recordings[11][2])
+    await page.locator('.row', { hasText: 'pasted.csv' }).waitFor()
+    await page.locator('[data-quantity=frequency]').waitFor({ timeout: 60000 })
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
+{
+  const { page, faults, context } = await measure()
+  await check('the second lab’s story in a few clicks', async () => {
+    await page.locator('.examples button').first().click()
+    await page.locator('[data-quantity=stiffness]').waitFor({ timeout: 60000 })
+    await settled(page)
+    assert.match(await value(page, 'stiffness'), /17\.040\u00a0±\u00a00\.023\u00a0N\/m/)
+    assert.match(await page.locator('.panel').innerText(), /One decay rate is not enough\. It falls from 0\.01\d+ to 0\.00\d+ 1\/s/)
+    assert.match(await page.locator('.panel').innerText(), /The mass limits k\./)
+    await faultless(page, 'fitted')
+  })
+  await check('handles move by keys alone, one sample and ten', async () => {
+    const start = page.getByRole('slider', { name: 'start of the free part' })
+    await start.focus()
+    await page.keyboard.press('ArrowRight')
+    assert.equal(Number(await start.getAttribute('aria-valuenow')), 0.01)
+    await page.keyboard.press('Shift+ArrowRight')
+    assert.equal(Number(await start.getAttribute('aria-valuenow')), 0.11)
+    const end = page.getByRole('slider', { name: 'end of the free part' })
+    await end.focus()
+    await page.keyboard.press('PageDown')
+    assert.equal(Number(await end.getAttribute('aria-valuenow')), 114)
+    await settled(page)
+    assert.match(await page.locator('code').getAttribute('title'), /--from 0\.11 --to 114/)
+    await page.getByRole('button', { name: 'Undo', exact: true }).click()
+    assert.equal(Number(await end.getAttribute('aria-valuenow')), 120)
+  })
+  await check('handles follow the pointer', async () => {
+    const start = page.getByRole('slider', { name: 'start of the free part' })
+    const box = await start.boundingBox()
+    await page.mouse.move(box.x + box.width / 2, box.y + 60)
+    await page.mouse.down()
+    await page.mouse.move(box.x + box.width / 2 + 100, box.y + 60, { steps: 6 })
+    await page.mouse.up()
+    assert.ok(Number(await start.getAttribute('aria-valuenow')) > 8)
+  })
+  await check('the page is alive while it fits, and a fit can be superseded', async () => {
+    const end = page.getByRole('slider', { name: 'end of the free part' })
+    await end.focus()
+    const frames = await page.evaluate(async () => {
+      const gaps = []
+      let last = performance.now()
+      const until = last + 2500
+      window.scrollTo(0, 0)
+      return new Promise((resolve) => {
+        const tick = () => {
+          const now = performance.now()
+          gaps.push(now - last)
+          last = now
+          if (now < until) requestAnimationFrame(tick)
+          else resolve({ worst: Math.max(...gaps), count: gaps.length })
+        }
+        requestAnimationFrame(tick)
+        const handle = document.activeElement
+        for (let i = 0; i < 8; ++i)
+          setTimeout(() => handle.dispatchEvent(new KeyboardEvent('keydown', { key: 'PageDown', bubbles: true })), 250 * i)
+      })
+    })
+    assert.ok(frames.worst < 400, `a frame took ${frames.worst} ms`)
+    assert.equal(Number(await end.getAttribute('aria-valuenow')), 72)
+    await settled(page)
+    assert.match(await page.locator('.caption', { hasText: 'Free part' }).innerText(), /72\.00/)
+  })
+  await check('another law can be chosen, and a bad mass says so', async () => {
+    await page.locator('header select[aria-label="choose another"]').selectOption('viscous')
+    await settled(page)
+    assert.match(await page.locator('.panel').innerText(), /viscous, as you chose/)
+    await page.getByRole('button', { name: 'change' }).click()
+    await page.locator('[data-field=mass]').fill('217 parsnips')
+    await page.keyboard.press('Enter')
+    await page.locator('[data-field=mass][aria-invalid=true]').waitFor()
+    await page.locator('[data-field=mass]').fill('0,2176 ± 0,0003 kg')
+    await page.keyboard.press('Enter')
+    await page.locator('[data-quantity=stiffness]').waitFor({ timeout: 30000 })
+  })
+  await check('simulations of the law lie beside it', async () => {
+    await page.locator('header select[aria-label="choose another"]').selectOption('viscous+drag')
+    await settled(page)
+    await page.getByRole('button', { name: 'Show simulations' }).click()
+    await page.locator('.legend', { hasText: 'Euler-Cromer' }).waitFor({ timeout: 30000 })
+    await settled(page)
+    assert.match(await page.locator('.plots').first().innerText(), /With one constant decay rate the amplitude at the end is off by [+−]/)
+    await faultless(page, 'overlay')
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
+{
+  const { page, faults, context } = await measure({ width: 390, height: 844, locale: 'de-DE', colorScheme: 'dark', hasTouch: true })
+  await check('German, dark, on a phone', async () => {
+    assert.match(await page.locator('.zone h1').innerText(), /Eine Aufnahme hier ablegen/)
+    await page.locator('.examples button').nth(1).click()
+    await page.locator('[data-quantity=stiffness]').waitFor({ timeout: 60000 })
+    await settled(page)
+    assert.match(await value(page, 'stiffness'), /16,\d+\u00a0±/)
+    assert.match(await page.locator('.panel').innerText(), /Eine Abklingrate genügt\./)
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page is wider than the phone')
+    await faultless(page, 'phone')
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
+const shared = process.env.CROMER_DATA ?? fileURLToPath(new URL('../../../../../shared/data/', import.meta.url))
+const measured = [
+  ['spring-disc-pasco/molla_dura_discopieno_0.1223kg.csv', 'PASCO Capstone, decimal comma', /1\.2\d+/],
+  ['pendulum-tracker/8047.txt', 'Tracker', /0\.41\d+/],
+  ['pendulum-phyphox/RawData_converted_from_xls.csv', 'phyphox', /0\.7\d+/],
+  ['pendulum-plain/lab1_data.txt', 'plain', /\d/],
+]
+if (!existsSync(shared)) console.log(`skip  measured recordings: ${shared} is not there`)
+else {
+  const { page, faults, context } = await measure()
+  for (const [file, dialect, frequency] of measured)
+    await check(`measured: ${file}`, async () => {
+      await drop(page, basename(file), await readFile(shared + file))
+      await page.locator('.row', { hasText: basename(file) }).waitFor({ timeout: 20000 })
+      assert.match(await page.locator('.row').innerText(), new RegExp(dialect))
+      await page.locator('[data-quantity=frequency]').waitFor({ timeout: 90000 })
+      assert.match(await value(page, 'frequency'), frequency)
+    })
+  await check('a recording without a swing is not fitted, and it is said', async () => {
+    await drop(page, 'train2.txt', await readFile(`${shared}seismometer-datastudio/train2.txt`))
+    await page.locator('.row', { hasText: 'train2.txt' }).waitFor()
+    await page.getByRole('alert').waitFor({ timeout: 60000 })
+    assert.equal(await page.locator('[data-quantity]').count(), 0)
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
+await browser.close()
+finish()
