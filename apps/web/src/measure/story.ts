@@ -60,9 +60,10 @@ function limits(fit: Fit, words: Words): Sentence[] {
   }
   const uncertainty = `${rounded(stiffness.standard_error, placesOf(stiffness.standard_error))}${space}N/m`
   const rest = 1 - mass.share
-  const restText = rest < 0.001 ? `0.1${space}%`.replace('0.1', significant(0.1, 1)) : percent(rest, 2).slice(1)
+  const text =
+    rest < 0.001 ? words.story.limitsAll(uncertainty) : words.story.limitsWhy(uncertainty, percent(rest, 2).slice(1))
   const title = words.story.limits('k').join('')
-  return [{ kind: 'note', title, text: words.story.limitsWhy(uncertainty, restText) }]
+  return [{ kind: 'note', title, text }]
 }
 
 function flow(fit: Fit, words: Words): Sentence[] {

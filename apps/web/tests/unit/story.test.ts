@@ -45,6 +45,12 @@ describe('the story', () => {
     const pieces = [piece(0.05, 0.1, 0.001), piece(0.04, 0.1, 0.001), piece(0.03, 0.1, 0.001), piece(0.0004, 300, 90)]
     expect(said({ law: 'friction', decay_by_amplitude: pieces })).toEqual([])
   })
+  it('does not name a rest that is nothing', () => {
+    const budget = [{ quantity: 'mass', standard_uncertainty: 0.0003, share: 0.999999 }] as unknown as Fit['stiffness_budget']
+    expect(said({ stiffness_budget: budget })[1]).toBe(
+      'The mass limits k. Of its ± 0.024\u00a0N/m, the balance causes practically all.'
+    )
+  })
   it('names what limits k', () => {
     const budget = [{ quantity: 'mass', standard_uncertainty: 0.0003, share: 0.99 }] as unknown as Fit['stiffness_budget']
     expect(said({ stiffness_budget: budget })[1]).toBe(

@@ -154,6 +154,7 @@ export const measure: typeof en = {
     enoughWhy: (rate) => `Bei jeder Amplitude ist sie ${rate} im Rahmen ihrer Unsicherheit.`,
     limits: (of) => ['Die Masse begrenzt ', of, '.'],
     limitsWhy: (uncertainty, rest) => `Von ihren ± ${uncertainty} verursacht die Waage alles bis auf ${rest}.`,
+    limitsAll: (uncertainty) => `Von ihren ± ${uncertainty} verursacht die Waage praktisch alles.`,
     timeLimits: 'Die Aufnahme begrenzt k.',
     timeLimitsWhy: (part) => `Die Waage verursacht ${part} der Unsicherheit.`,
     reynolds: 'Die Strömung ist nicht laminar.',

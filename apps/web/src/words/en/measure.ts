@@ -154,6 +154,7 @@ export const measure = {
     enoughWhy: (rate: string) => `At every amplitude it is ${rate} within its uncertainty.`,
     limits: (of: string) => ['The mass limits ', of, '.'],
     limitsWhy: (uncertainty: string, rest: string) => `Of its ± ${uncertainty}, the balance causes all but ${rest}.`,
+    limitsAll: (uncertainty: string) => `Of its ± ${uncertainty}, the balance causes practically all.`,
     timeLimits: 'The recording limits k.',
     timeLimitsWhy: (part: string) => `The balance causes ${part} of its uncertainty.`,
     reynolds: 'The flow is not the laminar one.',
