@@ -36,7 +36,7 @@ export interface LiveFit {
 }
 
 export type LiveEvent =
-  | { is: 'open' } // connected, maybe again, or a recording ordered: all is told from its first sample on
+  | { is: 'open' } // connected, maybe again: everything is told from the recording's first sample on
   | { is: 'away' } // the server does not answer
   | { is: 'status'; data: LiveStatus }
   | { is: 'samples'; data: LiveSamples }
@@ -46,7 +46,6 @@ export type LiveEvent =
 export interface Live {
   status: LiveStatus | null
   away: boolean
-  cleared: boolean // what came since is of the recording that the next status names
   t: number[] // the last seconds
   values: number[][]
   seen: number // rows told so far
@@ -55,23 +54,23 @@ export interface Live {
 }
 
 const nothing = { t: [], values: [], seen: 0, notices: [], fit: null }
-export const noLive: Live = { status: null, away: false, cleared: true, ...nothing }
+export const noLive: Live = { status: null, away: false, ...nothing }
 
 /// How much is kept to be plotted [s].
 export const shownSeconds = 10
 const mostRows = 20_000
 
 /// The state after `event`. Another recording, or a new connection, begins
-/// anew.
+/// anew: of each recording the server tells the status first.
 export function after(live: Live, event: LiveEvent): Live {
   switch (event.is) {
     case 'open':
-      return { ...live, away: false, cleared: true, ...nothing }
+      return { ...live, away: false, ...nothing }
     case 'away':
       return { ...live, away: true }
     case 'status': {
-      const other = event.data.recording !== live.status?.recording && !live.cleared
-      return { ...live, ...(other ? nothing : {}), away: false, cleared: false, status: event.data }
+      const other = event.data.recording !== live.status?.recording
+      return { ...live, ...(other ? nothing : {}), away: false, status: event.data }
     }
     case 'samples':
       return withSamples(event.data.first === 0 ? { ...live, t: [], values: [], seen: 0 } : live, event.data)

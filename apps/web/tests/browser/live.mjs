@@ -138,6 +138,7 @@ try {
     const { page, faults, context } = await measure(address, { viewport: { width: 390, height: 844 }, locale: 'de-DE', colorScheme: 'dark', hasTouch: true })
     await check('a second one, in German on a phone, is its own file', async () => {
       await page.getByRole('button', { name: 'Aufnahme beginnen' }).click()
+      await page.getByRole('button', { name: 'Beenden und öffnen' }).waitFor()
       await page.waitForFunction(() => Number(document.querySelector('[data-live=samples]')?.textContent) > 300, null, { timeout: 30000 })
       assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page is wider than the phone')
       if (process.env.CROMER_PICTURE) await page.screenshot({ path: process.env.CROMER_PICTURE.replace('.png', '-phone.png') })
