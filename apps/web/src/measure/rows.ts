@@ -19,7 +19,8 @@ type Words = typeof measure
 const withMass = ['stiffness', 'damping', 'drag_constant', 'friction_force', 'cubic_stiffness', 'drag_coefficient']
 const withoutMass = ['angular_frequency', 'decay_rate', 'drag', 'friction', 'cubic']
 
-export function rowsOf(fit: Fit, words: Words): Row[] {
+/// A live fit has no Reynolds number.
+export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynolds'>, words: Words): Row[] {
   const keys = fit.parameters.stiffness ? withMass : withoutMass
   const rows = keys.flatMap((key) => rowOf(key, fit.parameters[key], words))
   rows.push(...rowOf('frequency', fit.derived.frequency, words))

@@ -22,6 +22,25 @@ export const measure: typeof en = {
     plain: { name: 'Einfache Dämpfung', about: '200,8 g, 40 s: eine Abklingrate beschreibt sie' },
     rubbing: { name: 'Trockene Reibung', about: '250 g, 12 s: reibt an einer Führung und bleibt stehen' }
   },
+  live: {
+    title: 'Live aufnehmen',
+    from: 'von',
+    into: (file) => `in ${file}`,
+    isIn: (file) => `die letzte steht in ${file}`,
+    start: 'Aufnahme beginnen',
+    stop: 'Beenden und öffnen',
+    open: 'Hier öffnen',
+    rate: 'Messwerte je Sekunde',
+    duration: 'Dauer',
+    value: 'Wert',
+    waiting: 'Der erste Messwert wird erwartet.',
+    noFit: 'Noch keine Schwingung, die sich anpassen lässt.',
+    happened: (count) => (count === 1 ? 'Was geschah' : `Was geschah: ${count} Ereignisse, das letzte zuerst`),
+    started: (file) => `Die Aufnahme in ${file} hat begonnen.`,
+    ended: (file, samples) => `Die Aufnahme in ${file} ist beendet: ${samples} Messwerte.`,
+    away: 'Das aufnehmende Programm antwortet nicht; es wird weiter gefragt.',
+    notHad: (file) => `${file} ließ sich vom aufnehmenden Programm nicht holen.`
+  },
   synthetic: 'synthetisch: simuliert',
   dropped: 'eben gelesen',
   file: {

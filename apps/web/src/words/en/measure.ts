@@ -20,6 +20,25 @@ export const measure = {
     plain: { name: 'Plain damping', about: '200.8 g, 40 s: one decay rate describes it' },
     rubbing: { name: 'Dry friction', about: '250 g, 12 s: rubs on a guide, and stops' }
   },
+  live: {
+    title: 'Record live',
+    from: 'from',
+    into: (file: string) => `into ${file}`,
+    isIn: (file: string) => `the last one is in ${file}`,
+    start: 'Start recording',
+    stop: 'Stop and open',
+    open: 'Open it here',
+    rate: 'Samples per second',
+    duration: 'Duration',
+    value: 'value',
+    waiting: 'The first sample is waited for.',
+    noFit: 'No swing to fit so far.',
+    happened: (count: number) => (count === 1 ? 'What happened' : `What happened: ${count} events, the last first`),
+    started: (file: string) => `Recording into ${file} has begun.`,
+    ended: (file: string, samples: number) => `Recording into ${file} has ended: ${samples} samples.`,
+    away: 'The program that records does not answer; it is asked again.',
+    notHad: (file: string) => `${file} could not be fetched from the program that records.`
+  },
   synthetic: 'synthetic: simulated',
   dropped: 'read just now',
   file: {

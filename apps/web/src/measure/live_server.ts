@@ -1,0 +1,42 @@
+// The server that gave this page, where it is one that records: `cromer serve --from`. Opened from disk there is
+// none, and nothing is asked.
+import type { LiveEvent, LiveStatus } from './live'
+
+const served = () => location.protocol === 'http:' || location.protocol === 'https:'
+
+/// What can be recorded from; null where nothing can, or no such server is there.
+export async function statusOfServer(): Promise<LiveStatus | null> {
+  if (!served()) return null
+  try {
+    const answer = await fetch('/api/status')
+    if (!answer.ok || !answer.headers.get('content-type')?.startsWith('application/json')) return null
+    const status = (await answer.json()) as LiveStatus
+    return typeof status.source === 'string' ? status : null
+  } catch {
+    return null
+  }
+}
+
+/// Tells what happens until the returned function is called. A lost connection is tried again by the browser.
+export function listen(tell: (event: LiveEvent) => void): () => void {
+  const events = new EventSource('/api/events')
+  events.onopen = () => tell({ is: 'open' })
+  events.onerror = () => tell({ is: 'away' })
+  for (const is of ['status', 'samples', 'notices', 'fit'] as const)
+    events.addEventListener(is, (event) => tell({ is, data: JSON.parse(event.data as string) } as LiveEvent))
+  return () => events.close()
+}
+
+/// Starts or stops. The status then; where it was refused, the server's message.
+export async function order(what: 'record' | 'stop'): Promise<LiveStatus | string> {
+  const answer = await fetch(`/api/${what}`, { method: 'POST' })
+  const said = (await answer.json()) as LiveStatus & { message?: string }
+  return answer.ok ? said : (said.message ?? String(answer.status))
+}
+
+/// A finished recording, as it is in its file. Throws where it cannot be had.
+export async function recordingNamed(name: string): Promise<Uint8Array> {
+  const answer = await fetch(`/api/recordings/${encodeURIComponent(name)}`)
+  if (!answer.ok) throw new Error(`${name}: ${answer.status}`)
+  return new Uint8Array(await answer.arrayBuffer())
+}
