@@ -1,5 +1,6 @@
 // Least and greatest value of any stretch of a long recording, quickly: what a plot needs of 10^6 samples is
 // two numbers for each column of pixels.
+import { firstFrom } from '../plot/decimate'
 
 /// Levels of pairs: level k holds least and greatest of every 16^(k+1) samples. NaN is left out; where all of a
 /// stretch is missing both are NaN.
@@ -72,18 +73,6 @@ export function rangeOf(pyramid: Pyramid, first: number, end: number): [number, 
   return [least, greatest]
 }
 
-/// The first index with t[i] >= at; t rises.
-export function indexAt(t: Float64Array, at: number): number {
-  let low = 0
-  let high = t.length
-  while (low < high) {
-    const middle = (low + high) >> 1
-    if (t[middle]! < at) low = middle + 1
-    else high = middle
-  }
-  return low
-}
-
 export interface Columns {
   t: Float64Array // the middle of each column [s]
   low: Float64Array
@@ -95,9 +84,9 @@ export interface Columns {
 export function columnsOf(pyramid: Pyramid, t: Float64Array, from: number, to: number, count: number): Columns {
   const columns = { t: new Float64Array(count), low: new Float64Array(count), high: new Float64Array(count) }
   const width = (to - from) / count
-  let first = indexAt(t, from)
+  let first = firstFrom(t, from)
   for (let i = 0; i < count; ++i) {
-    const end = indexAt(t, from + (i + 1) * width)
+    const end = firstFrom(t, from + (i + 1) * width)
     const [low, high] = first < end ? rangeOf(pyramid, first, Math.min(end + 1, t.length)) : [NaN, NaN]
     columns.t[i] = from + (i + 0.5) * width
     columns.low[i] = low

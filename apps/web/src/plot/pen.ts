@@ -49,6 +49,16 @@ export function canvasPen(context: CanvasRenderingContext2D): Pen {
       }
     }
   }
+  /** The shape traced last. */
+  function paint(fill: string, edge?: string): void {
+    c.fillStyle = fill
+    c.fill()
+    if (!edge) return
+    c.strokeStyle = edge
+    c.lineWidth = 1.5
+    c.setLineDash([])
+    c.stroke()
+  }
   const pen: Pen = {
     line(points, { colour, width, dash = [], round = true }) {
       trace(points)
@@ -67,24 +77,12 @@ export function canvasPen(context: CanvasRenderingContext2D): Pen {
     box(x, y, width, height, fill, edge, radius = 0) {
       c.beginPath()
       c.roundRect(x, y, width, height, radius)
-      c.fillStyle = fill
-      c.fill()
-      if (!edge) return
-      c.strokeStyle = edge
-      c.lineWidth = 1.5
-      c.setLineDash([])
-      c.stroke()
+      paint(fill, edge)
     },
     dot(x, y, radius, fill, edge) {
       c.beginPath()
       c.arc(x, y, radius, 0, 2 * Math.PI)
-      c.fillStyle = fill
-      c.fill()
-      if (!edge) return
-      c.strokeStyle = edge
-      c.lineWidth = 1.5
-      c.setLineDash([])
-      c.stroke()
+      paint(fill, edge)
     },
     text(x, y, text, { colour, size, bold, align = 'left' }) {
       c.fillStyle = colour

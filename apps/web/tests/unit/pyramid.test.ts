@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest'
-import { columnsOf, indexAt, pyramidOf, rangeOf } from '../../src/measure/pyramid'
+import { columnsOf, pyramidOf, rangeOf } from '../../src/measure/pyramid'
+import { firstFrom } from '../../src/plot/decimate'
 
 /// A motion with holes in it, from a small generator, so that every run sees the same.
 function samples(count: number): Float64Array {
@@ -58,8 +59,8 @@ describe('columns of pixels', () => {
     expect([...columns.low].every(Number.isNaN)).toBe(true)
   })
   it('find the first sample at or after a time', () => {
-    expect(indexAt(t, 0.5)).toBe(50)
-    expect(indexAt(t, -1)).toBe(0)
-    expect(indexAt(t, 99)).toBe(1000)
+    expect(firstFrom(t, 0.5)).toBe(50)
+    expect(firstFrom(t, -1)).toBe(0)
+    expect(firstFrom(t, 99)).toBe(1000)
   })
 })
