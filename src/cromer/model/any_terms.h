@@ -6,11 +6,11 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 #include "cromer/model/drive.h"
+#include "cromer/model/force_terms.h"
 #include "cromer/model/harmonic_force.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
@@ -22,7 +22,9 @@ class AnyTerms {
  public:
   /// Oscillator and force per unit mass; its friction is not looked at. A pendulum's x is an angle [rad].
   AnyTerms(const Oscillator<double>& per_mass, const HarmonicForce<double>& force, bool pendulum = false)
-      : law_(per_mass), force_(force), pendulum_(pendulum) {}
+      : law_(per_mass), force_(force), pendulum_(pendulum ? per_mass.stiffness : 0) {
+    if (pendulum) law_.stiffness = 0;
+  }
 
   /// The same, slowed by a constant friction [m/s^2]; positive slows a positive velocity.
   AnyTerms sliding(double friction) const {
@@ -34,21 +36,19 @@ class AnyTerms {
   /// The force depends on the velocity.
   bool resists() const { return law_.damping != 0 || law_.drag != 0; }
   bool driven() const { return force_.amplitude != 0; }
-  bool linear() const { return law_.cubic == 0 && law_.drag == 0 && !pendulum_; }
+  bool linear() const { return law_.cubic == 0 && law_.drag == 0 && pendulum_ == 0; }
 
   /// [m/s^2]. T is double, or a Dual over it.
   template <class T>
   T acceleration(double t, const T& x, const T& v) const {
-    using std::abs, std::sin;
     T a(0.0);
     if (driven()) a = T(table_ ? (*table_)(t) : force_(t));
     if (law_.drag != 0)
-      a = a - (law_.damping + law_.drag * abs(v)) * v;
+      a = a - resistance_term<true>(law_, v);
     else if (law_.damping != 0)
-      a = a - law_.damping * v;
-    T restoring = pendulum_ ? law_.stiffness * sin(x) : law_.stiffness * x;
-    if (law_.cubic != 0) restoring = restoring + (law_.cubic * x) * (x * x);
-    a = a - restoring;
+      a = a - resistance_term<false>(law_, v);
+    a = a - (law_.cubic != 0 ? restoring_term<true>(law_, x) : restoring_term<false>(law_, x));
+    if (pendulum_ != 0) a = a - pendulum_term(pendulum_, x);
     if (friction_ != 0) a = a - T(friction_);
     return a;
   }
@@ -67,9 +67,8 @@ class AnyTerms {
 
   /// From one zero of the velocity to the next [s], of a linear law without a drive; else infinite.
   double zero_spacing() const {
-    const double b = law_.damping / 2, squared = law_.stiffness - b * b;
-    return linear() && !driven() && squared > 0 ? std::numbers::pi / std::sqrt(squared)
-                                                : std::numeric_limits<double>::infinity();
+    if (!linear() || driven()) return std::numeric_limits<double>::infinity();
+    return cromer::zero_spacing({.decay_rate = law_.damping / 2, .stiffness = law_.stiffness});
   }
 
   /// The first time after t at which the drive turns; infinite without one.
@@ -86,7 +85,7 @@ class AnyTerms {
   Oscillator<double> law_;  // per unit mass; its mass is not used
   HarmonicForce<double> force_;
   double friction_ = 0;  // [m/s^2]
-  bool pendulum_;
+  double pendulum_;      // [rad/s^2] of sin x; 0 where x is no angle, else the spring is
   const TabulatedForce<double>* table_ = nullptr;
 };
 

@@ -15,6 +15,7 @@
 #include "cromer/base/state.h"
 #include "cromer/model/any_terms.h"
 #include "cromer/model/drive.h"
+#include "cromer/model/force_terms.h"
 #include "cromer/model/friction.h"
 #include "cromer/model/harmonic_force.h"
 #include "cromer/model/node_force.h"
@@ -140,21 +141,12 @@ class DrivenOscillator {
  private:
   template <class T>
   T restoring(const T& x) const {
-    if constexpr (terms.cubic)
-      return law_.stiffness * x + (law_.cubic * x) * (x * x);  // two products deep, not three
-    else
-      return law_.stiffness * x;
+    return restoring_term<terms.cubic>(law_, x);
   }
 
   template <class T>
   T resistance(const T& v) const {
-    using std::abs;
-    T r(0);
-    if constexpr (terms.drag)
-      r = (law_.damping + law_.drag * abs(v)) * v;
-    else
-      r = law_.damping * v;
-    return r;
+    return resistance_term<terms.drag>(law_, v);
   }
 
   Oscillator<Real> law_;  // per unit mass; its mass is not used

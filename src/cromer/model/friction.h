@@ -14,6 +14,7 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
+#include "cromer/model/force_terms.h"
 #include "cromer/model/propagate.h"
 
 namespace cromer {
@@ -55,10 +56,8 @@ class Sliding {
   /// From one zero of the velocity to the next [s]: half a period; infinite where the motion does not swing.
   double zero_spacing() const requires requires(const S& smooth) { smooth.free_law(); }
   {
-    const LinearLaw<double> law{.decay_rate = value_of(smooth_.free_law().decay_rate),
-                                .stiffness = value_of(smooth_.free_law().stiffness)};
-    const double squared = law.stiffness - law.decay_rate * law.decay_rate;
-    return squared > 0 ? std::numbers::pi / std::sqrt(squared) : std::numeric_limits<double>::infinity();
+    return cromer::zero_spacing({.decay_rate = value_of(smooth_.free_law().decay_rate),
+                                 .stiffness = value_of(smooth_.free_law().stiffness)});
   }
 
  private:

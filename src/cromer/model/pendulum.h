@@ -1,9 +1,7 @@
 // A pendulum's restoring force beside the other terms of the law.
 #pragma once
 
-#include <cmath>
-
-#include "cromer/base/dual.h"
+#include "cromer/model/force_terms.h"
 
 namespace cromer {
 
@@ -20,8 +18,7 @@ class Pendulum {
   /// [rad/s²]. T is Real, or a Dual over it.
   template <class Time, class T>
   T acceleration(const Time& t, const T& x, const T& v) const {
-    using std::sin;
-    return rest_.acceleration(t, x, v) - stiffness_ * sin(x);
+    return rest_.acceleration(t, x, v) - pendulum_term(stiffness_, x);
   }
 
  private:
