@@ -4,11 +4,14 @@
 
 #include <utility>
 
+#include "cromer/analysis/frequency_response.h"
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
+#include "cromer/model/linear_quantities.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
+#include "cromer/study/json/simulate.h"
 #include "cromer/study/task/fitted_motion.h"
 #include "request.h"
 #include "resonance_curves.h"
@@ -39,11 +42,26 @@ Result<SimulateOptions> simulate_options(const Request& request) {
   return options;
 }
 
+/// Of the law without drag, friction and cubic stiffness.
+Json linear_part(const Oscillator<double>& law) {
+  return {{"natural_frequency", natural_frequency(law)},
+          {"damped_frequency", damped_frequency(law)},
+          {"decay_rate", decay_rate(law)},
+          {"critical_damping", critical_damping(law)},
+          {"damping_ratio", damping_ratio(law)},
+          {"quality_factor", quality_factor(law)},
+          {"resonance_frequency", resonance_frequency(law)},
+          {"energy_factor_per_cycle", energy_factor_per_cycle(law)}};
+}
+
 Answer simulate_task(const Request& request, std::string_view) {
   const auto options = simulate_options(request);
   if (!options) return bad_input(options.error());
   const auto result = simulate(*options);
-  return result ? found(to_json(*result, true), result->ok()) : bad_input(result.error());
+  if (!result) return bad_input(result.error());
+  Json document = simulate_object(*result, true);
+  document["linear_part"] = linear_part(result->runs.front().oscillator);
+  return found(to_text(document), result->ok());
 }
 
 Answer methods_task(const Request& request, std::string_view) {
@@ -66,6 +84,7 @@ Answer resonance_task(const Request& asked, std::string_view) {
   for (const MethodResonance& curve : *curves)
     list.push_back({{"method", curve.method},
                     {"settled", curve.settled},
+                    {"too_many_steps", curve.too_many_steps},
                     {"frequency", curve.frequency},
                     {"amplitude", curve.amplitude},
                     {"phase", curve.phase}});

@@ -2,11 +2,13 @@
 
 #include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/simulate_setup.h"
+#include "settled_curve.h"
 
 namespace cromer::page {
 namespace {
 
-MethodResonance curve_of(SimulatedRun run, const Grid& frequencies) {
+/// `run` has an effect of its own.
+MethodResonance closed_form_curve(SimulatedRun run, const Grid& frequencies) {
   MethodResonance curve{.method = run.method};
   for (std::uint64_t i = 0; i < frequencies.size(); ++i) {
     run.drive.frequency = frequencies[i];
@@ -24,14 +26,21 @@ MethodResonance curve_of(SimulatedRun run, const Grid& frequencies) {
 
 Result<std::vector<MethodResonance>> resonance_curves(const SimulateOptions& options,
                                                       const Grid& frequencies) {
-  const auto runs = set_up_runs(options);
+  SimulateOptions one_step = options;
+  one_step.until = options.step;
+  const auto runs = set_up_runs(one_step);
   if (!runs) return runs.error();
-  const SimulatedRun& first = runs->front();
-  if (first.oscillator.cubic != 0 || first.oscillator.drag != 0 || first.oscillator.friction != 0)
-    return Error{"a resonance curve in closed form needs a linear law: no drag, friction or cubic stiffness"};
-  if (!(first.drive.amplitude > 0)) return Error{"--drive-amplitude: nothing drives it"};
+  if (!(runs->front().drive.amplitude > 0)) return Error{"--drive-amplitude: nothing drives it"};
   std::vector<MethodResonance> curves;
-  for (const SimulatedRun& run : *runs) curves.push_back(curve_of(run, frequencies));
+  for (const SimulatedRun& run : *runs) {
+    if (effect_of(run)) {
+      curves.push_back(closed_form_curve(run, frequencies));
+      continue;
+    }
+    const auto curve = settled_curve(options, run, frequencies);
+    if (!curve) return curve.error();
+    curves.push_back(*curve);
+  }
   return curves;
 }
 

@@ -11,6 +11,7 @@
 #include "cromer/analysis/exact_energy_balance.h"
 #include "cromer/base/state.h"
 #include "cromer/methods/exact.h"
+#include "cromer/model/linear_quantities.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
 #include "cromer/run/course.h"
@@ -50,8 +51,7 @@ template <FrictionSystem S>
 requires(ExactSystem<SlidingSystem<S>, double>) EnergyBalance
     exact_friction_balance(const S& system, const Oscillator<double>& oscillator, const State<double>& start,
                            double until) {
-  const LinearLaw<double> law{.decay_rate = oscillator.damping / (2 * oscillator.mass),
-                              .stiffness = oscillator.stiffness / oscillator.mass};
+  const LinearLaw<double> law = linear_law(oscillator);
   const Rows rows{{0, until}, until};
   Course<double> course{0, start};
   KeepNone keep_none;

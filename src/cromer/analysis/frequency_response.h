@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cromer/base/dual.h"
+#include "cromer/model/linear_quantities.h"
 #include "cromer/model/oscillator.h"
 
 namespace cromer {
@@ -91,7 +92,7 @@ inline Transmission transmitted_force(const Oscillator<double>& oscillator, doub
 /// Where the steady amplitude is largest [rad/s]: sqrt(k/m - 2 (c/2m)^2), or 0 if it falls from the start. k
 /// > 0.
 inline double resonance_frequency(const Oscillator<double>& oscillator) {
-  const double b = oscillator.damping / (2 * oscillator.mass);
+  const double b = decay_rate(oscillator);
   const double squared = oscillator.stiffness / oscillator.mass - 2 * b * b;
   return squared > 0 ? std::sqrt(squared) : 0;
 }

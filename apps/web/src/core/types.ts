@@ -32,8 +32,22 @@ type Maybe = number | null
 
 export interface Simulation {
   runs: Run[]
+  linear_part: LinearPart
   warnings: string[]
   message?: string
+}
+
+/// Of the law without drag, friction and cubic stiffness. What does not exist is 0 (a frequency, the critical
+/// damping, the energy's factor of a motion that creeps) or null (what would be divided by 0).
+export interface LinearPart {
+  natural_frequency: number // [rad/s] undamped
+  damped_frequency: number // [rad/s]
+  decay_rate: number // [1/s]
+  critical_damping: number // [kg/s]
+  damping_ratio: Maybe
+  quality_factor: Maybe
+  resonance_frequency: number // [rad/s]
+  energy_factor_per_cycle: number
 }
 
 export interface Run {
@@ -166,10 +180,12 @@ export interface Resonance {
   curves: ResonanceCurve[]
 }
 
-/// Where `settled` is false the motion grows or never settles, and the lists are empty.
+/// Where `settled` is false the motion grows, never settles or was not tried, and the lists are empty.
 export interface ResonanceCurve {
   method: string
   settled: boolean
+  /// Why it was not tried: a curve of a law that is not linear is stepped.
+  too_many_steps: boolean
   frequency: Numbers
   amplitude: Numbers
   phase: Numbers

@@ -1,5 +1,5 @@
 // The state as options of `cromer simulate`: for the core, for a command line, for a study file.
-import { referenceOf } from './law'
+import { isLinear, referenceOf } from './law'
 import type { SimulateState } from './state'
 
 export const mostSteps = 1_000_000
@@ -38,12 +38,13 @@ export function coreOptions(s: SimulateState): Option[] {
   return options
 }
 
+/** Where the motion must be stepped until it settles the curve has fewer points. */
 export function resonanceOptions(s: SimulateState, from: number, to: number): Option[] {
   const drive: Option[] = [['drive-amplitude', String(s.driveAmplitude)], ['drive-frequency', String(s.driveFrequency || 1)]]
   const law = lawOptions(s).filter(([name]) => !name.startsWith('drive') && name !== 'position' && name !== 'velocity')
   // an odd number of points about the natural frequency, so that a sharp peak is not cut
-  const options: Option[] = [...law, ...drive, ['frequencies', `${from}:${to}:401`], ['step', String(s.step)]]
-  for (const method of methodsOf(s)) if (method !== 'dormand-prince') options.push(['method', method])
+  const options: Option[] = [...law, ...drive, ['frequencies', `${from}:${to}:${isLinear(s) ? 401 : 81}`], ['step', String(s.step)]]
+  for (const method of methodsOf(s)) options.push(['method', method])
   return options
 }
 

@@ -1,9 +1,7 @@
 // What the panel says of each method, from what the core found.
 import { percent, significant, withUnit } from '../look/numbers'
-import type { Run } from '../core/types'
+import type { LinearPart, Run } from '../core/types'
 import type { Words } from '../words/words.svelte'
-import { decayRate, naturalFrequency } from './law'
-import type { SimulateState } from './state'
 
 export interface Row {
   method: string
@@ -14,11 +12,8 @@ export interface Row {
   energyFactor: number | null // a cycle
 }
 
-/** The law's own frequency [rad/s], 0 where it creeps. */
-const ownFrequency = (s: SimulateState): number => Math.sqrt(Math.max(0, naturalFrequency(s) ** 2 - decayRate(s) ** 2))
-
-export function rowsOf(runs: Run[], s: SimulateState): Row[] {
-  const own = ownFrequency(s)
+export function rowsOf(runs: Run[], linear: LinearPart | null): Row[] {
+  const own = linear?.damped_frequency ?? 0
   return runs
     .filter((run) => run.method !== 'exact' && run.effective)
     .map((run) => {
@@ -46,15 +41,15 @@ export interface Sentence {
 }
 
 /** One sentence on the worst method. */
-export function sentenceOf(rows: Row[], s: SimulateState, words: Words): Sentence {
+export function sentenceOf(rows: Row[], linear: LinearPart | null, words: Words): Sentence {
   const w = words.simulate.panel
-  const asked = decayRate(s)
+  const asked = linear?.decay_rate ?? 0
   const digits = (value: number) => fixedLike(value)
   const say = (row: Row, text: (name: string) => string): Sentence => {
     const lead = capital(words.methods[row.method] ?? row.method)
     return { method: row.method, lead, text: text(lead) }
   }
-  if (rows.length === 0) return { method: '', lead: '', text: w.exactOnly }
+  if (rows.length === 0 || !linear) return { method: '', lead: '', text: w.exactOnly }
   const growing = rows.filter((row) => !row.stable).sort((a, b) => (a.simulated ?? -Infinity) - (b.simulated ?? -Infinity))[0]
   if (growing) {
     const limit = withUnit(significant(growing.limit ?? 0, 3), 's')
@@ -69,10 +64,9 @@ export function sentenceOf(rows: Row[], s: SimulateState, words: Words): Sentenc
   if (swinging.length === 0) return { method: '', lead: '', text: w.creep }
   const off = (row: Row) => Math.abs(row.simulated! - asked)
   const worst = swinging.reduce((a, b) => (off(b) > off(a) ? b : a))
-  if (off(worst) > 0.005 * asked && off(worst) > 1e-6 * naturalFrequency(s) && worst.energyFactor !== null) {
+  if (off(worst) > 0.005 * asked && off(worst) > 1e-6 * linear.natural_frequency && worst.energyFactor !== null) {
     const loses = asPercent(change(worst.energyFactor))
-    const own = ownFrequency(s)
-    const should = asPercent(own > 0 ? Math.exp((-2 * Math.PI * asked) / own) - 1 : -1)
+    const should = asPercent(change(linear.energy_factor_per_cycle))
     const text = worst.simulated! > asked ? w.adds : w.takes
     return say(worst, (name) => text(name, digits(asked), digits(worst.simulated!), loses, should))
   }

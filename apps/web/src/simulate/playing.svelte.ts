@@ -2,12 +2,13 @@
 import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { period } from './law'
+import { latest } from './results.svelte'
 
 export const play = $state({ t: 0, on: !looks.plain })
 
 /** Simulated seconds a second: true to life, but that a period lasts between half a second and ten. */
 function pace(): number {
-  const lasts = period(page.simulate)
+  const lasts = period(latest().linear)
   return lasts < 0.5 ? lasts / 0.5 : lasts > 10 ? lasts / 10 : 1
 }
 
@@ -23,7 +24,7 @@ export function holdCursor(t: number): void {
 
 /** A tenth of a period on. */
 export function stepCursor(): void {
-  holdCursor(play.t + period(page.simulate) / 10)
+  holdCursor(play.t + period(latest().linear) / 10)
 }
 
 /** Runs while `play.on`; call in an effect. */

@@ -24,13 +24,13 @@ export function resonanceWords(words: Words): (pen: Pen, frame: Frame, curves: C
   return (pen, frame, curves) => {
     if (!words.drawn) return
     drawDrive(pen, frame, words, curves)
-    drawPeaks(pen, frame, words, curves)
     let y = frame.top + 48
     for (const each of words.unsettled) {
       pen.text(frame.left + 8, y, each.name, { colour: lookOf(each.meaning).word, size: 12.5, bold: true })
       for (const line of each.why) pen.text(frame.left + 8, (y += 15), line, { colour: token('text2'), size: 11.5 })
       y += 20
     }
+    drawPeaks(pen, frame, words, curves, y)
   }
 }
 
@@ -46,7 +46,8 @@ function drawDrive(pen: Pen, frame: Frame, { at, text }: Words, curves: Curve[])
   if (y <= frame.y[1]) pen.dot(x, frame.toY(y), 4.5, colour, token('surface'))
 }
 
-function drawPeaks(pen: Pen, frame: Frame, { unit }: Words, curves: Curve[]): void {
+/** Right of each curve, at its peak's height; where that is too narrow in the left corner, from `corner` down. */
+function drawPeaks(pen: Pen, frame: Frame, { unit }: Words, curves: Curve[], corner: number): void {
   const size = 12.5
   const labels = curves.map((curve) => {
     const peak = peakOf(curve)
@@ -54,17 +55,15 @@ function drawPeaks(pen: Pen, frame: Frame, { unit }: Words, curves: Curve[]): vo
     return { curve, peak, text, y: Math.max(frame.top + 40, frame.toY(peak.y) + 14), height: 16 }
   })
   for (const { curve, peak, text, y } of spread(labels, frame.top + 38, frame.bottom - 10)) {
-    // beside the curve where it has come down to the word's height: right of it, or left where that is too narrow
-    let [before, after] = [frame.toX(peak.x), frame.toX(peak.x)]
-    for (let i = 0; i < curve.x.length; ++i) {
-      if (frame.toY(curve.y[i]!) >= y + 10) continue
-      before = Math.min(before, frame.toX(curve.x[i]!))
-      after = Math.max(after, frame.toX(curve.x[i]!))
-    }
+    // beside the curves where they have come down to the word's height
+    let after = frame.toX(peak.x)
+    for (const each of curves)
+      for (let i = 0; i < each.x.length; ++i) if (frame.toY(each.y[i]!) < y + 10) after = Math.max(after, frame.toX(each.x[i]!))
     const wide = pen.width(text, { size, bold: true })
-    const right = after + 12 + wide <= frame.right
-    const at = Math.max(frame.left + 6, Math.min(right ? after + 12 : before - 12 - wide, frame.right - wide - 2))
-    pen.box(at - 3, y - 8, wide + 6, 16, token('surface'), undefined, 3)
-    pen.text(at, y, text, { colour: lookOf(curve.meaning, curve.road).word, size, bold: true })
+    const right = after + 5 + wide <= frame.right
+    const [at, height] = right ? [Math.min(after + 12, frame.right - wide), y] : [frame.left + 8, corner]
+    if (!right) corner += 16
+    pen.box(at - 3, height - 8, wide + 6, 16, token('surface'), undefined, 3)
+    pen.text(at, height, text, { colour: lookOf(curve.meaning, curve.road).word, size, bold: true })
   }
 }

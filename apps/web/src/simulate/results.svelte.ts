@@ -1,22 +1,22 @@
 // What the core says to the state of the page: asked anew at every change, the newest question first.
 import { untrack } from 'svelte'
 import { ask, askAside } from '../core/ask'
-import type { MethodList, Resonance, Run } from '../core/types'
+import type { LinearPart, MethodList, Resonance, Run } from '../core/types'
 import { page } from '../state/page.svelte'
-import { dampingRatio, isLinear, naturalFrequency } from './law'
+import { isLinear } from './law'
 import { coreOptions, resonanceOptions } from './options'
 import { resonanceRange } from './ranges'
-import { steppedResonance } from './stepped_resonance'
 import type { SimulateState } from './state'
 
 interface Results {
   runs: Run[]
+  linear: LinearPart | null // null until the core has said it
   /** Why there is no newer picture: the core's own words. */
   message: string
   resonance: Resonance['curves']
   limits: Record<string, number> // largest stable step [s] of each method that has one
 }
-let current: Results = $state.raw({ runs: [], message: '', resonance: [], limits: {} })
+let current: Results = $state.raw({ runs: [], linear: null, message: '', resonance: [], limits: {} })
 
 /** The newest results; a component that reads them follows them. */
 export const latest = (): Results => current
@@ -28,34 +28,27 @@ function put(part: Partial<Results>): void {
 /** False where a newer question took its place. */
 async function simulate(state: SimulateState): Promise<boolean> {
   const options = coreOptions(state)
-  if (!options.some(([name]) => name === 'method')) {
-    put({ runs: [], message: '' })
-    return true
-  }
+  const nothing = !options.some(([name]) => name === 'method') // but what the law says of itself
+  if (nothing) options.push(['method', 'euler-cromer'])
   const answer = await ask('simulate', options, { channel: 'simulate' })
   if (!answer) return false
   if (answer.status === 2) put({ message: answer.document.message })
-  else put({ runs: answer.document.runs, message: '' })
+  else put({ runs: nothing ? [] : answer.document.runs, linear: answer.document.linear_part, message: '' })
   return true
 }
 
 async function resonate(state: SimulateState): Promise<void> {
   if (state.driveAmplitude === 0 || state.methods.length === 0) return put({ resonance: [] })
-  if (!isLinear(state)) {
-    const curves = await steppedResonance(state, ...resonanceRange(state))
-    if (curves) put({ resonance: curves })
-    return
-  }
-  const answer = await askAside('resonance', resonanceOptions(state, ...resonanceRange(state)), { channel: 'resonance' })
+  const answer = await askAside('resonance', resonanceOptions(state, ...resonanceRange(state, current.linear)), { channel: 'resonance' })
   if (answer) put({ resonance: answer.status === 2 ? [] : (answer.document as Resonance).curves })
 }
 
 async function bound(state: SimulateState): Promise<void> {
-  const frequency = naturalFrequency(state)
+  const { natural_frequency: frequency = 0, damping_ratio: ratio = 0 } = current.linear ?? {}
   if (!isLinear(state) || frequency === 0) return put({ limits: {} })
   const answer = await askAside(
     'effective',
-    [['natural-frequency', String(frequency)], ['damping-ratio', String(dampingRatio(state))], ['step', String(0.01 / frequency)]],
+    [['natural-frequency', String(frequency)], ['damping-ratio', String(ratio)], ['step', String(0.01 / frequency)]],
     { channel: 'effective' },
   )
   if (!answer || answer.status === 2) return

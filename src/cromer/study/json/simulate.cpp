@@ -1,3 +1,5 @@
+#include "cromer/study/json/simulate.h"
+
 #include <algorithm>
 
 #include "cromer/analysis/energy.h"
@@ -144,7 +146,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
 
 }  // namespace
 
-std::string to_json(const SimulateResult& result, bool with_states) {
+Json simulate_object(const SimulateResult& result, bool with_states) {
   Json document_of_all;
   Json& runs = document_of_all["runs"] = Json::array();
   std::string message;
@@ -155,7 +157,11 @@ std::string to_json(const SimulateResult& result, bool with_states) {
   }
   document_of_all["warnings"] = result.warnings;
   if (!message.empty()) document_of_all["message"] = message;
-  return to_text(document_of_all, with_states);
+  return document_of_all;
+}
+
+std::string to_json(const SimulateResult& result, bool with_states) {
+  return to_text(simulate_object(result, with_states), with_states);
 }
 
 }  // namespace cromer

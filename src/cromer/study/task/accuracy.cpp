@@ -1,5 +1,6 @@
 #include "cromer/study/task/accuracy.h"
 
+#include "cromer/model/linear_quantities.h"
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,8 +35,7 @@ double whole_step(double h, double until) { return until / std::ceil(until / h *
 std::optional<LinearLaw<double>> oscillating_law(const SimulatedRun& run) {
   const Oscillator<double>& o = run.oscillator;
   if (run.general || !is_linear(terms_of(o, run.drive))) return std::nullopt;
-  const LinearLaw<double> law{o.damping / (2 * o.mass), o.stiffness / o.mass, run.drive.amplitude / o.mass,
-                              run.drive.frequency, run.drive.phase};
+  const LinearLaw<double> law = linear_law(o, run.drive);
   if (!(law.stiffness > law.decay_rate * law.decay_rate)) return std::nullopt;
   return law;
 }

@@ -1,5 +1,6 @@
 #include "cromer/study/task/method_map.h"
 
+#include "cromer/model/linear_quantities.h"
 #include <cmath>
 #include <limits>
 
@@ -53,7 +54,7 @@ Result<MethodMapResult> method_map(const MethodMapOptions& options) {
   const Oscillator<double>& o = runs->front().oscillator;
   if (const std::string_view term = why_not_exact(o); !term.empty())
     return Error{"--" + std::string(term) + ": only a linear law has one frequency and one decay rate"};
-  const LinearLaw<double> law{.decay_rate = o.damping / (2 * o.mass), .stiffness = o.stiffness / o.mass};
+  const LinearLaw<double> law = linear_law(o);
   if (!(law.stiffness > law.decay_rate * law.decay_rate))
     return Error{"--damping: this law does not oscillate"};
   MethodMapResult result{std::sqrt(law.stiffness), law.decay_rate, {}};

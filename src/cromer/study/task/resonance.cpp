@@ -1,5 +1,6 @@
 #include "cromer/study/task/resonance.h"
 
+#include "cromer/model/linear_quantities.h"
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -59,7 +60,7 @@ Result<std::vector<SimulateOptions>> dampings(const ResonanceOptions& options) {
 
 /// The slowest decay rate of the free motion [1/s].
 double slowest_decay(const Oscillator<double>& law) {
-  const double b = law.damping / (2 * law.mass), w2 = law.stiffness / law.mass;
+  const double b = decay_rate(law), w2 = law.stiffness / law.mass;
   return b * b <= w2 ? b : w2 / (b + std::sqrt(b * b - w2));
 }
 
@@ -122,7 +123,7 @@ Result<Point> settle(const SimulateOptions& options, const SimulatedRun& at_w, c
 void add(ResonanceCurve& curve, const SimulateOptions& options, const SimulatedRun& at_w,
          const Point& point) {
   const double w = at_w.drive.frequency,
-               natural = std::sqrt(at_w.oscillator.stiffness / at_w.oscillator.mass);
+               natural = natural_frequency(at_w.oscillator);
   const double sent = sent_amplitude(options, at_w), ratio = w / natural;
   const std::string_view drive = drive_name(options);
   // An unbalance's own measure, m_u e/m, is F/(m w^2).
@@ -169,7 +170,7 @@ Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& 
     for (SimulatedRun at_w : *runs) {
       const Oscillator<double>& o = at_w.oscillator;
       ResonanceCurve curve{.method = at_w.method,
-                           .damping_ratio = o.damping / (2 * std::sqrt(o.stiffness * o.mass))};
+                           .damping_ratio = damping_ratio(o)};
       for (long long i = 0; i < options.points; ++i) {
         if (watch.interrupted()) return Error{"interrupted"};
         const double share = static_cast<double>(i) / static_cast<double>(options.points - 1);

@@ -1,5 +1,6 @@
 #include "cromer/study/task/run_effect.h"
 
+#include "cromer/model/linear_quantities.h"
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,15 +16,6 @@ namespace cromer {
 namespace {
 
 constexpr double nothing_to_speak_of = 1e-6;  // of the energy that was there
-
-LinearLaw<double> law_of(const SimulatedRun& run) {
-  const double m = run.oscillator.mass;
-  return {.decay_rate = run.oscillator.damping / (2 * m),
-          .stiffness = run.oscillator.stiffness / m,
-          .drive_amplitude = run.drive.amplitude / m,
-          .drive_frequency = run.drive.frequency,
-          .drive_phase = run.drive.phase};
-}
 
 /// "swung at 0.9987 rad/s on average, from 0.934 m down to 0.0893 m".
 std::string swing_in_words(const MeasuredOscillator& swing) {
@@ -78,7 +70,7 @@ std::string joined(const std::string& first, const std::string& second) {
 std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
   const Oscillator<double>& law = run.oscillator;
   if (law.drag != 0 || law.friction != 0 || law.static_friction != 0 || law.cubic != 0) return std::nullopt;
-  return method_effect(run.method, run.settings, law_of(run), run.step, false);
+  return method_effect(run.method, run.settings, linear_law(run.oscillator, run.drive), run.step, false);
 }
 
 std::string step_warning(const SimulatedRun& run) {
@@ -92,7 +84,7 @@ std::string step_warning(const SimulatedRun& run) {
   // What drag and friction take may outweigh a growth that only vanishes with the step.
   const bool braked = o.drag > 0 || o.friction > 0 || o.static_friction > 0;
   const auto warning = [&](double stiffness, std::string_view motions) -> std::string {
-    const LinearLaw<double> tangent{.decay_rate = o.damping / (2 * o.mass), .stiffness = stiffness};
+    const LinearLaw<double> tangent{.decay_rate = decay_rate(o), .stiffness = stiffness};
     const auto effect = method_effect(run.method, run.settings, tangent, run.step, false);
     if (!effect || (braked && effect->stability_limit == 0)) return "";
     return instability_warning(run.method, *effect, run.step, motions);
@@ -103,7 +95,7 @@ std::string step_warning(const SimulatedRun& run) {
 }
 
 std::string effect_in_words(const SimulatedRun& run) {
-  if (run.effect) return in_words(*run.effect, law_of(run));
+  if (run.effect) return in_words(*run.effect, linear_law(run.oscillator, run.drive));
   if (is_linear(terms_of(run.oscillator, run.drive))) return "";
   return joined(
       run.measured ? swing_in_words(*run.measured) : "",

@@ -1,5 +1,6 @@
 #include "cromer/study/task/run_energy.h"
 
+#include "cromer/model/linear_quantities.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -86,7 +87,7 @@ std::optional<EnergyBalance> from_stretches(const SimulatedRun& run, const F& fo
 template <class F>
 EnergyBalance from_closed_form(const SimulatedRun& run, const F& force, double panel) {
   const Oscillator<double>& o = run.oscillator;
-  const LinearLaw<double> law{.decay_rate = o.damping / (2 * o.mass), .stiffness = o.stiffness / o.mass};
+  const LinearLaw<double> law = linear_law(o);
   const Trajectory& kept = run.trajectory;
   const auto motion = [&](double t) {
     const auto after = std::upper_bound(kept.t.begin(), kept.t.end(), t);

@@ -1,5 +1,6 @@
 #include "cromer/study/task/run_transmission.h"
 
+#include "cromer/model/linear_quantities.h"
 #include <cmath>
 
 #include "cromer/model/terms.h"
@@ -31,7 +32,7 @@ std::optional<RunTransmission> transmission_of(const SimulateOptions& options, c
   RunTransmission found;
   found.of_motion = sends_motion(options);
   found.sent = sent_amplitude(options, run);
-  found.frequency_ratio = run.drive.frequency / std::sqrt(law.stiffness / law.mass);
+  found.frequency_ratio = run.drive.frequency / natural_frequency(law);
   found.exact = transmissibility(law, run.drive.frequency);
   found.simulated = simulated(found, run);
   return found;

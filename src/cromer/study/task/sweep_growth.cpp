@@ -1,5 +1,6 @@
 #include "cromer/study/task/sweep_growth.h"
 
+#include "cromer/model/linear_quantities.h"
 #include <cmath>
 
 #include "cromer/methods/all.h"
@@ -7,12 +8,7 @@
 namespace cromer {
 
 LinearLaw<double> linear_law(const Point& point) {
-  const Oscillator<double>& o = point.oscillator;
-  return {.decay_rate = o.damping / (2 * o.mass),
-          .stiffness = o.stiffness / o.mass,
-          .drive_amplitude = point.drive.amplitude / o.mass,
-          .drive_frequency = point.drive.frequency,
-          .drive_phase = point.drive.phase};
+  return linear_law(point.oscillator, point.drive);
 }
 
 std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings& settings,
