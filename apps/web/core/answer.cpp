@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/study/json/documents.h"
+#include "cromer/study/json/effect.h"
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 #include "cromer/study/json/simulate.h"
@@ -156,6 +160,31 @@ Answer synthetic_task(const Request& request, std::string_view) {
   return found(to_text(Json{{"text", text}}), result->ok());
 }
 
+/// The number that an option of simulate was given; none of a text.
+std::optional<double> number_of(const Option& option) {
+  return std::visit(
+      [](const auto* target) -> std::optional<double> {
+        using Value = std::remove_cvref_t<decltype(*target)>;
+        if constexpr (std::is_same_v<Value, double>) return *target;
+        if constexpr (std::is_same_v<Value, std::optional<double>>) return *target;
+        if constexpr (std::is_same_v<Value, std::vector<double>>) return target->back();
+        return std::nullopt;
+      },
+      option.target);
+}
+
+/// What a quantity as typed means for an option of simulate, in SI units.
+Answer quantity_task(const Request& request, std::string_view) {
+  SimulateOptions options;
+  const std::vector<Option> table = options_of(options);
+  if (auto good = assign(request, table); !good) return bad_input(good.error());
+  Json document = Json::object();
+  for (const auto& [name, text] : request.settings)
+    for (const Option& option : table)
+      if (option.name == name) document[name] = json_or_null(number_of(option));
+  return found(to_text(document), true);
+}
+
 struct Task {
   std::string_view name;
   Answer (*run)(const Request& request, std::string_view file);
@@ -164,7 +193,7 @@ struct Task {
 constexpr Task tasks[] = {
     {"simulate", simulate_task},  {"effective", methods_task}, {"resonance", resonance_task},
     {"inspect", inspect_task},    {"fit", fit_task},           {"compare", compare_task},
-    {"synthetic", synthetic_task}};
+    {"synthetic", synthetic_task}, {"quantity", quantity_task}};
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 // What the core answers, task by task: the documents of the program's --json, with long lists of numbers as
 // Float64Array. SI units throughout. What may be not finite or unknown is null.
 
-export type Task = 'simulate' | 'effective' | 'resonance' | 'inspect' | 'fit' | 'compare' | 'synthetic'
+export type Task = 'simulate' | 'effective' | 'resonance' | 'inspect' | 'fit' | 'compare' | 'synthetic' | 'quantity'
 
 /// Options of the program's command without dashes, values as typed: ["step", "20 ms"]. One given several
 /// times is a list.
@@ -15,6 +15,8 @@ export interface Documents {
   fit: Fits
   compare: Comparisons
   synthetic: { text: string }
+  /// Of each option given, in SI units.
+  quantity: Record<string, number>
 }
 
 /// 0 done; 1 the computation did not succeed and the document says why; 2 bad input.

@@ -51,5 +51,19 @@ export function percent(part: number, digits = 2): string {
 
 export const withUnit = (text: string, unit: string): string => (unit ? `${text}${space}${unit}` : text)
 
-/** What a person typed as the core reads it: true minus and decimal comma become plain. */
-export const asTyped = (text: string): string => text.replaceAll(minus, '-').replace(/(\d),(\d)/, '$1.$2').trim()
+const thousands = /(?<![\d.,])[1-9]\d{0,2}(,\d{3})+(?![\d,])/
+
+/**
+ * What a person typed as the core reads it: true minus and decimal commas ("217,6 ± 0,3 g" has two) become plain. In
+ * English "2,500" is no decimal comma: it is left for the core to refuse.
+ */
+export function asTyped(text: string): string {
+  const plain = text.replaceAll(minus, '-').trim()
+  return !comma && thousands.test(plain) ? plain : plain.replace(/(\d),(?=\d)/g, '$1.')
+}
+
+/** A number as typed; NaN where it is none. */
+export function numberOf(text: string): number {
+  const typed = asTyped(text).replace(/[\s\u202f\u00a0]/g, '')
+  return typed === '' ? NaN : Number(typed)
+}

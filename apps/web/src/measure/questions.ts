@@ -5,11 +5,8 @@ import type { MeasureState } from './state'
 
 type Settings = Pick<MeasureState, 'column' | 'run' | 'rate' | 'from' | 'to' | 'law' | 'mass' | 'disc' | 'air'>
 
-/// Every decimal comma in it becomes a point: "217,6 ± 0,3 g" has two.
-const plain = (text: string) => asTyped(text.replace(/(\d),(?=\d)/g, '$1.'))
-
 const given = (pairs: [string, string][]): Options =>
-  pairs.map(([name, value]) => [name, plain(value)] as const).filter(([, value]) => value !== '')
+  pairs.map(([name, value]) => [name, asTyped(value)] as const).filter(([, value]) => value !== '')
 
 /// How the file is read.
 export const inspectOptions = (state: Pick<MeasureState, 'rate'>): Options => given([['rate', state.rate]])

@@ -1,10 +1,10 @@
 // The recording that is open, and what the core found in it. None of it is in the address: files stay here.
 import { openCore } from '../core/ask'
 import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
+import { numberOf } from '../look/numbers'
 import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
-import { numberOf } from '../teach/check'
 import { compareOptions, fitOptions, inspectOptions } from './questions'
 import { columnTaken, namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'

@@ -1,4 +1,6 @@
 // What the Measure page keeps in the address. Recordings themselves never leave the page.
+import { countTo, type Rules } from '../state/rules'
+
 export const measureDefaults = {
   /// Empty: the core's choice.
   column: '',
@@ -17,3 +19,6 @@ export const measureDefaults = {
   overlay: false
 }
 export type MeasureState = typeof measureDefaults
+
+/// Texts go to the core as they are, which says what is wrong with them.
+export const measureRules: Rules<MeasureState> = { run: countTo(10_000) }

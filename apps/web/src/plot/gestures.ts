@@ -41,7 +41,8 @@ export class Gestures {
     canvas.setPointerCapture(event.pointerId)
     const cursor = this.target.cursor()
     const caught = cursor !== null && Math.abs(frame.toX(cursor) - at.x) < (event.pointerType === 'touch' ? 22 : grip)
-    this.start = { ...at, frame, cursor: caught, far: false }
+    // two fingers zoom: what they do is no click
+    this.start = this.pointers.size > 1 ? { ...at, frame, cursor: false, far: true } : { ...at, frame, cursor: caught, far: false }
   }
   private move(event: PointerEvent): void {
     const before = this.pointers.get(event.pointerId)
@@ -63,7 +64,10 @@ export class Gestures {
   private up(event: PointerEvent): void {
     if (!this.pointers.delete(event.pointerId) || !this.start) return
     if (!this.start.far && event.type === 'pointerup') this.target.setCursor(this.xOf(this.start.frame, event.offsetX))
-    if (this.pointers.size === 0) this.start = null
+    const [left] = this.pointers.values()
+    const frame = this.target.frame()
+    // of two fingers the one that stays pans on from what both have made
+    this.start = left && frame ? { ...left, frame, cursor: false, far: true } : null
   }
   private wheel(event: WheelEvent): void {
     const frame = this.target.frame()

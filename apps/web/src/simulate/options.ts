@@ -2,7 +2,6 @@
 import { isLinear, referenceOf } from './law'
 import type { SimulateState } from './state'
 
-export const mostSteps = 1_000_000
 const mostKept = 20_000
 
 type Option = [name: string, value: string]

@@ -1,4 +1,6 @@
 // What the Simulate page keeps: the law, its drive, the start and the run, in SI units.
+import { areMethods, notNegative, oneOf, positive, type Rules } from '../state/rules'
+
 export type Quantity = 'position' | 'velocity' | 'difference'
 export type PhonePlot = 'motion' | 'energy' | 'phase' | 'resonance'
 
@@ -19,3 +21,13 @@ export const simulateDefaults = {
   quantity: 'position' as Quantity,
 }
 export type SimulateState = typeof simulateDefaults
+
+export const mostSteps = 1_000_000
+
+/** What an address may hold. */
+export const simulateRules: Rules<SimulateState> = {
+  mass: positive, damping: notNegative, drag: notNegative, friction: notNegative, driveAmplitude: notNegative,
+  driveFrequency: notNegative, methods: areMethods, quantity: oneOf('position', 'velocity', 'difference'),
+  step: (step, state) => step > 0 && state.until / step <= mostSteps,
+  until: (until, state) => until > 0 && until / state.step <= mostSteps,
+}

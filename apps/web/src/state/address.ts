@@ -1,9 +1,14 @@
 // The state as the address has it: `#simulate?mass=2&method=rk4`. Only what differs from the defaults is written.
+import { measureRules } from '../measure/state'
+import { simulateRules } from '../simulate/state'
+import { teachRules } from '../teach/state'
 import { defaults, type PageDocument, type TabName } from './page.svelte'
+import type { Rules } from './rules'
 
 type Plain = number | string | boolean | string[] | null
 type Part = Record<string, Plain>
 const tabs: TabName[] = ['simulate', 'measure', 'teach']
+const rules = { simulate: simulateRules, measure: measureRules, teach: teachRules }
 
 const textOf = (value: Plain): string => (Array.isArray(value) ? value.join(',') : String(value))
 
@@ -31,7 +36,7 @@ export function addressOf(document: PageDocument): string {
   return `#${document.tab}${text ? `?${text}` : ''}`
 }
 
-/** Of an address, whatever it is: what cannot be read keeps its default. */
+/** Of an address, whatever it is: what cannot be read, or breaks a rule, keeps its default. */
 export function documentOf(address: string): PageDocument {
   const document = defaults()
   const [name, query] = address.replace(/^#/, '').split('?', 2)
@@ -47,5 +52,10 @@ export function documentOf(address: string): PageDocument {
     const value = read(text, part[field])
     if (value !== undefined) part[field] = value
   }
+  for (const each of tabs) keepToRules(document[each] as Part, defaults()[each] as Part, rules[each] as Rules<Part>)
   return document
+}
+
+function keepToRules(part: Part, otherwise: Part, rules: Rules<Part>): void {
+  for (const [field, allows] of Object.entries(rules)) if (!allows!(part[field]!, part)) part[field] = otherwise[field]!
 }

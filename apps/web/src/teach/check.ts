@@ -1,5 +1,5 @@
 // Whether an answer with its uncertainty is right, and what it lacks where it is not.
-import { asTyped } from '../look/numbers'
+import { numberOf } from '../look/numbers'
 import type { Expected } from './key'
 
 export type Verdict = 'empty' | 'right' | 'tooSmall' | 'tooLarge' | 'notYet' | 'noUncertainty' | 'noNumber'
@@ -16,12 +16,6 @@ export interface Checked {
 
 const plain = (verdict: Verdict): Checked => ({ verdict, off: 0, above: false, slip: '' })
 
-/// A number as typed; NaN where it is none.
-export function numberOf(text: string): number {
-  const typed = asTyped(text.replace(/(\d),(?=\d)/g, '$1.').replace(/[\s\u202f\u00a0]/g, ''))
-  return typed === '' ? NaN : Number(typed)
-}
-
 /// Right: within twice the larger of the own ± and the least that is possible. A value is not held against a
 /// student for a ± that claims too much; the ± is.
 export function check(value: string, uncertainty: string, expected: Expected): Checked {
@@ -35,7 +29,7 @@ export function check(value: string, uncertainty: string, expected: Expected): C
   const above = error > 0
   if (Math.abs(error) > 2 * Math.max(own, expected.least))
     return { verdict: 'notYet', off, above, slip: slipOf(given, expected) }
-  // An honest ± is hardly below a third of the least possible one.
+  // An honest ± is hardly below half of the least possible one.
   const verdict = own < expected.least / 2 ? 'tooSmall' : own > expected.most ? 'tooLarge' : 'right'
   return { verdict, off, above, slip: '' }
 }

@@ -8,7 +8,6 @@ export type Question = (typeof questions)[number]
 /// What is right, in the unit asked for, and what a common slip gives in its place.
 export interface Expected {
   value: number
-  unit: string
   /// The uncertainty that a careful evaluation cannot do without, and the largest that still says something.
   least: number
   most: number
@@ -32,7 +31,8 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
   const asking = { file: new TextEncoder().encode(made.document.text), fileName: 'truth.csv' }
   const fit = async (options: Options) => {
     const answer = await ask('fit', options, asking)
-    return answer && answer.status !== 2 ? (answer.document as Fits).fits[0]! : null
+    const found = answer && answer.status !== 2 ? (answer.document as Fits).fits[0]! : null
+    return found?.status === 'converged' ? found : null
   }
   const whole = await fit([
     ['law', 'viscous+drag'],
@@ -45,15 +45,15 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
   const compared = await ask('compare', [['law', 'viscous+drag']], asking)
   if (!whole || !middle || !early || !all || !compared || compared.status === 2) return null
   const constant = (compared.document as Comparisons).comparisons[0]!.curves[0]!
-  const frequency = whole.derived.frequency!.value!
-  const rate = (each: typeof whole) => each.parameters.decay_rate!.value!
-  const reynolds = whole.reynolds!.max
-  const off = Math.abs(constant.amplitude_ratio_end! - 1) * 100
+  const frequency = whole.derived.frequency?.value
+  const reynolds = whole.reynolds?.max
+  if (!frequency || !reynolds || constant.amplitude_ratio_end === null) return null
+  const rate = (each: typeof whole) => each.parameters.decay_rate!.value! // of a fit that converged
+  const off = Math.abs(constant.amplitude_ratio_end - 1) * 100
   const massShare = truth.massUncertainty / truth.massRead
   return {
     frequency: {
       value: frequency,
-      unit: 'Hz',
       least: 3e-7 * frequency,
       most: 0.01 * frequency,
       slips: [
@@ -63,7 +63,6 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
     },
     stiffness: {
       value: truth.stiffness,
-      unit: 'N/m',
       least: 0.8 * massShare * truth.stiffness,
       most: 0.03 * truth.stiffness,
       slips: [
@@ -73,7 +72,6 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
     },
     rate: {
       value: rate(middle),
-      unit: '1/s',
       least: 0.003 * rate(middle),
       most: 0.3 * rate(middle),
       slips: [
@@ -85,7 +83,6 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
     },
     reynolds: {
       value: reynolds,
-      unit: '',
       least: 0.001 * reynolds,
       most: 0.15 * reynolds,
       slips: [
@@ -95,7 +92,6 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
     },
     off: {
       value: off,
-      unit: '%',
       least: 0.05,
       most: off / 2,
       slips: [

@@ -1,7 +1,7 @@
 // Lab two: the goals of its steps, on what is open in Measure.
 import type { Fit } from '../core/types'
 import type { MeasureState } from '../measure/state'
-import { numberOf } from './check'
+import { numberOf } from '../look/numbers'
 
 export interface Seen {
   open: boolean

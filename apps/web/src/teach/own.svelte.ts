@@ -30,7 +30,7 @@ export async function checkAnswers(): Promise<void> {
   const { truth } = own
   own.checking = true
   own.failed = false
-  const key = known?.seed === truth.seed ? known.key : await keyOf(truth, ask)
+  const key = known?.seed === truth.seed ? known.key : await keyOf(truth, ask).catch(() => null)
   own.checking = false
   if (truth.seed !== own.truth.seed) return
   if (!key) {
@@ -54,7 +54,7 @@ export function setAnswer(of: 'values' | 'uncertainties', i: number, text: strin
   if (own.results[i]) own.results[i] = { verdict: 'empty', off: 0, above: false, slip: '' }
 }
 
-/// Opens the student's recording, unless it is open already; `settings` say which part of it and which law.
+/// Makes the student's recording anew and opens it; `settings` say which part of it and which law.
 export async function openOwn(settings: Partial<MeasureState> = {}): Promise<boolean> {
   const name = `${own.name || 'practice'}.csv`.replace(/[^\w.-]+/g, '_')
   return openSynthetic(name, recordingOptions(own.truth), settings)

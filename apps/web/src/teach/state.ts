@@ -1,4 +1,8 @@
 // What the Teach page keeps in the address: the place in the tours, the class, and the answers.
+import { areMethods, countTo, notNegative, oneOf, positive, type Rules } from '../state/rules'
+import { labOne } from './lab_one'
+import { labTwo } from './lab_two'
+
 export type Lab = 'one' | 'two'
 
 export const teachDefaults = {
@@ -22,3 +26,11 @@ export const teachDefaults = {
   methods: ['euler-cromer'] as string[]
 }
 export type TeachState = typeof teachDefaults
+
+const steps = (count: number) => (names: string[]): boolean => names.every((name) => countTo(count)(Number(name)))
+export const teachRules: Rules<TeachState> = {
+  lab: oneOf('one', 'two'),
+  one: countTo(labOne.length), two: countTo(labTwo.length), doneOne: steps(labOne.length), doneTwo: steps(labTwo.length),
+  damping: notNegative, driveAmplitude: notNegative, driveFrequency: positive, methods: areMethods,
+  step: (step) => step >= 1e-4 // the longest step of lab one runs for 50 s
+}

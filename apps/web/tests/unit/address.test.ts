@@ -27,3 +27,17 @@ test('what cannot be read keeps its default', () => {
   expect(documentOf('#elsewhere?mass=2')).toEqual(defaults())
   expect(documentOf('#simulate?mass=2').simulate.mass).toBe(2)
 })
+
+test.each([
+  'simulate?mass=-1', 'simulate?damping=-0.1', 'simulate?quantity=foo', 'simulate?methods=rk4;curl%20evil|sh', 'simulate?methods=rk4,rk4',
+  'simulate?methods=toString', 'simulate?step=1e-9', 'simulate?until=1e9', 'simulate?step=0', 'teach?one=99', 'teach?one=1.5', 'teach?lab=three',
+  'teach?doneOne=1,x', 'teach?methods=nothing', 'teach?step=1e-9', 'measure?run=0',
+])('what breaks a rule keeps its default: %s', (address) => {
+  const tab = address.split('?')[0] as 'simulate' | 'measure' | 'teach'
+  expect(documentOf(`#${address}`)).toEqual({ ...defaults(), tab })
+})
+
+test('step and end are judged together, whichever comes first', () => {
+  for (const address of ['#simulate?step=0.00001&until=5', '#simulate?until=5&step=0.00001'])
+    expect(documentOf(address).simulate).toMatchObject({ step: 0.00001, until: 5 })
+})

@@ -47,6 +47,14 @@ describe.skipIf(!existsSync(built))('core', async () => {
     })
   })
 
+  it('reads a quantity, and runs nothing for it', () => {
+    expect(core.answer('quantity', [['step', '20 ms']])).toEqual({ status: 0, document: { step: 0.02 } })
+    expect(core.answer('quantity', [['stiffness', '1e25 N/m']])).toEqual({ status: 0, document: { stiffness: 1e25 } })
+    expect(core.answer('quantity', [['drive-frequency', '1 Hz']]).document).toEqual({ 'drive-frequency': 2 * Math.PI })
+    expect(core.answer('quantity', [['mass', '-1']])).toMatchObject({ status: 2, document: { message: '--mass: it must be positive, not -1 kg' } })
+    expect(core.answer('quantity', [['stiffness', '2,500']])).toMatchObject({ status: 2 })
+  })
+
   it('asks for less where its memory ends, and goes on', () => {
     const answer = core.answer('simulate', [
       ['step', '1e-9'],

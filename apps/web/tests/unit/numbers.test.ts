@@ -1,5 +1,5 @@
 import { afterEach, expect, test } from 'vitest'
-import { asTyped, exactly, fixed, percent, significant, useComma, withUnit } from '../../src/look/numbers'
+import { asTyped, exactly, fixed, percent, numberOf, significant, useComma, withUnit } from '../../src/look/numbers'
 
 afterEach(() => useComma(false))
 
@@ -28,4 +28,17 @@ test('units stand behind a no-break space; German has a comma', () => {
 
 test('what is shown can be typed again', () => {
   expect(asTyped('−0,5 m')).toBe('-0.5 m')
+  expect(asTyped('217,6 ± 0,3 g')).toBe('217.6 ± 0.3 g')
+  expect(numberOf('0,0094')).toBe(0.0094)
+  expect(numberOf('−2')).toBe(-2)
+  expect(numberOf('')).toBeNaN()
+})
+
+test('a comma that may set off thousands is not taken for a point, but in German', () => {
+  for (const text of ['2,500 N/m', '1,000', '12,345,678', '−2,500']) expect(asTyped(text)).toContain(',')
+  expect(numberOf('1,000')).toBeNaN()
+  expect(asTyped('0,125 m')).toBe('0.125 m')
+  expect(asTyped('2,5000')).toBe('2.5000')
+  useComma(true)
+  expect(asTyped('2,500 N/m')).toBe('2.500 N/m')
 })
