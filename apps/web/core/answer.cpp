@@ -10,6 +10,7 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 #include "cromer/study/task/fitted_motion.h"
+#include "motions.h"
 #include "request.h"
 #include "resonance_curves.h"
 
@@ -44,6 +45,15 @@ Answer simulate_task(const Request& request, std::string_view) {
   if (!options) return bad_input(options.error());
   const auto result = simulate(*options);
   return result ? found(to_json(*result, true), result->ok()) : bad_input(result.error());
+}
+
+/// What the page draws of a simulation, without what only a document tells.
+Answer motion_task(const Request& request, std::string_view) {
+  auto options = simulate_options(request);
+  if (!options) return bad_input(options.error());
+  options->motion_only = true;
+  const auto result = simulate(*options);
+  return result ? found(to_text(motions_of(*result)), result->ok()) : bad_input(result.error());
 }
 
 Answer methods_task(const Request& request, std::string_view) {
@@ -128,6 +138,7 @@ Answer synthetic_task(const Request& request, std::string_view) {
   auto options = simulate_options(request);
   if (!options) return bad_input(options.error());
   options->sensor.used = true;
+  options->motion_only = true;
   const auto result = simulate(*options);
   if (!result) return bad_input(result.error());
   const SimulatedRun& run = result->runs.front();
@@ -142,10 +153,10 @@ struct Task {
   Answer (*run)(const Request& request, std::string_view file);
 };
 
-constexpr Task tasks[] = {
-    {"simulate", simulate_task},  {"effective", methods_task}, {"resonance", resonance_task},
-    {"inspect", inspect_task},    {"fit", fit_task},           {"compare", compare_task},
-    {"synthetic", synthetic_task}};
+constexpr Task tasks[] = {{"simulate", simulate_task}, {"motion", motion_task},
+                          {"effective", methods_task}, {"resonance", resonance_task},
+                          {"inspect", inspect_task},   {"fit", fit_task},
+                          {"compare", compare_task},   {"synthetic", synthetic_task}};
 
 }  // namespace
 
