@@ -1,6 +1,6 @@
 // What the panel says of each method, from what the core found.
 import { percent, significant, withUnit } from '../look/numbers'
-import type { Run } from '../core/types'
+import type { Motion } from '../core/types'
 import type { Words } from '../words/words.svelte'
 import { decayRate, naturalFrequency } from './law'
 import type { SimulateState } from './state'
@@ -17,7 +17,7 @@ export interface Row {
 /** The law's own frequency [rad/s], 0 where it creeps. */
 const ownFrequency = (s: SimulateState): number => Math.sqrt(Math.max(0, naturalFrequency(s) ** 2 - decayRate(s) ** 2))
 
-export function rowsOf(runs: Run[], s: SimulateState): Row[] {
+export function rowsOf(runs: Motion[], s: SimulateState): Row[] {
   const own = ownFrequency(s)
   return runs
     .filter((run) => run.method !== 'exact' && run.effective)

@@ -1,7 +1,8 @@
 // What the core says to the state of the page: asked anew at every change, the newest question first.
 import { untrack } from 'svelte'
 import { ask, askAside } from '../core/ask'
-import type { MethodList, Resonance, Run } from '../core/types'
+import { answerAtOnce, learn } from '../core/at_once'
+import type { Answer, MethodList, Motion, Resonance } from '../core/types'
 import { page } from '../state/page.svelte'
 import { dampingRatio, isLinear, naturalFrequency } from './law'
 import { coreOptions, resonanceOptions } from './options'
@@ -10,7 +11,7 @@ import { steppedResonance } from './stepped_resonance'
 import type { SimulateState } from './state'
 
 interface Results {
-  runs: Run[]
+  runs: Motion[]
   /** Why there is no newer picture: the core's own words. */
   message: string
   resonance: Resonance['curves']
@@ -25,18 +26,40 @@ function put(part: Partial<Results>): void {
   current = { ...untrack(() => current), ...part }
 }
 
-/** False where a newer question took its place. */
-async function simulate(state: SimulateState): Promise<boolean> {
-  const options = coreOptions(state)
-  if (!options.some(([name]) => name === 'method')) {
-    put({ runs: [], message: '' })
-    return true
-  }
-  const answer = await ask('simulate', options, { channel: 'simulate' })
-  if (!answer) return false
+function show(answer: Answer<'motion'>): void {
   if (answer.status === 2) put({ message: answer.document.message })
   else put({ runs: answer.document.runs, message: '' })
-  return true
+}
+
+let [turn, shown] = [0, 0]
+/** Puts the new curves in place, in the same frame where that is possible. `then`: once they are the newest. */
+function simulate(state: SimulateState, then: () => void): void {
+  const mine = ++turn
+  const options = coreOptions(state)
+  const methods = options.filter(([name]) => name === 'method').map(([, name]) => name)
+  if (methods.length === 0) {
+    shown = mine
+    put({ runs: [], message: '' })
+    return then()
+  }
+  // Of linear laws every step costs the same; others may take any number of iterations, or of steps of their own.
+  const alike = isLinear(state) && !methods.includes('dormand-prince')
+  const [kind, steps] = [methods.join(), (methods.length * state.until) / state.step]
+  const atOnce = alike ? answerAtOnce('motion', options, kind, steps) : null
+  if (atOnce) {
+    shown = mine
+    show(atOnce)
+    return then()
+  }
+  void ask('motion', options, { channel: 'simulate' }).then((answer) => {
+    if (!answer) return
+    if (alike) learn(kind, steps, answer.took)
+    // The page itself may have been faster with a newer question.
+    if (mine < shown) return
+    shown = mine
+    show(answer)
+    then()
+  })
 }
 
 async function resonate(state: SimulateState): Promise<void> {
@@ -74,10 +97,10 @@ const calm = 120 // [ms] of rest before the limits are asked for
 /** Keeps the results up to date for as long as the component lives that calls it: first the curves, then the rest. */
 export function followState(): void {
   let [resonanceFor, limitsFor, timer] = ['', '', 0]
-  $effect(() => {
+  // Before the page is written, so that it is written once.
+  $effect.pre(() => {
     const state = $state.snapshot(page.simulate) as SimulateState
-    void simulate(state).then((newest) => {
-      if (!newest) return
+    simulate(state, () => {
       if (resonanceFor !== (resonanceFor = resonanceKey(state))) void resonate(state)
       clearTimeout(timer)
       if (limitsFor !== limitsKey(state))

@@ -1,6 +1,6 @@
 // The resonance curve of a law that is not linear: stepped by Dormand-Prince at a few frequencies, each from rest.
 import { askAside } from '../core/ask'
-import type { ResonanceCurve, Run } from '../core/types'
+import type { ResonanceCurve, Motion } from '../core/types'
 import { decayRate, period } from './law'
 import { resonanceOptions } from './options'
 import type { SimulateState } from './state'
@@ -11,9 +11,9 @@ const most = 200
 const read = 3 // of the drive's periods, at the end
 
 /** Largest |x| of the last three periods of the drive; it has settled if the three before them say the same. */
-function swing(run: Run): { amplitude: number; settled: boolean } {
+function swing(run: Motion): { amplitude: number; settled: boolean } {
   const { t, x } = run.states
-  const span = (read * 2 * Math.PI) / run.parameters.drive_frequency
+  const span = (read * 2 * Math.PI) / run.drive_frequency
   let [last, before] = [0, 0]
   for (let i = 0; i < t.length; ++i) {
     if (t[i]! >= run.until - span) last = Math.max(last, Math.abs(x[i]!))
@@ -29,7 +29,7 @@ export async function steppedResonance(s: SimulateState, from: number, to: numbe
   const until = Math.min(most * period(s), Math.max(least * period(s), decay)) + (2 * read * 2 * Math.PI) / from
   const frequencies = Array.from({ length: points }, (_, i) => from + ((to - from) * i) / (points - 1))
   const answer = await askAside(
-    'simulate',
+    'motion',
     [
       ...law, ...frequencies.map((each): [string, string] => ['drive-frequency', String(each)]), ['position', '0'],
       ['method', 'dormand-prince'], ['tolerance', '1e-6'], ['step', String(Math.min(period(s), (2 * Math.PI) / to) / 24)], ['until', String(until)],
@@ -38,7 +38,7 @@ export async function steppedResonance(s: SimulateState, from: number, to: numbe
   )
   if (!answer) return null
   if (answer.status === 2) return []
-  const found = answer.document.runs.map((run) => ({ frequency: run.parameters.drive_frequency, ...swing(run) })).filter((each) => each.settled)
+  const found = answer.document.runs.map((run) => ({ frequency: run.drive_frequency, ...swing(run) })).filter((each) => each.settled)
   return [
     {
       method: 'dormand-prince', settled: found.length > 1, phase: new Float64Array(),

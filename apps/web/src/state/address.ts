@@ -5,6 +5,8 @@ type Plain = number | string | boolean | string[] | null
 type Part = Record<string, Plain>
 const tabs: TabName[] = ['simulate', 'measure', 'teach']
 
+const base = defaults()
+
 const textOf = (value: Plain): string => (Array.isArray(value) ? value.join(',') : String(value))
 
 /** `text` as the kind of value that `like` is; undefined where it is none. */
@@ -18,7 +20,6 @@ function read(text: string, like: Plain): Plain | undefined {
 
 /** The part of the address behind #. Values of other pages are written too, as `measure.file=…`. */
 export function addressOf(document: PageDocument): string {
-  const base = defaults()
   const values = new URLSearchParams()
   for (const tab of tabs) {
     const now = document[tab] as Part
