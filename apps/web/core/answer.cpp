@@ -7,16 +7,14 @@
 #include <utility>
 #include <variant>
 
-#include "cromer/analysis/frequency_response.h"
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
-#include "cromer/model/linear_quantities.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/effect.h"
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
-#include "cromer/study/json/simulate.h"
 #include "cromer/study/task/fitted_motion.h"
+#include "motions.h"
 #include "request.h"
 #include "resonance_curves.h"
 
@@ -46,26 +44,20 @@ Result<SimulateOptions> simulate_options(const Request& request) {
   return options;
 }
 
-/// Of the law without drag, friction and cubic stiffness.
-Json linear_part(const Oscillator<double>& law) {
-  return {{"natural_frequency", natural_frequency(law)},
-          {"damped_frequency", damped_frequency(law)},
-          {"decay_rate", decay_rate(law)},
-          {"critical_damping", critical_damping(law)},
-          {"damping_ratio", damping_ratio(law)},
-          {"quality_factor", quality_factor(law)},
-          {"resonance_frequency", resonance_frequency(law)},
-          {"energy_factor_per_cycle", energy_factor_per_cycle(law)}};
-}
-
 Answer simulate_task(const Request& request, std::string_view) {
   const auto options = simulate_options(request);
   if (!options) return bad_input(options.error());
   const auto result = simulate(*options);
-  if (!result) return bad_input(result.error());
-  Json document = simulate_object(*result, true);
-  document["linear_part"] = linear_part(result->runs.front().oscillator);
-  return found(to_text(document), result->ok());
+  return result ? found(to_json(*result, true), result->ok()) : bad_input(result.error());
+}
+
+/// What the page draws of a simulation, without what only a document tells.
+Answer motion_task(const Request& request, std::string_view) {
+  auto options = simulate_options(request);
+  if (!options) return bad_input(options.error());
+  options->motion_only = true;
+  const auto result = simulate(*options);
+  return result ? found(to_text(motions_of(*result)), result->ok()) : bad_input(result.error());
 }
 
 Answer methods_task(const Request& request, std::string_view) {
@@ -151,6 +143,7 @@ Answer synthetic_task(const Request& request, std::string_view) {
   auto options = simulate_options(request);
   if (!options) return bad_input(options.error());
   options->sensor.used = true;
+  options->motion_only = true;
   const auto result = simulate(*options);
   if (!result) return bad_input(result.error());
   const SimulatedRun& run = result->runs.front();
@@ -191,9 +184,9 @@ struct Task {
 };
 
 constexpr Task tasks[] = {
-    {"simulate", simulate_task},  {"effective", methods_task}, {"resonance", resonance_task},
-    {"inspect", inspect_task},    {"fit", fit_task},           {"compare", compare_task},
-    {"synthetic", synthetic_task}, {"quantity", quantity_task}};
+    {"simulate", simulate_task},   {"motion", motion_task},       {"effective", methods_task},
+    {"resonance", resonance_task}, {"inspect", inspect_task},     {"fit", fit_task},
+    {"compare", compare_task},     {"synthetic", synthetic_task}, {"quantity", quantity_task}};
 
 }  // namespace
 

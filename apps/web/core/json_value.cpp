@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "cromer/base/quantity.h"
 
@@ -33,7 +34,10 @@ void write_number(double number, std::string& to) { to += std::isfinite(number) 
 
 void write_block(const std::vector<double>& numbers, std::string& to, std::vector<double>& blocks) {
   to += "{\"block\":[" + std::to_string(blocks.size()) + ',' + std::to_string(numbers.size()) + "]}";
-  blocks.insert(blocks.end(), numbers.begin(), numbers.end());
+  const std::size_t before = blocks.size();
+  blocks.resize(before + numbers.size());
+  // insert would take them one by one
+  if (!numbers.empty()) std::memcpy(blocks.data() + before, numbers.data(), numbers.size() * sizeof(double));
 }
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/identify/driven_motion.h"
 #include "cromer/identify/driven_start.h"
 #include "cromer/identify/forced_minimum.h"
-#include "cromer/identify/sinusoidal_force.h"
 
 namespace cromer {
 

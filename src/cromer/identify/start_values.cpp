@@ -84,19 +84,20 @@ Samples thinned(const Samples& all, double w) {
 }
 
 struct GridPoint {
-  double w = 0, g = 0, sum_of_squares = HUGE_VAL;
+  double w = 0, g = 0, mean_square = HUGE_VAL;  // of what it leaves
 };
 
 // The decay rates worth trying: none, and from one that is hardly seen within the record to one gone within a
 // radian (most_damping 1) or less.
-GridPoint search(const DampedPhasor& model, double duration, double w_low, double w_high, int count,
+GridPoint search(const Samples& samples, double duration, double w_low, double w_high, int count,
                  double most_damping) {
+  const DampedPhasor model(samples.record());
   GridPoint best;
   for (int i = 0; i < count; ++i) {
     const double w = count == 1 ? w_low : w_low + (w_high - w_low) * i / (count - 1);
     for (double g = 0; g <= most_damping * w; g = g > 0 ? 1.8 * g : 0.1 / duration) {
-      const double rest = model.best_linear(w, g).sum_of_squares;
-      if (rest < best.sum_of_squares) best = {w, g, rest};
+      const double rest = model.best_linear(w, g).sum_of_squares / static_cast<double>(samples.t.size());
+      if (rest < best.mean_square) best = {w, g, rest};
     }
   }
   return best;
@@ -119,7 +120,7 @@ double variation(const Samples& samples) {
 GridPoint search_few_periods(const Samples& samples) {
   const double T = samples.duration();
   const Samples thin = thinned(samples, 7 * two_pi / T);
-  return search(DampedPhasor(thin.record()), T, 0.6 * two_pi / T, 7 * two_pi / T, 60, 10);
+  return search(thin, T, 0.6 * two_pi / T, 7 * two_pi / T, 60, 10);
 }
 
 // The best point at the spectrum's line, if that is one: more than six periods, and a fiftieth of the
@@ -129,9 +130,8 @@ std::optional<GridPoint> search_line(const Samples& samples) {
   const double T = samples.duration();
   if (!line || line->angular_frequency * T < 6 * two_pi) return std::nullopt;
   const Samples thin = thinned(samples, line->angular_frequency);
-  const GridPoint best =
-      search(DampedPhasor(thin.record()), T, line->angular_frequency, line->angular_frequency, 1, 1);
-  if (best.sum_of_squares > 0.98 * variation(thin) * static_cast<double>(thin.y.size())) return std::nullopt;
+  const GridPoint best = search(thin, T, line->angular_frequency, line->angular_frequency, 1, 1);
+  if (best.mean_square > 0.98 * variation(thin)) return std::nullopt;
   return best;
 }
 
@@ -143,13 +143,16 @@ std::optional<StartValues> find_start_values(const Record& record) {
   start.samples = std::min(n, longest_transform);
   Samples part = even_samples(record, start.samples, find_sampling(record.t.first(start.samples)).step);
   std::optional<GridPoint> best = search_line(part);
+  // The line may be noise on a motion of which the first part shows few periods.
+  if (best && start.samples < n && search_few_periods(part).mean_square < best->mean_square)
+    best = std::nullopt;
   if (!best && start.samples < n) {
     part = group_means(record, longest_transform);
     start.samples = n;
     best = search_line(part);
   }
   if (!best) best = search_few_periods(part);
-  if (!std::isfinite(best->sum_of_squares)) return std::nullopt;
+  if (!std::isfinite(best->mean_square)) return std::nullopt;
 
   // Amplitudes from the part itself, now at the record's own times.
   const Record own{record.t.first(start.samples), record.y.first(start.samples), record.resolution};

@@ -1,17 +1,30 @@
-// The page's cores: `ask('simulate', [['mass', '2 kg']])`.
-import module from 'virtual:core'
+// The page's cores: `ask('motion', [['mass', '2 kg']])`.
+import packed from 'virtual:core'
 import { connect, type Ask } from './client'
+import type { Start, Started } from './worker'
 import CoreWorker from './worker?worker&inline'
 
-const bytes = Uint8Array.from(atob(module), (c) => c.charCodeAt(0))
+const bytes = Uint8Array.from(atob(packed), (c) => c.charCodeAt(0))
+const give = (worker: Worker, start: Start) => worker.postMessage(start)
+
+const first = new CoreWorker()
+/// The core's module, compiled once, by the first worker. null where a browser does not let it be handed on.
+export const compiled = new Promise<WebAssembly.Module | null>((resolve) => {
+  first.addEventListener('message', ({ data }: MessageEvent<Started | object>) => {
+    if ('module' in data) resolve(data.module)
+  })
+  for (const fault of ['messageerror', 'error']) first.addEventListener(fault, () => resolve(null))
+})
+give(first, { packed: bytes })
+
+export const ask: Ask = connect(first)
 
 /// A core in a worker of its own. `close` ends it in the middle of a question, which is then never answered.
 export function openCore(): { ask: Ask; close: () => void } {
   const worker = new CoreWorker()
-  return { ask: connect(worker, bytes), close: () => worker.terminate() }
+  void compiled.then((module) => give(worker, module ? { module } : { packed: bytes }))
+  return { ask: connect(worker), close: () => worker.terminate() }
 }
-
-export const ask: Ask = openCore().ask
 
 let aside: Ask | undefined
 /** A second worker for what takes longer, so that moving a slider never waits for it. */

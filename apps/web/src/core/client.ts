@@ -1,6 +1,7 @@
 // The page's side of the core: questions to the worker, answers as promises.
+import { read, refusal, type Written } from './core'
 import type { Answer, Options, Task } from './types'
-import type { Question, Reply } from './worker'
+import type { Question, Reply, Started } from './worker'
 
 export interface Asking {
   file?: Uint8Array
@@ -9,18 +10,21 @@ export interface Asking {
   channel?: string
 }
 
+/// `took`: milliseconds that the core computed.
+export type Answered<T extends Task> = Answer<T> & { took: number }
+
 /// The answer, or null where a newer question of the same channel took this one's place.
-export type Ask = <T extends Task>(task: T, options: Options, asking?: Asking) => Promise<Answer<T> | null>
+export type Ask = <T extends Task>(task: T, options: Options, asking?: Asking) => Promise<Answered<T> | null>
 
 interface Waiting {
   question: Question
   channel: string | undefined
-  settle(answer: Answer | null): void
+  settle(written: (Written & { took: number }) | null): void
 }
 
-/// Asks the core in `worker` (worker.ts), to which it sends the module first, gzipped or not. One question is
-/// with the worker at a time; the others wait here, where they can still be overtaken.
-export function connect(worker: Worker, module: Uint8Array): Ask {
+/// Asks the core in `worker` (worker.ts), which someone gives its module. One question is with the worker at a
+/// time; the others wait here, where they can still be overtaken.
+export function connect(worker: Worker): Ask {
   const waiting: Waiting[] = []
   let asked: Waiting | undefined
   let count = 0
@@ -30,22 +34,20 @@ export function connect(worker: Worker, module: Uint8Array): Ask {
     if (asked) worker.postMessage(asked.question)
   }
 
-  worker.onmessage = ({ data }: MessageEvent<Reply>) => {
-    if (data.id !== asked?.question.id) return
-    const { id: _, ...answer } = data
-    asked.settle(answer as Answer)
+  worker.addEventListener('message', ({ data }: MessageEvent<Reply | Started>) => {
+    if (!('id' in data) || data.id !== asked?.question.id) return
+    asked.settle(data)
     next()
-  }
+  })
   // Only a worker that could not be read ends up here: what goes wrong in a task is an answer.
-  worker.onerror = (event) => {
-    asked?.settle({ status: 2, document: { message: event.message || 'the worker could not be started' } })
+  worker.addEventListener('error', (event) => {
+    asked?.settle({ ...refusal(event.message || 'the worker could not be started'), took: 0 })
     next()
-  }
-  worker.postMessage({ module })
+  })
 
   return <T extends Task>(task: T, options: Options, { file, fileName, channel }: Asking = {}) =>
-    new Promise<Answer<T> | null>((resolve) => {
-      const settle = (answer: Answer | null) => resolve(answer as Answer<T> | null)
+    new Promise<Answered<T> | null>((resolve) => {
+      const settle: Waiting['settle'] = (written) => resolve(written && { ...read<T>(written), took: written.took })
       const question: Question = { id: ++count, task, options, file, fileName }
       const overtaken = channel === undefined ? -1 : waiting.findIndex((each) => each.channel === channel)
       const entry = { question, channel, settle }

@@ -16,27 +16,57 @@ interface Exports {
   page_numbers_length(): number
 }
 
-export interface Core {
-  /// Runs one task to its end. `file`: a recording, of tasks that read one; its name is the option "file-name".
-  answer<T extends Task>(task: T, options: Options, file?: Uint8Array): Answer<T>
+/// An answer as the core writes it, and as it travels: a document, and the blocks of numbers that it refers to.
+export interface Written {
+  status: 0 | 1 | 2
+  text: string
+  numbers: Float64Array<ArrayBuffer>
 }
 
-/// The core from the bytes of its module, as they are, gzipped or as .lzma.
-export async function open(bytes: Uint8Array): Promise<Core> {
+export interface Core {
+  /// Runs one task to its end. `file`: a recording, of tasks that read one; its name is the option "file-name".
+  answer(task: Task, options: Options, file?: Uint8Array): Written
+}
+
+/// What stands in an answer.
+export const read = <T extends Task>({ status, text, numbers }: Written): Answer<T> =>
+  ({ status, document: withBlocks(JSON.parse(text), numbers) }) as Answer<T>
+
+/// What goes wrong outside of a task, as an answer.
+export const refusal = (message: string): Written => ({
+  status: 2,
+  text: JSON.stringify({ message }),
+  numbers: new Float64Array(),
+})
+
+/// The core's module from its bytes, as they are, gzipped or as .lzma.
+export async function compile(bytes: Uint8Array): Promise<WebAssembly.Module> {
   const plain = bytes[0] === 0x1f ? await unzip(bytes) : bytes[0] === 0 ? bytes : unlzma(bytes)
-  const module = await WebAssembly.compile(plain as Uint8Array<ArrayBuffer>)
-  let core = start(module)
+  return WebAssembly.compile(plain as Uint8Array<ArrayBuffer>)
+}
+
+export async function start(module: WebAssembly.Module): Promise<Core> {
+  // The module asks a system for little (arguments, an output for its last words), and gets none of it.
+  const imports: Record<string, Record<string, () => number>> = {}
+  for (const each of WebAssembly.Module.imports(module)) (imports[each.module] ??= {})[each.name] = () => 0
+  let exports = begin(await WebAssembly.instantiate(module, imports))
   return {
     answer(task, options, file) {
       try {
-        return ask(core, task, options, file)
+        return ask(exports, task, options, file)
       } catch (error) {
         // Its memory may be in any state after that; the next question gets a new one.
-        core = start(module)
-        return { status: 2, document: { message: message(error) } }
+        exports = begin(new WebAssembly.Instance(module, imports))
+        return refusal(message(error))
       }
     },
   }
+}
+
+function begin(instance: WebAssembly.Instance): Exports {
+  const exports = instance.exports as unknown as Exports
+  exports._initialize()
+  return exports
 }
 
 async function unzip(bytes: Uint8Array): Promise<Uint8Array> {
@@ -52,27 +82,19 @@ function message(error: unknown): string {
   return `the computation broke off: ${error}`
 }
 
-/// The module asks a system for little (arguments, an output for its last words), and gets none of it.
-function start(module: WebAssembly.Module): Exports {
-  const imports: Record<string, Record<string, () => number>> = {}
-  for (const each of WebAssembly.Module.imports(module)) (imports[each.module] ??= {})[each.name] = () => 0
-  const core = new WebAssembly.Instance(module, imports).exports as unknown as Exports
-  core._initialize()
-  return core
-}
-
-function ask<T extends Task>(core: Exports, task: T, options: Options, file?: Uint8Array): Answer<T> {
+function ask(core: Exports, task: Task, options: Options, file?: Uint8Array): Written {
   const lines = options.map(([name, value]) => `${name}=${value.replace(/[\r\n]+/g, ' ')}`)
   const request = new TextEncoder().encode([task, ...lines].join('\n'))
   const at = put(core, request)
   const fileAt = file ? put(core, file) : 0
-  const status = core.page_answer(at, request.length, fileAt, file?.length ?? 0)
+  const status = core.page_answer(at, request.length, fileAt, file?.length ?? 0) as Written['status']
   core.page_release(at)
   if (fileAt) core.page_release(fileAt)
   const { buffer } = core.memory
   const text = new TextDecoder().decode(new Uint8Array(buffer, core.page_text(), core.page_text_length()))
-  const numbers = new Float64Array(buffer, core.page_numbers(), core.page_numbers_length())
-  return { status, document: withBlocks(JSON.parse(text), numbers) } as Answer<T>
+  // The memory is used again by the next question.
+  const numbers = new Float64Array(buffer, core.page_numbers(), core.page_numbers_length()).slice()
+  return { status, text, numbers }
 }
 
 function put(core: Exports, bytes: Uint8Array): number {

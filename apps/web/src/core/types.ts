@@ -1,7 +1,7 @@
 // What the core answers, task by task: the documents of the program's --json, with long lists of numbers as
 // Float64Array. SI units throughout. What may be not finite or unknown is null.
 
-export type Task = 'simulate' | 'effective' | 'resonance' | 'inspect' | 'fit' | 'compare' | 'synthetic' | 'quantity'
+export type Task = 'simulate' | 'motion' | 'effective' | 'resonance' | 'inspect' | 'fit' | 'compare' | 'synthetic' | 'quantity'
 
 /// Options of the program's command without dashes, values as typed: ["step", "20 ms"]. One given several
 /// times is a list.
@@ -9,6 +9,7 @@ export type Options = ReadonlyArray<readonly [name: string, value: string]>
 
 export interface Documents {
   simulate: Simulation
+  motion: Motions
   effective: MethodList
   resonance: Resonance
   inspect: Inspection
@@ -34,7 +35,6 @@ type Maybe = number | null
 
 export interface Simulation {
   runs: Run[]
-  linear_part: LinearPart
   warnings: string[]
   message?: string
 }
@@ -93,6 +93,22 @@ export interface Run {
   transmissibility?: Transmissibility
   sensor: { noise: number; resolution: number; offset: number; seed: number } | null
   states: States
+}
+
+/// What is drawn of runs, much faster than their documents.
+export interface Motions {
+  runs: Motion[]
+  linear_part: LinearPart
+  warnings: string[]
+}
+
+export interface Motion
+  extends Pick<
+    Run,
+    'method' | 'step' | 'until' | 'status' | 'effective' | 'stable' | 'stability_limit' | 'energy_factor_per_cycle' | 'states'
+  > {
+  drive_frequency: number
+  energy_at_end: Maybe
 }
 
 export type RunStatus =

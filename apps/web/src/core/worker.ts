@@ -1,9 +1,14 @@
-// The worker that the core runs in, so that the page never waits for it. The first message brings the module,
-// gzipped or not; each one after it is a question.
-import { buffersOf } from './blocks'
-import { open, type Core } from './core'
-import type { Answer, Options, Task } from './types'
+// A worker that a core runs in, so that the page never waits for it. The first message brings the module, or its
+// bytes; each one after it is a question.
+import { compile, refusal, start, type Core, type Written } from './core'
+import type { Options, Task } from './types'
 import { unpack } from './unpack'
+
+/// `packed`: the module's bytes, for the worker to compile them and to hand back the module.
+export type Start = { module: WebAssembly.Module } | { packed: Uint8Array }
+
+/// null: it cannot be handed on here.
+export type Started = { module: WebAssembly.Module | null }
 
 export interface Question {
   id: number
@@ -13,24 +18,42 @@ export interface Question {
   fileName?: string
 }
 
-export type Reply = { id: number } & Answer
+export interface Reply extends Written {
+  id: number
+  took: number // [ms] of the core
+}
 
-let core: Promise<Core> | undefined
+let begin: (core: Promise<Core>) => void
+const core = new Promise<Core>((resolve) => (begin = resolve))
 
-self.onmessage = async ({ data }: MessageEvent<{ module: Uint8Array } | Question>) => {
-  if ('module' in data) {
-    core = open(data.module)
+function handOn(module: WebAssembly.Module | null): void {
+  try {
+    self.postMessage({ module } satisfies Started)
+  } catch {
+    if (module) handOn(null)
+  }
+}
+
+self.onmessage = async ({ data }: MessageEvent<Start | Question>) => {
+  if ('packed' in data) {
+    const module = compile(data.packed)
+    begin(module.then(start))
+    module.then(handOn, () => handOn(null))
     return
   }
+  if ('module' in data) return begin(start(data.module))
   const { id, task, file, fileName } = data
   const options: Options = fileName === undefined ? data.options : [...data.options, ['file-name', fileName]]
-  let answer: Answer
+  let written: Written
+  let began = performance.now()
   try {
-    if (!core) throw new Error('the core was not sent')
-    answer = (await core).answer(task, options, file && (await unpack(file)))
+    const recording = file && (await unpack(file))
+    const { answer } = await core
+    began = performance.now()
+    written = answer(task, options, recording)
   } catch (error) {
-    answer = { status: 2, document: { message: error instanceof Error ? error.message : String(error) } }
+    written = refusal(error instanceof Error ? error.message : String(error))
   }
-  const reply: Reply = { id, ...answer }
-  self.postMessage(reply, { transfer: buffersOf(answer.document) })
+  const reply: Reply = { id, took: performance.now() - began, ...written }
+  self.postMessage(reply, { transfer: [reply.numbers.buffer] })
 }

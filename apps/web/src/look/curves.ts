@@ -24,8 +24,16 @@ const families: Record<string, [hue: string, dash: number[]]> = {
 
 /** The value of a token of tokens.css, such as "ink" or "grid". */
 export function token(name: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()
+  const theme = document.documentElement.dataset.theme ?? ''
+  const key = `${theme} ${name}`
+  const before = tokens.get(key)
+  if (before !== undefined) return before
+  const value = getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()
+  if (theme) tokens.set(key, value)
+  return value
 }
+/** What was asked before, theme by theme: an answer of the browser's makes it style the whole page first. */
+const tokens = new Map<string, string>()
 
 /** `exact`, `measured`, `fitted`, `model` (dashed grey), `drive` or a method's name. `road`: drawn as the exact solution is. */
 export function lookOf(meaning: Meaning, road = meaning === 'exact'): CurveLook {

@@ -59,24 +59,34 @@ class Session {
 
 export const session = new Session()
 
-let core: ReturnType<typeof openCore> | undefined
+/// Each in a worker; as many as the device has processors beside the page's own, each with a file of its own.
+const cores: (ReturnType<typeof openCore> | undefined)[] = []
+const most = Math.max(1, Math.min(3, (navigator.hardwareConcurrency || 1) - 1))
+const mostShared = 50e6 // [bytes] a longer file is in one worker at a time
 let asking = 0
 let turn = 0
 
-/// What is being computed for older settings is let go of: its worker ends.
+/// What is being computed for older settings is let go of: its workers end.
 function newTurn(): number {
   if (asking > 0) {
-    core?.close()
-    core = undefined
+    for (const core of cores.splice(0)) core?.close()
     asking = 0
   }
   return ++turn
 }
 
-/// Null where a newer turn has begun meanwhile.
-async function ask<T extends Task>(mine: number, task: T, options: Options, file?: File): Promise<Answer<T> | null> {
+/// Null where a newer turn has begun meanwhile. `lane`: questions of different lanes are computed at once where
+/// that is possible, else one after another in the order they came.
+async function ask<T extends Task>(
+  mine: number,
+  task: T,
+  options: Options,
+  file?: File,
+  lane = 0
+): Promise<Answer<T> | null> {
   if (mine !== turn) return null
-  core ??= openCore()
+  const at = file && file.bytes.length > mostShared ? 0 : lane % most
+  const core = (cores[at] ??= openCore())
   ++asking
   const answer = await core.ask(task, options, file && { file: file.bytes, fileName: file.name })
   if (mine !== turn) return null
@@ -128,25 +138,28 @@ async function refit(): Promise<void> {
   const runs = session.runs
   session.busy = 'first'
   session.simulated = []
-  const fitOf = async (law: string) => {
-    const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file)
+  const fitOf = async (law: string, lane: number) => {
+    const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file, lane)
     if (!answer) return null
     if (answer.status === 2) return answer.document.message
     return answer.document.fits[0]!
   }
-  const constant = await fitOf('viscous')
+  const constantAsked = fitOf('viscous', 0)
+  const bestAsked = state.law === 'viscous' ? constantAsked : fitOf(state.law || 'viscous+drag', 1)
+  const allAsked = state.law === '' ? fitOf('', 2) : null
+  const constant = await constantAsked
   if (mine !== turn) return
   if (typeof constant === 'string') return settle(mine, null, constant)
   session.constant = converged(constant) ? constant : null
-  let best = state.law === 'viscous' ? constant : await fitOf(state.law || 'viscous+drag')
+  let best = await bestAsked
   if (mine !== turn) return
-  if (state.law === '') {
+  if (allAsked) {
     const quick = [constant, best].filter(converged).sort((a, b) => bic(a) - bic(b))[0]
     if (quick) {
       show(quick)
       session.busy = 'more'
     }
-    best = await fitOf('')
+    best = await allAsked
     if (mine !== turn) return
   }
   if (typeof best === 'string') return settle(mine, null, best)

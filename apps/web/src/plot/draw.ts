@@ -3,6 +3,7 @@ import { lookOf, token } from '../look/curves'
 import type { Axis, Curve, Frame, Limits } from './curve'
 import { everyPoint, firstFrom, lineOf, valueAtX } from './decimate'
 import { drawDots } from './dots'
+import { extentOf } from './extent'
 import { spread } from './labels'
 import type { Pen } from './pen'
 import { tickText, ticksOf } from './ticks'
@@ -68,8 +69,8 @@ export function drawCurves(pen: Pen, frame: Frame, curves: Curve[], look: Look):
 const noteOf = (curve: Curve, y: readonly [number, number]): string | undefined =>
   curve.note && (!curve.unbounded || leaves(curve, y)) ? curve.note : undefined
 function leaves(curve: Curve, [least, most]: readonly [number, number]): boolean {
-  for (const value of curve.y) if (!(value >= least && value <= most)) return true
-  return false
+  const reaches = extentOf(curve.y)
+  return !reaches.whole || reaches.least < least || reaches.most > most
 }
 
 /** The words that stand at the curves' ends, and the room they need at the right. */

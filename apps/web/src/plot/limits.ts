@@ -1,5 +1,6 @@
 // What a plot shows at first: all of what stays bounded, and a few times that of what does not.
 import type { Curve, Limits } from './curve'
+import { extentOf } from './extent'
 import { roundLimits } from './ticks'
 
 /** How much wider than the bounded curves the frame gets for one that grows. */
@@ -8,11 +9,11 @@ const room = 3
 function ends(curves: Curve[], of: 'x' | 'y'): Limits | null {
   let from = Infinity
   let to = -Infinity
-  for (const curve of curves)
-    for (const value of curve[of]) {
-      if (value < from) from = value
-      if (value > to && value < Infinity) to = value
-    }
+  for (const curve of curves) {
+    const { least, most } = extentOf(curve[of])
+    from = Math.min(from, least)
+    to = Math.max(to, most)
+  }
   return from <= to ? [from, to] : null
 }
 

@@ -1,4 +1,5 @@
 // What plots are drawn with: a canvas on the screen, SVG in a saved figure. Both draw the same.
+import { beside, thinned } from './thin'
 
 export interface Stroke {
   colour: string
@@ -33,8 +34,30 @@ function fontOf(size: number, bold?: boolean, italic?: boolean): string {
   return `${italic ? 'italic ' : ''}${bold ? '700 ' : ''}${size}px ${sans}`
 }
 
+const long = 100 // points of a line that is worth thinning
+const unseen = 0.1 // of a pixel
+
+/** Widths of texts measured before: most are asked again at every redraw. */
+const widths = new Map<string, number>()
+const mostWidths = 4000
+
 export function canvasPen(context: CanvasRenderingContext2D): Pen {
   const c = context
+  let font = ''
+  /** Only where it changes: browsers read the whole of it anew. */
+  function setFont(next: string): void {
+    if (next !== font) c.font = font = next
+  }
+  function widthOf(text: string, next: string): number {
+    const key = `${next} ${text}`
+    const before = widths.get(key)
+    if (before !== undefined) return before
+    setFont(next)
+    const { width } = c.measureText(text)
+    if (widths.size > mostWidths) widths.clear()
+    widths.set(key, width)
+    return width
+  }
   function trace(points: ArrayLike<number>): void {
     c.beginPath()
     let down = false
@@ -61,13 +84,22 @@ export function canvasPen(context: CanvasRenderingContext2D): Pen {
   }
   const pen: Pen = {
     line(points, { colour, width, dash = [], round = true }) {
-      trace(points)
+      const pixel = 1 / (c.getTransform().a || 1)
+      const many = points.length >= 2 * long
+      const line = many ? thinned(points, unseen * pixel) : points
+      // Without a graphics card wide lines take browsers four times as long as lines of one pixel: two of those
+      // side by side look the same.
+      const twice = many && dash.length === 0 && width > pixel && width <= 2 * pixel && c.globalAlpha === 1
+      const by = (width - 0.8 * pixel) / 2
       c.strokeStyle = colour
-      c.lineWidth = width
+      c.lineWidth = twice ? pixel : width
       c.lineJoin = 'round'
       c.lineCap = round && dash.length === 0 ? 'round' : 'butt'
       c.setLineDash(dash)
-      c.stroke()
+      for (const each of twice ? [beside(line, by), beside(line, -by)] : [line]) {
+        trace(each)
+        c.stroke()
+      }
     },
     fill(points, colour) {
       trace(points)
@@ -90,17 +122,15 @@ export function canvasPen(context: CanvasRenderingContext2D): Pen {
       c.textBaseline = 'middle'
       let at = x - (align === 'left' ? 0 : pen.width(text, { size, bold }) / (align === 'right' ? 1 : 2))
       for (const piece of pieces(text)) {
-        c.font = fontOf(size, bold, piece.italic)
+        const next = fontOf(size, bold, piece.italic)
+        setFont(next)
         c.fillText(piece.text, at, y)
-        at += c.measureText(piece.text).width
+        at += widthOf(piece.text, next)
       }
     },
     width(text, { size, bold }) {
       let sum = 0
-      for (const piece of pieces(text)) {
-        c.font = fontOf(size, bold, piece.italic)
-        sum += c.measureText(piece.text).width
-      }
+      for (const piece of pieces(text)) sum += widthOf(piece.text, fontOf(size, bold, piece.italic))
       return sum
     },
     within(x, y, width, height, draw) {
@@ -110,6 +140,7 @@ export function canvasPen(context: CanvasRenderingContext2D): Pen {
       c.clip()
       draw()
       c.restore()
+      font = ''
     },
   }
   return pen

@@ -3,13 +3,12 @@ import { significant, withUnit } from '../look/numbers'
 import type { Words } from '../words/words.svelte'
 import type { Axis, Curve, Limits } from './curve'
 import { valueAtX } from './decimate'
+import { extentOf } from './extent'
 
 export function spokenPlot(w: Words['shell']['plot'], x: Axis, y: Axis, limits: Limits, curves: Curve[]): string {
   const value = (v: number, axis: Axis) => withUnit(significant(v, 3), axis.unit)
   const said = curves.slice(0, 6).map((curve) => {
-    let most = 0
-    for (const each of curve.y) if (Math.abs(each) > most && Number.isFinite(each)) most = Math.abs(each)
-    if (curve.unbounded) return w.grows(curve.name, value(most, y))
+    if (curve.unbounded) return w.grows(curve.name, value(extentOf(curve.y).size, y))
     const last = valueAtX(curve.x, curve.y, Math.min(limits[1], curve.x.at(-1) ?? 0))
     return Number.isFinite(last) ? w.ends(curve.name, value(last, y)) : ''
   })

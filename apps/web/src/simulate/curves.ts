@@ -1,24 +1,19 @@
 // From runs to what the plots show.
-import type { Run } from '../core/types'
+import type { Motion } from '../core/types'
 import type { Curve } from '../plot/curve'
+import { extentOf } from '../plot/extent'
 import { isLinear, referenceOf } from './law'
 import type { SimulateState } from './state'
 
-const largest = (values: Float64Array): number => {
-  let most = 0
-  for (const value of values) if (Math.abs(value) > most) most = Math.abs(value)
-  return most
-}
-
 /** Not to be followed by a plot's limits: it grows by the method's fault. */
-export function isUnbounded(run: Run, runs: Run[], s: SimulateState): boolean {
+export function isUnbounded(run: Motion, runs: Motion[], s: SimulateState): boolean {
   if (run.status === 'not_finite' || run.stable === false) return true
   const reference = runs.find((each) => each.method === referenceOf(s))
   if (isLinear(s) || !reference || run === reference) return false
-  return largest(run.states.x) > 3 * largest(reference.states.x)
+  return extentOf(run.states.x).size > 3 * extentOf(reference.states.x).size
 }
 
-export type Pick = (run: Run) => { x: Float64Array; y: Float64Array }
+export type Pick = (run: Motion) => { x: Float64Array; y: Float64Array }
 
 export const positions: Pick = (run) => ({ x: run.states.t, y: run.states.x })
 export const velocities: Pick = (run) => ({ x: run.states.t, y: run.states.v })
@@ -26,7 +21,7 @@ export const energies: Pick = (run) => ({ x: run.states.t, y: run.states.energy 
 export const phases: Pick = (run) => ({ x: run.states.x, y: run.states.v })
 
 /** x less that of the reference, state by state: both have the same times. */
-export function differences(reference: Run | undefined): Pick {
+export function differences(reference: Motion | undefined): Pick {
   return (run) => {
     const count = reference ? Math.min(run.states.x.length, reference.states.x.length) : 0
     const y = new Float64Array(count)
@@ -37,7 +32,7 @@ export function differences(reference: Run | undefined): Pick {
 
 /** One for each run the reader asked for. `note`: said of those that leave the plot. */
 export function curvesOf(
-  runs: Run[], s: SimulateState, names: Record<string, string>, pick: Pick, note: string, withoutReference = false,
+  runs: Motion[], s: SimulateState, names: Record<string, string>, pick: Pick, note: string, withoutReference = false,
 ): Curve[] {
   const reference = referenceOf(s)
   const shown = runs.filter(

@@ -1,6 +1,6 @@
 // What the panel says of each method, from what the core found.
 import { percent, significant, withUnit } from '../look/numbers'
-import type { LinearPart, Run } from '../core/types'
+import type { LinearPart, Motion } from '../core/types'
 import type { Words } from '../words/words.svelte'
 
 export interface Row {
@@ -12,7 +12,7 @@ export interface Row {
   energyFactor: number | null // a cycle
 }
 
-export function rowsOf(runs: Run[], linear: LinearPart | null): Row[] {
+export function rowsOf(runs: Motion[], linear: LinearPart | null): Row[] {
   const own = linear?.damped_frequency ?? 0
   return runs
     .filter((run) => run.method !== 'exact' && run.effective)

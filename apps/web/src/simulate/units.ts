@@ -1,5 +1,6 @@
 // Units that suit the size: what swings by millimetres is plotted in mm.
 import type { Curve } from '../plot/curve'
+import { extentOf } from '../plot/extent'
 
 const lengths = [
   { name: 'm', factor: 1, least: 0.1 },
@@ -21,7 +22,7 @@ function fit(curves: Curve[], units: (Unit & { least: number })[]): Unit {
   let most = 0
   for (const curve of curves)
     if (!curve.unbounded || curves.every((each) => each.unbounded))
-      for (const value of curve.y) if (Math.abs(value) > most && Number.isFinite(value)) most = Math.abs(value)
+      most = Math.max(most, extentOf(curve.y).size)
   return (most > 0 && units.find((unit) => most >= unit.least)) || units[0]!
 }
 

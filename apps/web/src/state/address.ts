@@ -10,6 +10,8 @@ type Part = Record<string, Plain>
 const tabs: TabName[] = ['simulate', 'measure', 'teach']
 const rules = { simulate: simulateRules, measure: measureRules, teach: teachRules }
 
+const base = defaults()
+
 const textOf = (value: Plain): string => (Array.isArray(value) ? value.join(',') : String(value))
 
 /** `text` as the kind of value that `like` is; undefined where it is none. */
@@ -23,7 +25,6 @@ function read(text: string, like: Plain): Plain | undefined {
 
 /** The part of the address behind #. Values of other pages are written too, as `measure.file=…`. */
 export function addressOf(document: PageDocument): string {
-  const base = defaults()
   const values = new URLSearchParams()
   for (const tab of tabs) {
     const now = document[tab] as Part

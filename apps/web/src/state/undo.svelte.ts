@@ -16,11 +16,11 @@ let last = { name: '', at: -Infinity }
 
 /** Changes the state. `name` tells changes apart: those of one slider share it. */
 export function change(name: string, mutate: (state: PageDocument) => void, now = performance.now()): void {
-  const before = copyOfPage()
-  mutate(page)
   const goesOn = name === last.name && now - last.at < oneGo && past.length > 0
+  const before = goesOn ? null : copyOfPage()
+  mutate(page)
   last = { name, at: now }
-  if (goesOn) return
+  if (!before) return
   past.push({ name, before })
   if (past.length > most) past.shift()
   undone.length = 0

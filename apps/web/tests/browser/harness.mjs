@@ -16,12 +16,13 @@ const options = [
 
 export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: options })
 
-/** A page of its own profile; `faults` fills with console errors, exceptions and requests. */
-export async function open(browser, { width = 1440, height = 900, hash = '', ...others } = {}) {
+/** A page of its own profile, `watch` run in it before its own scripts; `faults` fills with console errors, exceptions and requests. */
+export async function open(browser, { width = 1440, height = 900, hash = '', watch, ...others } = {}) {
   const context = await browser.newContext({
     viewport: { width, height }, locale: 'en-GB', reducedMotion: 'reduce', acceptDownloads: true, ...others,
   })
   const page = await context.newPage()
+  if (watch) await page.addInitScript(watch)
   const faults = []
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && faults.push(message.text()))
   page.on('pageerror', (error) => faults.push(error.stack))

@@ -202,6 +202,27 @@ const faultless = async (page, what) => {
   await context.close()
 }
 
+// A device of many processors fits in several workers: with the same result.
+const panels = []
+for (const processors of [1, 8]) {
+  const watch = `window.workers = 0
+    Object.defineProperty(navigator, 'hardwareConcurrency', { value: ${processors} })
+    window.Worker = class extends Worker { constructor(...all) { super(...all); ++window.workers } }`
+  const { page, faults, context } = await measure({ watch })
+  await check(`the laws are compared with ${processors} processors`, async () => {
+    const before = await page.evaluate(() => window.workers)
+    await page.locator('.examples button').first().click()
+    await page.locator('[data-quantity=stiffness]').waitFor({ timeout: 60000 })
+    await settled(page)
+    panels.push(await page.locator('.panel').innerText())
+    const workers = (await page.evaluate(() => window.workers)) - before
+    assert.equal(workers, processors === 1 ? 1 : 3)
+    assert.equal(panels.at(-1), panels[0])
+    assert.deepEqual(faults, [])
+  })
+  await context.close()
+}
+
 const shared = process.env.CROMER_DATA ?? fileURLToPath(new URL('../../../../../shared/data/', import.meta.url))
 const measured = [
   ['spring-disc-pasco/molla_dura_discopieno_0.1223kg.csv', 'PASCO Capstone, decimal comma', /1\.2\d+/],

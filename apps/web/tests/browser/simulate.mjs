@@ -266,6 +266,28 @@ const button = (page, name) => page.getByRole('button', { name })
   await context.close()
 }
 
+{
+  // What each worker is given to begin with.
+  const starts = () => {
+    window.starts = []
+    const post = Worker.prototype.postMessage
+    Worker.prototype.postMessage = function (message, ...others) {
+      for (const what of ['packed', 'module']) if (what in message) window.starts.push(what)
+      return post.call(this, message, ...others)
+    }
+  }
+  const { page, faults, context } = await open(browser, { watch: starts })
+  await check('the core is unpacked and compiled once, and handed to every other worker', async () => {
+    await rest(page)
+    await page.getByRole('link', { name: 'Measure' }).click()
+    await page.locator('button', { hasText: /disc/i }).first().click()
+    await page.waitForFunction(() => window.starts.length >= 3)
+    assert.deepEqual(await page.evaluate(() => window.starts), ['packed', 'module', 'module'])
+    assert.deepEqual(faults, [])
+  })
+  await context.close()
+}
+
 for (const [width, height, theme, language] of [
   [1440, 900, 'light', 'en-GB'], [1440, 900, 'dark', 'de-DE'], [1000, 800, 'light', 'de-DE'], [390, 844, 'dark', 'en-GB'], [390, 844, 'light', 'de-DE'],
 ]) {

@@ -2,19 +2,20 @@ import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
 
-import { open } from '../../src/core/core'
-import type { Options, ResonanceCurve } from '../../src/core/types'
+import { compile, read, start } from '../../src/core/core'
+import type { Options, ResonanceCurve, Task } from '../../src/core/types'
 
 const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', import.meta.url))
 
 describe.skipIf(!existsSync(built))('the resonance curve', async () => {
-  const core = existsSync(built) ? await open(readFileSync(built)) : undefined!
+  const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
+  const ask = <T extends Task>(task: T, options: Options) => read<T>(core.answer(task, options))
 
   const law: Options = [
     ['stiffness', '9'], ['drive-amplitude', '1'], ['drive-frequency', '3'], ['step', '0.01'],
   ]
   function curves(methods: string[], options: Options): ResonanceCurve[] {
-    const answer = core.answer('resonance', [...law, ['frequencies', '1:5:21'], ...methods.map((each): [string, string] => ['method', each]), ...options])
+    const answer = ask('resonance', [...law, ['frequencies', '1:5:21'], ...methods.map((each): [string, string] => ['method', each]), ...options])
     if (answer.status !== 0) throw new Error(JSON.stringify(answer))
     return answer.document.curves
   }
@@ -60,18 +61,18 @@ describe.skipIf(!existsSync(built))('the resonance curve', async () => {
   })
 
   it('needs a drive', () => {
-    expect(core.answer('resonance', [['step', '0.01']])).toMatchObject({ status: 2, document: { message: '--drive-amplitude: nothing drives it' } })
+    expect(ask('resonance', [['step', '0.01']])).toMatchObject({ status: 2, document: { message: '--drive-amplitude: nothing drives it' } })
   })
 
   it('stands beside what the linear part of the law is known by', () => {
-    const answer = core.answer('simulate', [['mass', '2'], ['stiffness', '8'], ['damping', '0.4'], ['step', '0.01'], ['until', '0.01']])
+    const answer = ask('motion', [['mass', '2'], ['stiffness', '8'], ['damping', '0.4'], ['step', '0.01'], ['until', '0.01']])
     if (answer.status === 2) throw new Error(answer.document.message)
     const part = answer.document.linear_part
     expect(part).toMatchObject({ natural_frequency: 2, decay_rate: 0.1, critical_damping: 8, damping_ratio: 0.05, quality_factor: 10 })
     expect(part.damped_frequency).toBeCloseTo(Math.sqrt(3.99), 14)
     expect(part.resonance_frequency).toBeCloseTo(Math.sqrt(3.98), 14)
     expect(part.energy_factor_per_cycle).toBeCloseTo(Math.exp((-2 * Math.PI * 0.2) / Math.sqrt(3.99)), 14)
-    const creeping = core.answer('simulate', [['stiffness', '-1'], ['step', '0.01'], ['until', '0.01'], ['method', 'euler-cromer']])
+    const creeping = ask('motion', [['stiffness', '-1'], ['step', '0.01'], ['until', '0.01'], ['method', 'euler-cromer']])
     if (creeping.status === 2) throw new Error(creeping.document.message)
     expect(creeping.document.linear_part).toMatchObject({ natural_frequency: 0, critical_damping: 0, damping_ratio: null, energy_factor_per_cycle: 0 })
   })

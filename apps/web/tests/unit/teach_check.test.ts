@@ -1,6 +1,6 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { open } from '../../src/core/core'
+import { compile, read, start } from '../../src/core/core'
 import type { Fits } from '../../src/core/types'
 import { check } from '../../src/teach/check'
 import { keyOf, type AskCore, type Expected } from '../../src/teach/key'
@@ -45,9 +45,9 @@ const core = [process.env.CROMER_WASM, '../../build/page/core.wasm'].find((file)
 
 describe.skipIf(!core)('the key of a recording (skipped where the core is not built)', () => {
   it('is what a careful student finds, and refuses a careless one', { timeout: 60_000 }, async () => {
-    const opened = await open(new Uint8Array(readFileSync(core)))
+    const opened = await start(await compile(new Uint8Array(readFileSync(core))))
     const ask: AskCore = async (task, options, asking) =>
-      opened.answer(task, asking?.fileName ? [...options, ['file-name', asking.fileName]] : options, asking?.file)
+      read(opened.answer(task, asking?.fileName ? [...options, ['file-name', asking.fileName]] : options, asking?.file))
     const truth = truthOf(seedOf('7F3A', '19'))
     const key = (await keyOf(truth, ask))!
     expect(key.stiffness.value).toBe(truth.stiffness)

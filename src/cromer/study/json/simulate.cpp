@@ -1,5 +1,3 @@
-#include "cromer/study/json/simulate.h"
-
 #include <algorithm>
 
 #include "cromer/analysis/energy.h"
@@ -146,7 +144,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
 
 }  // namespace
 
-Json simulate_object(const SimulateResult& result, bool with_states) {
+std::string to_json(const SimulateResult& result, bool with_states) {
   Json document_of_all;
   Json& runs = document_of_all["runs"] = Json::array();
   std::string message;
@@ -157,11 +155,7 @@ Json simulate_object(const SimulateResult& result, bool with_states) {
   }
   document_of_all["warnings"] = result.warnings;
   if (!message.empty()) document_of_all["message"] = message;
-  return document_of_all;
-}
-
-std::string to_json(const SimulateResult& result, bool with_states) {
-  return to_text(simulate_object(result, with_states), with_states);
+  return to_text(document_of_all, with_states);
 }
 
 }  // namespace cromer

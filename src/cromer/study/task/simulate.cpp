@@ -114,7 +114,7 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
     if (auto good = choose_steps(options, *runs, watch); !good) return good.error();
   for (auto& run : *runs) {
     run.effect = effect_of(run);
-    run.transmission = transmission_of(options, run);
+    if (!options.motion_only) run.transmission = transmission_of(options, run);
   }
   SimulateResult result;
   result.warnings = setup_warnings(options, *runs);
@@ -127,9 +127,11 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
     if (run.events.missed > 0)
       result.warnings.push_back(fmt::format("{}: only the first {} of {} events are listed", run.label,
                                             EventLog::most, EventLog::most + run.events.missed));
-    run.energy_balance = energy_balance_of(run);
-    run.modified_energy = modified_energy_of(run);
-    run.measured = measured_oscillator_of(run);
+    if (!options.motion_only) {
+      run.energy_balance = energy_balance_of(run);
+      run.modified_energy = modified_energy_of(run);
+      run.measured = measured_oscillator_of(run);
+    }
     if (options.sensor.used) run.sensor = readings(run.trajectory, options.sensor);
   }
   return result;

@@ -78,6 +78,7 @@ struct SimulateOptions {
   SensorOptions sensor{};
   double memory =
       0;  // [bytes] most that the kept states may take; 0: no limit. Set by the caller, not an option
+  bool motion_only = false;  ///< no energy balance, nothing measured or transmitted. Set by the caller
 };
 
 /// One run and everything that defines it.
