@@ -27,6 +27,10 @@ export function token(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()
 }
 
+/** A token's colour with `part` of it opaque: what is below shows through. */
+export const faded = (name: string, part: number): string =>
+  token(name) + Math.round(255 * part).toString(16).padStart(2, '0')
+
 /** `exact`, `measured`, `fitted`, `model` (dashed grey), `drive` or a method's name. `road`: drawn as the exact solution is. */
 export function lookOf(meaning: Meaning, road = meaning === 'exact'): CurveLook {
   if (road) return { line: token('line-exact'), word: token('word-exact'), dash: [], width: 4 }

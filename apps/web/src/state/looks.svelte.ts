@@ -52,8 +52,6 @@ export const isPhone = (): boolean => looks.width < 700
 
 export function watchLooks(): void {
   show()
-  addEventListener('beforeprint', () => (document.documentElement.dataset.theme = 'light'))
-  addEventListener('afterprint', show)
   addEventListener('resize', () => (looks.width = innerWidth))
   matchMedia('(prefers-reduced-motion: reduce)').addEventListener('change', (event) => (looks.plain = event.matches))
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', (event) => {

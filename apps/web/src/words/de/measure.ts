@@ -60,7 +60,8 @@ export const measure: typeof en = {
   },
   recording: {
     title: 'Aufnahme',
-    free: (from, to) => `Freier Teil ${from} bis ${to}: die Griffe ziehen oder mit den Pfeiltasten schieben.`,
+    free: (from, to) => `Freier Teil ${from} bis ${to}`,
+    how: ': die Griffe ziehen oder mit den Pfeiltasten schieben.',
     frame: 'Der Rahmen steht unten größer.',
     whole: 'Alles verwenden',
     amplitude: 'Amplitude des angepassten Gesetzes',
@@ -199,6 +200,7 @@ export const measure: typeof en = {
     constantEnd: (off) => `Mit einer festen Abklingrate liegt die Amplitude am Ende um ${off} daneben.`,
     step: (step) => `Schritt ${step}.`
   },
+  report: (file) => `${file}: das Gesetz eines Schwingers`,
   command: 'Befehl kopieren',
   commandCopied: 'Der Befehl ist kopiert.',
   numbers: { show: 'Zahlen zeigen', hide: 'Zahlen ausblenden' }

@@ -58,7 +58,8 @@ export const measure = {
   },
   recording: {
     title: 'Recording',
-    free: (from: string, to: string) => `Free part ${from} to ${to}: drag the handles, or use the arrow keys.`,
+    free: (from: string, to: string) => `Free part ${from} to ${to}`,
+    how: ': drag the handles, or use the arrow keys.',
     frame: 'The frame is shown larger below.',
     whole: 'Use all of it',
     amplitude: 'amplitude of the fitted law',
@@ -199,6 +200,7 @@ export const measure = {
     constantEnd: (off: string) => `With one constant decay rate the amplitude at the end is off by ${off}.`,
     step: (step: string) => `Step ${step}.`
   },
+  report: (file: string) => `${file}: the law of an oscillator`,
   command: 'Copy command',
   commandCopied: 'The command is copied.',
   numbers: { show: 'Show numbers', hide: 'Hide numbers' }
