@@ -59,6 +59,12 @@ class Session {
 
 export const session = new Session()
 
+/// The message of the file that was not read, which begins with its name.
+export function refusedText(): string {
+  const { name, message } = session.refused ?? { name: '', message: '' }
+  return name === '' || message.startsWith(name) ? message : `${name}: ${message}`
+}
+
 let core: ReturnType<typeof openCore> | undefined
 let asking = 0
 let turn = 0

@@ -15,6 +15,8 @@ export const measure: typeof en = {
     pasted: 'eingefuegt.csv',
     examples: 'Keine Aufnahme zur Hand? Diese drei sind synthetisch: simuliert, mit dem Rauschen eines Sensors.',
     tooLarge: (size) => `Die Datei hat ${size}; die Seite liest bis 250 MB. Für sie ist das Programm da.`,
+    noFile: 'der Browser kann das nicht lesen. Ist es ein Ordner, dann bitte eine Datei daraus ablegen.',
+    oneOnly: (read) => `Es ist immer eine Aufnahme offen, jetzt ${read}. Die andere bitte für sich ablegen.`,
     notRead: 'Diese Datei ließ sich nicht lesen.'
   },
   examples: {

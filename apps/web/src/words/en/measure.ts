@@ -13,6 +13,8 @@ export const measure = {
     pasted: 'pasted.csv',
     examples: 'No recording at hand? These three are synthetic: simulated, with a sensor’s noise.',
     tooLarge: (size: string) => `The file has ${size}; the page reads up to 250 MB. Use the program for it.`,
+    noFile: 'the browser cannot read it. If it is a folder, drop one of the files in it.',
+    oneOnly: (read: string) => `one recording is open at a time, and that is ${read}. Drop the other by itself.`,
     notRead: 'This file could not be read.'
   },
   examples: {
