@@ -6,6 +6,7 @@ import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
 import { numberOf } from '../teach/check'
 import { compareOptions, fitOptions, inspectOptions } from './questions'
+import { words } from '../words/words.svelte'
 import { columnTaken, namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
 
@@ -62,8 +63,11 @@ export const session = new Session()
 /// The message of the file that was not read, which begins with its name.
 export function refusedText(): string {
   const { name, message } = session.refused ?? { name: '', message: '' }
-  return name === '' || message.startsWith(name) ? message : `${name}: ${message}`
+  return words().core(name === '' || message.startsWith(name) ? message : `${name}: ${message}`)
 }
+
+/// Why there is no fit, in the page's language.
+export const whyNoFit = (): string => words().core(session.message)
 
 let core: ReturnType<typeof openCore> | undefined
 let asking = 0

@@ -198,6 +198,16 @@ const faultless = async (page, what) => {
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page is wider than the phone')
     await faultless(page, 'phone')
   })
+  await check('the core’s messages are German too', async () => {
+    await drop(page, 'schlecht.csv', 'Zeit (s),Ort (m)\n0,1\n0.1,2\n0.2,abc\n0.3,1\n')
+    await page.getByRole('alert').waitFor()
+    assert.match(await page.getByRole('alert').innerText(), /schlecht\.csv:4: Spalte „Ort \(m\)“: „abc“ ist keine Zahl; bitte/)
+    await page.getByRole('button', { name: 'ändern' }).click()
+    await page.locator('[data-field=mass]').fill('217 Pastinaken')
+    await page.keyboard.press('Enter')
+    await page.locator('[data-field=mass][aria-invalid=true]').waitFor()
+    assert.match(await page.locator('.fields .bad').innerText(), /die Einheit „Pastinaken“ ist unbekannt; erwartet wird eine Masse/)
+  })
   await check('nothing went wrong', async () => assert.deepEqual(faults, []))
   await context.close()
 }
