@@ -27,6 +27,7 @@ export interface Simulated {
   t: Float64Array
   x: Float64Array
   v: Float64Array
+  energy: Float64Array
 }
 
 /// Longest file that is read [bytes].

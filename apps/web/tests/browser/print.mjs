@@ -78,7 +78,7 @@ for (const [locale, words] of [
   await check(`with the second lab's simulations, ${locale}`, async () => {
     await page.locator('button[aria-pressed]').last().click()
     await fitted(page)
-    await printed(page, () => isReport(page, 6))
+    await printed(page, () => isReport(page, 8))
     assert.equal(await sheets(page), 3)
   })
   await page.locator('header nav a').nth(2).click()

@@ -187,7 +187,7 @@ export const measure: typeof en = {
   },
   overlay: {
     title: 'Das Gesetz, simuliert',
-    caption: 'Das angepasste Gesetz, von zwei Verfahren vom selben Anfang aus gerechnet, neben der Aufnahme.',
+    caption: 'Das angepasste Gesetz, von zwei Verfahren vom selben Anfang aus gerechnet, neben der Aufnahme: die ersten Schwingungen, und die Energie von allen.',
     energy: 'Energie',
     phase: 'Phase',
     energyAxis: (unit) => ['Energie ', 'E', ` (${unit})`],

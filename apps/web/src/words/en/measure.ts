@@ -187,7 +187,7 @@ export const measure = {
   },
   overlay: {
     title: 'The law, simulated',
-    caption: 'The fitted law stepped by two methods from the same start, beside the recording.',
+    caption: 'The fitted law as two methods step it from the same start, beside the recording: its first swings, and the energy of all.',
     energy: 'Energy',
     phase: 'Phase',
     energyAxis: (unit: string) => ['energy ', 'E', ` (${unit})`],
