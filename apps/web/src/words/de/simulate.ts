@@ -94,8 +94,8 @@ export const simulate: typeof en = {
     exactOnly: 'Die exakte Lösung simuliert, was verlangt ist.',
   },
   resonanceWords: {
-    now: (value) => `Antrieb jetzt, ${value}`,
-    unsettled: 'keine bleibende Bewegung:',
+    now: (value) => `Antrieb ${value}`,
+    unsettled: 'schwingt nie ein:',
     noDrive: 'Dem Antrieb eine Amplitude geben.',
     notLinear: 'Nichtlinear: von Dormand-Prince gerechnet, aus der Ruhe bei jeder Frequenz; ein anderer Anfang kann anders enden.',
     restless: 'keine bleibende Bewegung gefunden',
