@@ -12,9 +12,10 @@ interface Words {
   at: number // drive now [rad/s]
   text: string
   drawn: boolean
+  listed: boolean // the names stand in a list beside the plot
 }
 
-function peakOf(curve: Curve): { x: number; y: number } {
+export function peakOf(curve: Curve): { x: number; y: number } {
   let best = 0
   for (let i = 0; i < curve.y.length; ++i) if (curve.y[i]! > curve.y[best]!) best = i
   return { x: curve.x[best] ?? 0, y: curve.y[best] ?? 0 }
@@ -24,7 +25,7 @@ export function resonanceWords(words: Words): (pen: Pen, frame: Frame, curves: C
   return (pen, frame, curves) => {
     if (!words.drawn) return
     drawDrive(pen, frame, words, curves)
-    drawNames(pen, frame, words, curves)
+    if (!words.listed) drawNames(pen, frame, words, curves)
   }
 }
 
