@@ -94,14 +94,23 @@ Answer inspect_task(const Request& request, std::string_view file) {
   return seen ? found(to_json(*seen, true), true) : bad_input(seen.error());
 }
 
-/// The motion beside the law, sample by sample.
+/// The motion beside the law, sample by sample; its own velocity and energy where it is a displacement.
 Json curves_of(const FittedRecording& fitted) {
   if (!fitted.succeeded() || fitted.series.t.empty()) return nullptr;
   const FittedMotion motion = fitted_motion(fitted);
   std::vector<double> outlier_times;
   for (const Outlier& outlier : fitted.series.outliers) outlier_times.push_back(outlier.t);
-  return {{"t", motion.t}, {"measured", motion.measured}, {"residual", motion.residual}, {"x", motion.x},
-          {"v", motion.v}, {"energy", motion.energy},     {"set_aside", outlier_times}};
+  std::vector<double> displacement = motion.measured;
+  for (double& x : displacement) x -= fitted.fit.equilibrium.value;
+  return {{"t", motion.t},
+          {"measured", motion.measured},
+          {"residual", motion.residual},
+          {"x", motion.x},
+          {"v", motion.v},
+          {"energy", motion.energy},
+          {"measured_velocity", motion.local_velocity},
+          {"measured_energy", energies_of(fitted, displacement, motion.local_velocity)},
+          {"set_aside", outlier_times}};
 }
 
 Answer fit_task(const Request& request, std::string_view file) {
@@ -133,7 +142,10 @@ Answer compare_task(const Request& request, std::string_view file) {
     list.push_back(comparison_object(each));
     Json& states = list.back()["states"] = Json::array();
     for (const ComparedCurve& curve : each.curves)
-      states.push_back({{"t", curve.trajectory.t}, {"x", curve.trajectory.x}, {"v", curve.trajectory.v}});
+      states.push_back({{"t", curve.trajectory.t},
+                        {"x", curve.trajectory.x},
+                        {"v", curve.trajectory.v},
+                        {"energy", energies_of(each.recording, curve.trajectory.x, curve.trajectory.v)}});
   }
   return found(to_text(document), ok);
 }

@@ -359,6 +359,8 @@ export interface Textbook {
 
 /// One value for each sample used. `measured` is the column, measured less `residual` the fitted law; x and v
 /// are the law's displacement from its equilibrium and velocity, `energy` [J] or per mass where none is known.
+/// The recording's own velocity and energy follow from its samples alone; empty where it is no displacement, NaN
+/// within half a period of its ends.
 export interface FitCurves {
   t: Numbers
   measured: Numbers
@@ -366,6 +368,8 @@ export interface FitCurves {
   x: Numbers
   v: Numbers
   energy: Numbers
+  measured_velocity: Numbers
+  measured_energy: Numbers
   /// Times [s] of the samples that were set aside as outliers.
   set_aside: Numbers
 }
@@ -385,8 +389,8 @@ export interface Comparison {
   explanation?: string
   fit: Omit<Fit, 'curves'>
   warnings: string[]
-  /// One for each of `curves`; x is the displacement from the fitted equilibrium.
-  states: { t: Numbers; x: Numbers; v: Numbers }[]
+  /// One for each of `curves`; x is the displacement from the fitted equilibrium, `energy` as of a fit's curves.
+  states: { t: Numbers; x: Numbers; v: Numbers; energy: Numbers }[]
 }
 
 export interface ComparedCurve {

@@ -6,7 +6,7 @@ import { token } from '../look/curves'
 
 const figure = [760, 440] as const // [px]
 const phase = [480, 440] as const
-const sizeOf = (plot: ShownPlot): readonly [number, number] => (plot.name === 'phase' ? phase : figure)
+const sizeOf = (plot: ShownPlot): readonly [number, number] => (plot.name.endsWith('phase') ? phase : figure)
 
 function scratch(width: number, height: number): CanvasRenderingContext2D {
   const canvas = document.createElement('canvas')
@@ -26,9 +26,8 @@ function inLight<T>(draw: () => T): T {
   }
 }
 
-export const asSvg = (plot: ShownPlot): string =>
+export const asSvg = (plot: ShownPlot, [width, height] = sizeOf(plot)): string =>
   inLight(() => {
-    const [width, height] = sizeOf(plot)
     const pen = svgPen(canvasPen(scratch(1, 1)).width)
     plot.draw(pen, width, height)
     return pen.done(width, height, token('surface'))

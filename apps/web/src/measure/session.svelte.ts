@@ -6,6 +6,7 @@ import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
 import { compareOptions, fitOptions, inspectOptions } from './questions'
+import { words } from '../words/words.svelte'
 import { columnTaken, namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
 
@@ -26,6 +27,7 @@ export interface Simulated {
   t: Float64Array
   x: Float64Array
   v: Float64Array
+  energy: Float64Array
 }
 
 /// Longest file that is read [bytes].
@@ -58,6 +60,15 @@ class Session {
 }
 
 export const session = new Session()
+
+/// The message of the file that was not read, which begins with its name.
+export function refusedText(): string {
+  const { name, message } = session.refused ?? { name: '', message: '' }
+  return words().core(name === '' || message.startsWith(name) ? message : `${name}: ${message}`)
+}
+
+/// Why there is no fit, in the page's language.
+export const whyNoFit = (): string => words().core(session.message)
 
 /// Each in a worker; as many as the device has processors beside the page's own, each with a file of its own.
 const cores: (ReturnType<typeof openCore> | undefined)[] = []

@@ -12,7 +12,8 @@ export function drawDots(pen: Pen, frame: Frame, { x, y }: Curve, colour: string
     for (let i = begin; i < end; ++i) if (Number.isFinite(y[i]!)) pen.dot(frame.toX(x[i]!), frame.toY(y[i]!), 1.3, colour)
     return
   }
-  for (const band of bands(frame, x, y, begin, end)) pen.fill(band, colour)
+  // Not as dark as single dots: what lies on it has to be seen.
+  for (const band of bands(frame, x, y, begin, end)) pen.fill(band, `${colour}6b`)
 }
 
 /** Closed outlines, parted at gaps. */

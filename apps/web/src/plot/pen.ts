@@ -34,6 +34,12 @@ function fontOf(size: number, bold?: boolean, italic?: boolean): string {
   return `${italic ? 'italic ' : ''}${bold ? '700 ' : ''}${size}px ${sans}`
 }
 
+/** `text`, or as much of it as is not wider than `room`, and … */
+export function cut(pen: Pen, text: string, room: number, lettering: { size: number; bold?: boolean }): string {
+  let kept = text
+  while (kept.length > 1 && pen.width(kept === text ? text : `${kept}…`, lettering) > room) kept = kept.slice(0, -1)
+  return kept === text ? text : `${kept.trimEnd()}…`
+}
 const long = 100 // points of a line that is worth thinning
 const unseen = 0.1 // of a pixel
 

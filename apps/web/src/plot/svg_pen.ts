@@ -2,6 +2,11 @@
 import { pieces, sans, type Pen } from './pen'
 
 const short = (value: number): string => String(Math.round(value * 100) / 100)
+/** SVG 1.1 knows no #rrggbbaa. */
+const filled = (colour: string): string =>
+  colour.length === 9
+    ? ` fill="${colour.slice(0, 7)}" fill-opacity="${short(parseInt(colour.slice(7), 16) / 255)}"`
+    : ` fill="${colour}"`
 const safe = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;')
 
 let clips = 0 // of all figures: several stand in one printed page
@@ -31,11 +36,11 @@ export function svgPen(measure: Pen['width']): Pen & { done(width: number, heigh
         `<path d="${path(points)}" fill="none" stroke="${colour}" stroke-width="${width}" stroke-linejoin="round"${cap}${dashes}/>`,
       )
     },
-    fill: (points, colour) => void parts.push(`<path d="${path(points)}Z" fill="${colour}"/>`),
+    fill: (points, colour) => void parts.push(`<path d="${path(points)}Z"${filled(colour)}/>`),
     box(x, y, width, height, fill, edge, radius = 0) {
       const line = edge ? ` stroke="${edge}" stroke-width="1.5"` : ''
       parts.push(
-        `<rect x="${short(x)}" y="${short(y)}" width="${short(width)}" height="${short(height)}" rx="${radius}" fill="${fill}"${line}/>`,
+        `<rect x="${short(x)}" y="${short(y)}" width="${short(width)}" height="${short(height)}" rx="${radius}"${filled(fill)}${line}/>`,
       )
     },
     dot(x, y, radius, fill, edge) {

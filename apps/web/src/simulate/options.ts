@@ -43,7 +43,8 @@ export function resonanceOptions(s: SimulateState, from: number, to: number): Op
   const law = lawOptions(s).filter(([name]) => !name.startsWith('drive') && name !== 'position' && name !== 'velocity')
   // an odd number of points about the natural frequency, so that a sharp peak is not cut
   const options: Option[] = [...law, ...drive, ['frequencies', `${from}:${to}:${isLinear(s) ? 401 : 81}`], ['step', String(s.step)]]
-  for (const method of methodsOf(s)) options.push(['method', method])
+  // with steps of its own there is no closed form, and nothing to see: it keeps to the exact curve
+  for (const method of methodsOf(s)) if (!isLinear(s) || method !== 'dormand-prince') options.push(['method', method])
   return options
 }
 

@@ -37,14 +37,16 @@ export function oscillator(shown: Shown, room: number): Decoration {
     if (shown.shares) drawLink(pen, frame, shown.cursor, middle + box.width / 2, y)
     pen.box(middle - box.width / 2, top, box.width, box.height, token('sunk'), ink, 4)
     pen.text(middle, y, '*m*', { colour: ink, size: 13, align: 'center' })
+    const bars: number[] = []
     for (const mark of shown.marks) {
       const at = toY(mark.x)
       if (!(at >= frame.top - 8 && at <= frame.bottom + 8)) continue
       const { line: colour, width } = lookOf(mark.meaning, mark.road)
       const beside = middle + box.width / 2 + 8
       pen.line([beside, at, beside + 15, at], { colour, width: width > 3 ? 5 : 3, round: false })
+      bars.push(at)
     }
-    drawForce(pen, middle, y + box.height / 2 + 5, shown, room)
+    drawForce(pen, middle, y + box.height / 2 + 5, shown, room, bars)
   }
 }
 
@@ -83,8 +85,8 @@ function drawLink(pen: Pen, frame: Frame, cursor: number, from: number, y: numbe
   pen.line(points, { colour: token('text3'), width: 1, round: false })
 }
 
-/** Up is positive, as in the plot; its length is the force now. */
-function drawForce(pen: Pen, x: number, base: number, shown: Shown, room: number): void {
+/** Up is positive, as in the plot; its length is the force now. Its words keep clear of the methods' `bars`. */
+function drawForce(pen: Pen, x: number, base: number, shown: Shown, room: number, bars: number[]): void {
   if (!(shown.forceMost > 0)) return
   const colour = token('line-drive')
   const length = (46 * shown.force) / shown.forceMost
@@ -99,9 +101,12 @@ function drawForce(pen: Pen, x: number, base: number, shown: Shown, room: number
   }
   const lettering = { colour: token('word-drive'), size: 11.5, bold: true }
   const [name, force] = [shown.forceName, shown.forceText]
-  if (pen.width(`${name} ${force}`, lettering) < room - x - 8) pen.text(x + 11, base + 14, `${name} ${force}`, lettering)
-  else {
-    pen.text(x + 11, base + 12, name, lettering)
-    pen.text(x + 11, base + 26, force, lettering)
+  const lines = pen.width(`${name} ${force}`, lettering) < room - x - 8 ? [`${name} ${force}`] : [name, force]
+  const high = 14 * lines.length
+  let top = base + 6
+  for (let tries = 0; tries < 5; ++tries) {
+    const hit = bars.filter((bar) => bar > top - 3 && bar < top + high + 3)
+    if (hit.length > 0) top = Math.max(...hit) + 4
   }
+  lines.forEach((line, i) => pen.text(x + 11, top + 7 + 14 * i, line, lettering))
 }

@@ -21,8 +21,11 @@ function keep(key: string, value: string): void {
 
 const languageAtFirst = (): Language =>
   (kept('cromer-language') ?? navigator.language).startsWith('de') ? 'de' : 'en'
+/** Where the system sets the colours, curves must suit its ground. */
+const forced = matchMedia('(forced-colors: active)')
+const chosenTheme = (): string | null => (forced.matches ? null : kept('cromer-theme'))
 const darkAtFirst = (): boolean =>
-  (kept('cromer-theme') ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light')) === 'dark'
+  (chosenTheme() ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light')) === 'dark'
 
 /** Read anywhere. `plain`: motion is to be reduced. */
 export const looks = $state({
@@ -52,12 +55,10 @@ export const isPhone = (): boolean => looks.width < 700
 
 export function watchLooks(): void {
   show()
-  addEventListener('beforeprint', () => (document.documentElement.dataset.theme = 'light'))
-  addEventListener('afterprint', show)
   addEventListener('resize', () => (looks.width = innerWidth))
   matchMedia('(prefers-reduced-motion: reduce)').addEventListener('change', (event) => (looks.plain = event.matches))
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', (event) => {
-    if (kept('cromer-theme') === null) looks.theme = event.matches ? 'dark' : 'light'
+    if (chosenTheme() === null) looks.theme = event.matches ? 'dark' : 'light'
     show()
   })
 }

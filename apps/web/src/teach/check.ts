@@ -16,13 +16,26 @@ export interface Checked {
 
 const plain = (verdict: Verdict): Checked => ({ verdict, off: 0, above: false, slip: '' })
 
+/// What a person types into one field: "1,408 ± 0,002 Hz" and "17.04(3) N/m" hold the ± too.
+export function answerOf(text: string, unit: string): { value: string; uncertainty: string | null } {
+  const all = text.trim()
+  const bare = unit && all.endsWith(unit) ? all.slice(0, -unit.length).trim() : all
+  const [value, uncertainty] = bare.replace(/^\((.*)\)$/, '$1').split(/\s*(?:±|\+\s*\/?\s*[-−])\s*/)
+  if (value && uncertainty) return { value, uncertainty }
+  const brackets = bare.match(/^(.*\d)\((\d+)\)$/)
+  if (!brackets) return { value: bare, uncertainty: null }
+  const places = brackets[1]!.replace(/[\s\u202f\u00a0]/g, '').split(/[.,]/)[1]?.length ?? 0
+  return { value: brackets[1]!, uncertainty: (Number(brackets[2]) / 10 ** places).toFixed(places) }
+}
+
 /// Right: within twice the larger of the own ± and the least that is possible. A value is not held against a
 /// student for a ± that claims too much; the ± is.
 export function check(value: string, uncertainty: string, expected: Expected): Checked {
   if (value.trim() === '') return plain('empty')
-  const given = numberOf(value)
+  const typed = numberOf(answerOf(value, expected.unit).value)
+  const given = expected.unsigned ? Math.abs(typed) : typed
   if (!Number.isFinite(given)) return plain('noNumber')
-  const own = numberOf(uncertainty)
+  const own = numberOf(answerOf(uncertainty, expected.unit).value)
   if (!(own > 0)) return plain('noUncertainty')
   const error = given - expected.value
   const off = Math.abs(error) / own

@@ -4,10 +4,15 @@ import { massText, discText, recordingOptions, type Truth } from './truth'
 
 export const questions = ['frequency', 'stiffness', 'rate', 'reynolds', 'off'] as const
 export type Question = (typeof questions)[number]
+/// What each is asked for in.
+export const units: Record<Question, string> = { frequency: 'Hz', stiffness: 'N/m', rate: '1/s', reynolds: '', off: '%' }
 
 /// What is right, in the unit asked for, and what a common slip gives in its place.
 export interface Expected {
   value: number
+  unit: string
+  /// Its sign is not asked for.
+  unsigned?: boolean
   /// The uncertainty that a careful evaluation cannot do without, and the largest that still says something.
   least: number
   most: number
@@ -54,6 +59,7 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
   return {
     frequency: {
       value: frequency,
+      unit: units.frequency,
       least: 3e-7 * frequency,
       most: 0.01 * frequency,
       slips: [
@@ -63,6 +69,7 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
     },
     stiffness: {
       value: truth.stiffness,
+      unit: units.stiffness,
       least: 0.8 * massShare * truth.stiffness,
       most: 0.03 * truth.stiffness,
       slips: [
@@ -72,6 +79,7 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
     },
     rate: {
       value: rate(middle),
+      unit: units.rate,
       least: 0.003 * rate(middle),
       most: 0.3 * rate(middle),
       slips: [
@@ -83,15 +91,19 @@ export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
     },
     reynolds: {
       value: reynolds,
+      unit: units.reynolds,
       least: 0.001 * reynolds,
       most: 0.15 * reynolds,
       slips: [
         { name: 'radius', value: reynolds / 2 },
-        { name: 'centimetres', value: reynolds * 100 }
+        { name: 'centimetres', value: reynolds * 100 },
+        { name: 'thousands', value: reynolds / 1000 }
       ]
     },
     off: {
       value: off,
+      unit: units.off,
+      unsigned: true,
       least: 0.05,
       most: off / 2,
       slips: [

@@ -4,8 +4,8 @@ import { openSynthetic } from '../measure/examples'
 import type { MeasureState } from '../measure/state'
 import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
-import { check, type Checked } from './check'
-import { keyOf, questions, type Key } from './key'
+import { answerOf, check, type Checked } from './check'
+import { keyOf, questions, units, type Key } from './key'
 import { nameOf, seedOf } from './seed'
 import { recordingOptions, truthOf } from './truth'
 
@@ -16,10 +16,11 @@ class Own {
   personal = $derived(page.teach.course.trim() !== '' && page.teach.student.trim() !== '')
   name = $derived(this.personal ? nameOf(page.teach.course, page.teach.student) : '')
   truth = $derived(truthOf(this.personal ? seedOf(page.teach.course, page.teach.student) : practice))
-  results: Checked[] = $state([])
+  /// Of the last check, each with the answer that it was of.
+  results: (Checked & { of: string })[] = $state([])
   checking = $state(false)
   failed = $state(false)
-  right = $derived(this.results.filter((each) => each.verdict === 'right').length)
+  right = $derived(questions.filter((_, i) => judged(i)?.verdict === 'right').length)
 }
 
 export const own = new Own()
@@ -38,20 +39,36 @@ export async function checkAnswers(): Promise<void> {
     return
   }
   known = { seed: truth.seed, key }
-  own.results = questions.map((question, i) => check(answerAt('values', i), answerAt('uncertainties', i), key[question]))
+  own.results = questions.map((question, i) => ({
+    of: typedAt(i),
+    ...check(answerAt('values', i), answerAt('uncertainties', i), key[question])
+  }))
+}
+
+const typedAt = (i: number): string => `${answerAt('values', i)};${answerAt('uncertainties', i)}`
+
+/// What the last check said of an answer, unless it has been changed since.
+export function judged(i: number): Checked | undefined {
+  const result = own.results[i]
+  return result?.of === typedAt(i) ? result : undefined
 }
 
 export const answerAt = (of: 'values' | 'uncertainties', i: number): string => page.teach[of].split(';')[i] ?? ''
 
-/// An answer changed after a check is not judged any more.
+/// An answer typed with its ± fills both fields.
 export function setAnswer(of: 'values' | 'uncertainties', i: number, text: string): void {
   if (text === answerAt(of, i)) return
+  const read = answerOf(text, units[questions[i]!])
+  const both = of === 'values' && read.uncertainty !== null
   change(`answer ${i} ${of}`, (state) => {
-    const all = questions.map((_, j) => state.teach[of].split(';')[j] ?? '')
-    all[i] = text.replaceAll(';', '').trim()
-    state.teach[of] = all.every((each) => each === '') ? '' : all.join(';')
+    const put = (where: 'values' | 'uncertainties', what: string) => {
+      const all = questions.map((_, j) => state.teach[where].split(';')[j] ?? '')
+      all[i] = what.replaceAll(';', '').trim()
+      state.teach[where] = all.every((each) => each === '') ? '' : all.join(';')
+    }
+    put(of, both ? read.value : text)
+    if (both) put('uncertainties', read.uncertainty!)
   })
-  if (own.results[i]) own.results[i] = { verdict: 'empty', off: 0, above: false, slip: '' }
 }
 
 /// Makes the student's recording anew and opens it; `settings` say which part of it and which law.

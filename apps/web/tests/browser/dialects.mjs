@@ -12,8 +12,8 @@ const rows = (line) => t.map((at, i) => line(at, x[i], i)).join('')
 const comma = (value) => String(value).replace('.', ',')
 const f = (value) => value.toFixed(5)
 
-/** An archive of stored entries. */
-function zip(entries) {
+/** An archive of its entries, stored, or packed by `deflate`. */
+export function zip(entries, deflate) {
   const crc = (bytes) => {
     let sum = ~0
     for (const byte of bytes) {
@@ -26,12 +26,14 @@ function zip(entries) {
   const central = []
   let offset = 0
   for (const [name, text] of entries) {
-    const [label, data] = [Buffer.from(name), Buffer.from(text)]
+    const [label, plain] = [Buffer.from(name), Buffer.from(text)]
+    const data = deflate ? deflate(plain) : plain
     const fields = Buffer.alloc(26)
     fields.writeUInt16LE(20, 0)
-    fields.writeUInt32LE(crc(data), 10)
+    fields.writeUInt16LE(deflate ? 8 : 0, 4)
+    fields.writeUInt32LE(crc(plain), 10)
     fields.writeUInt32LE(data.length, 14)
-    fields.writeUInt32LE(data.length, 18)
+    fields.writeUInt32LE(plain.length, 18)
     fields.writeUInt16LE(label.length, 22)
     const part = Buffer.concat([Buffer.from('PK\x03\x04'), fields, label, data])
     const tail = Buffer.alloc(14)

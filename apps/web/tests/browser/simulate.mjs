@@ -324,5 +324,31 @@ for (const [width, height, theme, language] of [
   await context.close()
 }
 
+for (const [width, height] of [[1440, 900], [1024, 768], [360, 740]]) {
+  const { page, faults, context } = await open(browser, { width, height, locale: 'de-DE' })
+  await ready(page)
+  await check(`all methods have their place, ${width} wide in German`, async () => {
+    await page.evaluate(() => {
+      for (const each of document.querySelectorAll('.controls details')) each.open = true
+      for (const each of document.querySelectorAll('.controls input[type=checkbox]')) if (!each.checked) each.click()
+    })
+    await rest(page)
+    const seen = await page.evaluate(() => {
+      const box = (query) => document.querySelector(query)?.getBoundingClientRect()
+      const table = document.querySelector('.panel .table')
+      return {
+        rows: document.querySelectorAll('.panel tbody tr').length, cut: table.scrollWidth - table.clientWidth,
+        // the numbers at the cursor stand below the plot, the list below the curve
+        numbers: box('.read').top >= box('.card .plot .box').bottom - 1, wide: document.documentElement.scrollWidth - innerWidth,
+        list: document.querySelectorAll('.resonance li').length,
+        below: !box('.resonance ul') || box('.resonance ul').top >= box('.resonance .box').bottom - 1,
+      }
+    })
+    assert.deepEqual(seen, { rows: 12, cut: 0, numbers: true, wide: 0, list: width < 700 ? 0 : 12, below: true })
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+  await context.close()
+}
+
 await browser.close()
 finish()

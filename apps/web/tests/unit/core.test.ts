@@ -26,7 +26,7 @@ describe('blocks', () => {
 // ./dev page builds the core.
 describe.skipIf(!existsSync(built))('core', async () => {
   const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
-  const ask = <T extends Task>(task: T, options: Options) => read<T>(core.answer(task, options))
+  const ask = <T extends Task>(task: T, options: Options, file?: Uint8Array) => read<T>(core.answer(task, options, file))
 
   it('simulates', () => {
     const answer = ask('simulate', [
@@ -79,6 +79,34 @@ describe.skipIf(!existsSync(built))('core', async () => {
     expect(ask('quantity', [['drive-frequency', '1 Hz']]).document).toEqual({ 'drive-frequency': 2 * Math.PI })
     expect(ask('quantity', [['mass', '-1']])).toMatchObject({ status: 2, document: { message: '--mass: it must be positive, not -1 kg' } })
     expect(ask('quantity', [['stiffness', '2,500']])).toMatchObject({ status: 2 })
+  })
+
+  it('knows velocity and energy of a recording, its law and a method', () => {
+    const [k, m, amplitude, gamma] = [17, 0.2, 0.03, 0.02]
+    const omega = Math.sqrt(k / m - gamma ** 2)
+    const t = Array.from({ length: 2000 }, (_, i) => i / 100)
+    const x = t.map((at) => amplitude * Math.exp(-gamma * at) * Math.cos(omega * at))
+    const text = `Time (s),Position (m)\n${t.map((at, i) => `${at},${0.2 + x[i]!}`).join('\n')}\n`
+    const file = new TextEncoder().encode(text)
+    const options: [string, string][] = [['file-name', 'x.csv'], ['law', 'viscous'], ['mass', '0.2 kg']]
+    const fitted = ask('fit', options, file)
+    if (fitted.status !== 0) throw new Error(JSON.stringify(fitted))
+    const curves = fitted.document.fits[0]!.curves!
+    for (const i of [200, 777, 1500]) {
+      const decay = Math.exp(-gamma * t[i]!)
+      const v = -amplitude * decay * (gamma * Math.cos(omega * t[i]!) + omega * Math.sin(omega * t[i]!))
+      const energy = 0.5 * m * v ** 2 + 0.5 * k * x[i]! ** 2
+      expect(Math.abs(curves.v[i]! - v)).toBeLessThan(1e-6)
+      expect(Math.abs(curves.measured_velocity[i]! - v)).toBeLessThan(0.003 * omega * amplitude)
+      expect(curves.energy[i]! / energy).toBeCloseTo(1, 6)
+      expect(curves.measured_energy[i]! / energy).toBeCloseTo(1, 2)
+    }
+    expect(curves.measured_velocity[0]).toBeNaN()
+    const compared = ask('compare', [...options, ['method', 'forward-euler']], file)
+    if (compared.status === 2) throw new Error(JSON.stringify(compared))
+    const { energy, x: place, v } = compared.document.comparisons[0]!.states.at(-1)!
+    expect(energy[0]! / curves.energy[0]!).toBeCloseTo(1, 9)
+    expect(energy[50]).toBeCloseTo(0.5 * m * v[50]! ** 2 + 0.5 * k * place[50]! ** 2, 8)
   })
 
   it('asks for less where its memory ends, and goes on', () => {

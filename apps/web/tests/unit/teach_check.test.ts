@@ -2,13 +2,14 @@ import { existsSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { compile, read, start } from '../../src/core/core'
 import type { Fits } from '../../src/core/types'
-import { check } from '../../src/teach/check'
+import { answerOf, check } from '../../src/teach/check'
 import { keyOf, type AskCore, type Expected } from '../../src/teach/key'
 import { seedOf } from '../../src/teach/seed'
 import { massText, discText, recordingOptions, truthOf } from '../../src/teach/truth'
 
 const expected: Expected = {
   value: 2532,
+  unit: '',
   least: 2.5,
   most: 380,
   slips: [{ name: 'radius', value: 1266 }]
@@ -34,6 +35,18 @@ describe('an answer', () => {
   it('recognises a common slip', () => {
     expect(check('1270', '5', expected).slip).toBe('radius')
     expect(check('1500', '5', expected).slip).toBe('')
+  })
+  it('may be typed with its unit, and with its ± in one', () => {
+    const stiffness: Expected = { value: 17.04, unit: 'N/m', least: 0.02, most: 0.5, slips: [] }
+    for (const [value, uncertainty] of [['17,04 N/m', '0,03 N/m'], ['17.05', '0.03'], ['17.04\u00a0N/m', '0.03']])
+      expect(check(value!, uncertainty!, stiffness).verdict, value).toBe('right')
+    expect(check('17.04 N', '0.03', stiffness).verdict).toBe('noNumber')
+    expect(check('-3.8 %', '0.3', { value: 3.8, unit: '%', unsigned: true, least: 0.05, most: 2, slips: [] }).verdict).toBe('right')
+    expect(answerOf('1,408 ± 0,002 Hz', 'Hz')).toEqual({ value: '1,408', uncertainty: '0,002' })
+    expect(answerOf('(17.04 +/- 0.03) N/m', 'N/m')).toEqual({ value: '17.04', uncertainty: '0.03' })
+    expect(answerOf('1.408 398 8(9) Hz', 'Hz')).toEqual({ value: '1.408 398 8', uncertainty: '0.0000009' })
+    expect(answerOf('2535(12)', '')).toEqual({ value: '2535', uncertainty: '12' })
+    expect(answerOf('-3.8', '%')).toEqual({ value: '-3.8', uncertainty: null })
   })
   it('may be typed with a decimal comma', () => {
     expect(check('2535,5', '4,5', expected).verdict).toBe('right')

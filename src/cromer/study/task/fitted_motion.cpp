@@ -103,6 +103,25 @@ std::vector<double> residuals_of(const ForcedFit& fit, const Series& series) {
 
 }  // namespace
 
+std::vector<double> energies_of(const FittedRecording& fitted, const std::vector<double>& x,
+                                const std::vector<double>& v) {
+  const MotionParameters p = fitted.fit.motion();
+  const double w2 = p.angular_frequency * p.angular_frequency;
+  const bool lopsided = fitted.forced && fitted.forced->quadratic;
+  const double quadratic = lopsided ? fitted.forced->quadratic->value : 0;
+  const Estimate* stiffness = fitted.find("stiffness");
+  const double mass = stiffness ? stiffness->value / w2 : 1;
+  std::vector<double> energies;
+  for (std::size_t i = 0; i < std::min(x.size(), v.size()); ++i) {
+    const double x2 = x[i] * x[i], sine = std::sin(0.5 * x[i]);
+    const double potential = p.pendulum
+                                 ? 2 * w2 * sine * sine
+                                 : 0.5 * w2 * x2 + quadratic / 3 * x2 * x[i] + 0.25 * p.cubic * x2 * x2;
+    energies.push_back(mass * (0.5 * v[i] * v[i] + potential));
+  }
+  return energies;
+}
+
 FittedMotion fitted_motion(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   const FreeDecay& fit = fitted.fit;
@@ -121,20 +140,8 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   motion.measured = first(series.y);
   motion.x = first(law.x);
   motion.v = first(law.v);
-  const double w2 = p.angular_frequency * p.angular_frequency;
-  const bool lopsided = fitted.forced && fitted.forced->quadratic;
-  const double quadratic = lopsided ? fitted.forced->quadratic->value : 0;
-  double mass = 1;
-  if (const Estimate* stiffness = fitted.find("stiffness")) {
-    mass = stiffness->value / w2;
-    motion.per_mass = false;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const double x = motion.x[i], x2 = x * x, sine = std::sin(0.5 * x);
-    const double potential =
-        p.pendulum ? 2 * w2 * sine * sine : 0.5 * w2 * x2 + quadratic / 3 * x2 * x + 0.25 * p.cubic * x2 * x2;
-    motion.energy.push_back(mass * (0.5 * motion.v[i] * motion.v[i] + potential));
-  }
+  motion.per_mass = fitted.find("stiffness") == nullptr;
+  motion.energy = energies_of(fitted, motion.x, motion.v);
   if (derivative == 0 && !fitted.forced) {
     motion.local_velocity = local_velocities(series, p.angular_frequency, p.equilibrium);
     motion.local_velocity.resize(n);

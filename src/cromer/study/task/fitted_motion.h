@@ -27,4 +27,9 @@ struct FittedMotion {
 /// energy is per moment of inertia.
 FittedMotion fitted_motion(const FittedRecording& fitted);
 
+/// Energy of states of the fitted law's oscillator, x from its equilibrium [m] and v [m/s], kinetic and of
+/// its spring: with its mass [J], else per unit mass (of an angle: of inertia).
+std::vector<double> energies_of(const FittedRecording& fitted, const std::vector<double>& x,
+                                const std::vector<double>& v);
+
 }  // namespace cromer

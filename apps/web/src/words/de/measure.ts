@@ -15,6 +15,8 @@ export const measure: typeof en = {
     pasted: 'eingefuegt.csv',
     examples: 'Keine Aufnahme zur Hand? Diese drei sind synthetisch: simuliert, mit dem Rauschen eines Sensors.',
     tooLarge: (size) => `Die Datei hat ${size}; die Seite liest bis 250 MB. Für sie ist das Programm da.`,
+    noFile: 'der Browser kann das nicht lesen. Ist es ein Ordner, dann bitte eine Datei daraus ablegen.',
+    oneOnly: (read) => `Es ist immer eine Aufnahme offen, jetzt ${read}. Die andere bitte für sich ablegen.`,
     notRead: 'Diese Datei ließ sich nicht lesen.'
   },
   examples: {
@@ -60,7 +62,8 @@ export const measure: typeof en = {
   },
   recording: {
     title: 'Aufnahme',
-    free: (from, to) => `Freier Teil ${from} bis ${to}: die Griffe ziehen oder mit den Pfeiltasten schieben.`,
+    free: (from, to) => `Freier Teil ${from} bis ${to}`,
+    how: ': die Griffe ziehen oder mit den Pfeiltasten schieben.',
     frame: 'Der Rahmen steht unten größer.',
     whole: 'Alles verwenden',
     amplitude: 'Amplitude des angepassten Gesetzes',
@@ -184,7 +187,7 @@ export const measure: typeof en = {
   },
   overlay: {
     title: 'Das Gesetz, simuliert',
-    caption: 'Das angepasste Gesetz, von zwei Verfahren vom selben Anfang aus gerechnet, neben der Aufnahme.',
+    caption: 'Das angepasste Gesetz, von zwei Verfahren vom selben Anfang aus gerechnet, neben der Aufnahme: die ersten Schwingungen, und die Energie von allen.',
     energy: 'Energie',
     phase: 'Phase',
     energyAxis: (unit) => ['Energie ', 'E', ` (${unit})`],
@@ -199,6 +202,7 @@ export const measure: typeof en = {
     constantEnd: (off) => `Mit einer festen Abklingrate liegt die Amplitude am Ende um ${off} daneben.`,
     step: (step) => `Schritt ${step}.`
   },
+  report: (file) => `${file}: das Gesetz eines Schwingers`,
   command: 'Befehl kopieren',
   commandCopied: 'Der Befehl ist kopiert.',
   numbers: { show: 'Zahlen zeigen', hide: 'Zahlen ausblenden' }

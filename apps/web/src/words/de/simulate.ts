@@ -94,8 +94,8 @@ export const simulate: typeof en = {
     exactOnly: 'Die exakte Lösung simuliert, was verlangt ist.',
   },
   resonanceWords: {
-    now: (value) => `Antrieb jetzt, ${value}`,
-    unsettled: 'keine bleibende Bewegung:',
+    now: (value) => `Antrieb ${value}`,
+    unsettled: 'schwingt nie ein:',
     noDrive: 'Dem Antrieb eine Amplitude geben.',
     notLinear: 'Nichtlinear: bei jeder Frequenz aus der Ruhe gerechnet, bis die Bewegung bleibt; ein anderer Anfang kann anders enden.',
     tooManySteps: 'zu viele Schritte für eine Kurve: nimm längere',

@@ -238,6 +238,7 @@ export const teach: typeof en = {
       perCycle: 'Ist das der Verlust einer Schwingung? Durch die Periode teilen.',
       radius: 'Ist der Radius statt des Durchmessers genommen?',
       centimetres: 'Ist der Durchmesser in cm genommen? *Re* braucht m.',
+      thousands: 'Komma oder Punkt gelten als Dezimalzeichen: Tausender bitte ohne eingeben.',
       fraction: 'Ist das ein Teil von eins? Gefragt ist in %.',
       ratio: 'Ist das, was übrig bleibt? Gefragt ist, wie weit es daneben liegt.'
     },
@@ -249,7 +250,7 @@ export const teach: typeof en = {
       off: 'In „Messen“ die Simulationen zeigen: Sie sagen, was eine feste Rate aus der letzten Schwingung macht.'
     },
     addUncertainty: 'Auch das ± angeben: Ohne es lässt sich eine Zahl nicht prüfen.',
-    noNumber: 'Eine Zahl eingeben, ohne ihre Einheit.',
+    noNumber: (unit) => (unit ? `Bitte eine Zahl in ${unit} eingeben.` : 'Bitte eine Zahl eingeben.'),
     open: 'Diesen Teil in „Messen“ öffnen',
     openAll: 'Meine Aufnahme in „Messen“ öffnen',
     check: 'Antworten prüfen',

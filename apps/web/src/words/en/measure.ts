@@ -13,6 +13,8 @@ export const measure = {
     pasted: 'pasted.csv',
     examples: 'No recording at hand? These three are synthetic: simulated, with a sensor’s noise.',
     tooLarge: (size: string) => `The file has ${size}; the page reads up to 250 MB. Use the program for it.`,
+    noFile: 'the browser cannot read it. If it is a folder, drop one of the files in it.',
+    oneOnly: (read: string) => `one recording is open at a time, and that is ${read}. Drop the other by itself.`,
     notRead: 'This file could not be read.'
   },
   examples: {
@@ -58,7 +60,8 @@ export const measure = {
   },
   recording: {
     title: 'Recording',
-    free: (from: string, to: string) => `Free part ${from} to ${to}: drag the handles, or use the arrow keys.`,
+    free: (from: string, to: string) => `Free part ${from} to ${to}`,
+    how: ': drag the handles, or use the arrow keys.',
     frame: 'The frame is shown larger below.',
     whole: 'Use all of it',
     amplitude: 'amplitude of the fitted law',
@@ -184,7 +187,7 @@ export const measure = {
   },
   overlay: {
     title: 'The law, simulated',
-    caption: 'The fitted law stepped by two methods from the same start, beside the recording.',
+    caption: 'The fitted law as two methods step it from the same start, beside the recording: its first swings, and the energy of all.',
     energy: 'Energy',
     phase: 'Phase',
     energyAxis: (unit: string) => ['energy ', 'E', ` (${unit})`],
@@ -199,6 +202,7 @@ export const measure = {
     constantEnd: (off: string) => `With one constant decay rate the amplitude at the end is off by ${off}.`,
     step: (step: string) => `Step ${step}.`
   },
+  report: (file: string) => `${file}: the law of an oscillator`,
   command: 'Copy command',
   commandCopied: 'The command is copied.',
   numbers: { show: 'Show numbers', hide: 'Hide numbers' }

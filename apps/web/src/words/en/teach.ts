@@ -247,6 +247,7 @@ export const teach = {
       perCycle: 'Is this the loss of one swing? Divide it by the period.',
       radius: 'Is the radius taken for the diameter of the disc?',
       centimetres: 'Is the diameter taken in cm? *Re* needs m.',
+      thousands: 'A comma or point is read as the decimal mark: type thousands without one.',
       fraction: 'Is this a part of one? It is asked for in %.',
       ratio: 'Is this what is left? Asked for is how far it is off.'
     } as Record<string, string>,
@@ -258,7 +259,7 @@ export const teach = {
       off: 'Show the simulations in Measure: they say what one constant rate makes of the last swing.'
     },
     addUncertainty: 'Give your ± too: a number without it cannot be checked.',
-    noNumber: 'Type a number, without its unit.',
+    noNumber: (unit: string) => (unit ? `Type a number in ${unit}.` : 'Type a number.'),
     open: 'Open this part in Measure',
     openAll: 'Open my recording in Measure',
     check: 'Check answers',
