@@ -37,6 +37,7 @@ void Recorder::stop() {
 void Recorder::fail(const Error& error) {
   const std::lock_guard lock(mutex_);
   if (failure_.empty()) failure_ = error.message;
+  kept_ = file_.rows();
   stop_ = true;
 }
 
@@ -60,6 +61,7 @@ void Recorder::keep_on_disk() {
     synced = steady_seconds();
   }
   if (good) good = write_end();
+  file_.drop_if_empty();
   if (!good) fail(good.error());
   running_ = false;
 }
@@ -131,18 +133,20 @@ Result<void> Recorder::write_end() {
   }
   if (!lines.empty())
     if (auto good = file_.comment(lines); !good) return good;
-  file_.drop_if_empty();
   return file_.sync();
 }
+
+/// How many rows there are to be told of; the lock is held.
+std::size_t Recorder::held() const { return std::min(rows_.size(), kept_.value_or(rows_.size())); }
 
 RecorderStatus Recorder::status() const {
   const std::lock_guard lock(mutex_);
   RecorderStatus now;
   now.running = running_;
-  now.samples = rows_.size();
+  now.samples = held();
   if (now.samples > 0) {
     now.begin = rows_.t.front();
-    now.end = rows_.t.back();
+    now.end = rows_.t[now.samples - 1];
     const auto last = rows_.row(now.samples - 1);
     now.last.assign(last.begin(), last.end());
   }
@@ -162,7 +166,7 @@ Rows Recorder::rows_since(std::size_t first, std::size_t most) const {
   const std::lock_guard lock(mutex_);
   Rows some;
   some.width = rows_.width;
-  const std::size_t from = std::min(first, rows_.size()), to = from + std::min(most, rows_.size() - from);
+  const std::size_t from = std::min(first, held()), to = from + std::min(most, held() - from);
   some.t.assign(rows_.t.begin() + from, rows_.t.begin() + to);
   some.values.assign(rows_.values.begin() + from * rows_.width, rows_.values.begin() + to * rows_.width);
   return some;

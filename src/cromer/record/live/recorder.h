@@ -22,7 +22,7 @@ struct RecorderSettings {
   std::vector<std::string> comments{};  ///< for the head of the file
 };
 
-/// At one moment.
+/// At one moment. What a file that can take no more does not hold is not counted.
 struct RecorderStatus {
   bool running = false;
   std::size_t samples = 0;
@@ -58,6 +58,7 @@ class Recorder {
   bool publish(Rows& rows, std::vector<Notice>& notices);
   void fail(const Error& error);
   Result<void> write_end();
+  std::size_t held() const;
 
   std::unique_ptr<Source> source_;
   RecorderSettings settings_;
@@ -69,6 +70,7 @@ class Recorder {
   bool over_ = false;  ///< nothing more will come
   Headings headings_;
   Rows rows_;
+  std::optional<std::size_t> kept_;  ///< of the rows, by a file that can take no more
   std::vector<Notice> notices_;
   std::size_t garbage_ = 0;
   std::string failure_;
