@@ -175,8 +175,8 @@ int run_serve(const Arguments& arguments) {
   if (!print(fmt::format("http://{}:{}/{}\n", host, guard.port, query)))
     return refuse("standard output cannot be written");
   server.run([&] { return watch.interrupted(); });
+  lab.reset();  // before the server, whose connections its answers go to, and the end of what it began
   session.stop();
-  lab.reset();  // before the server, whose connections its answers go to
   return done;
 }
 

@@ -30,6 +30,7 @@ Result<void> Recorder::start() {
 
 void Recorder::stop() {
   stop_ = true;
+  const std::lock_guard lock(stopping_);
   if (thread_.joinable()) thread_.join();
   if (disk_.joinable()) disk_.join();
 }

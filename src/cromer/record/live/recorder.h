@@ -43,7 +43,8 @@ class Recorder {
   /// Connects, makes the file, and starts the two threads. An Error leaves nothing.
   Result<void> start();
 
-  /// Ends the recording; the file is complete, and on the disk, when this returns. Once or more often.
+  /// Ends the recording; the file is complete, and on the disk, when this returns. Once or more often,
+  /// from any thread.
   void stop();
 
   RecorderStatus status() const;
@@ -63,6 +64,7 @@ class Recorder {
   std::unique_ptr<Source> source_;
   RecorderSettings settings_;
   RecordingFile file_;
+  std::mutex stopping_;  ///< over the two threads from their start on
   std::thread thread_, disk_;
   std::atomic<bool> stop_{false}, running_{false};
   mutable std::mutex mutex_;  ///< over what follows; only the recording thread changes headings and rows
