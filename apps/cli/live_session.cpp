@@ -53,11 +53,8 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   return active_->name;
 }
 
-std::string LiveSession::stop() {
-  const auto now = active();
-  if (!now) return "";
-  now->recorder->stop();
-  return now->name;
+void LiveSession::stop() {
+  if (const auto now = active()) now->recorder->stop();
 }
 
 std::string LiveSession::status() const {
