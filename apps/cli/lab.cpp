@@ -1,5 +1,6 @@
 #include "lab.h"
 
+#include <charconv>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -15,6 +16,25 @@ HttpAnswer page(const std::string& path) {
   auto bytes = read_file(path);
   return bytes ? HttpAnswer{200, "text/html; charset=utf-8", *std::move(bytes)}
                : HttpAnswer{503, "text/html; charset=utf-8", page_is_missing()};
+}
+
+/// Of two digits.
+std::optional<char> hexadecimal(std::string_view digits) {
+  unsigned byte = 0;
+  const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+  if (failed != std::errc() || end != digits.data() + 2) return std::nullopt;
+  return static_cast<char>(byte);
+}
+
+/// "my%20swing.csv" is "my swing.csv"; a % that begins no two hexadecimal digits stands for itself.
+std::string percent_decoded(std::string_view text) {
+  std::string plain;
+  for (; !text.empty(); text.remove_prefix(1)) {
+    const auto byte = text.front() == '%' ? hexadecimal(text.substr(1, 2)) : std::nullopt;
+    plain += byte.value_or(text.front());
+    if (byte) text.remove_prefix(2);
+  }
+  return plain;
 }
 
 /// {"for": 20} or {"for": "20 s"}; no body at all, or none of it.
@@ -78,7 +98,7 @@ void Lab::stop(const Respond& respond) {
 
 /// Only names of recordings made here are known: nothing else can be reached.
 void Lab::recording(const std::string& name, const Respond& respond) {
-  const auto path = session_.path_of(name);
+  const auto path = session_.path_of(percent_decoded(name));
   if (!path) return respond(refused(404, "there is no such recording"));
   slow_.add([path = *path, respond] {
     auto bytes = read_file(path);

@@ -140,6 +140,28 @@ TEST(Serve, RecordsAndSendsEverySampleAndTheFitLive) {
   EXPECT_EQ(json_of(ended)["running"], false);
 }
 
+TEST(Serve, GivesRecordingsWithBlanksAndUmlautsInTheirNames) {
+  const Folder folder;
+  const Phone phone(100, true);
+  const std::string name = "my swing \xc3\xbc 50%.csv";
+  const Served served(folder, {"--from", "phyphox:127.0.0.1:" + std::to_string(phone.port()), "-o", name});
+  const auto get = [&](const std::string& path) {
+    return ask(served.port(), request(served.port(), "GET /api/recordings/" + path));
+  };
+  const std::string begun = ask(served.port(), request(served.port(), "POST /api/record"));
+  ASSERT_EQ(json_of(begun)["recording"], name) << begun;
+  sleep_until(now() + 0.5);
+  ask(served.port(), request(served.port(), "POST /api/stop"));
+  const std::string file = get("my%20swing%20%C3%bc%2050%25.csv");
+  EXPECT_EQ(status_of(file), 200);
+  EXPECT_THAT(body_of(file), HasSubstr("Time (s),"));
+  EXPECT_EQ(body_of(file), folder.read(name));
+  // What is no escape stands for itself.
+  EXPECT_EQ(status_of(get("my%20swing%20%C3%BC%2050%.csv")), 200);
+  EXPECT_EQ(status_of(get("my%20swing%20%C3%BC%2050%2.csv")), 404);
+  EXPECT_EQ(status_of(get("my%2520swing%20%C3%BC%2050%25.csv")), 404);
+}
+
 TEST(Serve, WhatCannotBeReachedIsSaidAndTheServerGoesOn) {
   const Folder folder;
   const Served served(folder, {"--from", "tcp:127.0.0.1:1", "-o", "swing.csv"});
