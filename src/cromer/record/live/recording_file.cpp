@@ -7,10 +7,9 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 
-#include "cromer/base/number.h"
+#include "cromer/record/live/row_text.h"
 
 namespace cromer {
 namespace {
@@ -19,12 +18,6 @@ constexpr std::size_t piece = 4096;  // bytes at most in one write, but for a lo
 
 Error cannot_write(const std::string& path, int number) {
   return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
-}
-
-void append_number(std::string& text, double value) {
-  char digits[32];
-  if (std::isfinite(value))
-    text.append(digits, static_cast<std::size_t>(write_shortest(digits, value) - digits));
 }
 
 }  // namespace
@@ -90,14 +83,7 @@ Result<void> RecordingFile::begin(const std::vector<std::string>& comments, cons
 
 Result<void> RecordingFile::append(const Rows& rows) {
   std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    append_number(text, rows.t[i]);
-    for (const double value : rows.row(i)) {
-      text += ',';
-      append_number(text, value);
-    }
-    text += '\n';
-  }
+  for (std::size_t i = 0; i < rows.size(); ++i) append_row(text, rows.t[i], rows.row(i));
   const std::size_t before = lines_;
   auto good = write(text);
   rows_ += lines_ - before;
