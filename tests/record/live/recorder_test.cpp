@@ -26,6 +26,21 @@ class Silent final : public Source {
   Headings headings_;
 };
 
+/// Sends one row of a position and a velocity, and ends.
+class Short final : public Source {
+ public:
+  Result<void> open() override { return {}; }
+  bool receive(double, Rows& rows, std::vector<Notice>&) override {
+    rows.width = 2;
+    rows.add(0, std::vector{1.0, 2.0});
+    return false;
+  }
+  const Headings& headings() const override { return headings_; }
+
+ private:
+  Headings headings_{"Time (s)", "Position (mm)", "Velocity (mm/s)"};
+};
+
 // As where Ctrl-C ends the server while the page asks for the end.
 TEST(Recorder, IsStoppedByManyAtTheSameTime) {
   const fs::path path = fs::temp_directory_path() / ("cromer-many-" + std::to_string(::getpid()) + ".csv");
@@ -41,6 +56,27 @@ TEST(Recorder, IsStoppedByManyAtTheSameTime) {
     for (auto& each : many) each.join();
   }
   EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(Recorder, AColumnThatIsNotThereIsNoticedWithThoseThatAre) {
+  const auto noticed = [](const std::string& column) {
+    const std::string path =
+        fs::temp_directory_path() / ("cromer-column-" + std::to_string(::getpid()) + ".csv");
+    Recorder recorder(std::make_unique<Short>(), {path, {}, {}, column});
+    EXPECT_TRUE(recorder.start());
+    while (recorder.status().running) ::usleep(1000);
+    fs::remove(path);
+    return recorder.notices_since(0);
+  };
+  for (const char* good : {"", "Position", "Velocity (mm/s)"}) EXPECT_TRUE(noticed(good).empty()) << good;
+  for (const char* bad : {"Postion", "Time (s)"}) {
+    const auto notices = noticed(bad);
+    ASSERT_EQ(notices.size(), 1u) << bad;
+    EXPECT_EQ(notices[0].kind, NoticeKind::option);
+    EXPECT_EQ(notices[0].text, "--column \"" + std::string(bad) +
+                                   "\": there is no such column to be fitted live, only \"Position (mm)\", "
+                                   "\"Velocity (mm/s)\"");
+  }
 }
 
 }  // namespace

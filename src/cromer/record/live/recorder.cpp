@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cromer/record/live/headings.h"
+
 namespace cromer {
 namespace {
 
@@ -12,6 +14,18 @@ constexpr double wait = 0.05;  // [s] for the source, before looking whether to 
 constexpr double grace = 2;    // [s] that samples may be late before the duration is over without them
 constexpr double between_syncs = 0.8;      // [s]
 constexpr std::size_t kept_notices = 200;  // of a device that writes garbage all the time
+
+/// Nothing where there is one, or none was named.
+std::optional<Notice> missing_column(const Headings& headings, const std::string& name) {
+  std::string there;
+  for (std::size_t i = 1; i < headings.size(); ++i) {
+    if (name.empty() || is_named(headings[i], name)) return std::nullopt;
+    there += fmt::format("{}\"{}\"", i == 1 ? "" : ", ", headings[i]);
+  }
+  return Notice{
+      NoticeKind::option,
+      fmt::format("--column \"{}\": there is no such column to be fitted live, only {}", name, there)};
+}
 
 }  // namespace
 
@@ -110,7 +124,10 @@ bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (headings_.empty() && rows.size() > 0) headings_ = source_->headings(), rows_.width = rows.width;
+    if (headings_.empty() && rows.size() > 0) {
+      headings_ = source_->headings(), rows_.width = rows.width;
+      if (auto missing = missing_column(headings_, settings_.column)) notices.push_back(*std::move(missing));
+    }
     rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
     rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
     for (auto& notice : notices) {

@@ -20,6 +20,7 @@ struct RecorderSettings {
   std::string path;                     ///< of the file
   std::optional<double> duration;       ///< [s] > 0, from the first sample on; until stopped where not given
   std::vector<std::string> comments{};  ///< for the head of the file
+  std::string column{};                 ///< wanted by name; where there is none a notice says which there are
 };
 
 /// At one moment. What a file that can take no more does not hold is not counted.

@@ -26,7 +26,7 @@ struct Rows {
 /// The columns' names with their units: "Time (s)", then one for each value.
 using Headings = std::vector<std::string>;
 
-enum class NoticeKind { garbage, clock, gap, connection, device };
+enum class NoticeKind { garbage, clock, gap, connection, device, option };
 
 /// Something a person should know of, in a sentence.
 struct Notice {
