@@ -28,7 +28,8 @@ class LiveSession {
   std::string status() const;
   /// The path of a recording this session has made, by its name.
   std::optional<std::string> path_of(const std::string& name) const;
-  /// What is new for a listener, as text of an event stream.
+  /// What is new for a listener, as text of an event stream. One that comes while a recording goes on is told
+  /// its last ten seconds, and all of those that begin later.
   std::string events(EventCursor& cursor) const;
 
  private:

@@ -1,5 +1,6 @@
 #include "cromer/study/live_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "cromer/record/live/headings.h"
@@ -8,7 +9,7 @@
 namespace cromer {
 namespace {
 
-constexpr std::size_t fewest = 20, most = 100000;  // rows
+constexpr std::size_t fewest = 20;  // rows
 
 /// What the fit leaves of the swing's spread; 1 where there is no fit.
 double unexplained(const FittedRecording& fitted) {
@@ -25,7 +26,7 @@ double unexplained(const FittedRecording& fitted) {
 
 std::string csv(const Rows& rows, std::size_t column, const std::string& heading) {
   std::string text = "Time (s)," + heading + "\n";
-  for (std::size_t i = rows.size() > most ? rows.size() - most : 0; i < rows.size(); ++i)
+  for (std::size_t i = std::max(rows.size(), live_fit_rows) - live_fit_rows; i < rows.size(); ++i)
     append_row(text, rows.t[i], rows.row(i).subspan(column, 1));
   return text;
 }

@@ -190,6 +190,13 @@ Rows Recorder::rows_since(std::size_t first, std::size_t most) const {
   return some;
 }
 
+std::size_t Recorder::first_within(double seconds) const {
+  const std::lock_guard lock(mutex_);
+  const auto begin = rows_.t.begin(), end = begin + static_cast<std::ptrdiff_t>(held());
+  if (begin == end) return 0;
+  return static_cast<std::size_t>(std::lower_bound(begin, end, *(end - 1) - seconds) - begin);
+}
+
 std::vector<Notice> Recorder::notices_since(std::size_t first) const {
   const std::lock_guard lock(mutex_);
   return {notices_.begin() + std::min(first, notices_.size()), notices_.end()};

@@ -52,6 +52,8 @@ class Recorder {
   Headings headings() const;
   /// The rows from `first` on, at most `most` of them; the notices likewise.
   Rows rows_since(std::size_t first, std::size_t most = static_cast<std::size_t>(-1)) const;
+  /// Index of the first row of the last `seconds`.
+  std::size_t first_within(double seconds) const;
   std::vector<Notice> notices_since(std::size_t first) const;
 
  private:
