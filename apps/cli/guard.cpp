@@ -5,14 +5,9 @@
 #include <sys/random.h>
 
 #include "cromer/base/ascii.h"
-#include "cromer/study/json/live.h"
 
 namespace cromer::cli {
 namespace {
-
-HttpAnswer refused(int status, const std::string& why) {
-  return {status, "application/json", message_json(why)};
-}
 
 bool is_number(std::string_view host) {
   in6_addr any{};

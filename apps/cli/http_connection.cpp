@@ -9,8 +9,6 @@
 #include <chrono>
 #include <optional>
 
-#include "cromer/study/json/live.h"
-
 namespace cromer::cli {
 
 namespace asio = boost::asio;
@@ -95,9 +93,7 @@ void HttpConnection::read() {
 void HttpConnection::take(Failure failed) {
   idle_ = false;
   if (!failed) return handle();
-  const auto refuse = [this](int status, const char* why) {
-    answer({status, "application/json", message_json(why)}, false);
-  };
+  const auto refuse = [this](int status, const char* why) { answer(refused(status, why), false); };
   if (failed == http::error::header_limit || failed == http::error::buffer_overflow)
     return refuse(431, "the header of the request is too long");
   if (failed == http::error::body_limit) return refuse(413, "the body of the request is too long");
@@ -114,7 +110,7 @@ void HttpConnection::handle() {
   const std::string target = text(message.target());
   if (target.empty() || target.front() != '/' || message.count(http::field::host) != 1 ||
       message.count(http::field::origin) > 1)
-    return answer({400, "application/json", message_json("the request needs a path and one Host")}, false);
+    return answer(refused(400, "the request needs a path and one Host"), false);
   HttpRequest request;
   request.method = text(message.method_string());
   const std::size_t mark = std::min(target.find('?'), target.size());
@@ -171,8 +167,7 @@ void HttpConnection::linger() {
 }
 
 void HttpConnection::begin_events(const HttpAnswer& what) {
-  if (all_.listeners() >= all_.limits.listeners)
-    return answer({503, "application/json", message_json("too many listeners")}, false);
+  if (all_.listeners() >= all_.limits.listeners) return answer(refused(503, "too many listeners"), false);
   http::fields head;
   head.set(http::field::content_type, "text/event-stream");
   head.set(http::field::connection, "close");

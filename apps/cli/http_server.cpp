@@ -10,6 +10,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 
+#include "cromer/study/json/live.h"
 #include "http_connection.h"
 
 namespace cromer::cli {
@@ -32,7 +33,7 @@ std::size_t most_connections() {
 
 }  // namespace
 
-struct HttpServer::State : std::enable_shared_from_this<State> {
+struct HttpServer::State {
   asio::io_context context{1};
   asio::ip::tcp::acceptor acceptor{context};
   asio::steady_timer timer{context}, pause{context};
@@ -66,8 +67,12 @@ struct HttpServer::State : std::enable_shared_from_this<State> {
   }
 };
 
+HttpAnswer refused(int status, const std::string& why) {
+  return {status, "application/json", message_json(why)};
+}
+
 HttpServer::HttpServer(Handler handler, Events events, HttpLimits limits)
-    : state_(std::make_shared<State>()) {
+    : state_(std::make_unique<State>()) {
   state_->connections.handler = std::move(handler);
   state_->connections.events = std::move(events);
   state_->connections.limits = limits;

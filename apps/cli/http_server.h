@@ -29,6 +29,9 @@ struct HttpAnswer {
   bool events = false;  ///< the connection stays open for server-sent events
 };
 
+/// A status other than 200, and why in a sentence.
+HttpAnswer refused(int status, const std::string& why);
+
 /// What one listener has been sent already.
 struct EventCursor {
   std::size_t recording = 0, rows = 0, notices = 0, fits = 0;
@@ -62,7 +65,7 @@ class HttpServer {
 
  private:
   struct State;
-  std::shared_ptr<State> state_;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace cromer::cli

@@ -20,17 +20,18 @@ std::shared_ptr<const FittedRecording> LiveFitter::latest() const {
 
 void LiveFitter::work() {
   Rows rows;
+  std::size_t seen = 0;  // of the recorder's rows
   double next = steady_seconds() + 1;
   while (!stop_) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const double begun = steady_seconds();
     if (begun < next) continue;
     next = begun + 1;
-    const Rows more = recorder_.rows_since(rows.size());
+    const Rows more = recorder_.rows_since(seen);
     if (more.size() == 0) continue;
-    rows.width = more.width;
-    rows.t.insert(rows.t.end(), more.t.begin(), more.t.end());
-    rows.values.insert(rows.values.end(), more.values.begin(), more.values.end());
+    seen += more.size();
+    rows.add(more);
+    rows.keep_last(live_fit_rows);
     Watch watch;
     watch.interrupt = &stop_;
     auto found = live_fit(rows, recorder_.headings(), column_, watch);

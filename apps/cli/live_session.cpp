@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t batch = 5000;  // rows in one event
+constexpr double shown = 10;         // [s] on the page
 
 /// The path itself, or the first of NAME-2.csv, ... that does not exist or is empty.
 std::string free_path(const std::string& path) {
@@ -53,11 +54,8 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   return active_->name;
 }
 
-std::string LiveSession::stop() {
-  const auto now = active();
-  if (!now) return "";
-  now->recorder->stop();
-  return now->name;
+void LiveSession::stop() {
+  if (const auto now = active()) now->recorder->stop();
 }
 
 std::string LiveSession::status() const {
@@ -76,7 +74,11 @@ std::string LiveSession::events(EventCursor& cursor) const {
   const auto now = active();
   const double time = steady_seconds();
   std::string text;
-  if (now && now->number != cursor.recording) cursor = {now->number};
+  if (now && now->number != cursor.recording) {
+    const bool is_new = cursor.status_at == 0;
+    cursor = {now->number};
+    if (is_new) cursor.rows = now->recorder->first_within(shown);
+  }
   if (now) {
     const Rows rows = now->recorder->rows_since(cursor.rows, batch);
     if (rows.size() > 0) text += event("samples", live_samples_json(cursor.rows, rows)) + "\n";

@@ -19,18 +19,17 @@ class LiveSession {
   LiveSession(std::optional<RecordSetup> setup, RecordOptions options, std::string command)
       : setup_(std::move(setup)), options_(std::move(options)), command_(std::move(command)) {}
 
-  bool can_record() const { return setup_.has_value(); }
-
   /// Begins a recording into -o, or into NAME-2.csv, NAME-3.csv, ... where that is taken; its name.
   /// `duration` in seconds; that of the command line where it is not given. Connecting may take seconds.
   Result<std::string> start(std::optional<double> duration);
-  /// Ends it; its name, "" where none is going on.
-  std::string stop();
+  /// Ends it, where one is going on; its file is complete then.
+  void stop();
 
   std::string status() const;
   /// The path of a recording this session has made, by its name.
   std::optional<std::string> path_of(const std::string& name) const;
-  /// What is new for a listener, as text of an event stream.
+  /// What is new for a listener, as text of an event stream. One that comes while a recording goes on is told
+  /// its last ten seconds, and all of those that begin later.
   std::string events(EventCursor& cursor) const;
 
  private:

@@ -54,6 +54,26 @@ std::string summary(const std::string& path, const RecorderStatus& status) {
   return text + "\n";
 }
 
+/// Says what happened, what was recorded and how it ended; the exit status.
+int conclude(const Recorder& recorder, const RecordOptions& options, const OutputOptions& output) {
+  RecorderStatus end = recorder.status();
+  const auto notices = recorder.notices_since(0);
+  std::vector<std::string> said;
+  for (std::size_t i = 0; i < std::min<std::size_t>(notices.size(), 20); ++i) said.push_back(notices[i].text);
+  if (end.garbage > 1) said.push_back(fmt::format("{} lines were no samples", end.garbage));
+  if (end.samples > 0 && notices.size() > 20) said.push_back("the end of the file lists more");
+  warn(said, output.quiet);
+  if (end.samples == 0 && end.failure.empty())
+    end.failure = fmt::format("no sample came from {}", options.from);
+  if (!print(output.json       ? recording_json(options.output, end, recorder.headings(), notices)
+             : end.samples > 0 ? summary(options.output, end)
+                               : ""))
+    return refuse("standard output cannot be written");
+  if (end.failure.empty()) return done;
+  complain(end.failure);
+  return no_success;
+}
+
 }  // namespace
 
 int run_record(const Arguments& arguments) {
@@ -84,24 +104,7 @@ int run_record(const Arguments& arguments) {
   if (auto good = recorder->start(); !good) return refuse(good.error().message);
   watch_it(*recorder, options.column, watch, output.quiet);
   recorder->stop();
-
-  const RecorderStatus end = recorder->status();
-  const auto notices = recorder->notices_since(0);
-  std::vector<std::string> said;
-  for (std::size_t i = 0; i < std::min<std::size_t>(notices.size(), 20); ++i) said.push_back(notices[i].text);
-  if (end.garbage > 1) said.push_back(fmt::format("{} lines were no samples", end.garbage));
-  if (end.samples > 0 && notices.size() > 20) said.push_back("the end of the file lists more");
-  warn(said, output.quiet);
-  RecorderStatus document = end;
-  if (end.samples == 0 && document.failure.empty())
-    document.failure = fmt::format("no sample came from {}", options.from);
-  if (!print(output.json       ? recording_json(options.output, document, recorder->headings(), notices)
-             : end.samples > 0 ? summary(options.output, end)
-                               : ""))
-    return refuse("standard output cannot be written");
-  if (document.failure.empty()) return done;
-  complain(document.failure);
-  return no_success;
+  return conclude(*recorder, options, output);
 }
 
 }  // namespace cromer::cli

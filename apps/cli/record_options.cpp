@@ -48,6 +48,7 @@ Result<RecordSetup> check(const RecordOptions& options) {
   if (!source) return source.error();
   setup.source = *std::move(source);
   setup.lines = {options.rate, 0, options.headings};
+  setup.column = options.column;
   if (!options.time_unit.empty()) {
     const auto unit = parse_unit(options.time_unit);
     if (!unit || unit->dimension != Dimension{.second = 1} || !(unit->factor > 0))
@@ -64,7 +65,8 @@ Result<RecordSetup> check(const RecordOptions& options) {
 
 std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
                                         const std::string& path, const std::string& command) {
-  RecorderSettings settings{path, duration, {command + " (cromer " CROMER_VERSION ")", "begun " + now_utc()}};
+  RecorderSettings settings{
+      path, duration, {command + " (cromer " CROMER_VERSION ")", "begun " + now_utc()}, setup.column};
   return std::make_unique<Recorder>(make_source(setup.source, setup.lines), std::move(settings));
 }
 

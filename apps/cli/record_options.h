@@ -28,6 +28,7 @@ std::vector<Option> options_of(RecordOptions& options);
 struct RecordSetup {
   SourceName source;
   LineSettings lines;
+  std::string column;
 };
 
 /// That source, unit of time and the name of the file are good.

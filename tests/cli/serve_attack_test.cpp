@@ -35,12 +35,26 @@ TEST(ServeAttack, NoPathLeadsOut) {
   const Folder folder;
   folder.write("secret.csv", "the secret\n");
   const Served served(folder);
-  for (const char* path :
-       {"/secret.csv", "/../secret.csv", "/..%2fsecret.csv", "/%2e%2e/secret.csv",
-        "/api/recordings/secret.csv", "/api/recordings/../secret.csv",
-        "/api/recordings/..%2f..%2fetc%2fpasswd", "/api/recordings/../../../../etc/passwd",
-        "/api/recordings//etc/passwd", "/api/recordings/%00", "/api/recordings/.", "//etc/passwd", "/./",
-        "/%2f", "/..\\..\\secret.csv", "/api/recordings/....//secret.csv", "/cgi-bin/", "/.git/config"}) {
+  for (const char* path : {"/secret.csv",
+                           "/../secret.csv",
+                           "/..%2fsecret.csv",
+                           "/%2e%2e/secret.csv",
+                           "/api/recordings/secret.csv",
+                           "/api/recordings/../secret.csv",
+                           "/api/recordings/..%2f..%2fetc%2fpasswd",
+                           "/api/recordings/../../../../etc/passwd",
+                           "/api/recordings//etc/passwd",
+                           "/api/recordings/%00",
+                           "/api/recordings/%2e%2e%2fsecret.csv",
+                           "/api/recordings/%",
+                           "/api/recordings/.",
+                           "//etc/passwd",
+                           "/./",
+                           "/%2f",
+                           "/..\\..\\secret.csv",
+                           "/api/recordings/....//secret.csv",
+                           "/cgi-bin/",
+                           "/.git/config"}) {
     const std::string answer = ask(served.port(), request(served.port(), std::string("GET ") + path));
     EXPECT_EQ(status_of(answer), 404) << path;
     EXPECT_THAT(answer, Not(HasSubstr("secret"))) << path;

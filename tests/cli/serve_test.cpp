@@ -140,6 +140,57 @@ TEST(Serve, RecordsAndSendsEverySampleAndTheFitLive) {
   EXPECT_EQ(json_of(ended)["running"], false);
 }
 
+TEST(Serve, WhoComesLateIsToldTheLastTenSeconds) {
+  const Folder folder;
+  const SerialLine serial;
+  const Served served(folder, {"--from", "serial:" + serial.path(), "-o", "swing.csv"});
+  const std::string listen =
+      "GET /api/events HTTP/1.1\r\nHost: localhost:" + std::to_string(served.port()) + "\r\n\r\n";
+  const Peer early(served.port());
+  early.send(listen);
+  early.receive(5, "event: status");
+  ASSERT_EQ(status_of(ask(served.port(), request(served.port(), "POST /api/record"))), 200);
+  // Half a minute of the device's time at once.
+  serial.write("\n");
+  for (int n = 0; n < 3000; ++n) serial.write(std::to_string(0.01 * n) + " " + std::to_string(n) + "\n");
+  const auto told_from = [](const std::string& stream) {
+    std::vector<std::size_t> firsts;
+    for (const auto& batch : events_in(stream, "samples")) firsts.push_back(batch["first"]);
+    return firsts;
+  };
+  const auto all = told_from(early.receive(20, ",2999.0]]"));
+  ASSERT_FALSE(all.empty());
+  EXPECT_EQ(all.front(), 0u);
+  const Peer late(served.port());
+  late.send(listen);
+  const std::string stream = late.receive(20, ",2999.0]]");
+  EXPECT_EQ(told_from(stream), std::vector<std::size_t>{1999});
+  EXPECT_EQ(events_in(stream, "samples").at(0)["t"].size(), 1001u);
+  EXPECT_EQ(events_in(stream, "status").at(0)["samples"], 3000);
+}
+
+TEST(Serve, GivesRecordingsWithBlanksAndUmlautsInTheirNames) {
+  const Folder folder;
+  const Phone phone(100, true);
+  const std::string name = "my swing \xc3\xbc 50%.csv";
+  const Served served(folder, {"--from", "phyphox:127.0.0.1:" + std::to_string(phone.port()), "-o", name});
+  const auto get = [&](const std::string& path) {
+    return ask(served.port(), request(served.port(), "GET /api/recordings/" + path));
+  };
+  const std::string begun = ask(served.port(), request(served.port(), "POST /api/record"));
+  ASSERT_EQ(json_of(begun)["recording"], name) << begun;
+  sleep_until(now() + 0.5);
+  ask(served.port(), request(served.port(), "POST /api/stop"));
+  const std::string file = get("my%20swing%20%C3%bc%2050%25.csv");
+  EXPECT_EQ(status_of(file), 200);
+  EXPECT_THAT(body_of(file), HasSubstr("Time (s),"));
+  EXPECT_EQ(body_of(file), folder.read(name));
+  // What is no escape stands for itself.
+  EXPECT_EQ(status_of(get("my%20swing%20%C3%BC%2050%.csv")), 200);
+  EXPECT_EQ(status_of(get("my%20swing%20%C3%BC%2050%2.csv")), 404);
+  EXPECT_EQ(status_of(get("my%2520swing%20%C3%BC%2050%25.csv")), 404);
+}
+
 TEST(Serve, WhatCannotBeReachedIsSaidAndTheServerGoesOn) {
   const Folder folder;
   const Served served(folder, {"--from", "tcp:127.0.0.1:1", "-o", "swing.csv"});

@@ -1,13 +1,15 @@
 #include "cromer/study/live_fit.h"
 
+#include <algorithm>
 #include <cmath>
 
-#include "cromer/base/number.h"
+#include "cromer/record/live/headings.h"
+#include "cromer/record/live/row_text.h"
 
 namespace cromer {
 namespace {
 
-constexpr std::size_t fewest = 20, most = 100000;  // rows
+constexpr std::size_t fewest = 20;  // rows
 
 /// What the fit leaves of the swing's spread; 1 where there is no fit.
 double unexplained(const FittedRecording& fitted) {
@@ -22,23 +24,10 @@ double unexplained(const FittedRecording& fitted) {
   return squares > 0 ? fitted.fit.residual.rms / std::sqrt(squares / n) : 1;
 }
 
-bool is_named(std::string_view heading, std::string_view name) {
-  return name.empty() || heading == name || heading.substr(0, heading.find(" (")) == name;
-}
-
 std::string csv(const Rows& rows, std::size_t column, const std::string& heading) {
   std::string text = "Time (s)," + heading + "\n";
-  const auto append = [&](double value) {
-    char digits[32];
-    if (std::isfinite(value))
-      text.append(digits, static_cast<std::size_t>(write_shortest(digits, value) - digits));
-  };
-  for (std::size_t i = rows.size() > most ? rows.size() - most : 0; i < rows.size(); ++i) {
-    append(rows.t[i]);
-    text += ',';
-    append(rows.row(i)[column]);
-    text += '\n';
-  }
+  for (std::size_t i = std::max(rows.size(), live_fit_rows) - live_fit_rows; i < rows.size(); ++i)
+    append_row(text, rows.t[i], rows.row(i).subspan(column, 1));
   return text;
 }
 
@@ -52,7 +41,7 @@ std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headin
   options.law = "viscous";
   options.recognise_drive = false;
   for (std::size_t c = 0; c < rows.width && c + 1 < headings.size(); ++c) {
-    if (!is_named(headings[c + 1], column)) continue;
+    if (!column.empty() && !is_named(headings[c + 1], column)) continue;
     auto fits = fit(csv(rows, c, headings[c + 1]), "recording", options, watch);
     if (!fits || fits->empty() || watch.interrupted()) continue;
     if (!best || unexplained(fits->front()) < unexplained(*best)) best = std::move(fits->front());

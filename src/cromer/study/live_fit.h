@@ -10,7 +10,9 @@
 
 namespace cromer {
 
-/// Viscous law of the last 100 000 rows at most, found as `cromer fit --law viscous` finds it in the file.
+constexpr std::size_t live_fit_rows = 100000;
+
+/// Viscous law of the last live_fit_rows at most, found as `cromer fit --law viscous` finds it in the file.
 /// `column` is a heading, with or without its unit; where none is named, the column that such a swing
 /// explains best, by what is left of its spread. Nothing while the rows are too few to say anything, or
 /// cannot be fitted at all.

@@ -36,7 +36,7 @@ export interface LiveFit {
 }
 
 export type LiveEvent =
-  | { is: 'open' } // connected, maybe again: everything is told from the recording's first sample on
+  | { is: 'open' } // connected, maybe again: the recording's last seconds are told, and all its notices
   | { is: 'away' } // the server does not answer
   | { is: 'status'; data: LiveStatus }
   | { is: 'samples'; data: LiveSamples }
@@ -48,7 +48,7 @@ export interface Live {
   away: boolean
   t: number[] // the last seconds
   values: number[][]
-  seen: number // rows told so far
+  seen: number // index of the next row
   notices: LiveNotice[]
   fit: LiveFit | null
 }
@@ -60,8 +60,8 @@ export const noLive: Live = { status: null, away: false, ...nothing }
 export const shownSeconds = 10
 const mostRows = 20_000
 
-/// The state after `event`. Another recording, or a new connection, begins
-/// anew: of each recording the server tells the status first.
+/// The state after `event`. Another recording, a new connection, or samples that do not follow the last ones
+/// begin anew: of each recording the server tells the status first.
 export function after(live: Live, event: LiveEvent): Live {
   switch (event.is) {
     case 'open':
@@ -73,7 +73,7 @@ export function after(live: Live, event: LiveEvent): Live {
       return { ...live, ...(other ? nothing : {}), away: false, status: event.data }
     }
     case 'samples':
-      return withSamples(event.data.first === 0 ? { ...live, t: [], values: [], seen: 0 } : live, event.data)
+      return withSamples(event.data.first === live.seen ? live : { ...live, t: [], values: [] }, event.data)
     case 'notices':
       return { ...live, notices: [...live.notices, ...event.data.notices] }
     case 'fit':
@@ -90,10 +90,11 @@ function withSamples(live: Live, { first, t, values }: LiveSamples): Live {
   return { ...live, t: times.slice(cut), values: columns, seen: first + t.length }
 }
 
-/// Samples and their duration [s]: samples come ten times a second, a status once.
+/// Samples and their duration [s]: samples come ten times a second, a status once. At the end only the status
+/// counts: a disk that is full does not hold all that was told.
 export function progressOf({ status, seen, t }: Live): { samples: number; duration: number } {
   const newest = t.at(-1)
-  if (!status || seen <= status.samples || newest === undefined)
+  if (!status || !status.running || seen <= status.samples || newest === undefined)
     return { samples: status?.samples ?? 0, duration: status?.duration ?? 0 }
   return { samples: seen, duration: Math.max(status.duration, newest - status.from) }
 }

@@ -17,14 +17,28 @@ export async function statusOfServer(): Promise<LiveStatus | null> {
   }
 }
 
-/// Tells what happens until the returned function is called. A lost connection is tried again by the browser.
+const pause = 3000 // [ms]
+
+/// Tells what happens until the returned function is called. A lost connection is tried again by the browser, one that
+/// the server refuses (too many listeners, another token) here, after a pause.
 export function listen(tell: (event: LiveEvent) => void): () => void {
-  const events = new EventSource('/api/events')
-  events.onopen = () => tell({ is: 'open' })
-  events.onerror = () => tell({ is: 'away' })
-  for (const is of ['status', 'samples', 'notices', 'fit'] as const)
-    events.addEventListener(is, (event) => tell({ is, data: JSON.parse(event.data as string) } as LiveEvent))
-  return () => events.close()
+  let events: EventSource
+  let again: ReturnType<typeof setTimeout> | undefined
+  const connect = () => {
+    events = new EventSource('/api/events')
+    events.onopen = () => tell({ is: 'open' })
+    events.onerror = () => {
+      tell({ is: 'away' })
+      if (events.readyState === EventSource.CLOSED) again = setTimeout(connect, pause)
+    }
+    for (const is of ['status', 'samples', 'notices', 'fit'] as const)
+      events.addEventListener(is, (event) => tell({ is, data: JSON.parse(event.data as string) } as LiveEvent))
+  }
+  connect()
+  return () => {
+    clearTimeout(again)
+    events.close()
+  }
 }
 
 /// Starts or stops. The status then; where it was refused, the server's message.

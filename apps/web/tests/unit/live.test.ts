@@ -35,6 +35,19 @@ describe('a recording in progress', () => {
     const again = [{ is: 'away' } as const, { is: 'open' } as const, status(), samples(0, [0, 1, 2])].reduce(after, before)
     expect([again.away, again.t.length, again.notices.length]).toEqual([false, 3, 0])
   })
+  it('begins where it is told from, in a recording that goes on', () => {
+    const late = run(status({ samples: 30000, duration: 300 }), { is: 'open' }, samples(29000, [290, 291]), samples(29002, [292]))
+    expect([late.t, late.seen]).toEqual([[290, 291, 292], 29003])
+    expect(late.values).toEqual([[290, 291, 292], [291, 292, 293]])
+  })
+  it('leaves nothing of before in front of samples that do not follow', () => {
+    const torn = run(status(), samples(0, [0, 1, 2]), samples(500, [5, 6]))
+    expect([torn.t, torn.values, torn.seen]).toEqual([[5, 6], [[5, 6], [6, 7]], 502])
+  })
+  it('counts at its end what is in the file', () => {
+    const full = run(status(), samples(0, [0, 1, 2]), status({ running: false, samples: 2, duration: 1 }))
+    expect(progressOf(full)).toEqual({ samples: 2, duration: 1 })
+  })
   it('does not count what came late of the last one', () => {
     const late = run(status({ running: false }), { is: 'open' }, samples(0, [0, 1, 2]))
     expect(progressOf(after(late, status({ recording: 'a-2.csv' }))).samples).toBe(0)

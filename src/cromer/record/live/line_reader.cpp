@@ -10,6 +10,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
+#include "cromer/record/live/headings.h"
 
 namespace cromer {
 namespace {
@@ -41,13 +42,6 @@ std::vector<std::string> names_in(std::string_view text) {
     if (end == std::string_view::npos) return names;
     text.remove_prefix(end + 1);
   }
-}
-
-/// A heading that can stand in a CSV file without quotes.
-std::string plain(std::string text) {
-  for (char& c : text)
-    if (c == ',' || c == '"' || (c >= 0 && c < ' ')) c = ' ';
-  return std::string(trimmed(text));
 }
 
 }  // namespace
@@ -116,7 +110,7 @@ void LineReader::begin(std::size_t fields) {
   }
   if (settings_.time_unit > 0) to_seconds_ = settings_.time_unit;
   headings_.insert(headings_.begin(), "Time (s)");
-  for (auto& heading : headings_) heading = plain(std::move(heading));
+  for (auto& heading : headings_) heading = plain_heading(std::move(heading));
 }
 
 void LineReader::take_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices) {

@@ -8,6 +8,7 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
+#include "cromer/record/live/headings.h"
 
 namespace cromer {
 namespace {
@@ -77,13 +78,6 @@ PhyphoxSet sensed(const Json& input) {
   return found;
 }
 
-/// A heading that can stand in a CSV file without quotes.
-void make_plain(Headings& headings) {
-  for (auto& heading : headings)
-    for (char& c : heading)
-      if (c == ',' || c == '"' || (c >= 0 && c < ' ')) c = ' ';
-}
-
 std::string percent_encoded(std::string_view name) {
   std::string out;
   for (const char c : name) {
@@ -111,7 +105,7 @@ Result<PhyphoxSet> read_phyphox_config(std::string_view json) {
                     "such as Acceleration (without g)",
                     title)};
   found.experiment = title;
-  make_plain(found.headings);
+  for (auto& heading : found.headings) heading = plain_heading(std::move(heading));
   return found;
 }
 
@@ -159,7 +153,6 @@ Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSe
   if (status != document.end() && status->is_object()) {
     const auto measuring = status->find("measuring");
     answer.measuring = measuring != status->end() && measuring->is_boolean() && measuring->get<bool>();
-    answer.session = text_at(*status, "session");
   }
   return answer;
 }

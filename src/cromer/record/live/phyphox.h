@@ -29,7 +29,6 @@ struct PhyphoxAnswer {
   Rows rows;               ///< all values, NaN where the phone says null; rows without a time are left out
   std::size_t uneven = 0;  ///< values at the ends of longer buffers that had no partner yet
   bool measuring = false;
-  std::string session;
 };
 
 /// From the answer to phyphox_query. Buffers that are filled while they are read are cut to the shortest; a

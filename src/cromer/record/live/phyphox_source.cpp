@@ -32,11 +32,10 @@ Result<void> PhyphoxSource::open() {
   set_ = *std::move(set);
   const auto before = ask();
   if (!before) return failed(before.error());
-  if (before->measuring) {
-    if (before->rows.size() > 0) after_ = before->rows.t.back();
-  } else {
-    // Where it goes on: the phone keeps its old samples, and its times go on from them.
-    if (before->rows.size() > 0) after_ = before->rows.t.back();
+  // Where it goes on, also when it is started: the phone keeps its old samples, and its times go on from
+  // them.
+  if (before->rows.size() > 0) after_ = before->rows.t.back();
+  if (!before->measuring) {
     if (const auto started = client_.get("/control?cmd=start", patience); !started)
       return failed(started.error());
     opening_.push_back(
@@ -67,7 +66,7 @@ void PhyphoxSource::take(const PhyphoxAnswer& answer, Rows& rows, std::vector<No
 bool PhyphoxSource::clock_began_anew() {
   if (!after_) return false;
   PhyphoxSet only_time{"", {set_.buffers.front()}, {}};
-  const auto text = client_.get("/get?" + phyphox_query(only_time, std::nullopt).substr(5), patience);
+  const auto text = client_.get(phyphox_query(only_time, std::nullopt), patience);
   if (!text) return false;
   const auto held = read_phyphox_answer(*text, only_time);
   return held && (held->rows.size() == 0 || held->rows.t.back() < *after_);

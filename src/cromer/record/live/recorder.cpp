@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cromer/record/live/headings.h"
+
 namespace cromer {
 namespace {
 
@@ -12,6 +14,18 @@ constexpr double wait = 0.05;  // [s] for the source, before looking whether to 
 constexpr double grace = 2;    // [s] that samples may be late before the duration is over without them
 constexpr double between_syncs = 0.8;      // [s]
 constexpr std::size_t kept_notices = 200;  // of a device that writes garbage all the time
+
+/// Nothing where there is one, or none was named.
+std::optional<Notice> missing_column(const Headings& headings, const std::string& name) {
+  std::string there;
+  for (std::size_t i = 1; i < headings.size(); ++i) {
+    if (name.empty() || is_named(headings[i], name)) return std::nullopt;
+    there += fmt::format("{}\"{}\"", i == 1 ? "" : ", ", headings[i]);
+  }
+  return Notice{
+      NoticeKind::option,
+      fmt::format("--column \"{}\": there is no such column to be fitted live, only {}", name, there)};
+}
 
 }  // namespace
 
@@ -30,6 +44,7 @@ Result<void> Recorder::start() {
 
 void Recorder::stop() {
   stop_ = true;
+  const std::lock_guard lock(stopping_);
   if (thread_.joinable()) thread_.join();
   if (disk_.joinable()) disk_.join();
 }
@@ -37,6 +52,7 @@ void Recorder::stop() {
 void Recorder::fail(const Error& error) {
   const std::lock_guard lock(mutex_);
   if (failure_.empty()) failure_ = error.message;
+  kept_ = file_.rows();
   stop_ = true;
 }
 
@@ -60,6 +76,7 @@ void Recorder::keep_on_disk() {
     synced = steady_seconds();
   }
   if (good) good = write_end();
+  file_.drop_if_empty();
   if (!good) fail(good.error());
   running_ = false;
 }
@@ -107,7 +124,10 @@ bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (headings_.empty() && rows.size() > 0) headings_ = source_->headings(), rows_.width = rows.width;
+    if (headings_.empty() && rows.size() > 0) {
+      headings_ = source_->headings(), rows_.width = rows.width;
+      if (auto missing = missing_column(headings_, settings_.column)) notices.push_back(*std::move(missing));
+    }
     rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
     rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
     for (auto& notice : notices) {
@@ -131,18 +151,20 @@ Result<void> Recorder::write_end() {
   }
   if (!lines.empty())
     if (auto good = file_.comment(lines); !good) return good;
-  file_.drop_if_empty();
   return file_.sync();
 }
+
+/// How many rows there are to be told of; the lock is held.
+std::size_t Recorder::held() const { return std::min(rows_.size(), kept_.value_or(rows_.size())); }
 
 RecorderStatus Recorder::status() const {
   const std::lock_guard lock(mutex_);
   RecorderStatus now;
   now.running = running_;
-  now.samples = rows_.size();
+  now.samples = held();
   if (now.samples > 0) {
     now.begin = rows_.t.front();
-    now.end = rows_.t.back();
+    now.end = rows_.t[now.samples - 1];
     const auto last = rows_.row(now.samples - 1);
     now.last.assign(last.begin(), last.end());
   }
@@ -162,10 +184,17 @@ Rows Recorder::rows_since(std::size_t first, std::size_t most) const {
   const std::lock_guard lock(mutex_);
   Rows some;
   some.width = rows_.width;
-  const std::size_t from = std::min(first, rows_.size()), to = from + std::min(most, rows_.size() - from);
+  const std::size_t from = std::min(first, held()), to = from + std::min(most, held() - from);
   some.t.assign(rows_.t.begin() + from, rows_.t.begin() + to);
   some.values.assign(rows_.values.begin() + from * rows_.width, rows_.values.begin() + to * rows_.width);
   return some;
+}
+
+std::size_t Recorder::first_within(double seconds) const {
+  const std::lock_guard lock(mutex_);
+  const auto begin = rows_.t.begin(), end = begin + static_cast<std::ptrdiff_t>(held());
+  if (begin == end) return 0;
+  return static_cast<std::size_t>(std::lower_bound(begin, end, *(end - 1) - seconds) - begin);
 }
 
 std::vector<Notice> Recorder::notices_since(std::size_t first) const {

@@ -20,9 +20,10 @@ struct RecorderSettings {
   std::string path;                     ///< of the file
   std::optional<double> duration;       ///< [s] > 0, from the first sample on; until stopped where not given
   std::vector<std::string> comments{};  ///< for the head of the file
+  std::string column{};                 ///< wanted by name; where there is none a notice says which there are
 };
 
-/// At one moment.
+/// At one moment. What a file that can take no more does not hold is not counted.
 struct RecorderStatus {
   bool running = false;
   std::size_t samples = 0;
@@ -43,13 +44,16 @@ class Recorder {
   /// Connects, makes the file, and starts the two threads. An Error leaves nothing.
   Result<void> start();
 
-  /// Ends the recording; the file is complete, and on the disk, when this returns. Once or more often.
+  /// Ends the recording; the file is complete, and on the disk, when this returns. Once or more often,
+  /// from any thread.
   void stop();
 
   RecorderStatus status() const;
   Headings headings() const;
   /// The rows from `first` on, at most `most` of them; the notices likewise.
   Rows rows_since(std::size_t first, std::size_t most = static_cast<std::size_t>(-1)) const;
+  /// Index of the first row of the last `seconds`.
+  std::size_t first_within(double seconds) const;
   std::vector<Notice> notices_since(std::size_t first) const;
 
  private:
@@ -58,10 +62,12 @@ class Recorder {
   bool publish(Rows& rows, std::vector<Notice>& notices);
   void fail(const Error& error);
   Result<void> write_end();
+  std::size_t held() const;
 
   std::unique_ptr<Source> source_;
   RecorderSettings settings_;
   RecordingFile file_;
+  std::mutex stopping_;  ///< over the two threads from their start on
   std::thread thread_, disk_;
   std::atomic<bool> stop_{false}, running_{false};
   mutable std::mutex mutex_;  ///< over what follows; only the recording thread changes headings and rows
@@ -69,6 +75,7 @@ class Recorder {
   bool over_ = false;  ///< nothing more will come
   Headings headings_;
   Rows rows_;
+  std::optional<std::size_t> kept_;  ///< of the rows, by a file that can take no more
   std::vector<Notice> notices_;
   std::size_t garbage_ = 0;
   std::string failure_;

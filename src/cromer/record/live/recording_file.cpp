@@ -5,11 +5,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 
-#include "cromer/base/number.h"
+#include "cromer/record/live/row_text.h"
 
 namespace cromer {
 namespace {
@@ -18,12 +18,6 @@ constexpr std::size_t piece = 4096;  // bytes at most in one write, but for a lo
 
 Error cannot_write(const std::string& path, int number) {
   return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
-}
-
-void append_number(std::string& text, double value) {
-  char digits[32];
-  if (std::isfinite(value))
-    text.append(digits, static_cast<std::size_t>(write_shortest(digits, value) - digits));
 }
 
 }  // namespace
@@ -52,18 +46,33 @@ Result<void> RecordingFile::write(std::string_view lines) {
       end = lines.rfind('\n', piece - 1);
       end = end == std::string_view::npos ? lines.find('\n') + 1 : end + 1;
     }
-    std::string_view whole = lines.substr(0, end);
+    const std::string_view whole = lines.substr(0, end);
     lines.remove_prefix(end);
-    while (!whole.empty()) {
-      const ssize_t count = ::write(file_.number(), whole.data(), whole.size());
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return cannot_write(path_, errno);
-      whole.remove_prefix(static_cast<std::size_t>(count));
+    for (std::size_t written = 0; written < whole.size();) {
+      const ssize_t more = ::write(file_.number(), whole.data() + written, whole.size() - written);
+      if (more < 0 && errno == EINTR) continue;
+      if (more <= 0) {
+        const Error why = cannot_write(path_, more < 0 ? errno : ENOSPC);
+        count(whole.substr(0, written));
+        const bool is_whole = written == 0 || whole[written - 1] == '\n' || cut();
+        return is_whole ? why : Error{why.message + "; its last line is not whole"};
+      }
+      written += static_cast<std::size_t>(more);
     }
+    count(whole);
   }
-  written_ = true;
   return {};
 }
+
+/// Takes note of the whole lines in what was written.
+void RecordingFile::count(std::string_view written) {
+  const std::size_t whole = written.rfind('\n') + 1;
+  bytes_ += whole;
+  lines_ += static_cast<std::size_t>(std::count(written.begin(), written.begin() + whole, '\n'));
+}
+
+/// Half a line reads as a number with fewer digits: a sample that never was.
+bool RecordingFile::cut() { return ::ftruncate(file_.number(), static_cast<off_t>(bytes_)) == 0; }
 
 Result<void> RecordingFile::begin(const std::vector<std::string>& comments, const Headings& headings) {
   std::string text;
@@ -74,15 +83,11 @@ Result<void> RecordingFile::begin(const std::vector<std::string>& comments, cons
 
 Result<void> RecordingFile::append(const Rows& rows) {
   std::string text;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    append_number(text, rows.t[i]);
-    for (const double value : rows.row(i)) {
-      text += ',';
-      append_number(text, value);
-    }
-    text += '\n';
-  }
-  return write(text);
+  for (std::size_t i = 0; i < rows.size(); ++i) append_row(text, rows.t[i], rows.row(i));
+  const std::size_t before = lines_;
+  auto good = write(text);
+  rows_ += lines_ - before;
+  return good;
 }
 
 Result<void> RecordingFile::comment(const std::vector<std::string>& lines) {
@@ -99,7 +104,7 @@ Result<void> RecordingFile::sync() {
 }
 
 void RecordingFile::drop_if_empty() {
-  if (made_ && !written_) ::unlink(path_.c_str());
+  if (made_ && lines_ == 0) ::unlink(path_.c_str());
 }
 
 }  // namespace cromer

@@ -20,13 +20,24 @@ struct Rows {
     t.push_back(time);
     values.insert(values.end(), row.begin(), row.end());
   }
+  void add(const Rows& more) {
+    width = more.width;
+    t.insert(t.end(), more.t.begin(), more.t.end());
+    values.insert(values.end(), more.values.begin(), more.values.end());
+  }
+  /// Drops the first ones where there are more than `most`.
+  void keep_last(std::size_t most) {
+    if (size() <= most) return;
+    values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(most * width));
+    t.erase(t.begin(), t.end() - static_cast<std::ptrdiff_t>(most));
+  }
   void clear() { t.clear(), values.clear(); }
 };
 
 /// The columns' names with their units: "Time (s)", then one for each value.
 using Headings = std::vector<std::string>;
 
-enum class NoticeKind { garbage, clock, gap, connection, device };
+enum class NoticeKind { garbage, clock, gap, connection, device, option };
 
 /// Something a person should know of, in a sentence.
 struct Notice {

@@ -19,9 +19,11 @@ std::string_view kind_name(NoticeKind kind) {
     case NoticeKind::connection:
       return "connection";
     case NoticeKind::device:
+      return "device";
+    case NoticeKind::option:
       break;
   }
-  return "device";
+  return "option";
 }
 
 Json status_object(const std::string& recording, const RecorderStatus& status, const Headings& headings) {

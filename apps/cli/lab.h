@@ -1,0 +1,34 @@
+// What the server of the lab answers: its page and its interface.
+#pragma once
+
+#include <string>
+
+#include "guard.h"
+#include "http_server.h"
+#include "live_session.h"
+#include "task_queue.h"
+
+namespace cromer::cli {
+
+/// Every request that the guard lets pass is answered; see docs/recording.md.
+class Lab {
+ public:
+  /// `page` is the file; "" where there is none.
+  Lab(LiveSession& session, Guard guard, std::string page)
+      : session_(session), guard_(std::move(guard)), page_(std::move(page)) {}
+
+  void handle(const HttpRequest& request, const HttpServer::Respond& respond);
+
+ private:
+  using Respond = HttpServer::Respond;
+  void record(const HttpRequest& request, const Respond& respond);
+  void stop(const Respond& respond);
+  void recording(const std::string& name, const Respond& respond);
+
+  LiveSession& session_;
+  Guard guard_;
+  std::string page_;
+  TaskQueue slow_;  ///< what waits for devices and disks, one after the other
+};
+
+}  // namespace cromer::cli
