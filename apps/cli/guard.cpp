@@ -6,6 +6,7 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/study/json/live.h"
+#include "lab_page.h"
 
 namespace cromer::cli {
 namespace {
@@ -68,7 +69,8 @@ std::optional<HttpAnswer> refusal(const Guard& guard, const HttpRequest& request
     return refused(403, "pages of another site may not ask this server");
   if (!guard.token.empty() && !holds_token(request.query, '&', "token=", guard.token) &&
       !holds_token(request.cookie, ';', "cromer_token=", guard.token))
-    return refused(401, "open the address that cromer serve printed, with its token");
+    return request.path == "/" ? HttpAnswer{401, "text/html; charset=utf-8", token_is_missing()}
+                               : refused(401, "open the address that cromer serve printed, with its token");
   return std::nullopt;
 }
 

@@ -90,6 +90,11 @@ TEST(ServeAttack, BeyondThisComputerEverythingNeedsTheToken) {
     EXPECT_EQ(status_of(ask(port, request(port, line))), 401) << line;
   EXPECT_EQ(status_of(ask(port, request(port, "GET /?token=" + std::string(32, '0')))), 401);
   EXPECT_EQ(status_of(ask(port, request(port, "GET /?token=" + token.substr(1)))), 401);
+  // Who opens the page without it is told in words, others as programs are.
+  EXPECT_THAT(ask(port, request(port, "GET /")), HasSubstr("<h1>The address is not complete</h1>"));
+  EXPECT_THAT(ask(port, request(port, "GET /api/status")), HasSubstr("{\"message\":"));
+  // The printed address is one that others can open, not the one that stands for all.
+  EXPECT_THAT(served.address(), Not(HasSubstr("0.0.0.0")));
   const std::string page = ask(port, request(port, "GET /?token=" + token));
   EXPECT_EQ(status_of(page), 200);
   EXPECT_THAT(page,
