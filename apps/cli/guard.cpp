@@ -54,6 +54,9 @@ bool holds_token(std::string_view list, char separator, std::string_view name, c
   return false;
 }
 
+/// Cookies know no ports: another server at this address has another name for its own.
+std::string cookie_name(const Guard& guard) { return fmt::format("cromer_token_{}", guard.port); }
+
 }  // namespace
 
 bool is_loopback(std::string_view address) {
@@ -68,7 +71,7 @@ std::optional<HttpAnswer> refusal(const Guard& guard, const HttpRequest& request
   if (request.fetch_site == "cross-site" && request.fetch_mode != "navigate")
     return refused(403, "pages of another site may not ask this server");
   if (!guard.token.empty() && !holds_token(request.query, '&', "token=", guard.token) &&
-      !holds_token(request.cookie, ';', "cromer_token=", guard.token))
+      !holds_token(request.cookie, ';', cookie_name(guard) + "=", guard.token))
     return request.path == "/" ? HttpAnswer{401, "text/html; charset=utf-8", token_is_missing()}
                                : refused(401, "open the address that cromer serve printed, with its token");
   return std::nullopt;
@@ -76,8 +79,8 @@ std::optional<HttpAnswer> refusal(const Guard& guard, const HttpRequest& request
 
 void keep_token(const Guard& guard, HttpAnswer& answer) {
   if (!guard.token.empty())
-    answer.headers.emplace_back(
-        "Set-Cookie", fmt::format("cromer_token={}; HttpOnly; SameSite=Strict; Path=/", guard.token));
+    answer.headers.emplace_back("Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/",
+                                                          cookie_name(guard), guard.token));
 }
 
 std::string random_token() {

@@ -71,6 +71,9 @@ class Lab {
       if (path == "/") {
         HttpAnswer answer = page(page_);
         keep_token(guard_, answer);
+        // Browsers heed it from this computer alone, and complain elsewhere.
+        if (!guard_.beyond_this_computer)
+          answer.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
         return respond(std::move(answer));
       }
       if (path == "/api/status") return respond({200, "application/json", session_.status()});

@@ -85,6 +85,7 @@ TEST(ServeAttack, BeyondThisComputerEverythingNeedsTheToken) {
   ASSERT_NE(at, std::string::npos) << served.address();
   const std::string token = served.address().substr(at + 7);
   EXPECT_EQ(token.size(), 32u);
+  const std::string cookie = "cromer_token_" + std::to_string(port) + "=";
   for (const char* line : {"GET /", "GET /api/status", "GET /api/events", "POST /api/record",
                            "GET /api/recordings/x", "GET /?token=", "GET /nothing"})
     EXPECT_EQ(status_of(ask(port, request(port, line))), 401) << line;
@@ -97,13 +98,11 @@ TEST(ServeAttack, BeyondThisComputerEverythingNeedsTheToken) {
   EXPECT_THAT(served.address(), Not(HasSubstr("0.0.0.0")));
   const std::string page = ask(port, request(port, "GET /?token=" + token));
   EXPECT_EQ(status_of(page), 200);
-  EXPECT_THAT(page,
-              HasSubstr("Set-Cookie: cromer_token=" + token + "; HttpOnly; SameSite=Strict; Path=/\r\n"));
-  EXPECT_EQ(
-      status_of(ask(port, request(port, "GET /api/status", "Cookie: a=b; cromer_token=" + token + "\r\n"))),
-      200);
+  EXPECT_THAT(page, HasSubstr("Set-Cookie: " + cookie + token + "; HttpOnly; SameSite=Strict; Path=/\r\n"));
+  EXPECT_EQ(status_of(ask(port, request(port, "GET /api/status", "Cookie: a=b; " + cookie + token + "\r\n"))),
+            200);
   EXPECT_EQ(status_of(ask(port, request(port, "GET /",
-                                        "Cookie: cromer_token=" + token +
+                                        "Cookie: " + cookie + token +
                                             "\r\nHost: evil.example:" + std::to_string(port) + "\r\n"))),
             403);
   // Another server has another one.

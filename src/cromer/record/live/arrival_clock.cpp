@@ -184,7 +184,7 @@ void ArrivalClock::release_all(std::vector<double>& times, std::vector<Notice>& 
 void ArrivalClock::release_until(double latest, double now, std::vector<double>& times,
                                  std::vector<Notice>& notices) {
   if (held() == 0 || arrivals_[released_] > latest) return;
-  if (!line_ || now - estimated_at_ >= between_estimates) estimate(now);
+  if (now - estimated_at_ >= between_estimates) estimate(now);
   for (; held() > 0 && arrivals_[released_] <= latest; ++released_) {
     if (line_) follow(now, notices);
     const double t = stamp();
