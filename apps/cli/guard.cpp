@@ -30,7 +30,10 @@ bool is_ours(const Guard& guard, std::string_view place) {
     port = place.substr(colon + 1);
   }
   if (port != std::to_string(guard.port)) return false;
-  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  if (host.starts_with('[') && host.ends_with(']'))
+    host = host.substr(1, host.size() - 2);
+  else if (host.find(':') != std::string_view::npos)
+    return false;  // an address with colons stands in brackets
   if (lower(host) == "localhost" || is_loopback(host)) return true;
   return guard.beyond_this_computer && is_number(host);
 }

@@ -67,7 +67,9 @@ class Lab {
       return path == "/api/stop" ? stop(respond) : record(request, respond);
     }
     if (path == "/" || path == "/api/status" || path == "/api/events" || path.starts_with(recordings)) {
-      if (!get) return respond(said(405, "that is asked for with GET"));
+      // A stream has no end, and its head alone says nothing.
+      if (!get || (request.method == "HEAD" && path == "/api/events"))
+        return respond(said(405, "that is asked for with GET"));
       if (path == "/") {
         HttpAnswer answer = page(page_);
         keep_token(guard_, answer);

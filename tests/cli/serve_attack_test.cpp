@@ -63,7 +63,7 @@ TEST(ServeAttack, PagesOfElsewhereAreRefused) {
   for (const std::string& host :
        {"evil.example:" + here, std::string("evil.example"), std::string("127.0.0.1"),
         "127.0.0.1.evil.example:" + here, "localhost.evil.example:" + here, "192.168.1.7:" + here,
-        std::string("127.0.0.1:1"), std::string("")})
+        std::string("127.0.0.1:1"), std::string(""), "::1:" + here})
     EXPECT_EQ(status("GET /", "Host: " + host + "\r\n"), 403) << host;
   for (const std::string& host : {"localhost:" + here, "127.0.0.1:" + here, "[::1]:" + here})
     EXPECT_EQ(status("GET /", "Host: " + host + "\r\n"), 200) << host;
@@ -131,6 +131,14 @@ TEST(ServeAttack, BombsAreRefusedBeforeTheyAreRead) {
   }
   EXPECT_EQ(status_of(endless.receive(3)), 413);
   EXPECT_TRUE(served.is_up());
+}
+
+TEST(ServeAttack, TheHeadOfAStreamIsNoStream) {
+  const Folder folder;
+  const Served served(folder);
+  const std::string answer = ask(served.port(), request(served.port(), "HEAD /api/events"), 3);
+  EXPECT_EQ(status_of(answer), 405);
+  EXPECT_EQ(body_of(answer), "");
 }
 
 TEST(ServeAttack, WhatIsNoHttpIsRefused) {
