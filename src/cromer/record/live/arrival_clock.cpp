@@ -16,6 +16,7 @@ constexpr double small_delay = 5e-4;       // [s] not worth a thought
 constexpr double clearly_early = 1e-3;     // [s]
 constexpr double no_delay = 1;             // [s] nothing is held up that long, and those behind it as well
 constexpr double sure_delay = 0.05;        // [s] by which a line that is young may be disproved
+constexpr double shown_for = 0.1;          // [s] that the line has to be gone
 constexpr double patience = 2;             // [s] with arrivals that are all late
 constexpr double clear_gap = 0.5;          // [s]
 constexpr double settled = 1;              // [s] that a rate must hold, or be gone, to be told
@@ -85,8 +86,10 @@ void ArrivalClock::follow(double now, std::vector<Notice>& notices) {
     if (!catches_up) move_line(released_, lasting);
     return;
   }
-  if (size < few) return;
-  const std::size_t from = std::min(released_, size - few), count = size - from;
+  const double period = line_->period;
+  const auto needed = std::max(few, static_cast<std::size_t>(shown_for / period));
+  if (size < needed) return;
+  const std::size_t from = std::min(released_, size - needed), count = size - from;
   const std::size_t parts = count < enough ? 3 : 4;
   std::array<double, 4> late{};
   for (std::size_t i = 0; i < parts; ++i)
@@ -103,7 +106,7 @@ void ArrivalClock::follow(double now, std::vector<Notice>& notices) {
     if (!young && count >= enough && std::is_sorted(late.begin(), late.begin() + parts)) begin_anew(now);
     return;
   }
-  const double period = line_->period, missing = std::round(*least / period);
+  const double missing = std::round(*least / period);
   const bool whole = std::abs(*least - missing * period) < std::min(bound, 0.25 * period);
   const double by = whole ? missing * period : *least;
   move_line(from, by);
