@@ -5,6 +5,7 @@
 #include <sys/random.h>
 
 #include "cromer/base/ascii.h"
+#include "lab_page.h"
 
 namespace cromer::cli {
 namespace {
@@ -24,7 +25,10 @@ bool is_ours(const Guard& guard, std::string_view place) {
     port = place.substr(colon + 1);
   }
   if (port != std::to_string(guard.port)) return false;
-  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  if (host.starts_with('[') && host.ends_with(']'))
+    host = host.substr(1, host.size() - 2);
+  else if (host.find(':') != std::string_view::npos)
+    return false;  // an address with colons stands in brackets
   if (lower(host) == "localhost" || is_loopback(host)) return true;
   return guard.beyond_this_computer && is_number(host);
 }
@@ -48,6 +52,9 @@ bool holds_token(std::string_view list, char separator, std::string_view name, c
   return false;
 }
 
+/// Cookies know no ports: another server at this address has another name for its own.
+std::string cookie_name(const Guard& guard) { return fmt::format("cromer_token_{}", guard.port); }
+
 }  // namespace
 
 bool is_loopback(std::string_view address) {
@@ -62,15 +69,16 @@ std::optional<HttpAnswer> refusal(const Guard& guard, const HttpRequest& request
   if (request.fetch_site == "cross-site" && request.fetch_mode != "navigate")
     return refused(403, "pages of another site may not ask this server");
   if (!guard.token.empty() && !holds_token(request.query, '&', "token=", guard.token) &&
-      !holds_token(request.cookie, ';', "cromer_token=", guard.token))
-    return refused(401, "open the address that cromer serve printed, with its token");
+      !holds_token(request.cookie, ';', cookie_name(guard) + "=", guard.token))
+    return request.path == "/" ? HttpAnswer{401, "text/html; charset=utf-8", token_is_missing()}
+                               : refused(401, "open the address that cromer serve printed, with its token");
   return std::nullopt;
 }
 
 void keep_token(const Guard& guard, HttpAnswer& answer) {
   if (!guard.token.empty())
-    answer.headers.emplace_back(
-        "Set-Cookie", fmt::format("cromer_token={}; HttpOnly; SameSite=Strict; Path=/", guard.token));
+    answer.headers.emplace_back("Set-Cookie", fmt::format("{}={}; HttpOnly; SameSite=Strict; Path=/",
+                                                          cookie_name(guard), guard.token));
 }
 
 std::string random_token() {

@@ -37,7 +37,6 @@ void add_safety(Message& message) {
   message.set("X-Content-Type-Options", "nosniff");
   message.set("Referrer-Policy", "no-referrer");
   message.set("Cross-Origin-Resource-Policy", "same-origin");
-  message.set("Cross-Origin-Opener-Policy", "same-origin");
   message.set(http::field::cache_control, "no-store");
 }
 

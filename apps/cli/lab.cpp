@@ -64,10 +64,15 @@ void Lab::handle(const HttpRequest& request, const Respond& respond) {
     return path == "/api/stop" ? stop(respond) : record(request, respond);
   }
   if (path == "/" || path == "/api/status" || path == "/api/events" || path.starts_with(recordings)) {
-    if (!get) return respond(refused(405, "that is asked for with GET"));
+    // A stream has no end, and its head alone says nothing.
+    if (!get || (request.method == "HEAD" && path == "/api/events"))
+      return respond(refused(405, "that is asked for with GET"));
     if (path == "/") {
       HttpAnswer answer = page(page_);
       keep_token(guard_, answer);
+      // Browsers heed it from this computer alone, and complain elsewhere.
+      if (!guard_.beyond_this_computer)
+        answer.headers.emplace_back("Cross-Origin-Opener-Policy", "same-origin");
       return respond(std::move(answer));
     }
     if (path == "/api/status") return respond({200, "application/json", session_.status()});

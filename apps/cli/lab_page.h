@@ -11,4 +11,7 @@ std::string find_lab_page();
 /// What is shown where the page has not been built.
 std::string page_is_missing();
 
+/// What is shown where the address lacks the token, or has another one; English and German.
+std::string token_is_missing();
+
 }  // namespace cromer::cli

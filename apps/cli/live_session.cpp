@@ -44,7 +44,8 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   auto next = std::make_shared<Active>();
   const std::string path = free_path(options_.output);
   next->name = fs::path(path).filename().string();
-  next->recorder = make_recorder(*setup_, duration ? duration : options_.duration, path, command_);
+  next->duration = duration ? duration : options_.duration;
+  next->recorder = make_recorder(*setup_, next->duration, path, command_);
   if (auto good = next->recorder->start(); !good) return good.error();
   next->fitter = std::make_unique<LiveFitter>(*next->recorder, options_.column);
   const std::lock_guard lock(mutex_);
@@ -60,8 +61,10 @@ void LiveSession::stop() {
 
 std::string LiveSession::status() const {
   const auto now = active();
-  return now ? live_status_json(options_.from, now->name, now->recorder->status(), now->recorder->headings())
-             : live_status_json(options_.from, "", {}, {});
+  if (!now) return live_status_json(options_.from, options_.duration, "", {}, {});
+  const RecorderStatus status = now->recorder->status();
+  return live_status_json(options_.from, status.running ? now->duration : options_.duration, now->name,
+                          status, now->recorder->headings());
 }
 
 std::optional<std::string> LiveSession::path_of(const std::string& name) const {

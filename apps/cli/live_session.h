@@ -39,6 +39,7 @@ class LiveSession {
     std::unique_ptr<Recorder> recorder;
     std::unique_ptr<LiveFitter> fitter;  ///< goes before the recorder that it reads
     std::size_t number;
+    std::optional<double> duration;  // [s]
   };
   std::shared_ptr<Active> active() const;
 

@@ -25,6 +25,7 @@ namespace {
 std::string status_line(const RecorderStatus& status, const FittedRecording* fit) {
   std::string line = fmt::format("{} samples", status.samples);
   if (status.rate > 0) line += fmt::format(", {:.1f} a second", status.rate);
+  if (status.times.by == TimesBy::rate) line += fmt::format(" (found {:.7g}/s)", status.times.rate);
   for (std::size_t i = 0; i < std::min<std::size_t>(status.last.size(), 3); ++i)
     line += fmt::format("{}{:.5g}", i == 0 ? ", last " : " ", status.last[i]);
   if (status.notices > 0) line += fmt::format(", {} notices", status.notices);
@@ -47,11 +48,12 @@ void watch_it(const Recorder& recorder, const std::string& column, const Watch& 
 }
 
 std::string summary(const std::string& path, const RecorderStatus& status) {
+  const std::string times = sentence(status.times);
   std::string text = fmt::format("{}: {} samples", path, status.samples);
   if (status.rate > 0)
     text += fmt::format(" in {}, {} a second", format_quantity({status.end - status.begin, 0}, "s"),
                         rounded(status.rate, 6));
-  return text + "\n";
+  return text + "\n" + (times.empty() ? "" : times + "\n");
 }
 
 /// Says what happened, what was recorded and how it ended; the exit status.

@@ -27,7 +27,7 @@ std::vector<Option> options_of(RecordOptions& o) {
       {"from", &o.from, "", Range::any,
        "serial:DEVICE[:BAUD], tcp:HOST:PORT, phyphox:HOST[:PORT], or - for standard input", "", source},
       {"rate", &o.rate, "Hz", Range::positive, "samples per second, of lines without a time",
-       "such samples have the time of their arrival", source},
+       "found from their arrival where it is steady", source},
       {"for", &o.duration, "s", Range::positive, "how long, from the first sample on", "until Ctrl-C",
        source},
       {"time-unit", &o.time_unit, "", Range::any, "of the device's times: s, ms or us",

@@ -11,6 +11,7 @@
 #include "live_session.h"
 #include "message.h"
 #include "output.h"
+#include "own_addresses.h"
 #include "syntax.h"
 #include "watching.h"
 
@@ -69,10 +70,11 @@ int serve(const std::string& address, std::optional<int> port, const std::string
   Guard guard{server.port(), !is_loopback(address), ""};
   if (guard.beyond_this_computer) guard.token = random_token();
   lab = std::make_unique<Lab>(session, guard, page);
-  const std::string host = address.find(':') == std::string::npos ? address : "[" + address + "]";
   const std::string query = guard.token.empty() ? "" : "?token=" + guard.token;
-  if (!print(fmt::format("http://{}:{}/{}\n", host, guard.port, query)))
-    return refuse("standard output cannot be written");
+  std::string addresses;
+  for (const auto& host : reached_at(address))
+    addresses += fmt::format("http://{}:{}/{}\n", host, guard.port, query);
+  if (!print(addresses)) return refuse("standard output cannot be written");
   server.run([&] { return watch.interrupted(); });
   lab.reset();  // before the server, whose connections its answers go to, and the end of what it began
   session.stop();

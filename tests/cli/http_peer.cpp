@@ -101,7 +101,7 @@ Served::Served(const Folder& folder, std::vector<std::string> more) : folder_(fo
     sleep_until(now() + 0.01);
     if (folder.has(".standard-output")) address_ = folder.read(".standard-output");
   }
-  if (!address_.empty()) address_.pop_back();
+  address_ = address_.substr(0, address_.find('\n'));
   const auto colon = address_.rfind(':');
   if (colon != std::string::npos) port_ = std::atoi(address_.c_str() + colon + 1);
 }

@@ -77,7 +77,7 @@ TEST(ServeAttack, PagesOfElsewhereAreRefused) {
   for (const std::string& host :
        {"evil.example:" + here, std::string("evil.example"), std::string("127.0.0.1"),
         "127.0.0.1.evil.example:" + here, "localhost.evil.example:" + here, "192.168.1.7:" + here,
-        std::string("127.0.0.1:1"), std::string("")})
+        std::string("127.0.0.1:1"), std::string(""), "::1:" + here})
     EXPECT_EQ(status("GET /", "Host: " + host + "\r\n"), 403) << host;
   for (const std::string& host : {"localhost:" + here, "127.0.0.1:" + here, "[::1]:" + here})
     EXPECT_EQ(status("GET /", "Host: " + host + "\r\n"), 200) << host;
@@ -99,20 +99,24 @@ TEST(ServeAttack, BeyondThisComputerEverythingNeedsTheToken) {
   ASSERT_NE(at, std::string::npos) << served.address();
   const std::string token = served.address().substr(at + 7);
   EXPECT_EQ(token.size(), 32u);
+  const std::string cookie = "cromer_token_" + std::to_string(port) + "=";
   for (const char* line : {"GET /", "GET /api/status", "GET /api/events", "POST /api/record",
                            "GET /api/recordings/x", "GET /?token=", "GET /nothing"})
     EXPECT_EQ(status_of(ask(port, request(port, line))), 401) << line;
   EXPECT_EQ(status_of(ask(port, request(port, "GET /?token=" + std::string(32, '0')))), 401);
   EXPECT_EQ(status_of(ask(port, request(port, "GET /?token=" + token.substr(1)))), 401);
+  // Who opens the page without it is told in words, others as programs are.
+  EXPECT_THAT(ask(port, request(port, "GET /")), HasSubstr("<h1>The address is not complete</h1>"));
+  EXPECT_THAT(ask(port, request(port, "GET /api/status")), HasSubstr("{\"message\":"));
+  // The printed address is one that others can open, not the one that stands for all.
+  EXPECT_THAT(served.address(), Not(HasSubstr("0.0.0.0")));
   const std::string page = ask(port, request(port, "GET /?token=" + token));
   EXPECT_EQ(status_of(page), 200);
-  EXPECT_THAT(page,
-              HasSubstr("Set-Cookie: cromer_token=" + token + "; HttpOnly; SameSite=Strict; Path=/\r\n"));
-  EXPECT_EQ(
-      status_of(ask(port, request(port, "GET /api/status", "Cookie: a=b; cromer_token=" + token + "\r\n"))),
-      200);
+  EXPECT_THAT(page, HasSubstr("Set-Cookie: " + cookie + token + "; HttpOnly; SameSite=Strict; Path=/\r\n"));
+  EXPECT_EQ(status_of(ask(port, request(port, "GET /api/status", "Cookie: a=b; " + cookie + token + "\r\n"))),
+            200);
   EXPECT_EQ(status_of(ask(port, request(port, "GET /",
-                                        "Cookie: cromer_token=" + token +
+                                        "Cookie: " + cookie + token +
                                             "\r\nHost: evil.example:" + std::to_string(port) + "\r\n"))),
             403);
   // Another server has another one.
@@ -141,6 +145,14 @@ TEST(ServeAttack, BombsAreRefusedBeforeTheyAreRead) {
   }
   EXPECT_EQ(status_of(endless.receive(3)), 413);
   EXPECT_TRUE(served.is_up());
+}
+
+TEST(ServeAttack, TheHeadOfAStreamIsNoStream) {
+  const Folder folder;
+  const Served served(folder);
+  const std::string answer = ask(served.port(), request(served.port(), "HEAD /api/events"), 3);
+  EXPECT_EQ(status_of(answer), 405);
+  EXPECT_EQ(body_of(answer), "");
 }
 
 TEST(ServeAttack, WhatIsNoHttpIsRefused) {

@@ -102,10 +102,20 @@ TEST(LineReader, OpenedWithinALineLeavesItsRestOut) {
 TEST(LineReader, ValuesAloneAreStampedByArrival) {
   Reading reading;
   for (int i = 0; i < 5; ++i) reading.take(std::to_string(i) + "\n", 100 + 0.01 * i);
+  EXPECT_THAT(reading.reader.headings(), ElementsAre("Time (s)", "Value"));
+  EXPECT_EQ(reading.reader.times().by, TimesBy::nothing);
+  // They are held back for a while, to be stamped better.
+  reading.reader.release(100.79, reading.rows, reading.notices);
+  EXPECT_EQ(reading.rows.size(), 0u);
+  reading.reader.release(100.81, reading.rows, reading.notices);
   ASSERT_EQ(reading.rows.size(), 5u);
-  for (int i = 0; i < 5; ++i) EXPECT_NEAR(reading.rows.t[i], 0.01 * i, 1e-6);
   // What arrives at once still has rising times.
   reading.take("5\n6\n7\n", 100.05);
+  reading.reader.end(100.05, reading.rows, reading.notices);
+  ASSERT_EQ(reading.rows.size(), 8u);
+  EXPECT_THAT(reading.rows.values, ElementsAre(0, 1, 2, 3, 4, 5, 6, 7));
+  for (int i = 0; i < 5; ++i) EXPECT_NEAR(reading.rows.t[i], 0.01 * i, 1e-6);
+  EXPECT_EQ(reading.reader.times().by, TimesBy::arrival);
   for (std::size_t i = 1; i < reading.rows.size(); ++i) EXPECT_GT(reading.rows.t[i], reading.rows.t[i - 1]);
 }
 

@@ -63,15 +63,15 @@ TEST(Timekeeper, ARepeatedTimeStillRises) {
 TEST(Timekeeper, CountsWhereTheRateIsKnown) {
   Timekeeper clock(100);
   for (int i = 0; i < 1000; ++i) {
-    const Stamp stamp = clock.of_arrival(50 + i * 0.01 + (i % 5) * 0.02);
+    const Stamp stamp = clock.of_count(50 + i * 0.01 + (i % 5) * 0.02);
     EXPECT_DOUBLE_EQ(stamp.t, i / 100.0);
     EXPECT_FALSE(stamp.notice);
   }
   // Ten seconds without a sample: counting begins anew.
-  const Stamp late = clock.of_arrival(50 + 10 + 10);
+  const Stamp late = clock.of_count(50 + 10 + 10);
   ASSERT_TRUE(late.notice);
   EXPECT_NEAR(late.t, 20, 1e-6);
-  EXPECT_NEAR(clock.of_arrival(70.01).t, 20.01, 1e-6);
+  EXPECT_NEAR(clock.of_count(70.01).t, 20.01, 1e-6);
 }
 
 TEST(Timekeeper, SeesADeviceInMilliseconds) {

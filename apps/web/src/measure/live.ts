@@ -11,8 +11,17 @@ export interface LiveStatus {
   to: number // [s]
   duration: number // [s]
   rate: number | null // [1/s]
+  for?: number | null // [s] length of this recording, or of the next where none is given; null: until stopped
+  times?: LiveTimes | null // null: nothing came
   columns: string[] // that of the times first
   message?: string
+}
+
+/// Where the times came from; the numbers are of samples without times of their own.
+export interface LiveTimes {
+  by: 'device' | 'count' | 'rate' | 'arrival'
+  rate?: number | null // [1/s] that was found
+  longest_delay?: number // [s]
 }
 
 export interface LiveSamples {

@@ -41,9 +41,11 @@ export function listen(tell: (event: LiveEvent) => void): () => void {
   }
 }
 
-/// Starts or stops. The status then; where it was refused, the server's message.
-export async function order(what: 'record' | 'stop'): Promise<LiveStatus | string> {
-  const answer = await fetch(`/api/${what}`, { method: 'POST' })
+/// Starts, for so many seconds or as long as the server was told, or stops. The status then; where it was refused,
+/// the server's message.
+export async function order(what: 'record' | 'stop', seconds: number | null = null): Promise<LiveStatus | string> {
+  const wish = seconds === null ? {} : { body: JSON.stringify({ for: seconds }), headers: { 'content-type': 'application/json' } }
+  const answer = await fetch(`/api/${what}`, { method: 'POST', ...wish })
   const said = (await answer.json()) as LiveStatus & { message?: string }
   return answer.ok ? said : (said.message ?? String(answer.status))
 }

@@ -152,6 +152,30 @@ try {
     await check('nothing went wrong', async () => assert.deepEqual(faults, []))
     await context.close()
   }
+  {
+    const { page, faults, context } = await measure(address)
+    const length = page.getByLabel('Length')
+    await check('a length that is no time is refused beside its field', async () => {
+      for (const [typed, said] of [['5 kg', /kg/], ['0', /positive/], ['-3 s', /positive/], ['soon', /soon/]]) {
+        await length.fill(typed)
+        await page.getByRole('button', { name: 'Start recording' }).click()
+        await card(page).locator('[role=alert]', { hasText: said }).waitFor({ timeout: 5000 })
+        assert.equal(await length.getAttribute('aria-invalid'), 'true', typed)
+      }
+      assert.equal((await (await fetch(`${address}api/status`)).json()).running, false)
+    })
+    await check('a recording of a given length ends by itself, and is opened', async () => {
+      await length.fill('3000 ms')
+      await length.press('Enter')
+      if (process.env.CROMER_PICTURE) await page.screenshot({ path: process.env.CROMER_PICTURE.replace('.png', '-length.png') })
+      await page.waitForFunction(() => /\d of 3\u00a0s$/.test(document.querySelector('[data-live=duration]')?.textContent ?? ''), null, { timeout: 10000 })
+      await page.locator('.row', { hasText: 'swing-3.csv' }).waitFor({ timeout: 20000 })
+      await page.getByRole('button', { name: 'Start recording' }).waitFor()
+      assert.equal(await live(page, 'samples').innerText(), '301')
+    })
+    await check('nothing went wrong', async () => assert.deepEqual(faults, []))
+    await context.close()
+  }
   await check('without a source there is no card', async () => {
     const { page, faults, context } = await measure(alone.address)
     await page.waitForTimeout(500)

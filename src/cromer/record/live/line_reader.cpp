@@ -71,6 +71,31 @@ void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::v
 void LineReader::end(double arrival, Rows& rows, std::vector<Notice>& notices) {
   if (!partial_.empty() && !within_line_) ++line_, take_line(partial_, arrival, rows, notices);
   partial_.clear();
+  release_all(rows, notices);
+}
+
+void LineReader::let_go(const std::vector<double>& times, Rows& rows) {
+  if (!times.empty()) rows.width = 1;
+  for (std::size_t i = 0; i < times.size(); ++i) rows.add(times[i], {&held_[i], 1});
+  held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(times.size()));
+}
+
+void LineReader::release(double now, Rows& rows, std::vector<Notice>& notices) {
+  std::vector<double> times;
+  arrivals_.release(now, times, notices);
+  let_go(times, rows);
+}
+
+void LineReader::release_all(Rows& rows, std::vector<Notice>& notices) {
+  std::vector<double> times;
+  arrivals_.release_all(times, notices);
+  let_go(times, rows);
+}
+
+SampleTimes LineReader::times() const {
+  if (fields_ == 0) return {};
+  if (timed_) return {TimesBy::device};
+  return settings_.rate > 0 ? SampleTimes{TimesBy::count} : arrivals_.sample_times();
 }
 
 void LineReader::connection_lost() {
@@ -134,9 +159,14 @@ void LineReader::take_line(std::string_view text, double arrival, Rows& rows, st
     if (!heading_.empty() && !is_heading(heading_, fields)) refuse(heading_text_, heading_line_, notices);
     rows.width = timed_ ? fields - 1 : 1;
   }
+  if (!timed_ && !(settings_.rate > 0)) {
+    arrivals_.take(arrival);
+    held_.push_back(line.numbers.front());
+    return;
+  }
   const std::span<const double> values(line.numbers.data() + (timed_ ? 1 : 0), fields - (timed_ ? 1 : 0));
   const Stamp stamp =
-      timed_ ? clock_.of_device(in_seconds(line.numbers.front()), arrival) : clock_.of_arrival(arrival);
+      timed_ ? clock_.of_device(in_seconds(line.numbers.front()), arrival) : clock_.of_count(arrival);
   if (stamp.notice) notices.push_back(*stamp.notice);
   rows.add(stamp.t, values);
 }

@@ -6,14 +6,16 @@
 #include <vector>
 
 #include "cromer/base/result.h"
+#include "cromer/record/live/arrival_clock.h"
 #include "cromer/record/live/line.h"
 #include "cromer/record/live/rows.h"
+#include "cromer/record/live/sample_times.h"
 #include "cromer/record/live/timekeeper.h"
 
 namespace cromer {
 
 struct LineSettings {
-  double rate = 0;         ///< [1/s] of lines without a time; 0: stamped by arrival
+  double rate = 0;         ///< [1/s] of lines without a time; 0: found from their arrival
   double time_unit = 0;    ///< [s] of the device's times; 0: what its heading says, else 1
   std::string headings{};  ///< of the values, comma between; "": the device's own, else "Value"
 };
@@ -22,7 +24,8 @@ struct LineSettings {
 /// values. A line of words right before it is a heading if it has a name for each number and states a unit or
 /// more than one name; `Time (ms)` scales the times. All else is garbage: counted, reported with its number
 /// (of the lines that are not empty) and text (of a device that is opened in the middle of a line the first
-/// one is left out without a word).
+/// one is left out without a word). Lines without a time, where no rate is given, are held back for a while:
+/// ArrivalClock.
 class LineReader {
  public:
   LineReader(LineSettings settings, bool begins_within_line)
@@ -30,6 +33,12 @@ class LineReader {
 
   /// Adds what the bytes complete to `rows` and `notices`; the rest is kept for the next time.
   void take(std::string_view bytes, double arrival, Rows& rows, std::vector<Notice>& notices);
+
+  /// Adds what has been held back long enough; to be called some times a second, whether anything comes or
+  /// not.
+  void release(double now, Rows& rows, std::vector<Notice>& notices);
+  /// Adds all that is held back: nothing more will come, or be waited for.
+  void release_all(Rows& rows, std::vector<Notice>& notices);
 
   /// The input has ended: a last line without its end is taken, or after a lost connection dropped.
   void end(double arrival, Rows& rows, std::vector<Notice>& notices);
@@ -39,17 +48,21 @@ class LineReader {
   const Headings& headings() const { return headings_; }
   std::size_t garbage() const { return garbage_; }
   double pace() const { return timed_ ? clock_.pace() : 0; }
+  SampleTimes times() const;
 
  private:
   void take_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices);
   double in_seconds(double device) const;
   void begin(std::size_t fields);
   void refuse(std::string_view text, long line, std::vector<Notice>& notices);
+  void let_go(const std::vector<double>& times, Rows& rows);
 
   LineSettings settings_;
   Timekeeper clock_;
-  bool within_line_;       ///< what comes up to the next line's end is no whole line
-  bool too_long_ = false;  ///< what comes up to the next line's end is part of a line already refused
+  ArrivalClock arrivals_;
+  std::vector<double> held_;  ///< values that wait for their times
+  bool within_line_;          ///< what comes up to the next line's end is no whole line
+  bool too_long_ = false;     ///< what comes up to the next line's end is part of a line already refused
   std::string partial_;
   long line_ = 0;
   std::size_t fields_ = 0;  ///< 0 until the first line of numbers

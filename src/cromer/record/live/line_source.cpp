@@ -35,6 +35,12 @@ bool LineSource::come_back(double seconds, std::vector<Notice>& notices) {
 }
 
 bool LineSource::receive(double seconds, Rows& rows, std::vector<Notice>& notices) {
+  const bool more = read(seconds, rows, notices);
+  reader_.release(steady_seconds(), rows, notices);
+  return more;
+}
+
+bool LineSource::read(double seconds, Rows& rows, std::vector<Notice>& notices) {
   if (!line_.is_open()) return come_back(seconds, notices);
   if (!readable(line_, seconds)) return true;
   char bytes[4096];

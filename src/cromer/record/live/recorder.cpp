@@ -12,7 +12,7 @@ namespace {
 
 constexpr double wait = 0.05;  // [s] for the source, before looking whether to stop
 constexpr double grace = 2;    // [s] that samples may be late before the duration is over without them
-constexpr double between_syncs = 0.8;      // [s]
+constexpr double between_syncs = 0.4;      // [s] with what a sample may be held back, less than one second
 constexpr std::size_t kept_notices = 200;  // of a device that writes garbage all the time
 
 /// Nothing where there is one, or none was named.
@@ -95,6 +95,7 @@ void Recorder::record() {
       more = more && since < *settings_.duration + grace;
     }
   }
+  source_->finish(rows, notices);
   if (const double pace = source_->pace(); pace > 50)
     notices.push_back(
         {NoticeKind::clock, fmt::format("the device's times run {:.4g} times as fast as the clock: "
@@ -128,6 +129,7 @@ bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
       headings_ = source_->headings(), rows_.width = rows.width;
       if (auto missing = missing_column(headings_, settings_.column)) notices.push_back(*std::move(missing));
     }
+    times_ = source_->times();
     rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
     rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
     for (auto& notice : notices) {
@@ -146,6 +148,7 @@ Result<void> Recorder::write_end() {
   {
     const std::lock_guard lock(mutex_);
     for (const auto& notice : notices_) lines.push_back(notice.text);
+    if (const std::string times = sentence(times_); !times.empty()) lines.push_back(times);
     if (garbage_ > 0) lines.push_back(fmt::format("{} lines were no samples", garbage_));
     if (rows_.size() == 0) lines.clear();
   }
@@ -171,6 +174,7 @@ RecorderStatus Recorder::status() const {
   if (now.end > now.begin) now.rate = static_cast<double>(now.samples - 1) / (now.end - now.begin);
   now.garbage = garbage_;
   now.notices = notices_.size();
+  now.times = times_;
   now.failure = failure_;
   return now;
 }

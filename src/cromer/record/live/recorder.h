@@ -32,6 +32,7 @@ struct RecorderStatus {
   std::vector<double> last{};
   std::size_t garbage = 0;  ///< lines that were no samples
   std::size_t notices = 0;
+  SampleTimes times{};
   std::string failure{};  ///< why it ended by itself where it should not have: a disk that is full
 };
 
@@ -78,6 +79,7 @@ class Recorder {
   std::optional<std::size_t> kept_;  ///< of the rows, by a file that can take no more
   std::vector<Notice> notices_;
   std::size_t garbage_ = 0;
+  SampleTimes times_;
   std::string failure_;
 };
 

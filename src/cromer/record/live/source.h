@@ -22,8 +22,13 @@ class Source {
   /// that is lost is tried again each time, with a notice when it goes and when it is back.
   virtual bool receive(double seconds, Rows& rows, std::vector<Notice>& notices) = 0;
 
+  /// Adds what is held back to be stamped better; nothing is received after it.
+  virtual void finish(Rows&, std::vector<Notice>&) {}
+
   /// Empty until the first row.
   virtual const Headings& headings() const = 0;
+
+  virtual SampleTimes times() const { return {TimesBy::device}; }
 
   /// Seconds of the device over those of the computer, 0 where unknown.
   virtual double pace() const { return 0; }

@@ -72,32 +72,24 @@ Stamp Timekeeper::of_device(double device, double arrival) {
   return stamp;
 }
 
-Stamp Timekeeper::of_arrival(double arrival) {
+Stamp Timekeeper::of_count(double arrival) {
   if (samples_ == 0) {
     remember(0, arrival, 0);
     counted_ = 1;
     return {0};
   }
   const double since_first = arrival - first_arrival_;
-  Stamp stamp{to_microseconds(since_first)};
-  const double step = stamp.t - last_t_, usual = usual_step();
-  if (rate_ > 0) {
-    const double counted = counted_from_ + static_cast<double>(counted_) / rate_;
-    if (std::abs(since_first - counted) > clear_difference && since_first > last_t_) {
-      counted_from_ = stamp.t;
-      counted_ = 0;
-      stamp.notice = Notice{
-          NoticeKind::gap,
-          fmt::format("{:.3g} s {} than --rate lets expect at {:.6g} s; counting begins anew",
-                      std::abs(since_first - counted), since_first > counted ? "later" : "earlier", last_t_)};
-    } else {
-      stamp.t = counted;
-    }
-    ++counted_;
-  } else if (step > 5 * usual && step > clear_difference && samples_ > 2) {
-    stamp.notice =
-        Notice{NoticeKind::gap, fmt::format("nothing for {:.3g} s from {:.6g} s on", step, last_t_)};
+  const double counted = counted_from_ + static_cast<double>(counted_) / rate_;
+  Stamp stamp{counted};
+  if (std::abs(since_first - counted) > clear_difference && since_first > last_t_) {
+    stamp.t = counted_from_ = to_microseconds(since_first);
+    counted_ = 0;
+    stamp.notice = Notice{
+        NoticeKind::gap,
+        fmt::format("{:.3g} s {} than --rate lets expect at {:.6g} s; counting begins anew",
+                    std::abs(since_first - counted), since_first > counted ? "later" : "earlier", last_t_)};
   }
+  ++counted_;
   if (!(stamp.t > last_t_)) stamp.t = to_microseconds(last_t_ + least_step);
   remember(0, arrival, stamp.t);
   return stamp;

@@ -1,5 +1,5 @@
-// Times for what arrives: the device's own, watched by the computer's clock, or those of arrival. Pure: the
-// clock is read elsewhere.
+// Times for what arrives: the device's own, watched by the computer's clock, or counted. Pure: the clock is
+// read elsewhere.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct Stamp {
 /// Arrivals are seconds of a clock that never jumps.
 class Timekeeper {
  public:
-  /// `rate` [1/s]: of samples without a time of their own; 0 stamps them by arrival.
+  /// `rate` [1/s]: of samples without a time of their own; 0 where there are none.
   explicit Timekeeper(double rate = 0) : rate_(rate) {}
 
   /// A sample with the device's own time, which is kept. Where the device's clock jumps back (by any amount)
@@ -28,9 +28,9 @@ class Timekeeper {
   /// of the usual ones, is a gap. A time that repeats is a jump back by nothing.
   Stamp of_device(double device, double arrival);
 
-  /// A sample without a time: 0 for the first, then by arrival, to the microsecond; with a rate by counting,
-  /// begun anew at its arrival where the count and the arrival are apart by more than half a second.
-  Stamp of_arrival(double arrival);
+  /// A sample without a time, at the known rate: 0 for the first, then by counting, begun anew at its arrival
+  /// where the count and the arrival are apart by more than half a second.
+  Stamp of_count(double arrival);
 
   /// Device seconds over the computer's since the first sample; 0 where under two seconds have passed.
   double pace() const;

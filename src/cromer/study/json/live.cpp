@@ -26,6 +26,18 @@ std::string_view kind_name(NoticeKind kind) {
   return "option";
 }
 
+Json times_object(const SampleTimes& times) {
+  if (times.by == TimesBy::nothing) return nullptr;
+  Json object{{"by", name(times.by)}};
+  if (times.by_rate + times.by_arrival > 0) {
+    object["rate"] = or_null(times.rate);
+    object["longest_delay"] = times.longest_delay;
+    object["by_rate"] = times.by_rate;
+    object["by_arrival"] = times.by_arrival;
+  }
+  return object;
+}
+
 Json status_object(const std::string& recording, const RecorderStatus& status, const Headings& headings) {
   Json object{{"recording", or_null(recording)},
               {"running", status.running},
@@ -34,6 +46,7 @@ Json status_object(const std::string& recording, const RecorderStatus& status, c
               {"to", status.end},
               {"duration", status.end - status.begin},
               {"rate", or_null(status.rate)},
+              {"times", times_object(status.times)},
               {"last", status.last},
               {"garbage", status.garbage},
               {"columns", headings}};
@@ -56,9 +69,10 @@ Json quantities(const std::vector<NamedEstimate>& estimates) {
 
 }  // namespace
 
-std::string live_status_json(const std::string& source, const std::string& recording,
-                             const RecorderStatus& status, const Headings& headings) {
-  Json object{{"source", or_null(source)}};
+std::string live_status_json(const std::string& source, std::optional<double> duration,
+                             const std::string& recording, const RecorderStatus& status,
+                             const Headings& headings) {
+  Json object{{"source", or_null(source)}, {"for", duration ? Json(*duration) : Json(nullptr)}};
   object.update(status_object(recording, status, headings));
   return to_text(object, on_one_line);
 }

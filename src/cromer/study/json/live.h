@@ -1,6 +1,7 @@
 // A recording in progress as JSON documents, each on one line.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,10 +11,13 @@
 
 namespace cromer {
 
-/// {"source" (null where nothing can be recorded), "recording", "running", "samples", "from", "to", "rate",
-/// "last", "garbage", "columns", "message"}
-std::string live_status_json(const std::string& source, const std::string& recording,
-                             const RecorderStatus& status, const Headings& headings);
+/// {"source" (null where nothing can be recorded), "for" (seconds of this recording, or of the next one where
+/// none is given; null: until stopped), "recording", "running", "samples", "from", "to", "duration", "rate",
+/// "times", "last", "garbage", "columns", "message"}; times: null or {"by"} and for samples without a time
+/// {"rate" (found; null where none was), "longest_delay", "by_rate", "by_arrival"}
+std::string live_status_json(const std::string& source, std::optional<double> duration,
+                             const std::string& recording, const RecorderStatus& status,
+                             const Headings& headings);
 
 /// {"first", "t": [...], "values": [[...], ...]}, one list of values for each column.
 std::string live_samples_json(std::size_t first, const Rows& rows);
