@@ -31,19 +31,35 @@ std::vector<double> centred(std::span<const double> r) {
   return result;
 }
 
+// Sums of r_i r_(i+l), l up to `lags`, block after block: transforms of a long record would not fit into the
+// processor's cache.
 std::vector<double> products_by_transform(const std::vector<double>& r, std::size_t lags) {
-  std::size_t padded = 8;
-  while (padded < r.size() + lags + 1) padded *= 2;
-  std::vector<double> extended(r);
-  extended.resize(padded, 0.0);
+  std::size_t size = 8;
+  while (size < r.size() + lags && size < 8 * lags) size *= 2;
+  const std::size_t step = size - lags;
   Eigen::FFT<double> fft;
   fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
-  std::vector<std::complex<double>> transform;
-  fft.fwd(transform, extended);
-  for (auto& value : transform) value = std::norm(value);
-  fft.inv(extended, transform, static_cast<Eigen::Index>(padded));
-  extended.resize(lags + 1);
-  return extended;
+  std::vector<double> block(size);
+  std::vector<std::complex<double>> own, all, sum(size / 2 + 1);
+  const auto transform = [&](std::size_t begin, std::size_t count, auto& to) {
+    const auto first = r.begin() + static_cast<std::ptrdiff_t>(begin);
+    count = std::min(count, r.size() - begin);
+    std::fill(std::copy(first, first + static_cast<std::ptrdiff_t>(count), block.begin()), block.end(), 0.0);
+    fft.fwd(to, block);
+  };
+  for (std::size_t begin = 0; begin < r.size(); begin += step) {
+    transform(begin, step, own);
+    transform(begin, size, all);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      // Without the check for infinities that * makes.
+      const double re = own[k].real() * all[k].real() + own[k].imag() * all[k].imag();
+      const double im = own[k].real() * all[k].imag() - own[k].imag() * all[k].real();
+      sum[k] += std::complex<double>(re, im);
+    }
+  }
+  fft.inv(block, sum, static_cast<Eigen::Index>(size));
+  block.resize(lags + 1);
+  return block;
 }
 
 // r_i = sum over k of a_k r_(i-k) + white noise.

@@ -140,6 +140,7 @@ const converged = (fit: Fit | string | null): fit is Fit =>
 
 const bic = (fit: Fit) => fit.candidates.find((each) => each.law === fit.law)?.bic ?? Infinity
 
+const patience = 700 // [ms] after which one law is shown before there are two
 /// Two laws first, which takes a moment; then, unless one was chosen, all of them.
 async function refit(): Promise<void> {
   const { file } = session
@@ -155,6 +156,7 @@ async function refit(): Promise<void> {
     if (answer.status === 2) return answer.document.message
     return answer.document.fits[0]!
   }
+  const began = performance.now()
   const constantAsked = fitOf('viscous', 0)
   const bestAsked = state.law === 'viscous' ? constantAsked : fitOf(state.law || 'viscous+drag', 1)
   const allAsked = state.law === '' ? fitOf('', 2) : null
@@ -162,6 +164,10 @@ async function refit(): Promise<void> {
   if (mine !== turn) return
   if (typeof constant === 'string') return settle(mine, null, constant)
   session.constant = converged(constant) ? constant : null
+  if (allAsked && session.constant && performance.now() - began > patience) {
+    show(session.constant)
+    session.busy = 'more'
+  }
   let best = await bestAsked
   if (mine !== turn) return
   if (allAsked) {

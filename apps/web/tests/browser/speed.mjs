@@ -1,22 +1,27 @@
-// Measures, and prints; only what is absurd fails: node tests/browser/speed.mjs
-// Ready: from opening the file to the first curves drawn. Slider: from its input to the plot redrawn. Frames: while playing, five methods of 8000 steps.
+// How fast and how large the page is, as a table with the goals: node tests/browser/speed.mjs
+// CROMER_PROGRAM names the program, whose fits are timed beside the page's. Only what is absurd fails.
 import assert from 'node:assert/strict'
+import { cpus } from 'node:os'
 import { readFile } from 'node:fs/promises'
 import { gzipSync } from 'node:zlib'
-import { address, check, file, finish, launch, open } from './harness.mjs'
+import { fits } from './fit_speed.mjs'
+import { address, file, launch, open } from './harness.mjs'
 import { parts, slide, watch } from './slide.mjs'
 
 const browser = await launch()
-const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1]
+const sorted = (values) => [...values].sort((a, b) => a - b)
+const median = (values) => sorted(values)[values.length >> 1]
+const tenth = (values) => sorted(values)[Math.floor(values.length / 10)]
 const most = (values) => Math.max(...values)
 const sum = (values) => values.reduce((a, b) => a + b, 0)
 const ms = (value) => `${value.toFixed(1)} ms`
+const kB = (bytes) => `${(bytes / 1000).toFixed(0)} kB`
 
-const html = await readFile(file, 'utf8')
-const base64 = html.match(/[A-Za-z0-9+/=]{100000,}/)?.[0] ?? ''
-console.log(`file ${html.length} bytes, gzipped ${gzipSync(html).length}; core ${Math.round(base64.length * 0.75)}; script and style gzipped ${gzipSync(html.replace(base64, '')).length}`)
+const row = (work, figure, beside = '') => console.log(`${work.padEnd(52)} ${figure.padStart(10)}   ${beside}`)
+console.log(`The page in Chromium ${browser.version()}, drawn without a graphics card; ${cpus()[0].model}, ${new Date().toISOString().slice(0, 10)}\n`)
+row('work', 'page', 'goal; more')
 
-await check('ready from disk', async () => {
+async function ready() {
   const times = []
   for (let i = 0; i < 5; ++i) {
     const context = await browser.newContext({ viewport: { width: 1440, height: 900 }, reducedMotion: 'reduce' })
@@ -26,32 +31,30 @@ await check('ready from disk', async () => {
     times.push(await page.evaluate(() => performance.now()))
     await context.close()
   }
-  console.log(`      ready: median ${ms(median(times))}, most ${ms(most(times))}`)
+  row('ready: from opening the file to the first curves', ms(median(times)), `1000 ms; most ${ms(most(times))} of ${times.length}`)
   assert.ok(median(times) < 10_000)
-})
+}
 
-for (const [what, hash] of [
-  ['the page as it opens, four methods of 1000 steps', ''],
+const runs = [
+  ['four methods of 1000 steps', ''],
   ['five methods of 8000 steps', '#simulate?step=0.003125&methods=exact,forward-euler,euler-cromer,implicit-euler,rk4'],
-])
-  await check(`slider to painted: ${what}`, async () => {
-    const { page, context } = await open(browser, { hash, watch })
-    await page.waitForTimeout(1500)
-    const moves = await slide(page, 60, 90)
-    assert.ok(moves.length > 20, `${moves.length} of 60 moves were drawn`)
-    const whole = moves.map((move) => sum(move.slice(1, 6)))
-    console.log(`      slider: median ${ms(median(whole))}, most ${ms(most(whole))}, of ${moves.length} moves; before it ${parts[0]}: ${ms(median(moves.map((move) => move[0])))}`)
-    console.log(`      ${parts.slice(1).map((part, i) => `${part} ${ms(median(moves.map((move) => move[i + 1])))}`).join(', ')}`)
-    assert.ok(median(whole) < 1000)
-    await context.close()
-  })
+]
+async function slider([what, hash]) {
+  const { page, context } = await open(browser, { hash, watch })
+  await page.waitForTimeout(1500)
+  const moves = await slide(page, 60, 90)
+  assert.ok(moves.length > 20, `${moves.length} of 60 moves were drawn`)
+  const whole = moves.map((move) => sum(move.slice(1, 6)))
+  row(`slider to painted, ${what}`, ms(median(whole)), `16 ms; a tenth below ${ms(tenth(whole))}, most ${ms(most(whole))}`)
+  parts.forEach((part, i) => i > 0 && row(`  ${part}`, ms(median(moves.map((move) => move[i])))))
+  assert.ok(median(whole) < 1000)
+  await context.close()
+}
 
-await check('frames while playing five methods of 8000 steps', async () => {
-  const { page, context } = await open(browser, {
-    hash: '#simulate?step=0.003125&methods=exact,forward-euler,euler-cromer,implicit-euler,rk4', reducedMotion: 'no-preference',
-  })
+async function frames() {
+  const { page, context } = await open(browser, { hash: runs[1][1], reducedMotion: 'no-preference' })
   await page.waitForTimeout(2000)
-  const [frames, longest, work] = await page.evaluate(
+  const [rate, longest] = await page.evaluate(
     () =>
       new Promise((resolve) => {
         const begin = performance.now()
@@ -61,15 +64,25 @@ await check('frames while playing five methods of 8000 steps', async () => {
           longest = Math.max(longest, now - before)
           before = now
           if (now - begin < 4000) requestAnimationFrame(next)
-          else resolve([(frames * 1000) / (now - begin), longest, 0])
+          else resolve([(frames * 1000) / (now - begin), longest])
         })
       }),
   )
-  void work
-  console.log(`      ${frames.toFixed(1)} frames a second, the longest ${ms(longest)}`)
-  assert.ok(frames > 5)
+  row('frames a second, playing five methods of 8000 steps', rate.toFixed(1), `60; the longest ${ms(longest)}`)
+  assert.ok(rate > 5)
   await context.close()
-})
+}
 
+async function size() {
+  const html = await readFile(file, 'utf8')
+  const core = html.match(/[A-Za-z0-9+/=]{100000,}/)?.[0] ?? ''
+  const others = gzipSync(html.replace(core, '')).length
+  row('size, gzipped', kB(gzipSync(html).length), `150 kB; core ${kB(core.length * 0.75)} packed, script and style ${kB(others)}`)
+}
+
+await ready()
+for (const run of runs) await slider(run)
+await frames()
+await size()
+await fits(browser, row)
 await browser.close()
-finish()
