@@ -16,12 +16,25 @@ export function drawDots(pen: Pen, frame: Frame, { x, y }: Curve, colour: string
   for (const band of bands(frame, x, y, begin, end)) pen.fill(band, `${colour}6b`)
 }
 
+/** Heights of an outline [x, y, x, y, …] as far out as those beside them. */
+function smoothed(outline: number[], out: (...heights: number[]) => number): number[] {
+  return outline.map((value, i) => (i % 2 === 0 ? value : out(outline[i - 2] ?? value, value, outline[i + 2] ?? value)))
+}
+
+/** Whether the data turn so often that a period has three columns or less: then single columns miss its peaks. */
+function isFast(top: number[]): boolean {
+  let peaks = 0
+  for (let i = 3; i + 2 < top.length; i += 2) if (top[i]! < top[i - 2]! && top[i]! <= top[i + 2]!) ++peaks
+  return 3 * peaks > top.length / 2
+}
+
 /** Closed outlines, parted at gaps. */
-function bands(frame: Frame, x: Float64Array, y: Float64Array, begin: number, end: number): number[][] {
+export function bands(frame: Frame, x: Float64Array, y: Float64Array, begin: number, end: number): number[][] {
   const found: number[][] = []
   let top: number[] = []
   let under: number[] = []
   function close(): void {
+    if (isFast(top)) [top, under] = [smoothed(top, Math.min), smoothed(under, Math.max)]
     if (top.length > 0) {
       const back: number[] = []
       for (let i = under.length - 2; i >= 0; i -= 2) back.push(under[i]!, under[i + 1]!)
