@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cromer/base/number.h"
@@ -102,6 +104,37 @@ Decimal rounded(const Decimal& all, int count) {
   return at.up ? one_more(at.first) : at.first;
 }
 
+/// 10^power, exactly: up to 22.
+double power_of_ten(int power) {
+  double ten = 1;
+  for (; power > 0; --power) ten *= 10;
+  return ten;
+}
+
+/// The digits of value × 10^shift, and what they are read as.
+struct Quick {
+  Decimal decimal;
+  double read = 0;
+};
+
+/// Up to 15 digits of numbers of everyday size, where arithmetic in doubles is sure to round rightly: its
+/// error is less than a tenth of the last digit.
+std::optional<Quick> quick(double value, int count) {
+  if (!(value > 1e-8 && value < 1e15) || count < 1 || count > 15) return std::nullopt;
+  const int exponent = static_cast<int>(std::floor(std::log10(value))), shift = count - 1 - exponent;
+  if (std::abs(shift) > 22) return std::nullopt;
+  const double ten = power_of_ten(std::abs(shift));
+  const double exact = shift < 0 ? value / ten : value * ten, whole = std::round(exact);
+  if (std::fabs(std::fabs(exact - whole) - 0.5) < 0.1) return std::nullopt;
+  std::string digits = std::to_string(static_cast<long long>(whole));
+  if (digits.size() != static_cast<std::size_t>(count)) return std::nullopt;
+  return Quick{{std::move(digits), exponent}, shift < 0 ? whole * ten : whole / ten};
+}
+
+void drop_zeros(Decimal& decimal) {
+  while (decimal.digits.size() > 1 && decimal.digits.back() == '0') decimal.digits.pop_back();
+}
+
 double value_of(const Decimal& decimal) {
   return leading_number(decimal.digits.substr(0, 1) + '.' + decimal.digits.substr(1) + 'e' +
                         std::to_string(decimal.exponent))
@@ -110,7 +143,10 @@ double value_of(const Decimal& decimal) {
 
 }  // namespace
 
-Decimal significant(double value, int count) { return rounded(all_digits(value), count); }
+Decimal significant(double value, int count) {
+  if (auto digits = quick(value, count)) return std::move(digits->decimal);
+  return rounded(all_digits(value), count);
+}
 
 Decimal behind_point(double value, int count) {
   const Decimal all = all_digits(value);
@@ -125,6 +161,10 @@ Decimal behind_point(double value, int count) {
 
 Decimal fewest_digits(double value) {
   if (value == 0) return {"0", 0};
+  if (auto digits = quick(value, 15); digits && digits->read == value) {
+    drop_zeros(digits->decimal);
+    return std::move(digits->decimal);
+  }
   const Decimal all = all_digits(value);
   // Of doubles with all their bits no two have the same 15 digits.
   for (int count = std::isnormal(value) ? 15 : 1;; ++count) {
@@ -134,7 +174,7 @@ Decimal fewest_digits(double value) {
     for (const Decimal& each : {at.up ? above : at.first, above}) {
       if (value_of(each) != value) continue;
       Decimal fewest = each;
-      while (fewest.digits.size() > 1 && fewest.digits.back() == '0') fewest.digits.pop_back();
+      drop_zeros(fewest);
       return fewest;
     }
   }
