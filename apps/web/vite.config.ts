@@ -12,10 +12,10 @@ function coreFile(): string {
   return found
 }
 
-/** Packed beside it by apps/web/core/build, a third smaller than gzip; else gzipped here. */
+/** Packed beside it by apps/web/core/build, a fifth smaller than gzip; else gzipped here. */
 function packedCore(): Buffer {
   const file = coreFile()
-  return existsSync(`${file}.packed`) ? readFileSync(`${file}.packed`) : gzipSync(readFileSync(file), { level: 9 })
+  return existsSync(`${file}.lzma`) ? readFileSync(`${file}.lzma`) : gzipSync(readFileSync(file), { level: 9 })
 }
 
 /** `import core from 'virtual:core'`: the core, packed, in base64. */

@@ -1,7 +1,7 @@
 // The core in its WebAssembly module: bytes in, documents out. In the page it runs in a worker, in the tests
 // under node.
 import { withBlocks } from './blocks'
-import { start, unpacked, unzip } from './packed'
+import { unlzma } from './lzma'
 import type { Answer, Options, Task } from './types'
 
 interface Exports {
@@ -21,28 +21,44 @@ export interface Core {
   answer<T extends Task>(task: T, options: Options, file?: Uint8Array): Answer<T>
 }
 
-/// The core from the bytes of its module, as they are, gzipped or packed.
+/// The core from the bytes of its module, as they are, gzipped or as .lzma.
 export async function open(bytes: Uint8Array): Promise<Core> {
-  const plain = bytes[0] === 0x1f ? await unzip(bytes) : bytes[0] === 0 ? bytes : await unpacked(bytes)
+  const plain = bytes[0] === 0x1f ? await unzip(bytes) : bytes[0] === 0 ? bytes : unlzma(bytes)
   const module = await WebAssembly.compile(plain as Uint8Array<ArrayBuffer>)
-  let core = start<Exports>(module)
+  let core = start(module)
   return {
     answer(task, options, file) {
       try {
         return ask(core, task, options, file)
       } catch (error) {
         // Its memory may be in any state after that; the next question gets a new one.
-        core = start<Exports>(module)
+        core = start(module)
         return { status: 2, document: { message: message(error) } }
       }
     },
   }
 }
 
+async function unzip(bytes: Uint8Array): Promise<Uint8Array> {
+  const stream = new Blob([bytes as Uint8Array<ArrayBuffer>])
+    .stream()
+    .pipeThrough(new DecompressionStream('gzip'))
+  return new Uint8Array(await new Response(stream).arrayBuffer())
+}
+
 function message(error: unknown): string {
   if (error instanceof RangeError || /memory|unreachable/.test(String(error)))
     return 'the computation needs more memory than the page has: ask for fewer states or samples'
   return `the computation broke off: ${error}`
+}
+
+/// The module asks a system for little (arguments, an output for its last words), and gets none of it.
+function start(module: WebAssembly.Module): Exports {
+  const imports: Record<string, Record<string, () => number>> = {}
+  for (const each of WebAssembly.Module.imports(module)) (imports[each.module] ??= {})[each.name] = () => 0
+  const core = new WebAssembly.Instance(module, imports).exports as unknown as Exports
+  core._initialize()
+  return core
 }
 
 function ask<T extends Task>(core: Exports, task: T, options: Options, file?: Uint8Array): Answer<T> {

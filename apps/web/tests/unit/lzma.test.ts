@@ -1,0 +1,52 @@
+import { execFileSync } from 'node:child_process'
+import { existsSync, readFileSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import { describe, expect, it } from 'vitest'
+
+import { unlzma } from '../../src/core/lzma'
+
+const built = fileURLToPath(new URL('../../../../build/page/core.wasm', import.meta.url))
+
+/// By xz, with the number of bytes in the heading.
+function lzma(bytes: Uint8Array, settings: string): Uint8Array {
+  const packed = new Uint8Array(
+    execFileSync('xz', ['--format=lzma', `--lzma1=preset=9e,${settings}`, '--stdout'], {
+      input: bytes,
+      maxBuffer: 1 << 28,
+    }),
+  )
+  new DataView(packed.buffer).setBigUint64(5, BigInt(bytes.length), true)
+  return packed
+}
+
+/// Lengths and distances of every size: copies from anywhere before, and noise.
+function mixture(count: number): Uint8Array {
+  const bytes = new Uint8Array(count)
+  let state = 7
+  const next = (below: number) => (state = (state * 48271) % 2147483647) % below
+  for (let at = 0; at < count;) {
+    const length = Math.min(count - at, 1 + next(2 ** (1 + next(9))))
+    const back = at > 0 && next(3) > 0 ? 1 + next(Math.min(at, 2 ** (1 + next(20)))) : 0
+    for (let i = 0; i < length; ++i, ++at) bytes[at] = back ? bytes[at - back]! : next(256)
+  }
+  return bytes
+}
+
+describe('unlzma', () => {
+  for (const settings of ['lc=3,lp=0,pb=2', 'lc=4,lp=0,pb=0', 'lc=0,lp=2,pb=1'])
+    it(`undoes xz with ${settings}`, () => {
+      for (const bytes of [new Uint8Array([5]), new Uint8Array(100_000), mixture(2_000_000)])
+        expect(Buffer.compare(unlzma(lzma(bytes, settings)), bytes)).toBe(0)
+    })
+
+  it('says where data are damaged or end early', () => {
+    const packed = lzma(mixture(100_000), 'lc=3')
+    expect(() => unlzma(packed.slice(0, packed.length >> 1))).toThrow(RangeError)
+    expect(() => unlzma(packed.slice(0, 10))).toThrow(RangeError)
+    expect(() => unlzma(new Uint8Array(1000).fill(0xff))).toThrow(RangeError)
+  })
+
+  it.skipIf(!existsSync(`${built}.lzma`))('unpacks the core', () => {
+    expect(Buffer.compare(unlzma(readFileSync(`${built}.lzma`)), readFileSync(built))).toBe(0)
+  })
+})
