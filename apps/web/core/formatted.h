@@ -1,0 +1,38 @@
+// Text with numbers in it, as the library fmt writes it, but much smaller.
+#pragma once
+
+#include <concepts>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace cromer::page {
+
+class Argument {
+ public:
+  Argument(std::string_view text) : text_(text) {}
+  Argument(const std::string& text) : text_(text) {}
+  Argument(const char* text) : text_(text) {}
+  Argument(const char& letter) : text_(&letter, 1) {}
+  Argument(bool) = delete;
+  template <std::integral Whole>
+  Argument(Whole value) : kind_(Kind::whole), whole_(static_cast<long long>(value)) {}
+  Argument(double value) : kind_(Kind::number), number_(value) {}
+
+  /// `how`: what stands between the colon and the brace.
+  void append_to(std::string& text, std::string_view how, int digits) const;
+  int whole() const { return static_cast<int>(whole_); }
+
+ private:
+  enum class Kind { text, whole, number };
+
+  Kind kind_ = Kind::text;
+  std::string_view text_;
+  long long whole_ = 0;
+  double number_ = 0;
+};
+
+/// {}, {0} and, of numbers, {:.6g}, {:.2f}, {:.0e} or {:.{}g}, whose digits are an argument of their own.
+std::string formatted(std::string_view text, std::initializer_list<Argument> arguments);
+
+}  // namespace cromer::page

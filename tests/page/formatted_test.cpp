@@ -1,0 +1,96 @@
+#include "apps/web/core/formatted.h"
+
+#include <gtest/gtest.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "apps/web/core/decimal.h"
+
+namespace cromer::page {
+namespace {
+
+/// Halves, powers of two and ten, the least and the largest; then doubles of any bits and of everyday size.
+std::vector<double> numbers() {
+  using Limits = std::numeric_limits<double>;
+  std::vector<double> all{0,
+                          -0.0,
+                          0.5,
+                          1.5,
+                          2.5,
+                          0.125,
+                          0.375,
+                          9.5,
+                          9.96,
+                          99.5,
+                          0.05,
+                          0.0625,
+                          1e15,
+                          1e16,
+                          1e17,
+                          1.2345678901234568e17,
+                          9.999999e-5,
+                          1e-4,
+                          Limits::max(),
+                          Limits::min(),
+                          Limits::denorm_min(),
+                          Limits::infinity(),
+                          3 * Limits::denorm_min()};
+  for (int i = -1074; i < 1024; i += 7) all.push_back(std::ldexp(1, i));
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20'000; ++i) {
+    const std::uint64_t bits = random();
+    double any = 0;
+    std::memcpy(&any, &bits, sizeof any);
+    if (std::isfinite(any)) all.push_back(any);
+    all.push_back(std::uniform_real_distribution<double>(-1000, 1000)(random));
+    all.push_back(std::round(1000 * std::uniform_real_distribution<double>(0, 10)(random)) / 1000);
+  }
+  return all;
+}
+
+TEST(Formatted, WritesNumbersAsPrintfDoes) {
+  for (const double value : numbers())
+    for (const auto& [ours, theirs] : {std::pair{"{:.6g}", "%.6g"},
+                                       {"{:.1g}", "%.1g"},
+                                       {"{:.15g}", "%.15g"},
+                                       {"{:.0f}", "%.0f"},
+                                       {"{:.3f}", "%.3f"},
+                                       {"{:.0e}", "%.0e"}}) {
+      char expected[400];
+      std::snprintf(expected, sizeof expected, theirs, value);
+      ASSERT_EQ(formatted(ours, {value}), expected);
+    }
+}
+
+TEST(Formatted, WritesTheFewestDigitsThatReadTheSame) {
+  for (const double value : numbers()) {
+    if (!std::isfinite(value) || value == 0) continue;
+    char expected[400];
+    *std::to_chars(expected, expected + 400, std::fabs(value), std::chars_format::scientific).ptr = 0;
+    const Decimal decimal = fewest_digits(std::fabs(value));
+    std::string digits = decimal.digits;
+    if (digits.size() > 1) digits.insert(1, ".");
+    char exponent[16];
+    std::snprintf(exponent, sizeof exponent, "e%+03d", decimal.exponent);
+    ASSERT_EQ(digits + exponent, expected);
+  }
+  EXPECT_EQ(formatted("{} {} {} {}", {1e15, 1e16, 0.0001, 0.00001}), "1000000000000000 1e+16 0.0001 1e-05");
+  EXPECT_EQ(formatted("{} {} {}", {-0.0, 2.5, -1.0}), "-0 2.5 -1");
+}
+
+TEST(Formatted, PutsTextIn) {
+  EXPECT_EQ(formatted("", {}), "");
+  EXPECT_EQ(formatted("{}, {} of {}{}", {"one", std::string("two"), std::size_t{3}, '!'}), "one, two of 3!");
+  EXPECT_EQ(formatted("{:.{}g} {:.1f} %", {3.14159, 3, 0.25}), "3.14 0.2 %");
+  EXPECT_EQ(formatted("{0}{1}{0}10", {"a", "b"}), "aba10");
+  EXPECT_EQ(formatted("{}", {-7}), "-7");
+}
+
+}  // namespace
+}  // namespace cromer::page
