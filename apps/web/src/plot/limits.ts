@@ -5,16 +5,22 @@ import { roundLimits } from './ticks'
 /** How much wider than the bounded curves the frame gets for one that grows. */
 const room = 3
 
-function ends(curves: Curve[], of: 'x' | 'y'): Limits | null {
+/** Least and greatest finite value, of any number of values; null where there is none. */
+export function endsOf(...lists: Float64Array[]): Limits | null {
   let from = Infinity
   let to = -Infinity
-  for (const curve of curves)
-    for (const value of curve[of]) {
-      if (value < from) from = value
+  for (const values of lists)
+    for (const value of values) {
+      if (value < from && value > -Infinity) from = value
       if (value > to && value < Infinity) to = value
     }
   return from <= to ? [from, to] : null
 }
+
+/** The largest size of all values; 0 where there is none. */
+export const sizeOf = (values: Float64Array): number => Math.max(...(endsOf(values) ?? [0]).map(Math.abs))
+
+const ends = (curves: Curve[], of: 'x' | 'y'): Limits | null => endsOf(...curves.map((curve) => curve[of]))
 
 /** `zero`: the axis begins there, as energies do. */
 export function limitsOf(curves: Curve[], of: 'x' | 'y', zero = false, most = 6, growth = room): Limits {
