@@ -49,6 +49,9 @@ export function percent(part: number, digits = 2): string {
   return `${part > 0 ? '+' : ''}${text}${space}%`
 }
 
+/** 1234567 as 1 234 567, with narrow spaces. */
+export const thousands = (count: number): string => String(count).replace(/\B(?=(\d{3})+$)/g, '\u202f')
+
 export const withUnit = (text: string, unit: string): string => (unit ? `${text}${space}${unit}` : text)
 
 /** What a person typed as the core reads it: true minus and decimal comma become plain. */

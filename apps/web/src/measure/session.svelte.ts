@@ -4,9 +4,8 @@ import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
 import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
-import { numberOf } from '../teach/check'
 import { compareOptions, fitOptions, inspectOptions } from './questions'
-import { columnTaken, namesOf, runsOf, seriesOf } from './series'
+import { namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
 
 export interface File {
@@ -50,11 +49,7 @@ class Session {
   frame: { from: number; to: number } | null = $state.raw(null)
 
   runs = $derived(this.inspection ? runsOf(this.inspection) : 1)
-  series = $derived(
-    this.inspection
-      ? seriesOf(this.inspection, page.measure.column, page.measure.run, numberOf(page.measure.rate))
-      : null
-  )
+  series = $derived(this.inspection ? seriesOf(this.inspection, page.measure.run) : null)
 }
 
 export const session = new Session()
@@ -88,8 +83,8 @@ async function ask<T extends Task>(mine: number, task: T, options: Options, file
 export async function openFile(file: File, settings: Partial<typeof measureDefaults> = {}): Promise<boolean> {
   const mine = newTurn()
   session.busy = 'reading'
-  const rate = settings.rate ?? ''
-  const answer = await ask(mine, 'inspect', inspectOptions({ rate }), file)
+  const { rate = '', column: wanted = '' } = settings
+  const answer = await ask(mine, 'inspect', inspectOptions({ rate, column: wanted }), file)
   if (!answer) return false
   session.busy = ''
   if (answer.status === 2) {
@@ -99,7 +94,7 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   }
   const inspection = answer.document
   const alike = namesOf(inspection).length > 1
-  const column = settings.column ?? (alike ? columnTaken(inspection) : '')
+  const column = settings.column ?? (alike ? (inspection.column ?? '') : '')
   clear()
   change('open', (state) =>
     Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '' }, settings)
@@ -107,6 +102,26 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   session.refused = null
   session.inspection = inspection
   session.file = file
+  described = settingsOf({ rate, column })
+  return true
+}
+
+/// The settings that `session.inspection` is of.
+let described = ''
+const settingsOf = ({ rate, column }: { rate: string; column: string }) => JSON.stringify([rate, column])
+
+/// Looks into the file again where another column or rate was chosen. False where that ended it.
+async function describe(mine: number, file: File, state: typeof measureDefaults): Promise<boolean> {
+  if (settingsOf(state) === described) return true
+  const answer = await ask(mine, 'inspect', inspectOptions(state), file)
+  if (!answer) return false
+  if (answer.status === 2) {
+    settle(mine, null, answer.document.message)
+    return false
+  }
+  clear()
+  session.inspection = answer.document
+  described = settingsOf(state)
   return true
 }
 
@@ -128,6 +143,7 @@ async function refit(): Promise<void> {
   const runs = session.runs
   session.busy = 'first'
   session.simulated = []
+  if (!(await describe(mine, file, state))) return
   const fitOf = async (law: string) => {
     const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file)
     if (!answer) return null
