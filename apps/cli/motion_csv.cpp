@@ -2,21 +2,15 @@
 
 #include <fmt/format.h>
 
-#include "cromer/record/dialects/column_kind.h"
 #include "cromer/report/csv.h"
 #include "cromer/study/task/fitted_motion.h"
+#include "cromer/study/task/motion_units.h"
 
 namespace cromer::cli {
 namespace {
 
 std::string heading(std::string_view name, std::string_view unit) {
   return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
-}
-
-/// The unit of the displacement behind a column; of an unknown quantity none is known.
-std::string_view displacement_unit(const std::string& quantity) {
-  if (quantity.empty() || quantity == "voltage") return "";
-  return quantity.starts_with("ang") ? "rad" : "m";
 }
 
 /// 1 for a sample that is in no fit, else 0.
@@ -37,10 +31,7 @@ std::string motion_csv(const std::vector<FittedRecording>& fits) {
   for (const auto& fitted : fits) {
     if (fitted.parameters.empty()) continue;
     const FittedMotion motion = fitted_motion(fitted);
-    const std::string_view measured = si_unit_of(fitted.series.quantity),
-                           x = displacement_unit(fitted.series.quantity);
-    const std::string v = x.empty() ? "" : fmt::format("{}/s", x);
-    const std::string energy = motion.per_mass ? (x == "m" ? "J/kg" : x == "rad" ? "J/(kg m²)" : "") : "J";
+    const auto [measured, x, v, energy] = motion_units(fitted);
     std::vector<CsvColumn> columns{{"file", fitted.file},
                                    {"run", fmt::format("{}", fitted.series.run)},
                                    {"t (s)", std::span<const double>(motion.t)},

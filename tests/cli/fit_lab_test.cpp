@@ -34,7 +34,14 @@ TEST(FitLab, TellsBudgetTrialsAndPlan) {
   EXPECT_FALSE(fit["plan"]["met"]);
   EXPECT_GT(fit["plan"]["duration"], 150);
   EXPECT_NEAR(fit["keulegan_carpenter"]["max"].get<double>(), 2 * M_PI * 0.036 / 0.12, 0.003);
-  EXPECT_GE(fit["decay_by_amplitude"].size(), 10u);
+  ASSERT_GE(fit["decay_by_amplitude"].size(), 10u);
+  for (const auto& each : fit["decay_by_amplitude"]) {
+    // Student's factor: above the normal distribution's, for stretches have tens to hundreds of degrees.
+    const double half = (each["confidence_95"][1].get<double>() - each["confidence_95"][0].get<double>()) / 2;
+    EXPECT_NEAR(each["confidence_95"][0].get<double>() + half, each["rate"].get<double>(), 1e-12);
+    EXPECT_GT(half, 1.96 * each["standard_error"].get<double>());
+    EXPECT_LT(half, 3 * each["standard_error"].get<double>());
+  }
   EXPECT_TRUE(fit["textbook"].is_null());
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -14,6 +16,8 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 #include "cromer/study/task/fitted_motion.h"
+#include "cromer/study/task/motion_units.h"
+#include "cromer/study/task/used_samples.h"
 #include "motions.h"
 #include "request.h"
 #include "resonance_curves.h"
@@ -87,11 +91,24 @@ Answer resonance_task(const Request& asked, std::string_view) {
   return found(to_text(document), true);
 }
 
-Answer inspect_task(const Request& request, std::string_view file) {
+Answer inspect_task(const Request& asked, std::string_view file) {
+  Request request = asked;
+  const std::string column = take(request, "column");
   ReadOptions options;
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
-  const auto seen = inspect(file, request.file_name, options);
-  return seen ? found(to_json(*seen, true), true) : bad_input(seen.error());
+  const auto seen = inspect(file, request.file_name, options, column);
+  if (!seen) return bad_input(seen.error());
+  Json document = inspection_object(*seen, false);
+  Json& list = document["series"] = Json::array();
+  for (const Series& series : seen->series)
+    list.push_back({{"run", series.run},
+                    {"column", series.column},
+                    {"observed", or_null(series.quantity)},
+                    {"unit", unit_of(series)},
+                    {"rate", or_null(series.rate)},
+                    {"t", series.t},
+                    {"x", series.y}});
+  return found(to_text(document), true);
 }
 
 /// The motion beside the law, sample by sample; its own velocity and energy where it is a displacement.
@@ -113,6 +130,21 @@ Json curves_of(const FittedRecording& fitted) {
           {"set_aside", outlier_times}};
 }
 
+Json units_of(const FittedRecording& fitted) {
+  const MotionUnits units = motion_units(fitted);
+  return {{"measured", units.measured},
+          {"displacement", units.displacement},
+          {"velocity", units.velocity},
+          {"energy", units.energy}};
+}
+
+/// [unit of the displacement] what the law leaves; of a column of its derivatives, the swing that has as
+/// much.
+double displacement_rms(const FittedRecording& fitted) {
+  const int derivative = std::max(0, derivative_order(fitted.series.quantity));
+  return fitted.fit.residual.rms / std::pow(fitted.fit.angular_frequency.value, derivative);
+}
+
 Answer fit_task(const Request& request, std::string_view file) {
   FitOptions options;
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
@@ -124,6 +156,8 @@ Answer fit_task(const Request& request, std::string_view file) {
   for (const FittedRecording& fitted : *fits) {
     ok = ok && fitted.succeeded();
     list.push_back(fit_object(fitted));
+    list.back()["units"] = units_of(fitted);
+    list.back()["displacement_rms"] = displacement_rms(fitted);
     list.back()["curves"] = curves_of(fitted);
   }
   return found(to_text(document), ok);

@@ -13,6 +13,7 @@ namespace cromer {
 namespace {
 
 using testing::Contains;
+using testing::DoubleEq;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -74,6 +75,26 @@ TEST(Inspect, NeedNotChooseAmongAlike) {
   EXPECT_EQ(found->recording.table.columns.size(), 3u);
   EXPECT_EQ(found->rate, 1);
   EXPECT_EQ(found->series.at(0).column, "x");
+}
+
+TEST(Inspect, DescribesTheColumnAskedFor) {
+  const std::string_view file = "t (ms)\tx (cm)\ty (cm)\n0\t1\t2\n100\t2\t3\n200\t3\t5\n";
+  EXPECT_EQ(inspect(file, "lab.txt", {})->column, "x (cm)");
+  const auto found = inspect(file, "lab.txt", {}, "y (cm)");
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(found->column, "y (cm)");
+  ASSERT_EQ(found->series.size(), 1u);
+  EXPECT_THAT(found->series[0].t, ElementsAre(0, DoubleEq(0.1), DoubleEq(0.2)));
+  EXPECT_THAT(found->series[0].y, ElementsAre(DoubleEq(0.02), DoubleEq(0.03), DoubleEq(0.05)));
+  const auto none = inspect(file, "lab.txt", {}, "z");
+  ASSERT_TRUE(none.ok());
+  EXPECT_TRUE(none->series.empty());
+  EXPECT_THAT(none->warnings, Contains(HasSubstr("\"z\"")));
+}
+
+TEST(Inspect, NamesItsColumnWithoutTimesToo) {
+  EXPECT_EQ(inspect("Force (N);Position (mm)\n1,5;9,5\n2,5;8,5\n3,5;7\n", "lab.csv", {})->column,
+            "Position (mm)");
 }
 
 TEST(Inspect, WithoutTimesSaysWhatIsMissing) {

@@ -218,6 +218,9 @@ export interface Inspection {
   separator: string
   decimal: string
   columns: Column[]
+  /// The one that is described: that asked for with column=NAME, else what a fit would take, or the first of
+  /// several alike.
+  column: string | null
   samples: number
   rate: Maybe
   duration: Maybe
@@ -226,6 +229,19 @@ export interface Inspection {
   gaps: { t: number; length: number; run?: number }[]
   outliers: { t: number; value: Maybe; line: number; run?: number }[]
   warnings: string[]
+  /// Of that column, one for each run that has it.
+  series: InspectedSeries[]
+}
+
+/// Missing values are left out, and times rise.
+export interface InspectedSeries {
+  run: number
+  column: string
+  observed: string | null
+  unit: string // of x; "" where it has no name
+  rate: Maybe // [1/s]
+  t: Numbers // [s]
+  x: Numbers
 }
 
 export interface Column {
@@ -235,7 +251,6 @@ export interface Column {
   run: number
   samples: number
   time_column: string | null
-  values: Numbers
 }
 
 // fit
@@ -284,6 +299,7 @@ export interface Fit {
     amplitude: number
     rate: Maybe
     standard_error: Maybe
+    confidence_95: [low: Maybe, high: Maybe]
     law_rate: Maybe
     from: number
     to: number
@@ -303,7 +319,18 @@ export interface Fit {
   plan: RecordingPlan | null
   textbook: Textbook | null
   warnings: string[]
+  units: MotionUnits
+  /// What the law leaves, in the unit of the displacement.
+  displacement_rms: Maybe
   curves: FitCurves | null
+}
+
+/// "" where a unit has no name.
+export interface MotionUnits {
+  measured: string // of the column, and of the residuals
+  displacement: string // of x, and of amplitudes
+  velocity: string
+  energy: string
 }
 
 export interface Estimate {
@@ -387,7 +414,7 @@ export interface Comparison {
   curves: ComparedCurve[]
   measured_at_rest?: boolean
   explanation?: string
-  fit: Omit<Fit, 'curves'>
+  fit: Omit<Fit, 'curves' | 'units' | 'displacement_rms'>
   warnings: string[]
   /// One for each of `curves`; x is the displacement from the fitted equilibrium, `energy` as of a fit's curves.
   states: { t: Numbers; x: Numbers; v: Numbers; energy: Numbers }[]

@@ -49,9 +49,12 @@ export function percent(part: number, digits = 2): string {
   return `${part > 0 ? '+' : ''}${text}${space}%`
 }
 
+/** 1234567 as 1 234 567, with narrow spaces. */
+export const thousands = (count: number): string => String(count).replace(/\B(?=(\d{3})+$)/g, '\u202f')
+
 export const withUnit = (text: string, unit: string): string => (unit ? `${text}${space}${unit}` : text)
 
-const thousands = /(?<![\d.,])[1-9]\d{0,2}(,\d{3})+(?![\d,])/
+const inThousands = /(?<![\d.,])[1-9]\d{0,2}(,\d{3})+(?![\d,])/
 
 /**
  * What a person typed as the core reads it: true minus and decimal commas ("217,6 ± 0,3 g" has two) become plain. In
@@ -59,7 +62,7 @@ const thousands = /(?<![\d.,])[1-9]\d{0,2}(,\d{3})+(?![\d,])/
  */
 export function asTyped(text: string): string {
   const plain = text.replaceAll(minus, '-').trim()
-  return !comma && thousands.test(plain) ? plain : plain.replace(/(\d),(?=\d)/g, '$1.')
+  return !comma && inThousands.test(plain) ? plain : plain.replace(/(\d),(?=\d)/g, '$1.')
 }
 
 /** A number as typed; NaN where it is none. */

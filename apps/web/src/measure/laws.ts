@@ -13,6 +13,10 @@ export const laws = [
   'viscous+drag+friction'
 ] as const
 
+/// "viscous + dry friction" of "viscous+friction".
+export const nameOfLaw = (law: string, names: Record<string, string>): string =>
+  law.split('+').map((term) => names[term] ?? term).join(' + ')
+
 export interface Part {
   text: string
   italic: boolean

@@ -8,8 +8,12 @@ type Settings = Pick<MeasureState, 'column' | 'run' | 'rate' | 'from' | 'to' | '
 const given = (pairs: [string, string][]): Options =>
   pairs.map(([name, value]) => [name, asTyped(value)] as const).filter(([, value]) => value !== '')
 
-/// How the file is read.
-export const inspectOptions = (state: Pick<MeasureState, 'rate'>): Options => given([['rate', state.rate]])
+/// How the file is read, and which column of it.
+export const inspectOptions = (state: Pick<MeasureState, 'rate' | 'column'>): Options =>
+  given([
+    ['rate', state.rate],
+    ['column', state.column]
+  ])
 
 /// Which samples are used. Of several runs one is fitted: the page shows one at a time.
 function samplesOf(state: Settings, runs: number): [string, string][] {

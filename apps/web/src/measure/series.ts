@@ -1,27 +1,12 @@
-// What the overview draws of a file: times and values of the chosen column and run, in SI units.
-import type { Column, Inspection } from '../core/types'
+// What the overview draws of a file: times and values of the chosen run, in SI units, as the core took them.
+import type { Column, InspectedSeries, Inspection } from '../core/types'
+import type { measure } from '../words/en/measure'
 import { pyramidOf, type Pyramid } from './pyramid'
 
-export interface Series {
-  column: Column
-  unit: string // SI, or the file's own where there is none
-  t: Float64Array
-  x: Float64Array
+export interface Series extends InspectedSeries {
   pyramid: Pyramid
   spacing: number // [s] between samples
 }
-
-const toSi: Record<string, [number, string]> = {
-  mm: [1e-3, 'm'],
-  cm: [1e-2, 'm'],
-  km: [1e3, 'm'],
-  ms: [1e-3, 's'],
-  min: [60, 's'],
-  deg: [Math.PI / 180, 'rad'],
-  '°': [Math.PI / 180, 'rad'],
-  mV: [1e-3, 'V']
-}
-const fitted = ['position', 'angle', 'angular velocity', 'velocity', 'acceleration']
 
 /// The columns that a fit may use.
 export const columnsOf = (file: Inspection): Column[] => file.columns.filter((column) => column.quantity !== 'time')
@@ -31,34 +16,21 @@ export const namesOf = (file: Inspection): string[] => [...new Set(columnsOf(fil
 
 export const runsOf = (file: Inspection): number => Math.max(1, ...file.columns.map((column) => column.run))
 
-/// What is taken where nothing was chosen, as the core does: a position, else an angle and so on, else the first.
-export function columnTaken(file: Inspection): string {
-  for (const quantity of fitted) {
-    const found = columnsOf(file).find((column) => column.quantity === quantity)
-    if (found) return found.name
-  }
-  return columnsOf(file)[0]?.name ?? ''
+/// No column has times: the rate has to be given.
+export const isTimeless = (file: Inspection): boolean => file.columns.every((column) => column.time_column === null)
+
+/// Of the run, else of the first that has the column.
+export function seriesOf(file: Inspection, run: number): Series | null {
+  const found = file.series.find((each) => each.run === run) ?? file.series[0]
+  return found ? { ...found, pyramid: pyramidOf(found.x), spacing: found.rate ? 1 / found.rate : 1 } : null
 }
 
-function inSi(column: Column): { values: Float64Array; unit: string } {
-  const [factor, unit] = toSi[column.unit] ?? [1, column.unit]
-  return { values: factor === 1 ? column.values : column.values.map((value) => value * factor), unit }
+/// "Position" and "mm" of "Position (mm)".
+export function partsOf(heading: string): { name: string; unit: string } {
+  const found = /^(.*?)\s*\(([^()]*)\)\s*$/.exec(heading)
+  return { name: found?.[1] ?? heading, unit: found?.[2] ?? '' }
 }
 
-export function seriesOf(file: Inspection, name: string, run: number, rate: number): Series | null {
-  const wanted = name || columnTaken(file)
-  const column =
-    columnsOf(file).find((each) => each.name === wanted && each.run === run) ??
-    columnsOf(file).find((each) => each.name === wanted)
-  if (!column) return null
-  const time = file.columns.find((each) => each.name === column.time_column && each.run === column.run) ??
-    file.columns.find((each) => each.name === column.time_column)
-  const spacing = 1 / (rate > 0 ? rate : (file.rate ?? 1))
-  const all = time ? inSi(time).values : Float64Array.from(column.values, (_, i) => i * spacing)
-  const { values, unit } = inSi(column)
-  // Runs side by side may differ in length: the rest of a column is empty.
-  let end = Math.min(all.length, values.length)
-  while (end > 0 && !(Number.isFinite(all[end - 1]!) && Number.isFinite(values[end - 1]!))) --end
-  const x = values.subarray(0, end)
-  return { column, unit, t: all.subarray(0, end), x, pyramid: pyramidOf(x), spacing }
-}
+/// What was measured, in words; of an unknown quantity its column's name. The file's unit is not that of what is shown.
+export const measuredName = (of: { observed: string | null; column: string } | null, words: typeof measure): string =>
+  words.observed[of?.observed ?? ''] ?? partsOf(of?.column ?? '').name

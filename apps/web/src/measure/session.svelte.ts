@@ -1,13 +1,12 @@
 // The recording that is open, and what the core found in it. None of it is in the address: files stay here.
 import { openCore } from '../core/ask'
 import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
-import { numberOf } from '../look/numbers'
 import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { change } from '../state/undo.svelte'
 import { compareOptions, fitOptions, inspectOptions } from './questions'
 import { words } from '../words/words.svelte'
-import { columnTaken, namesOf, runsOf, seriesOf } from './series'
+import { namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
 
 export interface File {
@@ -52,11 +51,7 @@ class Session {
   frame: { from: number; to: number } | null = $state.raw(null)
 
   runs = $derived(this.inspection ? runsOf(this.inspection) : 1)
-  series = $derived(
-    this.inspection
-      ? seriesOf(this.inspection, page.measure.column, page.measure.run, numberOf(page.measure.rate))
-      : null
-  )
+  series = $derived(this.inspection ? seriesOf(this.inspection, page.measure.run) : null)
 }
 
 export const session = new Session()
@@ -109,8 +104,8 @@ async function ask<T extends Task>(
 export async function openFile(file: File, settings: Partial<typeof measureDefaults> = {}): Promise<boolean> {
   const mine = newTurn()
   session.busy = 'reading'
-  const rate = settings.rate ?? ''
-  const answer = await ask(mine, 'inspect', inspectOptions({ rate }), file)
+  const { rate = '', column: wanted = '' } = settings
+  const answer = await ask(mine, 'inspect', inspectOptions({ rate, column: wanted }), file)
   if (!answer) return false
   session.busy = ''
   if (answer.status === 2) {
@@ -120,7 +115,7 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   }
   const inspection = answer.document
   const alike = namesOf(inspection).length > 1
-  const column = settings.column ?? (alike ? columnTaken(inspection) : '')
+  const column = settings.column ?? (alike ? (inspection.column ?? '') : '')
   clear()
   change('open', (state) =>
     Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '' }, settings)
@@ -128,6 +123,26 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   session.refused = null
   session.inspection = inspection
   session.file = file
+  described = settingsOf({ rate, column })
+  return true
+}
+
+/// The settings that `session.inspection` is of.
+let described = ''
+const settingsOf = ({ rate, column }: { rate: string; column: string }) => JSON.stringify([rate, column])
+
+/// Looks into the file again where another column or rate was chosen. False where that ended it.
+async function describe(mine: number, file: File, state: typeof measureDefaults): Promise<boolean> {
+  if (settingsOf(state) === described) return true
+  const answer = await ask(mine, 'inspect', inspectOptions(state), file)
+  if (!answer) return false
+  if (answer.status === 2) {
+    settle(mine, null, answer.document.message)
+    return false
+  }
+  clear()
+  session.inspection = answer.document
+  described = settingsOf(state)
   return true
 }
 
@@ -147,9 +162,10 @@ async function refit(): Promise<void> {
   if (!file) return
   const mine = newTurn()
   const state = $state.snapshot(page.measure)
-  const runs = session.runs
   session.busy = 'first'
   session.simulated = []
+  if (!(await describe(mine, file, state))) return
+  const runs = session.runs
   const fitOf = async (law: string, lane: number) => {
     const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file, lane)
     if (!answer) return null

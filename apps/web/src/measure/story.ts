@@ -2,7 +2,7 @@
 import type { Fit } from '../core/types'
 import { percent, significant, space } from '../look/numbers'
 import type { measure } from '../words/en/measure'
-import { placesOf, rounded } from './uncertain'
+import { placesOf, rounded, withUncertainty } from './uncertain'
 
 export interface Sentence {
   kind: 'note' | 'good' | 'core'
@@ -21,7 +21,7 @@ export function storyOf(fit: Fit, words: Words): Sentence[] {
 export const piecesOf = (fit: Fit): Fit['decay_by_amplitude'] =>
   fit.decay_by_amplitude.filter(
     ({ rate, standard_error, amplitude }) =>
-      rate !== null && standard_error !== null && amplitude > 3 * (fit.residual.rms ?? 0) && 3 * standard_error < Math.abs(rate),
+      rate !== null && standard_error !== null && amplitude > 3 * (fit.displacement_rms ?? 0) && 3 * standard_error < Math.abs(rate),
   )
 
 /// Whether the decay rate depends on the amplitude by more than what pieces of the recording scatter.
@@ -45,8 +45,7 @@ function decay(fit: Fit, words: Words): Sentence[] {
   }
   const rate = fit.parameters.decay_rate
   if (fit.law !== 'viscous' || !rate || rate.value === null || rate.standard_error === null) return []
-  const places = placesOf(rate.standard_error)
-  const value = `${rounded(rate.value, places)}${space}±${space}${rounded(rate.standard_error, places)}${space}1/s`
+  const value = withUncertainty(rate.value, rate.standard_error, '1/s')
   return [{ kind: 'good', title: words.story.enough, text: words.story.enoughWhy(value) }]
 }
 

@@ -18,9 +18,9 @@ const smaller: Record<string, [Scale, Scale]> = {
 export function scaleFor(size: number, unit: string): Scale {
   if (unit === '1') return { factor: 1, unit: '' }
   const size_ = Math.abs(size)
-  if (unit === 'm') {
-    if (size_ < 0.01) return { factor: 1000, unit: 'mm' }
-    return size_ < 1 ? { factor: 100, unit: 'cm' } : { factor: 1, unit: 'm' }
+  if (unit === 'm' || unit === 'm/s') {
+    if (size_ < 0.01) return { factor: 1000, unit: `m${unit}` }
+    return size_ < 1 ? { factor: 100, unit: `c${unit}` } : { factor: 1, unit }
   }
   const pair = smaller[unit]
   return pair ? pair[size_ < 0.1 ? 1 : 0] : { factor: 1, unit }

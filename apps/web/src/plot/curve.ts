@@ -11,7 +11,11 @@ export interface Curve {
   dashed?: boolean // keeps its colour
   note?: string // second line of its word: "grows without end"
   unbounded?: boolean // leaves the limits, which do not follow it
+  data?: () => { x: Float64Array; y: Float64Array } // where x and y are a picture of it: what is saved, and read as numbers
 }
+
+/** The curve's own numbers. */
+export const withData = (curve: Curve): Curve => (curve.data ? { ...curve, ...curve.data() } : curve)
 
 export interface Axis {
   name: string // "position *x*"

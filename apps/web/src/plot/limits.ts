@@ -6,16 +6,19 @@ import { roundLimits } from './ticks'
 /** How much wider than the bounded curves the frame gets for one that grows. */
 const room = 3
 
-function ends(curves: Curve[], of: 'x' | 'y'): Limits | null {
+/** Least and greatest finite value, of any number of values; null where there is none. */
+export function endsOf(...lists: Float64Array[]): Limits | null {
   let from = Infinity
   let to = -Infinity
-  for (const curve of curves) {
-    const { least, most } = extentOf(curve[of])
+  for (const values of lists) {
+    const { least, most } = extentOf(values)
     from = Math.min(from, least)
     to = Math.max(to, most)
   }
   return from <= to ? [from, to] : null
 }
+
+const ends = (curves: Curve[], of: 'x' | 'y'): Limits | null => endsOf(...curves.map((curve) => curve[of]))
 
 /** `zero`: the axis begins there, as energies do. */
 export function limitsOf(curves: Curve[], of: 'x' | 'y', zero = false, most = 6, growth = room): Limits {

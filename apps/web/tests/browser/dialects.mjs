@@ -91,5 +91,18 @@ export const recordings = [
 /** With a spike of 8 cm at 6 s and a gap of 0.7 s at 12 s. */
 export const flawed = `Time (s),Position (m)\n${rows((a, b, i) => (i > 600 && i < 635 ? '' : `${f(a)},${f(i === 300 ? b + 0.08 : b)}\n`))}`
 
+/** The swing in other units: `times` of a second, `values` of a metre, about 0. */
+export const swingIn = (heading, times, values) => `${heading}\n${rows((a, b) => `${(times * a).toPrecision(12)},${(values * (b - 0.2)).toPrecision(12)}\n`)}`
+
+/** 200 s of it at 1 kHz, more samples than a call has arguments. */
+export const longSwing = () => {
+  const lines = ['Time (s),Position (m)']
+  for (let i = 0; i < 200_000; ++i) {
+    const noise = ((Math.imul(i + 1, 2654435761) >>> 0) / 2 ** 32 - 0.5) * 4e-4
+    lines.push(`${i / 1000},${f(0.03 * Math.exp(-0.01 * (i / 1000)) * Math.cos((2 * Math.PI * 1.5 * i) / 1000) + noise)}`)
+  }
+  return `${lines.join('\n')}\n`
+}
+
 /** Two runs side by side without times. */
 export const twoRuns = `"Position (mm) Run #1";"Position (mm) Run #2"\r\n${rows((_, b, i) => `${comma(f(1000 * b))};${i < 900 ? comma(f(1000 * (0.4 - b))) : ''}\r\n`)}`

@@ -5,7 +5,7 @@ import { readFile } from 'node:fs/promises'
 import { createRequire } from 'node:module'
 import { basename } from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { flawed, recordings, twoRuns } from './dialects.mjs'
+import { flawed, longSwing, recordings, swingIn, twoRuns } from './dialects.mjs'
 import { check, finish, launch, open } from './harness.mjs'
 
 const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
@@ -223,7 +223,7 @@ for (const processors of [1, 8]) {
   const watch = `window.workers = 0
     Object.defineProperty(navigator, 'hardwareConcurrency', { value: ${processors} })
     window.Worker = class extends Worker { constructor(...all) { super(...all); ++window.workers } }`
-  const { page, faults, context } = await measure({ watch })
+  const { page, faults, context } = await measure({ watch, hash: '#measure' }) // Simulate has workers of its own
   await check(`the laws are compared with ${processors} processors`, async () => {
     const before = await page.evaluate(() => window.workers)
     await page.locator('.examples button').first().click()
@@ -235,6 +235,84 @@ for (const processors of [1, 8]) {
     assert.equal(panels.at(-1), panels[0])
     assert.deepEqual(faults, [])
   })
+  await context.close()
+}
+
+{
+  const { page, faults, context } = await measure()
+  const opened = async (name, content) => {
+    await drop(page, name, content)
+    await page.locator('.row', { hasText: name }).waitFor({ timeout: 30000 })
+    await page.locator('[data-quantity=frequency]').waitFor({ timeout: 90000 })
+    await settled(page, 180)
+  }
+  const csv = async (plot) => {
+    await page.getByRole('button', { name: 'Save figure or data' }).click()
+    const [download] = await Promise.all([page.waitForEvent('download'), page.locator(`[data-save="${plot}.csv"]`).click()])
+    return (await readFile(await download.path(), 'utf8')).trim().split('\n')
+  }
+  const w = 2 * Math.PI * 1.5
+  for (const [name, heading, unit, measured, displacement, amplitude, residual] of [
+    ['g.csv', 'Time (s),Acceleration (g)', 1 / 9.80665, 'acceleration (m/s²)', 'mm', 30 / w ** 2, 'm/s²'],
+    ['degrees.csv', 'Time (s),Gyroscope x (deg/s)', 180 / Math.PI, 'angular velocity (rad/s)', 'rad', 0.03 / w, 'rad/s'],
+    ['speed.csv', 'Time (s),Velocity (cm/s)', 100, 'velocity (cm/s)', 'mm', 30 / w, 'mm/s'],
+  ])
+    await check(`a recording of ${heading.slice(9)} has the units of what is drawn`, async () => {
+      await opened(name, swingIn(heading, 1, unit))
+      for (const plot of ['recording', 'fit']) assert.match((await csv(plot))[0], new RegExp(`${measured.replace(/[()]/g, '\\$&')}`))
+      const [, first] = (await csv('fit')).map((line) => line.split(',').map(Number))
+      const scale = measured.includes('cm/s') ? 100 : 1
+      assert.ok(Math.abs(first.at(-1)) < 0.031 * scale && Math.abs(first.at(-1)) > 1e-6 * scale, `${first}`)
+      const heads = (await csv('decay-rate'))[0]
+      assert.ok(heads.includes(`amplitude (${displacement})`), heads)
+      const said = await page.locator('section[aria-label="Decay rate against amplitude"] .unseen').innerText()
+      const largest = Number(said.match(/at amplitude ([\d.]+)/)[1])
+      assert.ok(largest < amplitude && largest > 0.8 * amplitude, `${said}: ${amplitude}`)
+      assert.ok((await page.locator('section[aria-label="The law of this oscillator"]').first().innerText()).includes(`\u00a0${residual}`), residual)
+    })
+  for (const [unit, times] of [['µs', 1e6], ['min', 1 / 60]])
+    await check(`times in ${unit} are shown and cut in seconds`, async () => {
+      await opened(`times_${times}.csv`, swingIn(`Time (${unit}),Position (cm)`, times, 100))
+      const end = page.getByRole('slider', { name: 'end of the free part' })
+      assert.equal(Number(await end.getAttribute('aria-valuenow')).toFixed(2), '23.98')
+      assert.match(await page.locator('.caption', { hasText: 'Free part' }).innerText(), /0\.00\u00a0s to 23\.98\u00a0s/)
+      assert.match(await page.locator('.row').innerText(), /1\u202f200 at 50\.000\u00a0Hz/)
+      await end.focus()
+      await page.keyboard.press('PageDown')
+      await settled(page)
+      assert.match(await page.locator('code').getAttribute('title'), /--to 22\.78/)
+      assert.ok(Math.abs(numberIn(await value(page, 'frequency')) - 1.5) < 0.003)
+      const rows = await csv('recording')
+      assert.equal(rows.length, 1201)
+      assert.equal(rows[0], 'time (s),measured: position (cm)')
+    })
+  await check('another column is taken by the core', async () => {
+    const lines = swingIn('Time (s),Position x (cm)', 1, 100).trim().split('\n')
+    await opened('two.csv', lines.map((line, i) => `${line},${i ? Number(line.split(',')[1]) * 2 : 'Position y (cm)'}`).join('\n'))
+    const column = page.getByLabel('Column used')
+    assert.equal(await column.inputValue(), 'Position x (cm)')
+    const largest = async () => Math.max(...(await csv('recording')).slice(1).map((line) => Number(line.split(',')[1])))
+    const before = await largest()
+    await column.selectOption('Position y (cm)')
+    await settled(page)
+    assert.ok(Math.abs((await largest()) / before - 2) < 1e-9)
+    assert.match(await page.locator('code').getAttribute('title'), /Position y/)
+  })
+  await check('200 000 samples are drawn and saved', async () => {
+    await opened('long.csv', longSwing())
+    for (let i = 0; i < 8; ++i) await page.getByRole('button', { name: 'Longer frame' }).click()
+    await page.waitForTimeout(500)
+    const frame = page.getByRole('slider', { name: 'frame that is shown larger' })
+    assert.match(await frame.getAttribute('aria-valuetext'), /^0\.00 – 200\.00 s/)
+    assert.deepEqual(faults, [])
+    const rows = await csv('recording')
+    assert.equal(rows.length, 200_001)
+    const times = rows.slice(1).map((line) => Number(line.split(',')[0]))
+    assert.ok(times.every((t, i) => t === i / 1000))
+    await page.locator('section[aria-label=Recording]').getByRole('button', { name: 'Show numbers' }).click()
+    assert.match(await page.locator('.numbers').innerText(), /200.?000/)
+  })
+  await check('nothing went wrong', async () => assert.deepEqual(faults, []))
   await context.close()
 }
 

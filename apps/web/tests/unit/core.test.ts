@@ -66,6 +66,60 @@ describe.skipIf(!existsSync(built))('core', async () => {
     })
   })
 
+  const swing = (heading: string, times: number, amplitude: number) =>
+    heading +
+    '\n' +
+    Array.from({ length: 800 }, (_, i) => {
+      const at = i / 100
+      return `${(at * times).toPrecision(12)},${amplitude * Math.exp(-0.1 * at) * Math.cos(10 * at)}\n`
+    }).join('')
+  const inspected = (text: string, options: [string, string][] = []) => {
+    const answer = ask('inspect', options, new TextEncoder().encode(text))
+    if (answer.status !== 0) throw new Error(JSON.stringify(answer))
+    return answer.document
+  }
+
+  it.each([
+    ['us', 1e6], ['µs', 1e6], ['ms', 1e3], ['min', 1 / 60], ['h', 1 / 3600],
+  ])('has the times of a file in %s in seconds', (unit, times) => {
+    const [series] = inspected(swing(`Time (${unit}),Position (mm)`, times, 30)).series
+    expect(series!.t[799]).toBeCloseTo(7.99, 9)
+    expect(series!.x[0]).toBeCloseTo(0.03, 12)
+    expect(series!.rate).toBeCloseTo(100, 6)
+    expect(series!.unit).toBe('m')
+  })
+
+  it.each([
+    ['Acceleration (g)', 9.80665, 'm/s²', 'm', 'm/s'],
+    ['Gyroscope x (deg/s)', Math.PI / 180, 'rad/s', 'rad', 'rad/s'],
+    ['Velocity (cm/s)', 0.01, 'm/s', 'm', 'm/s'],
+    ['Velocity (in/s)', 0.0254, 'm/s', 'm', 'm/s'],
+    ['Angle (°)', Math.PI / 180, 'rad', 'rad', 'rad/s'],
+  ])('says the units of %s', (column, factor, measured, displacement, velocity) => {
+    const text = swing(`Time (s),${column}`, 1, 0.3)
+    const { series } = inspected(text)
+    expect(series[0]!.unit).toBe(measured)
+    expect(series[0]!.x[0]).toBeCloseTo(0.3 * factor, 12)
+    const answer = ask('fit', [['law', 'viscous']], new TextEncoder().encode(text))
+    if (answer.status !== 0) throw new Error(JSON.stringify(answer))
+    const fit = answer.document.fits[0]!
+    expect(fit.units).toMatchObject({ measured, displacement, velocity })
+    expect(fit.curves!.measured[0]).toBeCloseTo(0.3 * factor, 12)
+    const order = measured === displacement ? 0 : measured === velocity ? 1 : 2
+    expect(fit.displacement_rms! / fit.residual.rms!).toBeCloseTo(10 ** -order, 5)
+    for (const { rate, standard_error, confidence_95 } of fit.decay_by_amplitude)
+      expect(confidence_95[1]! - rate!).toBeGreaterThan(1.9 * standard_error!)
+  })
+
+  it('names the column it takes, and takes another', () => {
+    const text = 'Time (s),Position x (cm),Position y (cm)\n' +
+      Array.from({ length: 50 }, (_, i) => `${i / 10},${i % 7},${i % 5}\n`).join('')
+    expect(inspected(text).column).toBe('Position x (cm)')
+    const other = inspected(text, [['column', 'Position y (cm)']])
+    expect(other.column).toBe('Position y (cm)')
+    expect(other.series[0]!.x[4]).toBeCloseTo(0.04, 12)
+  })
+
   it('says what is wrong as the program does', () => {
     expect(ask('simulate', [['step', '-1']])).toEqual({
       status: 2,

@@ -47,6 +47,7 @@ const left = new RegExp(
   [
     'interrupted', // the page ends a fit by ending its worker
     '--(spring-mass|monte-carlo|seed|law|delimiter|decimal|force-column)', // no fields of the page
+    'J/\\(kg m²', // a unit
     '^cromer simulate', '^zero or more', 'neither true nor false', // no sentences of its own
     'between 1e-', 'lie between 0 and 1', // options without a field
     'no power of ten', 'Fortran', 'too unequal', 'tables of the file', 'tables: ', 'numbers end at', 'names of the columns of set',

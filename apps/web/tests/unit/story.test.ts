@@ -4,15 +4,17 @@ import { rowsOf } from '../../src/measure/rows'
 import { storyOf } from '../../src/measure/story'
 import { measure as en } from '../../src/words/en/measure'
 
+const interval = (value: number, error: number): [number, number] => [value - 1.96 * error, value + 1.96 * error]
 const piece = (amplitude: number, rate: number, standard_error = 0.0005) =>
-  ({ amplitude, rate, standard_error, law_rate: rate, from: 0, to: 1 })
+  ({ amplitude, rate, standard_error, confidence_95: interval(rate, standard_error), law_rate: rate, from: 0, to: 1 })
 const estimate = (value: number, standard_error: number, unit: string) =>
-  ({ value, standard_error, confidence_95: [value - 1.96 * standard_error, value + 1.96 * standard_error], unit })
+  ({ value, standard_error, confidence_95: interval(value, standard_error), unit })
 
 function fit(change: Partial<Fit>): Fit {
   return {
     law: 'viscous+drag',
     residual: { rms: 0.0003, normality: 1, autocorrelation: 0, white: true },
+    displacement_rms: 0.0003,
     parameters: { stiffness: estimate(17.04, 0.0235, 'N/m'), damping: estimate(0.000785, 0.0000182, 'kg/s') },
     derived: { frequency: estimate(1.40839883, 9.35e-7, 'Hz') },
     decay_by_amplitude: [piece(0.034, 0.0139), piece(0.02, 0.009), piece(0.012, 0.0067)],
@@ -44,6 +46,12 @@ describe('the story', () => {
   it('leaves out pieces that are all noise', () => {
     const pieces = [piece(0.05, 0.1, 0.001), piece(0.04, 0.1, 0.001), piece(0.03, 0.1, 0.001), piece(0.0004, 300, 90)]
     expect(said({ law: 'friction', decay_by_amplitude: pieces })).toEqual([])
+  })
+  it('holds pieces against the noise as a displacement, whatever was recorded', () => {
+    // A swing of 1 mm at 20 rad/s is 0.4 m/s²; a noise of 0.02 m/s² is 0.05 mm of it.
+    const pieces = [piece(0.001, 0.1), piece(0.0007, 0.08), piece(0.0004, 0.06)]
+    const residual = { rms: 0.02, normality: 1, autocorrelation: 0, white: true }
+    expect(said({ decay_by_amplitude: pieces, residual, displacement_rms: 0.02 / 20 ** 2 })[0]).toContain('falls from')
   })
   it('does not name a rest that is nothing', () => {
     const budget = [{ quantity: 'mass', standard_uncertainty: 0.0003, share: 0.999999 }] as unknown as Fit['stiffness_budget']

@@ -86,6 +86,10 @@ struct Series {
   std::vector<std::string> warnings;
 };
 
+/// The unit of y: of its quantity, else the file's own where values are taken as they are; "" where it has no
+/// name.
+std::string unit_of(const Series& series);
+
 /// The runs of a recording: 1, 2, ...
 std::vector<int> runs(const Recording& recording);
 

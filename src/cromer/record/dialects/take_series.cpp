@@ -132,6 +132,12 @@ void describe_values(Series& series, const std::vector<double>& as_written) {
 
 }  // namespace
 
+std::string unit_of(const Series& series) {
+  const std::string_view si = si_unit_of(series.quantity);
+  if (!si.empty()) return std::string(si);
+  return series.to_si == 1 ? series.unit : "";
+}
+
 std::vector<int> runs(const Recording& recording) {
   std::set<int> found;
   for (const Column& column : recording.table.columns) found.insert(column.run);

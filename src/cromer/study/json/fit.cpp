@@ -47,6 +47,7 @@ Json decay_by_amplitude(const std::vector<AmplitudeRate>& rates) {
     list.push_back({{"amplitude", each.amplitude},
                     {"rate", each.rate.value},
                     {"standard_error", each.rate.standard_error},
+                    {"confidence_95", {each.rate.low, each.rate.high}},
                     {"law_rate", each.law_rate},
                     {"from", each.from},
                     {"to", each.to}});

@@ -1,10 +1,11 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/json.h"
+#include "cromer/study/json/recording.h"
 
 namespace cromer {
 
-std::string to_json(const Inspection& inspection, bool with_values) {
+Json inspection_object(const Inspection& inspection, bool with_values) {
   const Recording& recording = inspection.recording;
   Json document;
   document["file"] = recording.file;
@@ -24,6 +25,7 @@ std::string to_json(const Inspection& inspection, bool with_values) {
                        {"time_column", or_null(seen.time_column)}});
     if (with_values) columns.back()["values"] = column.values;
   }
+  document["column"] = or_null(inspection.column);
   document["samples"] = inspection.samples;
   document["rate"] = or_null(inspection.rate);
   document["duration"] = or_null(inspection.duration);
@@ -42,7 +44,11 @@ std::string to_json(const Inspection& inspection, bool with_values) {
       add(outliers, {{"t", outlier.t}, {"value", outlier.value}, {"line", outlier.line}});
   }
   document["warnings"] = inspection.warnings;
-  return to_text(document, with_values);
+  return document;
+}
+
+std::string to_json(const Inspection& inspection, bool with_values) {
+  return to_text(inspection_object(inspection, with_values), with_values);
 }
 
 }  // namespace cromer

@@ -1,9 +1,10 @@
-// What the documents of fit and compare have in common.
+// The documents of one recording, as objects that others take in.
 #pragma once
 
 #include "cromer/study/json/json.h"
 #include "cromer/study/task/compare.h"
 #include "cromer/study/task/fit.h"
+#include "cromer/study/task/inspect.h"
 
 namespace cromer {
 
@@ -12,6 +13,9 @@ Json recording_object(const FittedRecording& fitted);
 
 /// The document of one fit.
 Json fit_object(const FittedRecording& fitted);
+
+/// The document of what is in a file; `with_values` adds the columns' numbers.
+Json inspection_object(const Inspection& inspection, bool with_values);
 
 /// The document of one comparison.
 Json comparison_object(const CompareResult& comparison);

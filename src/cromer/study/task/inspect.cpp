@@ -11,27 +11,31 @@
 namespace cromer {
 namespace {
 
-/// The column a fit would take; where several are alike, the first of them, since a description need not
-/// choose: that is said.
-Result<Series> main_series(const Recording& recording, int run, const ReadOptions& options) {
-  auto series = take_series(recording, "", run, options);
-  if (series) return series;
-  const auto first_of_several = [&](const Column& column) {
-    auto first = take_series(recording, column_title(column), run, options);
-    if (first)
-      first->warnings.push_back(
-          "several columns may be meant: what is said of times and outliers is that of \"" +
-          column_title(column) + "\"; a fit needs --column");
-    return first;
-  };
+/// The first of what a fit would take in a run: a position, else an angle, ..., else anything beside the
+/// time.
+const Column* main_column(const Recording& recording, int run) {
   for (const std::string_view quantity :
        {"position", "angle", "angular velocity", "velocity", "acceleration", "any other"})
     for (const Column& column : recording.table.columns)
       if (column.run == run &&
           (column.quantity == quantity ||
            (quantity == "any other" && column.quantity != "time" && column.quantity != "index")))
-        return first_of_several(column);
-  return series;
+        return &column;
+  return nullptr;
+}
+
+/// Where several columns are alike, that of the first of them, since a description need not choose: that is
+/// said.
+Result<Series> main_series(const Recording& recording, int run, const ReadOptions& options) {
+  auto series = take_series(recording, "", run, options);
+  const Column* main = series ? nullptr : main_column(recording, run);
+  if (!main) return series;
+  auto first = take_series(recording, column_title(*main), run, options);
+  if (first)
+    first->warnings.push_back(
+        "several columns may be meant: what is said of times and outliers is that of \"" +
+        column_title(*main) + "\"; a fit needs --column");
+  return first;
 }
 
 /// Values that are there, and the time column they are taken with.
@@ -46,7 +50,8 @@ InspectedColumn look_at(const Recording& recording, std::size_t j, std::optional
 
 }  // namespace
 
-Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options) {
+Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
+                           std::string_view column) {
   auto recording = read_recording(bytes, file, options);
   if (!recording) return recording.error();
   Inspection inspection;
@@ -61,7 +66,11 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
     inspection.columns.push_back(look_at(inspection.recording, j, times[j]));
   for (const int run : runs(inspection.recording)) {
     inspection.samples = std::max(inspection.samples, rows_of_run(inspection.recording.table, run));
-    auto series = main_series(inspection.recording, run, options);
+    auto series = column.empty() ? main_series(inspection.recording, run, options)
+                                 : take_series(inspection.recording, column, run, options);
+    const Column* main = main_column(inspection.recording, run);
+    if (inspection.column.empty() && (series || main))
+      inspection.column = series ? series->column : column_title(*main);
     if (!series) {
       const std::string prefix = std::string(file) + ": ";
       const std::string& message = series.error().message;

@@ -18,11 +18,12 @@ struct InspectedColumn {
 
 /// In JSON a column's name is its title, "Time (s)": as time_column spells it, and as --column and
 /// --time-column take it (they also take the bare name). What `cromer inspect` says: of the whole file, and
-/// of the column that a fit would take in each run.
+/// of one column in each run.
 struct Inspection {
   Recording recording;
   std::vector<InspectedColumn> columns;  ///< as in the table
-  std::vector<Series> series;            ///< one per run, of its main column
+  std::string column;                    ///< the one that is described, as the first run spells it
+  std::vector<Series> series;            ///< one per run, of that column
   std::size_t samples = 0;               ///< rows of the longest run
   double rate = 0;                       // [1/s] 0 if unknown
   double duration = 0;                   // [s] 0 if unknown
@@ -33,6 +34,9 @@ struct Inspection {
   std::vector<std::string> warnings;
 };
 
-Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options);
+/// `column` is the one described, named as in --column; empty: the one that a fit would take, or the first of
+/// several alike. A run without it has a warning in place of a series.
+Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
+                           std::string_view column = "");
 
 }  // namespace cromer

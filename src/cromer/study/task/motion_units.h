@@ -1,0 +1,20 @@
+// The SI units of a recorded motion and of what its law says.
+#pragma once
+
+#include <string>
+
+#include "cromer/study/task/fit.h"
+
+namespace cromer {
+
+/// "" where a unit has no name.
+struct MotionUnits {
+  std::string measured;      ///< of the column, and of what the law leaves of it
+  std::string displacement;  ///< of x, and of the amplitudes
+  std::string velocity;
+  std::string energy;  ///< without a mass per mass, of an angle per moment of inertia
+};
+
+MotionUnits motion_units(const FittedRecording& fitted);
+
+}  // namespace cromer
