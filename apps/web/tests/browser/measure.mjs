@@ -223,7 +223,9 @@ for (const processors of [1, 8]) {
   const watch = `window.workers = 0
     Object.defineProperty(navigator, 'hardwareConcurrency', { value: ${processors} })
     window.Worker = class extends Worker { constructor(...all) { super(...all); ++window.workers } }`
-  const { page, faults, context } = await measure({ watch, hash: '#measure' }) // Simulate has workers of its own
+  const { page, faults, context } = await open(browser, { watch })
+  await page.waitForFunction(() => window.workers === 3) // the page's first, resonance curves, stability limits
+  await page.locator('header nav a').nth(1).click()
   await check(`the laws are compared with ${processors} processors`, async () => {
     const before = await page.evaluate(() => window.workers)
     await page.locator('.examples button').first().click()
