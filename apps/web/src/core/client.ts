@@ -28,6 +28,7 @@ export function connect(worker: Worker): Ask {
   const waiting: Waiting[] = []
   let asked: Waiting | undefined
   let count = 0
+  let broken: string | null = null
 
   function next() {
     asked = waiting.shift()
@@ -39,15 +40,18 @@ export function connect(worker: Worker): Ask {
     asked.settle(data)
     next()
   })
-  // Only a worker that could not be read ends up here: what goes wrong in a task is an answer.
+  // Only a worker that could not be read ends up here, and it will answer nothing: what goes wrong in a task is
+  // an answer.
   worker.addEventListener('error', (event) => {
-    asked?.settle({ ...refusal(event.message || 'the worker could not be started'), took: 0 })
-    next()
+    broken = event.message || 'the worker could not be started'
+    for (const each of [asked, ...waiting.splice(0)]) each?.settle({ ...refusal(broken), took: 0 })
+    asked = undefined
   })
 
   return <T extends Task>(task: T, options: Options, { file, fileName, channel }: Asking = {}) =>
     new Promise<Answered<T> | null>((resolve) => {
       const settle: Waiting['settle'] = (written) => resolve(written && { ...read<T>(written), took: written.took })
+      if (broken !== null) return settle({ ...refusal(broken), took: 0 })
       const question: Question = { id: ++count, task, options, file, fileName }
       const overtaken = channel === undefined ? -1 : waiting.findIndex((each) => each.channel === channel)
       const entry = { question, channel, settle }

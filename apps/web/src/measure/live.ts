@@ -128,7 +128,9 @@ export function momentOf(before: Live, now: Live): Moment | null {
   const [was, is] = [before.status?.running ?? false, now.status?.running ?? false]
   if (now.away !== before.away && now.away) return { is: 'away' }
   if (before.status && is && (!was || before.status.recording !== now.status!.recording)) return { is: 'started' }
-  if (was && !is) return { is: 'ended' }
+  // A short one may be over before it is first told of.
+  const other = before.status !== null && before.status.recording !== now.status?.recording
+  if ((was || other) && !is) return { is: 'ended' }
   const fresh = now.notices.slice(before.notices.length).filter(({ kind }) => kind === 'connection' || kind === 'device')
   return fresh.length ? { is: 'lost', text: fresh.at(-1)!.text } : null
 }

@@ -3,7 +3,8 @@ import { openCore } from '../core/ask'
 import type { Answer, Fit, Inspection, Options, Task } from '../core/types'
 import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
-import { change } from '../state/undo.svelte'
+import { toast } from '../state/notices.svelte'
+import { settle as settleState } from '../state/undo.svelte'
 import { compareOptions, fitOptions, inspectOptions } from './questions'
 import { words } from '../words/words.svelte'
 import { namesOf, runsOf, seriesOf } from './series'
@@ -45,6 +46,8 @@ class Session {
   busy: '' | 'reading' | 'first' | 'more' | 'overlay' = $state('')
   /// A file that was not read, with the core's message; what was open before stays.
   refused: { name: string; message: string } | null = $state.raw(null)
+  /// Why no simulation of the law stands beside it.
+  notSimulated = $state('')
   /// Why there is no fit.
   message = $state('')
   /// The frame that is shown larger [s].
@@ -117,9 +120,11 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   const alike = namesOf(inspection).length > 1
   const column = settings.column ?? (alike ? (inspection.column ?? '') : '')
   clear()
-  change('open', (state) =>
-    Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '' }, settings)
-  )
+  const before = session.file && { file: session.file, settings: $state.snapshot(page.measure) }
+  // What was weighed and measured for an example is not the reader's own.
+  const own = before?.file.synthetic && !file.synthetic ? { mass: '', disc: '' } : {}
+  settleState((state) => Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '' }, own, settings))
+  if (before && before.file.name !== file.name) toast(words().measure.opened(file.name), () => void openFile(before.file, before.settings))
   session.refused = null
   session.inspection = inspection
   session.file = file
@@ -147,7 +152,7 @@ async function describe(mine: number, file: File, state: typeof measureDefaults)
 }
 
 function clear(): void {
-  Object.assign(session, { fit: null, constant: null, simulated: [], constantAtEnd: null, message: '', frame: null })
+  Object.assign(session, { fit: null, constant: null, simulated: [], notSimulated: '', constantAtEnd: null, message: '', frame: null })
 }
 
 const converged = (fit: Fit | string | null): fit is Fit =>
@@ -227,12 +232,17 @@ function show(fit: Fit | null): void {
 /// The fitted law stepped by two methods, beside the recording.
 async function simulate(mine: number, law: string): Promise<void> {
   session.busy = 'overlay'
+  session.notSimulated = ''
   const state = $state.snapshot(page.measure)
   const found: Simulated[] = []
   for (const method of ['forward-euler', 'euler-cromer']) {
     const answer = await ask(mine, 'compare', compareOptions(state, session.runs, law, method), session.file!)
     if (mine !== turn) return
-    if (!answer || answer.status === 2) continue
+    if (!answer) continue
+    if (answer.status === 2) {
+      session.notSimulated = answer.document.message
+      continue
+    }
     const compared = answer.document.comparisons[0]!
     const i = compared.curves.length - 1
     const curve = compared.curves[i]

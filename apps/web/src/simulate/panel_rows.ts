@@ -31,7 +31,7 @@ export function rowsOf(runs: Motion[], linear: LinearPart | null): Row[] {
 
 const capital = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1)
 /** Of the amplitude in a cycle, as a part of one: grown above 0. */
-const change = (energyFactor: number): number => Math.sqrt(energyFactor) - 1
+export const change = (energyFactor: number): number => Math.sqrt(energyFactor) - 1
 const asPercent = (part: number): string => percent(Math.abs(part), 2).replace('+', '')
 
 export interface Sentence {

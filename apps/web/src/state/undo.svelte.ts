@@ -26,6 +26,14 @@ export function change(name: string, mutate: (state: PageDocument) => void, now 
   undone.length = 0
 }
 
+/** Changes what undo must not take back: the state and all that are kept. */
+export function settle(mutate: (state: PageDocument) => void): void {
+  mutate(page)
+  for (const step of past) mutate(step.before)
+  for (const each of undone) mutate(each)
+  last = { name: '', at: -Infinity }
+}
+
 export const canUndo = (): boolean => past.length > 0
 
 export function undo(): void {

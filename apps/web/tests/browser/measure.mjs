@@ -288,6 +288,14 @@ for (const processors of [1, 8]) {
       assert.equal(rows.length, 1201)
       assert.equal(rows[0], 'time (s),measured: position (cm)')
     })
+  await check('a second file takes the first one’s place, and Undo brings that back', async () => {
+    const before = await page.locator('.row').first().innerText()
+    await opened('second.csv', swingIn('Time (s),Position (cm)', 1, 100))
+    await page.getByRole('status').getByRole('button', { name: 'Undo' }).click()
+    await page.waitForFunction((text) => document.querySelector('.row')?.innerText === text, before)
+    await settled(page)
+    assert.match(await page.locator('code').getAttribute('title'), /--to 22\.78/)
+  })
   await check('another column is taken by the core', async () => {
     const lines = swingIn('Time (s),Position x (cm)', 1, 100).trim().split('\n')
     await opened('two.csv', lines.map((line, i) => `${line},${i ? Number(line.split(',')[1]) * 2 : 'Position y (cm)'}`).join('\n'))

@@ -66,6 +66,7 @@ describe('a sentence', () => {
     const going = after(idle, status())
     expect(momentOf(idle, going)).toEqual({ is: 'started' })
     expect(momentOf(going, after(going, status({ samples: 5 })))).toBeNull()
+    expect(momentOf(idle, after(idle, status({ recording: 'short.csv', running: false, samples: 3 })))).toEqual({ is: 'ended' })
     expect(momentOf(going, after(going, status({ running: false })))).toEqual({ is: 'ended' })
     const gone: LiveEvent = { is: 'notices', data: { notices: [{ kind: 'connection', text: 'it is gone' }] } }
     expect(momentOf(going, after(going, gone))).toEqual({ is: 'lost', text: 'it is gone' })

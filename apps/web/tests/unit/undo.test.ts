@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest'
 import { page } from '../../src/state/page.svelte'
-import { canUndo, change, forget, redo, undo } from '../../src/state/undo.svelte'
+import { canUndo, change, forget, redo, settle, undo } from '../../src/state/undo.svelte'
 
 const mass = (value: number, at: number) => change('mass', (state) => (state.simulate.mass = value), at)
 
@@ -27,4 +27,17 @@ test('changes of different controls are undone one by one', () => {
   expect(page.simulate.mass).toBe(5)
   undo()
   expect(page.simulate.methods).not.toEqual(['rk4'])
+})
+
+test('what is settled stays, whatever is undone', () => {
+  forget()
+  mass(7, 30_000)
+  settle((state) => (state.measure.column = 'Position (m)'))
+  mass(8, 30_001)
+  undo()
+  expect(page.simulate.mass).toBe(7)
+  undo()
+  expect(page.measure.column).toBe('Position (m)')
+  redo()
+  expect(page.measure.column).toBe('Position (m)')
 })

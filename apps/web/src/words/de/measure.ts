@@ -79,9 +79,7 @@ export const measure: typeof en = {
     start: 'Anfang des freien Teils',
     end: 'Ende des freien Teils',
     frameName: 'Rahmen, der größer gezeigt wird',
-    time: 'Zeit t (s)',
-    timeSymbol: ['Zeit ', 't', ' (s)'],
-    seen: (what, count, from, to) => `${what} gegen die Zeit: ${count} Messwerte von ${from} bis ${to}.`
+    timeSymbol: ['Zeit ', 't', ' (s)']
   },
   fit: {
     title: 'Anpassung, und was sie übrig lässt',
@@ -95,14 +93,10 @@ export const measure: typeof en = {
     band: 'Band: 95 % der Reste',
     working: 'Die Gesetze werden verglichen; dies ist bisher das bessere von zweien.',
     workingFirst: 'Das Gesetz wird angepasst.',
-    again: 'Mit dem neuen Teil neu angepasst.',
     none: 'Es gibt keine Anpassung.',
-    overlay: 'Neben Simulationen',
     grows: 'wächst ohne Ende',
     narrower: 'Rahmen kürzer',
-    wider: 'Rahmen länger',
-    seen: (from, to, most) =>
-      `Gemessene Punkte und das angepasste Gesetz, ${from} bis ${to}. Die Reste bleiben unter ${most}.`
+    wider: 'Rahmen länger'
   },
   law: {
     title: 'Das Gesetz dieses Schwingers',
@@ -136,8 +130,7 @@ export const measure: typeof en = {
     done: 'fertig',
     none: 'fehlt',
     massHint: 'mit ihrem ±, wie „217,6 ± 0,3 g“',
-    giveMass: 'Mit der Masse folgen Federkonstante und Dämpfung in kg/s.',
-    wide: 'Die Unsicherheiten sind geweitet, denn die Reste haben ein Muster.'
+    giveMass: 'Mit der Masse folgen Federkonstante und Dämpfung in kg/s.'
   },
   quantities: {
     stiffness: ['Federkonstante', 'k'],
@@ -195,8 +188,6 @@ export const measure: typeof en = {
   overlay: {
     title: 'Das Gesetz, simuliert',
     caption: 'Das angepasste Gesetz, von zwei Verfahren vom selben Anfang aus gerechnet, neben der Aufnahme: die ersten Schwingungen, und die Energie von allen.',
-    energy: 'Energie',
-    phase: 'Phase',
     energyAxis: (unit) => ['Energie ', 'E', ` (${unit})`],
     velocityAxis: (unit) => ['Geschwindigkeit ', 'v', ` (${unit})`],
     displacementAxis: (unit) => ['Auslenkung ', 'x', ` (${unit})`],
@@ -210,7 +201,7 @@ export const measure: typeof en = {
     step: (step) => `Schritt ${step}.`
   },
   report: (file) => `${file}: das Gesetz eines Schwingers`,
+  opened: (name) => `${name} ist geöffnet.`,
   command: 'Befehl kopieren',
-  commandCopied: 'Der Befehl ist kopiert.',
-  numbers: { show: 'Zahlen zeigen', hide: 'Zahlen ausblenden' }
+  commandCopied: 'Der Befehl ist kopiert.'
 }

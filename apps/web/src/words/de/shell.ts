@@ -27,5 +27,4 @@ export const shell: typeof en = {
     keys: 'Pfeile verschieben, + und − vergrößern und verkleinern, 0 zeigt alles, [ und ] bewegen den Zeiger.',
     rows: (shown, of) => `${shown} von ${of} Zeilen`,
   },
-  badCore: (why) => `Der Rechenkern ist nicht gestartet: ${why}`,
 }

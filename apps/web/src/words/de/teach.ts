@@ -11,7 +11,6 @@ export const teach: typeof en = {
   stepDone: 'erledigt',
   back: 'Zurück',
   next: (title) => `Weiter: ${title}`,
-  lookAt: 'Zu sehen',
   controls: {
     position: ['Ort', 'x₀', 'm', 'Meter'],
     damping: ['Dämpfung', 'c', 'kg/s', 'Kilogramm je Sekunde'],
@@ -179,7 +178,6 @@ export const teach: typeof en = {
   forTeachers: 'Für Lehrende',
   forTeachersText: 'Ein Link gibt allen eine eigene Aufnahme, deren Wahrheit nur der Startwert kennt.',
   makeLink: 'Link für die Klasse',
-  classLink: 'Link für die Klasse',
   course: 'Klasse',
   link: 'Link für die Klasse',
   linkHelp: 'Diesen einen Link austeilen. Alle tragen ihre eigene Nummer oder ihren Namen ein und erhalten die Aufnahme, die dazu gehört.',
@@ -188,7 +186,6 @@ export const teach: typeof en = {
   close: 'Schließen',
   student: 'Ihre Nummer oder Ihr Name in der Klasse',
   studentHelp: 'Danach richtet sich, welche Aufnahme Ihre ist.',
-  start: 'Meine Aufnahme holen',
   check: {
     title: 'Antworten prüfen',
     about: (name, mass, disc, time) =>

@@ -77,10 +77,7 @@ export const measure = {
     start: 'start of the free part',
     end: 'end of the free part',
     frameName: 'frame that is shown larger',
-    time: 'time t (s)',
-    timeSymbol: ['time ', 't', ' (s)'],
-    seen: (what: string, count: string, from: string, to: string) =>
-      `${what} against time: ${count} samples from ${from} to ${to}.`
+    timeSymbol: ['time ', 't', ' (s)']
   },
   fit: {
     title: 'Fit, and what it leaves',
@@ -94,14 +91,10 @@ export const measure = {
     band: 'band: 95 % of what is left',
     working: 'The laws are being compared; this is the best of two so far.',
     workingFirst: 'The law is being fitted.',
-    again: 'Fitted again with the new part.',
     none: 'There is no fit.',
-    overlay: 'Beside simulations',
     grows: 'grows without end',
     narrower: 'Shorter frame',
-    wider: 'Longer frame',
-    seen: (from: string, to: string, most: string) =>
-      `Measured dots and the fitted law, ${from} to ${to}. What is left stays below ${most}.`
+    wider: 'Longer frame'
   },
   law: {
     title: 'The law of this oscillator',
@@ -135,8 +128,7 @@ export const measure = {
     done: 'done',
     none: 'not given',
     massHint: 'with its ±, as “217.6 ± 0.3 g”',
-    giveMass: 'Give the mass to get the spring constant and damping in kg/s.',
-    wide: 'The uncertainties are widened, for the residuals keep a pattern.'
+    giveMass: 'Give the mass to get the spring constant and damping in kg/s.'
   },
   quantities: {
     stiffness: ['spring constant', 'k'],
@@ -195,8 +187,6 @@ export const measure = {
   overlay: {
     title: 'The law, simulated',
     caption: 'The fitted law as two methods step it from the same start, beside the recording: its first swings, and the energy of all.',
-    energy: 'Energy',
-    phase: 'Phase',
     energyAxis: (unit: string) => ['energy ', 'E', ` (${unit})`],
     velocityAxis: (unit: string) => ['velocity ', 'v', ` (${unit})`],
     displacementAxis: (unit: string) => ['displacement ', 'x', ` (${unit})`],
@@ -210,7 +200,7 @@ export const measure = {
     step: (step: string) => `Step ${step}.`
   },
   report: (file: string) => `${file}: the law of an oscillator`,
+  opened: (name: string) => `${name} is open.`,
   command: 'Copy command',
-  commandCopied: 'The command is copied.',
-  numbers: { show: 'Show numbers', hide: 'Hide numbers' }
+  commandCopied: 'The command is copied.'
 }

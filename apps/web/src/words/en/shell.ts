@@ -25,5 +25,4 @@ export const shell = {
     keys: 'Arrows move the plot, + and − zoom, 0 shows all, [ and ] move the cursor.',
     rows: (shown: number, of: number) => `${shown} of ${of} rows`,
   },
-  badCore: (why: string) => `The core did not start: ${why}`,
 }

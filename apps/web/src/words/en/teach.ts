@@ -20,7 +20,6 @@ export const teach = {
   stepDone: 'done',
   back: 'Back',
   next: (title: string) => `Next: ${title}`,
-  lookAt: 'Look at',
   controls: {
     position: ['position', 'x₀', 'm', 'metres'],
     damping: ['damping', 'c', 'kg/s', 'kilograms per second'],
@@ -188,7 +187,6 @@ export const teach = {
   forTeachers: 'For teachers',
   forTeachersText: 'One link gives every student a recording of their own, with a truth that only the seed knows.',
   makeLink: 'Make a class link',
-  classLink: 'Class link',
   course: 'Class',
   link: 'Link for the class',
   linkHelp: 'Hand out this one link. Every student types a number or name of their own, and gets the recording that belongs to it.',
@@ -197,7 +195,6 @@ export const teach = {
   close: 'Close',
   student: 'Your number or name in the class',
   studentHelp: 'It decides which recording is yours.',
-  start: 'Get my recording',
   check: {
     title: 'Check your answers',
     about: (name: string, mass: string, disc: string, time: string) =>
