@@ -41,6 +41,41 @@ class Short final : public Source {
   Headings headings_{"Time (s)", "Position (mm)", "Velocity (mm/s)"};
 };
 
+/// A device whose milliseconds are taken for seconds, or one that is true to time: a row each 20 ms.
+class Device final : public Source {
+ public:
+  explicit Device(double step) : step_(step) {}
+  Result<void> open() override { return {}; }
+  bool receive(double, Rows& rows, std::vector<Notice>&) override {
+    ::usleep(20000);
+    rows.width = 1;
+    rows.add(step_ * n_++, std::vector{1.0});
+    return true;
+  }
+  const Headings& headings() const override { return headings_; }
+
+ private:
+  double step_;
+  int n_ = 0;
+  Headings headings_{"Time (s)", "Value"};
+};
+
+TEST(Recorder, TimesThatPassFarTooFastAreNoticed) {
+  const auto notices = [](double step, double duration) {
+    const std::string path =
+        fs::temp_directory_path() / ("cromer-fast-" + std::to_string(::getpid()) + ".csv");
+    Recorder recorder(std::make_unique<Device>(step), {.path = path, .duration = duration});
+    EXPECT_TRUE(recorder.start());
+    while (recorder.status().running) ::usleep(1000);
+    fs::remove(path);
+    return recorder.notices_since(0);
+  };
+  const auto fast = notices(20, 4);
+  ASSERT_EQ(fast.size(), 1u);
+  EXPECT_NE(fast[0].text.find("--time-unit ms"), std::string::npos) << fast[0].text;
+  EXPECT_TRUE(notices(0.02, 0.1).empty());
+}
+
 // As where Ctrl-C ends the server while the page asks for the end.
 TEST(Recorder, IsStoppedByManyAtTheSameTime) {
   const fs::path path = fs::temp_directory_path() / ("cromer-many-" + std::to_string(::getpid()) + ".csv");

@@ -54,6 +54,8 @@ export const thousands = (count: number): string => String(count).replace(/\B(?=
 
 export const withUnit = (text: string, unit: string): string => (unit ? `${text}${space}${unit}` : text)
 
+const plain = (text: string): string => text.replaceAll(minus, '-').trim()
+const withPoints = (text: string): string => plain(text).replace(/(\d),(?=\d)/g, '$1.')
 const inThousands = /(?<![\d.,])[1-9]\d{0,2}(,\d{3})+(?![\d,])/
 
 /**
@@ -61,12 +63,11 @@ const inThousands = /(?<![\d.,])[1-9]\d{0,2}(,\d{3})+(?![\d,])/
  * English "2,500" is no decimal comma: it is left for the core to refuse.
  */
 export function asTyped(text: string): string {
-  const plain = text.replaceAll(minus, '-').trim()
-  return !comma && inThousands.test(plain) ? plain : plain.replace(/(\d),(?=\d)/g, '$1.')
+  return !comma && inThousands.test(text) ? plain(text) : withPoints(text)
 }
 
-/** A number as typed; NaN where it is none. */
+/** A number as typed, a comma in it as the decimal one in either language; NaN where it is none. */
 export function numberOf(text: string): number {
-  const typed = asTyped(text).replace(/[\s\u202f\u00a0]/g, '')
+  const typed = withPoints(text).replace(/[\s\u202f\u00a0]/g, '')
   return typed === '' ? NaN : Number(typed)
 }

@@ -79,6 +79,7 @@ export async function startOrStop(): Promise<boolean> {
     // The start is taken from the events alone: samples of the last recording may still be under way.
     if (what === 'record') {
       if (recording.name !== answer.recording) recording.awaited = answer.recording
+      else if (!recording.running) await openRecording() // it is over already
     } else {
       tell({ is: 'status', data: answer })
       await openRecording()

@@ -50,9 +50,7 @@ export function quoted(word: string): string {
 
 export function commandLine(file: string, state: Settings, runs = 1, overlay = false): string {
   const words = ['cromer', overlay ? 'compare' : 'fit', quoted(file.startsWith('-') ? `./${file}` : file)]
-  const ofFit = ['disc-diameter', 'temperature']
   for (const [name, value] of fitOptions(state, runs)) {
-    if (overlay && ofFit.includes(name)) continue
     if (name === 'temperature' && value === '20 °C') continue
     words.push(`--${name}`, quoted(value))
   }

@@ -24,6 +24,7 @@ export function rowsOf(fit: Pick<Fit, 'law' | 'parameters' | 'derived' | 'reynol
   const keys = fit.parameters.stiffness ? withMass : withoutMass
   const rows = keys.flatMap((key) => rowOf(key, fit.parameters[key], words))
   rows.push(...rowOf('frequency', fit.derived.frequency, words))
+  for (const key of ['drive_frequency', 'drive_amplitude']) rows.push(...rowOf(key, fit.parameters[key], words))
   if (fit.law === 'viscous') rows.push(...rowOf('quality_factor', fit.derived.quality_factor, words))
   if (fit.reynolds) {
     const { max, standard_error, t } = fit.reynolds

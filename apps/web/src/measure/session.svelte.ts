@@ -65,6 +65,9 @@ export function refusedText(): string {
   return words().core(name === '' || message.startsWith(name) ? message : `${name}: ${message}`)
 }
 
+/// A refusal that stands beside its own field.
+export const isOfField = (message: string): boolean => /^--(mass|disc-diameter|temperature)\b/.test(message)
+
 /// Why there is no fit, in the page's language.
 export const whyNoFit = (): string => words().core(session.message)
 
@@ -121,8 +124,8 @@ export async function openFile(file: File, settings: Partial<typeof measureDefau
   const column = settings.column ?? (alike ? (inspection.column ?? '') : '')
   clear()
   const before = session.file && { file: session.file, settings: $state.snapshot(page.measure) }
-  // What was weighed and measured for an example is not the reader's own.
-  const own = before?.file.synthetic && !file.synthetic ? { mass: '', disc: '' } : {}
+  // What was weighed and measured for one recording is not another's.
+  const own = before && before.file.name !== file.name ? { mass: '', disc: '' } : {}
   settleState((state) => Object.assign(state.measure, { column, run: 1, from: '', to: '', law: '', rate: '' }, own, settings))
   if (before && before.file.name !== file.name) toast(words().measure.opened(file.name), () => void openFile(before.file, before.settings))
   session.refused = null
@@ -183,7 +186,7 @@ async function refit(): Promise<void> {
   const allAsked = state.law === '' ? fitOf('', 2) : null
   const constant = await constantAsked
   if (mine !== turn) return
-  if (typeof constant === 'string') return settle(mine, null, constant)
+  if (typeof constant === 'string') return refuse(mine, constant)
   session.constant = converged(constant) ? constant : null
   if (allAsked && session.constant && performance.now() - began > patience) {
     show(session.constant)
@@ -200,10 +203,15 @@ async function refit(): Promise<void> {
     best = await allAsked
     if (mine !== turn) return
   }
-  if (typeof best === 'string') return settle(mine, null, best)
+  if (typeof best === 'string') return refuse(mine, best)
   if (best && best.status !== 'converged') return settle(mine, null, best.message ?? best.status)
   settle(mine, best, '')
   if (best && state.overlay) await simulate(mine, best.law!)
+}
+
+/// A setting that the core refuses stands beside its field; the fit before it stays.
+function refuse(mine: number, message: string): void {
+  settle(mine, message.startsWith('--') ? session.fit : null, message)
 }
 
 function settle(mine: number, fit: Fit | null, message: string): void {

@@ -32,7 +32,7 @@ describe('the command line', () => {
       'cromer fit "disc 12.csv" --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm"'
     )
     expect(commandLine('a.csv', { ...lab, air: '25 °C' })).toContain('--temperature "25 °C"')
-    expect(commandLine('a.csv', lab, 1, true)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g"')
+    expect(commandLine('a.csv', lab, 1, true)).toBe('cromer compare a.csv --from 4 --to 124 --mass "217.6 ± 0.3 g" --disc-diameter "12 cm"')
   })
   it('is safe in a shell', () => {
     expect(quoted('$(rm).csv')).toBe("'$(rm).csv'")
@@ -46,6 +46,7 @@ describe('the equation', () => {
   it('has the terms of the law', () => {
     expect(text('viscous+drag')).toBe('m x″ + c x′ + d |x′| x′ + k x = 0')
     expect(text('friction')).toBe('m x″ + f sgn x′ + k x = 0')
+    expect(equationOf('viscous', true).map((part) => part.text).join('').replaceAll('\u00a0', ' ')).toBe('m x″ + c x′ + k x = F cos ωt')
     expect(text('viscous+cubic')).toBe('m x″ + c x′ + k x + k₃ x³ = 0')
   })
 })

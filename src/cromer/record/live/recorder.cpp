@@ -10,8 +10,9 @@
 namespace cromer {
 namespace {
 
-constexpr double wait = 0.05;  // [s] for the source, before looking whether to stop
-constexpr double grace = 2;    // [s] that samples may be late before the duration is over without them
+constexpr double wait = 0.05;    // [s] for the source, before looking whether to stop
+constexpr double too_fast = 50;  // a device's clock over the computer's, which no drift explains
+constexpr double grace = 2;      // [s] that samples may be late before the duration is over without them
 constexpr double between_syncs = 0.4;      // [s] with what a sample may be held back, less than one second
 constexpr std::size_t kept_notices = 200;  // of a device that writes garbage all the time
 
@@ -84,19 +85,31 @@ void Recorder::keep_on_disk() {
 void Recorder::record() {
   const double begun = steady_seconds();
   double first_arrival = 0;
+  bool whole = false;
   Rows rows;
   std::vector<Notice> notices;
   for (bool more = true; more && !stop_;) {
     more = source_->receive(wait, rows, notices);
     if (first_arrival == 0 && rows.size() > 0) first_arrival = steady_seconds();
-    if (!publish(rows, notices)) break;
+    if (!publish(rows, notices)) {
+      whole = true;
+      break;
+    }
     if (settings_.duration) {
       const double since = steady_seconds() - (first_arrival > 0 ? first_arrival : begun);
       more = more && since < *settings_.duration + grace;
     }
   }
   source_->finish(rows, notices);
-  if (const double pace = source_->pace(); pace > 50)
+  const double took = steady_seconds() - first_arrival;
+  if (settings_.duration && whole && source_->times().by == TimesBy::device &&
+      took < *settings_.duration / too_fast)
+    notices.push_back(
+        {NoticeKind::clock,
+         fmt::format("{:.4g} s of the device's times passed in {:.2g} s: if they are milliseconds, "
+                     "--time-unit ms says so",
+                     *settings_.duration, took)});
+  if (const double pace = source_->pace(); pace > too_fast)
     notices.push_back(
         {NoticeKind::clock, fmt::format("the device's times run {:.4g} times as fast as the clock: "
                                         "--time-unit says what they are in",

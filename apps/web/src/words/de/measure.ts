@@ -129,6 +129,7 @@ export const measure: typeof en = {
     change: 'ändern',
     done: 'fertig',
     none: 'fehlt',
+    unitMissing: (example) => `Die Einheit fehlt, wie in „${example}“.`,
     massHint: 'mit ihrem ±, wie „217,6 ± 0,3 g“',
     giveMass: 'Mit der Masse folgen Federkonstante und Dämpfung in kg/s.'
   },
@@ -146,6 +147,8 @@ export const measure: typeof en = {
     drag: ['Widerstand / Masse', 'd/m'],
     frequency: ['Frequenz', 'f₀'],
     quality_factor: ['Güte', 'Q'],
+    drive_frequency: ['Frequenz des Antriebs', 'ω'],
+    drive_amplitude: ['Antrieb je Masse', ''],
     reynolds: ['größte Reynolds-Zahl', '']
   },
   observed: {
@@ -166,6 +169,7 @@ export const measure: typeof en = {
     lawOnly: 'angepasstes Gesetz',
     dots: 'Punkte: Stücke der Aufnahme, 95-%-Bereiche',
     none: 'Die Aufnahme ist zu kurz, um sie in Stücke zu teilen.',
+    driven: 'Die Bewegung ist angetrieben.',
     seen: (first, last, from, to) => `Abklingrate ${first} bei der Amplitude ${from}, ${last} bei ${to}.`
   },
   story: {

@@ -84,7 +84,7 @@ export const simulate: typeof en = {
       `${method} nimmt mehr Dämpfung weg, als da ist: aus ${asked} 1/s werden ${gets}; eine freie Schwingung wächst um ${percent} je Periode. Unter *h* = ${limit} ist es stabil.`,
     growsAlways: (method, gets, percent) =>
       `${method} fügt Wachstum von ${gets} 1/s hinzu, wo keine Dämpfung ist: eine freie Schwingung wächst um ${percent} je Periode, bei jedem Schritt.`,
-    growsFast: (method, limit) => `${method} wächst mit jedem Schritt. Unter *h* = ${limit} ist es stabil.`,
+    growsFast: (method, limit) => `${method} wächst hier von Schritt zu Schritt. Unter *h* = ${limit} ist es stabil.`,
     adds: (method, asked, gets, loses, should) =>
       `${method} bringt eigene Dämpfung mit: aus ${asked} 1/s werden ${gets}. Eine freie Schwingung verliert ${loses} je Periode statt ${should}.`,
     takes: (method, asked, gets, loses, should) =>
@@ -109,7 +109,7 @@ export const simulate: typeof en = {
   studyTitle: 'Eine Masse an einer Feder, simuliert',
   studyCaption: 'Ort gegen Zeit, Verfahren für Verfahren.',
   live: {
-    grows: (step, method, percent) => `Schritt ${step}: ${method} wächst, ${percent} je Periode.`,
+    grows: (step, method, percent) => `Schritt ${step}: ${method} wächst${percent && `, ${percent} je Periode`}.`,
     stable: (step) => `Schritt ${step}: alle Verfahren sind stabil.`,
     failed: (why) => why,
   },

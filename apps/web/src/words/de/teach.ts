@@ -80,7 +80,7 @@ export const teach: typeof en = {
       title: 'Was der Schritt ausmacht',
       text: 'Euler vorwärts nimmt die Kraft am Anfang des Schrittes. Bei *h* = 0,025 s wächst seine Schwingung ohne Ende, obwohl das Gesetz dämpft. Den **Schritt *h*** unter **0,0222 s** schieben.',
       goal: 'Zu tun: *h* ist unter 0,0222 s',
-      done: 'Erledigt: Euler vorwärts wächst nicht mehr',
+      done: 'Erledigt: sein Ausschlag hat nun ein Ende; mit kleineren Schritten kommt es früher',
       whyTitle: 'Warum bei 0,0222 s?',
       why: 'Jeder Schritt nimmt *ω*₀²*h*/2 von der Abklingrate *c*/2*m* = 0,1 1/s weg. Nichts bleibt von ihr bei *h* = *c*/*k* = 0,0222 s. Ein kleinerer Schritt hilft; ein besseres Verfahren hilft mehr.',
       next: 'aufschreiben'
@@ -210,7 +210,7 @@ export const teach: typeof en = {
       noUncertainty: '± fehlt',
       noNumber: 'keine Zahl'
     },
-    within: (part) => `Innerhalb Ihrer Unsicherheit: ${part} Ihres ±.`,
+    within: (part) => `Innerhalb des Doppelten Ihrer Unsicherheit: um ${part} Ihres ± daneben.`,
     massLimits: 'Begrenzt wird sie durch die Masse.',
     tooSmall: {
       frequency: 'Der Wert ist gut. Seine Unsicherheit nicht: So viele Stellen gibt die Aufnahme nicht her.',

@@ -127,6 +127,7 @@ export const measure = {
     change: 'change',
     done: 'done',
     none: 'not given',
+    unitMissing: (example: string) => `Add the unit, as in “${example}”.`,
     massHint: 'with its ±, as “217.6 ± 0.3 g”',
     giveMass: 'Give the mass to get the spring constant and damping in kg/s.'
   },
@@ -144,6 +145,8 @@ export const measure = {
     drag: ['drag / mass', 'd/m'],
     frequency: ['frequency', 'f₀'],
     quality_factor: ['quality factor', 'Q'],
+    drive_frequency: ['frequency of the drive', 'ω'],
+    drive_amplitude: ['drive, per mass', ''],
     reynolds: ['Reynolds number, largest', '']
   } as Record<string, [string, string]>,
   observed: {
@@ -164,6 +167,7 @@ export const measure = {
     lawOnly: 'fitted law',
     dots: 'dots: pieces of the recording, 95 % intervals',
     none: 'The recording is too short to be cut into pieces.',
+    driven: 'The motion is driven.',
     seen: (first: string, last: string, from: string, to: string) =>
       `Decay rate ${first} at amplitude ${from}, ${last} at ${to}.`
   },

@@ -82,7 +82,7 @@ export const simulate = {
       `${method} takes away more damping than there is: ${asked} 1/s becomes ${gets}, so a free swing grows by ${percent} every cycle. Below *h* = ${limit} it is stable.`,
     growsAlways: (method: string, gets: string, percent: string) =>
       `${method} adds growth of ${gets} 1/s where there is no damping: a free swing grows by ${percent} every cycle, at any step.`,
-    growsFast: (method: string, limit: string) => `${method} grows at every step. Below *h* = ${limit} it is stable.`,
+    growsFast: (method: string, limit: string) => `${method} grows from step to step here. Below *h* = ${limit} it is stable.`,
     adds: (method: string, asked: string, gets: string, loses: string, should: string) =>
       `${method} adds damping of its own: ${asked} 1/s becomes ${gets}. A free swing loses ${loses} every cycle instead of ${should}.`,
     takes: (method: string, asked: string, gets: string, loses: string, should: string) =>
@@ -107,7 +107,7 @@ export const simulate = {
   studyTitle: 'A mass on a spring, simulated',
   studyCaption: 'Position against time, method by method.',
   live: {
-    grows: (step: string, method: string, percent: string) => `Step ${step}: ${method} grows, ${percent} a cycle.`,
+    grows: (step: string, method: string, percent: string) => `Step ${step}: ${method} grows${percent && `, ${percent} a cycle`}.`,
     stable: (step: string) => `Step ${step}: all methods are stable.`,
     failed: (why: string) => why,
   },

@@ -89,7 +89,7 @@ export const teach = {
       title: 'What the step does',
       text: 'Forward Euler takes the force where the step begins. At *h* = 0.025 s its swing grows without end, though the law has damping. Drag **step *h*** below **0.0222 s**.',
       goal: 'To do: *h* is below 0.0222 s',
-      done: 'Done: forward Euler settles',
+      done: 'Done: its swing has an end now; with smaller steps it comes sooner',
       whyTitle: 'Why at 0.0222 s?',
       why: 'Each step takes *ω*₀²*h*/2 off the decay rate *c*/2*m* = 0.1 1/s. Nothing is left of it at *h* = *c*/*k* = 0.0222 s. A smaller step helps; a better method helps more.',
       next: 'write it up'
@@ -219,7 +219,7 @@ export const teach = {
       noUncertainty: '± missing',
       noNumber: 'no number'
     },
-    within: (part: string) => `Within your uncertainty: ${part} of your ±.`,
+    within: (part: string) => `Within twice your uncertainty: off by ${part} of your ±.`,
     massLimits: 'The mass is what limits it.',
     tooSmall: {
       frequency: 'The value is good. Its uncertainty is not: the recording does not give that many digits.',
