@@ -59,12 +59,7 @@ Json motion(const SimulatedRun& run, Json times) {
   object["drive_frequency"] = run.drive.frequency;
   object["status"] = name(outcome.status);
   object["energy_at_end"] = energy(run.oscillator, outcome.y);
-  object["effective"] = run.effect ? to_json(run.effect->effective) : Json(nullptr);
-  if (run.effect) {
-    object["stable"] = run.effect->stable;
-    if (!run.effect->stable) object["stability_limit"] = json_or_null(run.effect->stability_limit);
-    object["energy_factor_per_cycle"] = json_or_null(run.effect->effective.energy_factor());
-  }
+  add_effect(object, run.effect);
   object["states"] = states(run, std::move(times));
   return object;
 }

@@ -5,7 +5,7 @@ import { looks } from '../state/looks.svelte'
 import { page } from '../state/page.svelte'
 import { toast } from '../state/notices.svelte'
 import { settle as settleState } from '../state/undo.svelte'
-import { compareOptions, fitOptions, inspectOptions } from './questions'
+import { compareOptions, fieldOptions, fitOptions, inspectOptions } from './questions'
 import { words } from '../words/words.svelte'
 import { namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
@@ -66,7 +66,7 @@ export function refusedText(): string {
 }
 
 /// A refusal that stands beside its own field.
-export const isOfField = (message: string): boolean => /^--(mass|disc-diameter|temperature)\b/.test(message)
+export const isOfField = (message: string): boolean => Object.values(fieldOptions).some((option) => message.startsWith(option))
 
 /// Why there is no fit, in the page's language.
 export const whyNoFit = (): string => words().core(session.message)

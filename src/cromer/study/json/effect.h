@@ -23,4 +23,14 @@ inline Json to_json(const EffectiveOscillator& effective) {
   return object;
 }
 
+/// "effective", null where none is known, with "stable", "energy_factor_per_cycle" and, where it is passed,
+/// "stability_limit".
+inline void add_effect(Json& object, const std::optional<MethodEffect>& effect) {
+  object["effective"] = effect ? to_json(effect->effective) : Json(nullptr);
+  if (!effect) return;
+  object["stable"] = effect->stable;
+  if (!effect->stable) object["stability_limit"] = json_or_null(effect->stability_limit);
+  object["energy_factor_per_cycle"] = json_or_null(effect->effective.energy_factor());
+}
+
 }  // namespace cromer

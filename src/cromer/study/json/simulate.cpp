@@ -78,19 +78,15 @@ Json states(const SimulatedRun& run) {
   return columns;
 }
 
-/// What the method really simulates, and what was set of it.
-void add_effect(Json& object, const SimulatedRun& run) {
+/// What was set of the method, and what it really simulates.
+void add_method(Json& object, const SimulatedRun& run) {
   if (run.method == "newmark") {
     object["beta"] = run.settings.beta;
     object["gamma"] = run.settings.gamma;
   }
   if (run.method == "generalized-alpha") object["rho_inf"] = run.settings.rho_inf;
   if (const std::string words = run_in_words(run); !words.empty()) object["in_words"] = words;
-  object["effective"] = run.effect ? to_json(run.effect->effective) : Json(nullptr);
-  if (!run.effect) return;
-  object["stable"] = run.effect->stable;
-  if (!run.effect->stable) object["stability_limit"] = json_or_null(run.effect->stability_limit);
-  object["energy_factor_per_cycle"] = json_or_null(run.effect->effective.energy_factor());
+  add_effect(object, run.effect);
 }
 
 Json transmissibility(const RunTransmission& found) {
@@ -136,7 +132,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
   object["energy_balance"] = run.energy_balance ? energy_balance(*run.energy_balance) : Json(nullptr);
   if (run.modified_energy) object["modified_energy"] = modified_energy(*run.modified_energy);
   if (run.measured) object["measured"] = measured(*run.measured);
-  add_effect(object, run);
+  add_method(object, run);
   if (run.transmission) object["transmissibility"] = transmissibility(*run.transmission);
   object["sensor"] = sensor(options.sensor);
   return object;
