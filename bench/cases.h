@@ -29,9 +29,9 @@ inline constexpr ForcedRun forced_runs[] = {
 };
 
 /// The terms that they have, for peers that are told them when compiled.
-inline constexpr Terms linear_terms{.drive = true, .damping = true};
-inline constexpr Terms all_smooth_terms{.drive = true, .damping = true, .cubic = true, .drag = true};
-inline constexpr Terms duffing_terms{.drive = true, .damping = true, .cubic = true};
+inline constexpr Terms linear_terms{.drive = true, .law = law_of("viscous")};
+inline constexpr Terms all_smooth_terms{.drive = true, .law = law_of("viscous+drag+cubic")};
+inline constexpr Terms duffing_terms{.drive = true, .law = law_of("viscous+cubic")};
 
 /// The law as the peers are given it, its cosine in every evaluation, with the terms the run has [m/s^2].
 template <Terms terms>
@@ -39,8 +39,8 @@ double acceleration(const ForcedRun& run, double t, double x, double v) {
   const Oscillator<double>& o = run.oscillator;
   double force = run.drive.amplitude * std::cos(run.drive.frequency * t + run.drive.phase) - o.stiffness * x -
                  o.damping * v;
-  if constexpr (terms.cubic) force -= o.cubic * x * x * x;
-  if constexpr (terms.drag) force -= o.drag * v * std::abs(v);
+  if constexpr (terms.law.has<Cubic>()) force -= o.cubic * x * x * x;
+  if constexpr (terms.law.has<Drag>()) force -= o.drag * v * std::abs(v);
   return force / o.mass;
 }
 

@@ -162,7 +162,7 @@ TEST(EffectiveOscillator, TheMotionIsThatOfTheEffectiveOne) {
   // Three states of a run of any oscillating map satisfy x2 = 2 rho cos(theta) x1 - rho^2 x0.
   const double h = 0.05;
   const LinearLaw<double> law = law_of(9, 0.05);
-  const DrivenOscillator<double, Terms{.damping = true}> system({1, 81, 0.9, 0, 0, 0}, {});
+  const DrivenOscillator<double, Terms{.law = law_of("viscous")}> system({1, 81, 0.9, 0, 0, 0}, {});
   for_each_method({}, [&](const auto& method) {
     if (method.info.error_order > 0) return;
     const auto found = effective_oscillator(method, law, h);
@@ -230,7 +230,7 @@ TEST(EffectiveOscillator, ADrivenRunSettlesWhereItSays) {
   LinearLaw<double> law = law_of(6, 0.1);
   law.drive_amplitude = 1.5;
   law.drive_frequency = W;
-  const DrivenOscillator<double, Terms{.drive = true, .damping = true}> system({1, 36, 1.2, 0, 0, 0},
+  const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}> system({1, 36, 1.2, 0, 0, 0},
                                                                                {1.5, W, 0});
   for_each_method({}, [&](const auto& method) {
     if (method.info.error_order > 0) return;

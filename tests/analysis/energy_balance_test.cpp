@@ -18,7 +18,7 @@
 namespace cromer {
 namespace {
 
-constexpr Terms everything{.drive = true, .damping = true, .cubic = true, .drag = true};
+constexpr Terms everything{.drive = true, .law = law_of("viscous+drag+cubic")};
 constexpr double quarter = std::numbers::pi / 2 / 3;  // of the natural period of 9 N/m and 1 kg
 
 auto force_of(const HarmonicDrive<double>& drive) {
@@ -37,7 +37,7 @@ EnergyBalance exact(const Oscillator<double>& law, const HarmonicDrive<double>& 
 }
 
 /// The balance of a run of a law of 1 kg, from its states.
-template <Terms terms = Terms{.drive = true, .damping = true}, class M>
+template <Terms terms = Terms{.drive = true, .law = law_of("viscous")}, class M>
 EnergyBalance ledger(const M& method, const Oscillator<double>& law, const HarmonicDrive<double>& drive,
                      const State<double>& start, double until, double step) {
   const DrivenOscillator<double, terms> system(law,

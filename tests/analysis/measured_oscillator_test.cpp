@@ -16,7 +16,7 @@ namespace cromer {
 namespace {
 
 /// Of a law of 1 kg.
-template <Terms terms = Terms{.damping = true}, class M>
+template <Terms terms = Terms{.law = law_of("viscous")}, class M>
 Trajectory run(const M& method, const Oscillator<double>& law, const State<double>& start, double until,
                double step) {
   KeepEvery keep(1, count_steps({0, until}, step));
@@ -59,7 +59,7 @@ TEST(MeasuredOscillator, FindsTheDuffingOscillatorsFrequency) {
   }
   const double period = 4 * std::numbers::pi / (2 * a) / std::sqrt(2);
   const auto measured = measure_oscillator(
-      run<Terms{.cubic = true}>(Rk4{}, {.mass = 1, .stiffness = 1, .cubic = 1}, {1, 0}, 100, 0.002));
+      run<Terms{.law = law_of("cubic")}>(Rk4{}, {.mass = 1, .stiffness = 1, .cubic = 1}, {1, 0}, 100, 0.002));
   ASSERT_TRUE(measured);
   EXPECT_NEAR(measured->angular_frequency, 2 * std::numbers::pi / period, 1e-9);
   EXPECT_NEAR(measured->decay_rate, 0, 1e-10);

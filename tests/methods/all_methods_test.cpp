@@ -13,7 +13,7 @@
 namespace cromer {
 namespace {
 
-using Oscillating = DrivenOscillator<double, Terms{.drive = true, .damping = true}>;
+using Oscillating = DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}>;
 using Free = DrivenOscillator<double, Terms{}>;
 
 const Oscillating damped_and_driven({1, 9, 0.4, 0, 0, 0}, {1.0, 2.0, 0.3});
@@ -47,7 +47,7 @@ TEST_P(EveryMethod, KeepsAreaIfSymplectic) {
     return y.x.derivative[0] * y.v.derivative[1] - y.x.derivative[1] * y.v.derivative[0];
   };
   for (const double h : {0.01, 0.1, 0.3}) {
-    const DrivenOscillator<D, Terms{.cubic = true}> hardening({1.0, 9.0, 0.0, 0.0, 0.0, 4.0}, {});
+    const DrivenOscillator<D, Terms{.law = law_of("cubic")}> hardening({1.0, 9.0, 0.0, 0.0, 0.0, 4.0}, {});
     const DrivenOscillator<D, Terms{}> linear({1.0, 9.0, 0.0, 0.0, 0.0, 0.0}, {});
     const double off =
         std::abs(area(GetParam() == "exact" ? end(linear, start, h, h) : end(hardening, start, h, h)) - 1);
@@ -141,7 +141,7 @@ TEST_P(EveryMethod, RestStaysAtRest) {
 
 TEST_P(EveryMethod, RestsInAnEquilibriumUnderConstantForce) {
   // Rounding is all that moves it; implicit methods must not take that for no convergence.
-  const DrivenOscillator<double, Terms{.drive = true, .damping = true}> pushed({1, 7, 0.1, 0, 0, 0},
+  const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}> pushed({1, 7, 0.1, 0, 0, 0},
                                                                                {0.3, 0, 0});
   for (const double h : {1e-5, 0.01, 0.2}) {
     const State<double> y = end(pushed, {0.3 / 7, 0}, 100 * h, h);
@@ -156,7 +156,7 @@ TEST_P(EveryMethod, CarriesDerivatives) {
     const Oscillating system({1, k, 0.4, 0, 0, 0}, {1.0, 2.0, 0.3});
     return end(system, {x0, -0.3}, 1, 0.01).x;
   };
-  const DrivenOscillator<D, Terms{.drive = true, .damping = true}> system(
+  const DrivenOscillator<D, Terms{.drive = true, .law = law_of("viscous")}> system(
       {1.0, D::variable(9, 0), 0.4, 0.0, 0.0, 0.0}, {1.0, 2.0, 0.3});
   const State<D> y = end(system, State<D>{D::variable(0.5, 1), -0.3}, 1, 0.01);
   EXPECT_DOUBLE_EQ(y.x.value, run(9, 0.5));

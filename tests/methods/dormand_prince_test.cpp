@@ -9,7 +9,7 @@
 namespace cromer {
 namespace {
 
-const DrivenOscillator<double, Terms{.drive = true, .damping = true}> swinging({1, 9, 0.4, 0, 0, 0},
+const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}> swinging({1, 9, 0.4, 0, 0, 0},
                                                                                {1.0, 2.0, 0.3});
 static_assert(AdaptiveMethod<DormandPrince, decltype(swinging), double>);
 

@@ -37,7 +37,7 @@ TEST(AnyTerms, AcceleratesAsTheLawWithExactlyItsTermsDoes) {
 
 TEST(AnyTerms, SlidesAlongTheArcOfDryFriction) {
   const Oscillator<double> o{.mass = 1, .stiffness = 4, .damping = 0.2, .friction = 0.3};
-  const DryFriction typed(DrivenOscillator<double, Terms{.damping = true}>(o, {}), 0.3, 0.3);
+  const DryFriction typed(DrivenOscillator<double, Terms{.law = law_of("viscous")}>(o, {}), 0.3, 0.3);
   const AnyFriction any(AnyTerms(o, {}), 0.3, 0.3);
   for (const int direction : {-1, 1}) {
     const State<double> y0{0.5, direction * 0.1};

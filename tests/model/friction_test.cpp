@@ -7,7 +7,7 @@
 namespace cromer {
 namespace {
 
-using Smooth = DrivenOscillator<double, Terms{.damping = true}>;
+using Smooth = DrivenOscillator<double, Terms{.law = law_of("viscous")}>;
 const Smooth smooth({.mass = 1, .stiffness = 9, .damping = 0.2}, {});
 const DryFriction friction(smooth, 0.5, 0.8);
 
@@ -42,9 +42,9 @@ TEST(Friction, AnArcSolvesTheEquationOfItsPhase) {
 }
 
 TEST(Friction, IsInTheLawAsATermOfItsOwn) {
-  EXPECT_TRUE(terms_of(Oscillator<double>{.friction = 1}, HarmonicDrive<double>{}).friction);
-  EXPECT_TRUE(terms_of(Oscillator<double>{.static_friction = 1}, HarmonicDrive<double>{}).friction);
-  EXPECT_FALSE(terms_of(Oscillator<double>{}, HarmonicDrive<double>{}).friction);
+  EXPECT_TRUE(terms_of(Oscillator<double>{.friction = 1}, HarmonicDrive<double>{}).law.has<Friction>());
+  EXPECT_TRUE(terms_of(Oscillator<double>{.static_friction = 1}, HarmonicDrive<double>{}).law.has<Friction>());
+  EXPECT_FALSE(terms_of(Oscillator<double>{}, HarmonicDrive<double>{}).law.has<Friction>());
   // Per unit mass: 1 N on 2 kg.
   const double holding = with_terms(Oscillator<double>{.mass = 2, .friction = 1}, HarmonicDrive<double>{},
                                     [](const auto& system) {

@@ -8,7 +8,6 @@
 #include "cromer/methods/dormand_prince.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
-#include "cromer/study/task/run_pendulum.h"
 
 namespace cromer {
 namespace {
@@ -95,11 +94,6 @@ Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   assert(!run.compensated && !run.general && (!run.events || run.events->events.empty()));
   const Oscillator<double> per_mass = divided_by_mass(run.oscillator);
   return run_terms(AnyTerms(per_mass, force_of(run.drive, run.oscillator.mass)), per_mass, run, keep, watch);
-}
-
-Outcome run_pendulum(const LawRun& run, KeepEvery& keep, const Watch& watch) {
-  const Oscillator<double> per_mass = divided_by_mass(run.oscillator);
-  return run_terms(AnyTerms(per_mass, {}, true), per_mass, run, keep, watch);
 }
 
 }  // namespace cromer

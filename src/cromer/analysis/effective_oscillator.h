@@ -75,7 +75,7 @@ StepMapOf<Number> step_map_of(const ImageOf& image, const LinearLaw<double>& law
   // Undamped, methods may spare an equation: the run would, so the map does.
   const auto free = [&](const Image& z) {
     return law.decay_rate == 0 ? image.template operator()<Terms{}>(per_mass, {}, z, map)
-                               : image.template operator()<Terms{.damping = true}>(per_mass, {}, z, map);
+                               : image.template operator()<Terms{.law = law_of("viscous")}>(per_mass, {}, z, map);
   };
   map.column[0] = free({1, 0, 0});
   map.column[1] = free({0, 1, 0});
@@ -83,7 +83,7 @@ StepMapOf<Number> step_map_of(const ImageOf& image, const LinearLaw<double>& law
   if (law.drive_amplitude != 0) {
     // By cos(W t) and by sin(W t): the real and the imaginary part.
     const auto driven = [&](Number phase) {
-      return image.template operator()<Terms{.drive = true, .damping = true}>(
+      return image.template operator()<Terms{.drive = true, .law = law_of("viscous")}>(
           per_mass, HarmonicForce<Number>{law.drive_amplitude, law.drive_frequency, phase}, Image{0, 0, 0},
           map);
     };

@@ -28,11 +28,11 @@ void fill_group(std::span<const Point> points, cromer_group::Group& group) {
     group.x.of[i] = point.start.x;
     group.v.of[i] = point.start.v;
     const Terms terms = terms_of(point.oscillator, point.drive);
-    assert(!terms.friction);
+    assert(!terms.law.has<Friction>());
     group.terms.drive |= terms.drive;
-    group.terms.damping |= terms.damping;
-    group.terms.drag |= terms.drag;
-    group.terms.cubic |= terms.cubic;
+    group.terms.damping |= terms.law.has<Viscous>();
+    group.terms.drag |= terms.law.has<Drag>();
+    group.terms.cubic |= terms.law.has<Cubic>();
   }
 }
 

@@ -236,9 +236,9 @@ void advance_all(cromer_group::Group& group, const M& method, const cromer_group
 template <class Real, class M, bool measured>
 void advance_with_terms(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   const auto driven = [&]<bool drive>() {
-    constexpr Terms linear{.drive = drive, .damping = true};
-    constexpr Terms duffing{.drive = drive, .damping = true, .cubic = true};
-    constexpr Terms whole{.drive = drive, .damping = true, .cubic = true, .drag = true};
+    constexpr Terms linear{.drive = drive, .law = law_of("viscous")};
+    constexpr Terms duffing{.drive = drive, .law = law_of("viscous+cubic")};
+    constexpr Terms whole{.drive = drive, .law = law_of("viscous+drag+cubic")};
     if (group.terms.drag) return advance_all<Real, M, whole, measured>(group, method, order);
     if (group.terms.cubic) return advance_all<Real, M, duffing, measured>(group, method, order);
     advance_all<Real, M, linear, measured>(group, method, order);

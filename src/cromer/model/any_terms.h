@@ -10,8 +10,8 @@
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 #include "cromer/model/drive.h"
-#include "cromer/model/force_terms.h"
 #include "cromer/model/harmonic_force.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
 
@@ -20,11 +20,9 @@ namespace cromer {
 /// Smooth, or sliding one way with dry friction.
 class AnyTerms {
  public:
-  /// Oscillator and force per unit mass; its friction is not looked at. A pendulum's x is an angle [rad].
-  AnyTerms(const Oscillator<double>& per_mass, const HarmonicForce<double>& force, bool pendulum = false)
-      : law_(per_mass), force_(force), pendulum_(pendulum ? per_mass.stiffness : 0) {
-    if (pendulum) law_.stiffness = 0;
-  }
+  /// Oscillator and force per unit mass; its friction is not looked at.
+  AnyTerms(const Oscillator<double>& per_mass, const HarmonicForce<double>& force)
+      : law_(per_mass), present_(law_of(per_mass).without(law_with<Friction>)), force_(force) {}
 
   /// The same, slowed by a constant friction [m/s^2]; positive slows a positive velocity.
   AnyTerms sliding(double friction) const {
@@ -34,21 +32,17 @@ class AnyTerms {
   }
 
   /// The force depends on the velocity.
-  bool resists() const { return law_.damping != 0 || law_.drag != 0; }
+  bool resists() const { return present_.shares(terms_of_velocity); }
   bool driven() const { return force_.amplitude != 0; }
-  bool linear() const { return law_.cubic == 0 && law_.drag == 0 && pendulum_ == 0; }
+  bool linear() const { return linear_terms.contains(present_); }
 
   /// [m/s^2]. T is double, or a Dual over it.
   template <class T>
   T acceleration(double t, const T& x, const T& v) const {
     T a(0.0);
     if (driven()) a = T(table_ ? (*table_)(t) : force_(t));
-    if (law_.drag != 0)
-      a = a - resistance_term<true>(law_, v);
-    else if (law_.damping != 0)
-      a = a - resistance_term<false>(law_, v);
-    a = a - (law_.cubic != 0 ? restoring_term<true>(law_, x) : restoring_term<false>(law_, x));
-    if (pendulum_ != 0) a = a - pendulum_term(pendulum_, x);
+    if (resists()) a = a - resisting_force<any_terms>(law_, present_, x, v);
+    a = a - restoring_force<any_terms>(law_, present_, x);
     if (friction_ != 0) a = a - T(friction_);
     return a;
   }
@@ -83,9 +77,9 @@ class AnyTerms {
 
  private:
   Oscillator<double> law_;  // per unit mass; its mass is not used
+  Law present_;
   HarmonicForce<double> force_;
   double friction_ = 0;  // [m/s^2]
-  double pendulum_;      // [rad/s^2] of sin x; 0 where x is no angle, else the spring is
   const TabulatedForce<double>* table_ = nullptr;
 };
 

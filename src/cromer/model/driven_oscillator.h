@@ -15,9 +15,9 @@
 #include "cromer/base/state.h"
 #include "cromer/model/any_terms.h"
 #include "cromer/model/drive.h"
-#include "cromer/model/force_terms.h"
 #include "cromer/model/friction.h"
 #include "cromer/model/harmonic_force.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/node_force.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
@@ -33,28 +33,23 @@ concept HasClosedForm = requires(const Force& force, const LinearLaw<Real>& law,
   { force.propagate(law, t, t, y) } -> std::convertible_to<State<Real>>;
 };
 
-/// The oscillator per unit mass.
-template <class Real>
-constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& o) {
-  return {.mass = Real(1),
-          .stiffness = o.stiffness / o.mass,
-          .damping = o.damping / o.mass,
-          .drag = o.drag / o.mass,
-          .friction = o.friction / o.mass,
-          .cubic = o.cubic / o.mass,
-          .static_friction = o.static_friction / o.mass};
-}
+/// In place of a law that is known when compiling.
+struct NoLaw {
+  constexpr operator Law() const { return {}; }  // NOLINT: of no terms
+};
 
-/// The smooth law per unit mass: x'' = f(t) - s x - k3 x^3 - (c + d |x'|) x', each coefficient divided by
-/// m. Force gives f(t) [m/s^2]: HarmonicForce, TabulatedForce after on_grid, NodeForce after on_nodes, or one
+/// The law's smooth terms per unit mass: x'' = f(t) - the sum of their forces, each coefficient divided by m.
+/// Force gives f(t) [m/s^2]: HarmonicForce, TabulatedForce after on_grid, NodeForce after on_nodes, or one
 /// of general_drive.h.
 template <class Real, Terms terms, class Force = HarmonicForce<Real>>
 class DrivenOscillator {
  public:
   /// Oscillator and force per unit mass.
-  DrivenOscillator(const Oscillator<Real>& per_mass, const Force& force) : law_(per_mass), force_(force) {}
+  DrivenOscillator(const Oscillator<Real>& per_mass, const Force& force) : law_(per_mass), force_(force) {
+    if constexpr (terms.law == any_terms) present_ = law_of(per_mass);
+  }
 
-  static constexpr bool depends_on_velocity = terms.damping || terms.drag;
+  static constexpr bool depends_on_velocity = has_resistance(terms.law);
   static constexpr bool depends_on_time = terms.drive;
 
   /// Made ready by on_nodes, for a method of many stages.
@@ -65,14 +60,14 @@ class DrivenOscillator {
   T acceleration([[maybe_unused]] const Time& t, const T& x, [[maybe_unused]] const T& v) const {
     // The restoring force last: from x to the next x is the longest way through a step. Through many stages
     // it is from v to v, where drag makes the resistance the longer part.
-    if constexpr (terms.drive && terms.drag && at_nodes)
-      return (T(force_(t)) - restoring(x)) - resistance(v);
+    if constexpr (terms.drive && terms.law.has<Drag>() && at_nodes)
+      return (T(force_(t)) - restoring(x)) - resistance(x, v);
     else if constexpr (terms.drive && depends_on_velocity)
-      return (T(force_(t)) - resistance(v)) - restoring(x);
+      return (T(force_(t)) - resistance(x, v)) - restoring(x);
     else if constexpr (terms.drive)
       return T(force_(t)) - restoring(x);
     else if constexpr (depends_on_velocity)
-      return -resistance(v) - restoring(x);
+      return -resistance(x, v) - restoring(x);
     else
       return -restoring(x);
   }
@@ -141,16 +136,17 @@ class DrivenOscillator {
  private:
   template <class T>
   T restoring(const T& x) const {
-    return restoring_term<terms.cubic>(law_, x);
+    return restoring_force<terms.law>(law_, present_, x);
   }
 
   template <class T>
-  T resistance(const T& v) const {
-    return resistance_term<terms.drag>(law_, v);
+  T resistance(const T& x, const T& v) const {
+    return resisting_force<terms.law>(law_, present_, x, v);
   }
 
   Oscillator<Real> law_;  // per unit mass; its mass is not used
   Force force_;
+  [[no_unique_address]] std::conditional_t<terms.law == any_terms, Law, NoLaw> present_{};
 };
 
 /// The drive per unit mass.
@@ -159,30 +155,40 @@ HarmonicForce<Real> force_of(const HarmonicDrive<Real>& drive, const Real& mass)
   return {drive.amplitude / mass, drive.frequency, drive.phase};
 }
 
+/// f.operator()<law>() with the compiled law of the terms present.
+template <class F>
+decltype(auto) with_compiled_law(Law present, F&& f) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>) -> decltype(auto) {
+    using Returned = decltype(f.template operator()<any_terms>());
+    const Law wanted = compiled_law(present);
+    if constexpr (std::is_void_v<Returned>) {
+      if (!((wanted == compiled_laws[i] && (f.template operator()<compiled_laws[i]>(), true)) || ...))
+        f.template operator()<any_terms>();
+    } else {
+      Returned returned{};
+      if (!((wanted == compiled_laws[i] && (returned = f.template operator()<compiled_laws[i]>(), true)) || ...))
+        returned = f.template operator()<any_terms>();
+      return returned;
+    }
+  }(std::make_index_sequence<std::size(compiled_laws)>{});
+}
+
 /// Calls f with the smooth law that has the terms with a coefficient other than zero, and returns what it
-/// returns; the friction is left out. Drag brings damping along. `driven`: under the force, else without it.
+/// returns; the friction is left out. `driven`: under the force, else without it.
 template <bool driven, class Real, class F>
 decltype(auto) with_smooth_terms(const Oscillator<Real>& oscillator, const HarmonicForce<Real>& force,
                                  F&& f) {
-  [[maybe_unused]] const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
   if constexpr (!each_set_of_terms) {
     return std::forward<F>(f)(AnyTerms(per_mass, driven ? force : HarmonicForce<Real>{}));
   } else {
-    const auto with_resistance = [&]<bool cubic>() -> decltype(auto) {
-      constexpr Terms bare{.drive = driven, .cubic = cubic};
-      constexpr Terms damped{.drive = driven, .damping = true, .cubic = cubic};
-      constexpr Terms dragged{.drive = driven, .damping = true, .cubic = cubic, .drag = true};
-      if (present.drag) return std::forward<F>(f)(DrivenOscillator<Real, dragged>(per_mass, force));
-      if (present.damping) return std::forward<F>(f)(DrivenOscillator<Real, damped>(per_mass, force));
-      return std::forward<F>(f)(DrivenOscillator<Real, bare>(per_mass, force));
-    };
-    return present.cubic ? with_resistance.template operator()<true>()
-                         : with_resistance.template operator()<false>();
+    return with_compiled_law(law_of(oscillator).without(law_with<Friction>), [&]<Law law>() -> decltype(auto) {
+      return f(DrivenOscillator<Real, Terms{.drive = driven, .law = law}>(per_mass, force));
+    });
   }
 }
 
-/// Calls f with the DryFriction around the law. It brings damping and drag along, but for the linear law
+/// Calls f with the DryFriction around the law. It brings the other terms along, but for the linear law
 /// without a drive, which has a closed form.
 template <class Real, class F>
 decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive,
@@ -194,18 +200,14 @@ decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const Harmo
     return std::forward<F>(f)(DryFriction(DrivenOscillator<Real, terms>(per_mass, force), per_mass.friction,
                                           per_mass.static_friction));
   };
-  [[maybe_unused]] const auto with_drag = [&]<bool driven>() -> decltype(auto) {
-    constexpr Terms linear{.drive = driven, .damping = true, .drag = true};
-    constexpr Terms cubic{.drive = driven, .damping = true, .cubic = true, .drag = true};
-    return present.cubic ? rub.template operator()<cubic>() : rub.template operator()<linear>();
-  };
   if constexpr (!each_set_of_terms) {
     return std::forward<F>(f)(
         AnyFriction(AnyTerms(per_mass, force), per_mass.friction, per_mass.static_friction));
   } else {
-    if (present.drive) return with_drag.template operator()<true>();
-    if (present.cubic || present.drag) return with_drag.template operator()<false>();
-    return rub.template operator()<Terms{.damping = true}>();
+    if (present.drive) return rub.template operator()<Terms{.drive = true, .law = any_terms}>();
+    if (!linear_terms.contains(present.law.without(law_with<Friction>)))
+      return rub.template operator()<Terms{.law = any_terms}>();
+    return rub.template operator()<Terms{.law = linear_terms}>();
   }
 }
 
@@ -215,7 +217,7 @@ template <class Real, class F>
 decltype(auto) with_terms(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive, F&& f) {
   const Terms present = terms_of(oscillator, drive);
   const HarmonicForce<Real> force = force_of(drive, oscillator.mass);
-  if (present.friction) return with_dry_friction(oscillator, drive, std::forward<F>(f));
+  if (present.law.has<Friction>()) return with_dry_friction(oscillator, drive, std::forward<F>(f));
   if (present.drive) return with_smooth_terms<true>(oscillator, force, std::forward<F>(f));
   return with_smooth_terms<false>(oscillator, force, std::forward<F>(f));
 }

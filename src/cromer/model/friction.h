@@ -14,7 +14,6 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
-#include "cromer/model/force_terms.h"
 #include "cromer/model/propagate.h"
 
 namespace cromer {

@@ -28,19 +28,20 @@ SampledForce<Real> force_of(const SampledDrive& drive, const Real& mass) {
   return {drive, mass};
 }
 
-/// As with_terms, of one of these drives, with three sets of terms only (linear, all but friction, all): each
+/// As with_terms, of one of these drives, with three sets of terms only (linear, any but friction, any): each
 /// force would multiply the instantiations.
 template <class Real, class Drive, class F>
 decltype(auto) with_terms_under(const Oscillator<Real>& oscillator, const Drive& drive, F&& f) {
-  const Terms present = terms_of(oscillator, HarmonicDrive<Real>{});
+  const Law present = law_of(oscillator);
   const Oscillator<Real> per_mass = divided_by_mass(oscillator);
   const auto force = force_of(drive, oscillator.mass);
   using Force = std::remove_const_t<decltype(force)>;
-  const DrivenOscillator<Real, all_smooth_terms, Force> system(per_mass, force);
-  if (present.friction)
+  const DrivenOscillator<Real, Terms{.drive = true, .law = any_terms}, Force> system(per_mass, force);
+  if (present.has<Friction>())
     return std::forward<F>(f)(DryFriction(system, per_mass.friction, per_mass.static_friction));
-  if (present.cubic || present.drag) return std::forward<F>(f)(system);
-  return std::forward<F>(f)(DrivenOscillator<Real, some_linear_terms, Force>(per_mass, force));
+  if (!linear_terms.contains(present)) return std::forward<F>(f)(system);
+  return std::forward<F>(f)(
+      DrivenOscillator<Real, Terms{.drive = true, .law = linear_terms}, Force>(per_mass, force));
 }
 
 /// The same, whichever it is.

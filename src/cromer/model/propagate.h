@@ -17,6 +17,8 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "cromer/base/complex.h"
 #include "cromer/base/dual.h"
@@ -33,6 +35,13 @@ struct LinearLaw {
   Real drive_frequency = 0;  // [rad/s] W >= 0
   Real drive_phase = 0;      // [rad]
 };
+
+/// From one zero of the free motion's velocity to the next [s]: half a period; infinite where it does not
+/// swing.
+inline double zero_spacing(const LinearLaw<double>& law) {
+  const double squared = law.stiffness - law.decay_rate * law.decay_rate;
+  return squared > 0 ? std::numbers::pi / std::sqrt(squared) : std::numeric_limits<double>::infinity();
+}
 
 /// Impulse response of the linear law and what the free motion needs of it.
 template <class Real>

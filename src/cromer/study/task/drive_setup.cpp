@@ -254,7 +254,7 @@ Result<void> end_drive(const SimulateOptions& o, SimulatedRun& run) {
           fmt::format("--drive-start: the chirp begins at {} s, and the run ends at {} s; give --until",
                       shortest(chirp->start), shortest(run.until))};
   }
-  if (run.method == "exact" && terms_of(run.oscillator, run.drive).friction)
+  if (run.method == "exact" && law_of(run.oscillator).has<Friction>())
     return Error{fmt::format(
         "--method exact: with friction there is no closed form under a drive ({}); leave one out or "
         "choose another method",

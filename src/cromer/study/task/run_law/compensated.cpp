@@ -39,10 +39,10 @@ template <bool driven>
 Outcome run_under(const LawRun& run, AnyForce force, KeepEvery& keep, const Watch& watch) {
   const Oscillator<double>& o = run.oscillator;
   if (o.drag != 0 || (o.damping != 0 && o.cubic != 0))
-    return run_terms<Terms{.drive = driven, .damping = true, .cubic = true, .drag = true}>(run, force, keep,
+    return run_terms<Terms{.drive = driven, .law = law_of("viscous+drag+cubic")}>(run, force, keep,
                                                                                            watch);
-  if (o.damping != 0) return run_terms<Terms{.drive = driven, .damping = true}>(run, force, keep, watch);
-  if (o.cubic != 0) return run_terms<Terms{.drive = driven, .cubic = true}>(run, force, keep, watch);
+  if (o.damping != 0) return run_terms<Terms{.drive = driven, .law = law_of("viscous")}>(run, force, keep, watch);
+  if (o.cubic != 0) return run_terms<Terms{.drive = driven, .law = law_of("cubic")}>(run, force, keep, watch);
   return run_terms<Terms{.drive = driven}>(run, force, keep, watch);
 }
 

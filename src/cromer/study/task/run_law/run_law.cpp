@@ -12,7 +12,7 @@ Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   if (run.general)
     return std::visit([&](const auto& drive) { return run_driven(run, drive, keep, watch); }, *run.general);
   const Terms present = terms_of(run.oscillator, run.drive);
-  if (present.friction) return run_friction(run, keep, watch);
+  if (present.law.has<Friction>()) return run_friction(run, keep, watch);
   return present.drive ? run_harmonic(run, keep, watch) : run_free(run, keep, watch);
 }
 

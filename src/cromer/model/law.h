@@ -1,0 +1,113 @@
+// Which terms a law of motion has.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "cromer/model/oscillator.h"
+#include "cromer/model/terms/all.h"
+
+namespace cromer {
+
+/// A set of the registry's terms.
+struct Law {
+  std::uint32_t terms = 0;  ///< bit i: the i-th term of the registry
+
+  template <class T>
+  constexpr bool has() const {
+    return (terms >> place_of_term<T> & 1) != 0;
+  }
+  constexpr bool has(std::size_t place) const { return (terms >> place & 1) != 0; }
+
+  /// Every term of the other.
+  constexpr bool contains(Law other) const { return (terms & other.terms) == other.terms; }
+  constexpr bool shares(Law other) const { return (terms & other.terms) != 0; }
+
+  constexpr Law with(Law other) const { return {terms | other.terms}; }
+  constexpr Law without(Law other) const { return {terms & ~other.terms}; }
+
+  constexpr int size() const {
+    int count = 0;
+    for (std::uint32_t rest = terms; rest != 0; rest &= rest - 1) ++count;
+    return count;
+  }
+
+  friend constexpr bool operator==(const Law&, const Law&) = default;
+};
+
+/// The law of these terms alone.
+template <class... T>
+inline constexpr Law law_with{((std::uint32_t{1} << place_of_term<T>) | ... | 0U)};
+
+/// The law of all terms whose info says so.
+template <class Says>
+constexpr Law law_where(Says says) {
+  Law law;
+  for (std::size_t i = 0; i < term_count; ++i)
+    if (says(term_infos[i])) law.terms |= std::uint32_t{1} << i;
+  return law;
+}
+
+/// Terms that pull a body back to where small swings begin, one of which a law has: none without a spring.
+inline constexpr Law springs = law_with<Spring, Pendulum>;
+/// Terms that can only take energy away.
+inline constexpr Law dampings = law_where([](const TermInfo& info) { return info.damps; });
+/// The linear law: the one with a closed form.
+inline constexpr Law linear_terms = law_with<Spring, Viscous>;
+/// Terms whose force is a smooth function of position and velocity.
+inline constexpr Law smooth_terms = law_where([](const TermInfo&) { return true; })
+                                        .without(law_with<Friction, Hysteresis>);
+
+/// The law of these names, "viscous+drag", with a linear spring, or with a pendulum in its place. For laws
+/// written in code: a name that is no term's is passed over (identify/law.h reads what a person typed).
+constexpr Law law_of(std::string_view names) {
+  Law law;
+  while (!names.empty()) {
+    const std::size_t end = names.find('+');
+    const std::string_view name = names.substr(0, end);
+    law = law.with(law_where([&](const TermInfo& info) { return info.name == name; }));
+    names = end == std::string_view::npos ? std::string_view{} : names.substr(end + 1);
+  }
+  return law.shares(springs) ? law : law.with(law_with<Spring>);
+}
+
+/// The terms with a coefficient other than zero; the spring is always among them unless a pendulum is. With
+/// static friction there is friction.
+template <class Real>
+constexpr Law law_of(const Oscillator<Real>& oscillator) {
+  Law law;
+  for_each_term([&]<class T>() {
+    if (oscillator.*T::template members<Real>[0] != Real(0)) law = law.with(law_with<T>);
+  });
+  if (oscillator.static_friction != Real(0)) law = law.with(law_with<Friction>);
+  return law.shares(springs) ? law : law.with(law_with<Spring>);
+}
+
+/// Empty if the oscillator has a closed form in one piece (with friction it is made of arcs); otherwise the
+/// option of the term that prevents it.
+template <class Real>
+constexpr std::string_view why_not_exact(const Oscillator<Real>& oscillator) {
+  std::string_view name;
+  const Law law = law_of(oscillator).without(linear_terms);
+  for_each_term([&]<class T>() {
+    if (name.empty() && law.has<T>()) name = T::info.name;
+  });
+  return name;
+}
+
+/// The oscillator per unit mass.
+template <class Real>
+constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& oscillator) {
+  Oscillator<Real> per_mass = oscillator;
+  per_mass.mass = Real(1);
+  per_mass.static_friction = oscillator.static_friction / oscillator.mass;
+  for_each_term([&]<class T>() {
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i)
+      if (T::coefficients[i].fitted != FittedAs::with_any_mass)
+        per_mass.*T::template members<Real>[i] = oscillator.*T::template members<Real>[i] / oscillator.mass;
+  });
+  return per_mass;
+}
+
+}  // namespace cromer

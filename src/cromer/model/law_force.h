@@ -1,0 +1,53 @@
+// The forces of a law's terms, summed: written here alone, whoever chooses among the terms when.
+#pragma once
+
+#include "cromer/base/dual.h"
+#include "cromer/model/law.h"
+#include "cromer/model/oscillator.h"
+
+namespace cromer {
+
+/// A law whose terms are told at run time: one type for all of them, where one for each set costs more than it
+/// saves.
+inline constexpr Law any_terms{std::uint32_t{1} << 31};
+
+/// Terms whose force at rest is that of the position, and the others that are smooth: of the velocity too.
+inline constexpr Law terms_of_position =
+    law_where([](const TermInfo& info) { return info.acts_at_rest; }).without(law_with<Hysteresis>);
+inline constexpr Law terms_of_velocity = smooth_terms.without(terms_of_position);
+
+/// Whether the force of a law may depend on the velocity.
+constexpr bool has_resistance(Law law) { return law == any_terms || law.shares(terms_of_velocity); }
+
+/// The sum over those of the law's terms that are among `which` [m/s^2] with coefficients per unit mass, in the
+/// order of the registry. With any_terms those that are `present`: absent terms are stepped over, so that the
+/// sum is the same to the bit (of a zero the sign may differ).
+template <Law law, Law which, class Real, class T>
+T sum_of_forces(const Oscillator<Real>& per_mass, [[maybe_unused]] Law present, const T& x, const T& v) {
+  constexpr Law summed = law == any_terms ? which : Law{law.terms & which.terms};
+  T sum;
+  bool first = true;
+  for_each_term([&]<class Term>() {
+    if constexpr (summed.has<Term>()) {
+      if (law == any_terms && !present.has<Term>()) return;
+      const T force = Term::force(x, v, per_mass.*Term::template members<Real>[0]);
+      sum = first ? force : T(sum + force);
+      first = false;
+    }
+  });
+  return first ? T(0) : sum;
+}
+
+/// Of the terms of the position.
+template <Law law, class Real, class T>
+T restoring_force(const Oscillator<Real>& per_mass, Law present, const T& x) {
+  return sum_of_forces<law, terms_of_position>(per_mass, present, x, x);
+}
+
+/// Of the terms of the velocity.
+template <Law law, class Real, class T>
+T resisting_force(const Oscillator<Real>& per_mass, Law present, const T& x, const T& v) {
+  return sum_of_forces<law, terms_of_velocity>(per_mass, present, x, v);
+}
+
+}  // namespace cromer

@@ -1,0 +1,61 @@
+// What a term of the law is: a struct with its `info`, the `force` it pulls back with, and its `energy` where it
+// stores any.
+//
+//   m x'' = F(t) - the sum over the terms of force(x, v, coefficient)
+//
+// A term is written over three scalars, T of the position, V of the velocity and P of the coefficient: where a
+// derivative is wanted, a dual number of one derivative stands in one of the three places and plain numbers in
+// the others, which costs what a slope written by hand would.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace cromer {
+
+/// Of what a fit of a motion per unit mass speaks.
+enum class FittedAs {
+  itself,         ///< the coefficient over the mass
+  half,           ///< half of it: the decay rate c/2m
+  square_root,    ///< its root: the angular frequency of small swings
+  with_any_mass,  ///< the coefficient itself: it is none of a force
+};
+
+/// One coefficient of a term.
+struct CoefficientInfo {
+  std::string_view option;     ///< of `simulate`, "odd-quadratic"
+  std::string_view parameter;  ///< of a fit, per unit mass: "odd_quadratic"
+  std::string_view in_si;      ///< of a fit with a mass: "odd_quadratic_stiffness"; "" where there is none
+  std::string_view symbol;     ///< in formulas, "ka"
+  std::string_view meaning;    ///< in help
+  int length = 0;              ///< its unit is that of a force times so many powers of metres
+  int time = 0;                ///< and of seconds
+  bool may_be_negative = true;
+  FittedAs fitted = FittedAs::itself;
+};
+
+/// A term as the registry (all.h) shows it.
+struct TermInfo {
+  std::string_view name;     ///< as typed in a law: "odd-quadratic"
+  std::string_view formula;  ///< "ka x|x|"
+  std::string_view meaning;  ///< what makes such a force
+  std::string_view source;
+  bool damps = false;       ///< takes energy and never gives any
+  bool acts_at_rest = true; ///< part of the force at rest: of the position
+  bool centred = false;     ///< shows where x = 0 lies: shifted, it is another law
+  bool even = false;        ///< the force of x and that of -x are not opposite
+};
+
+/// All terms have the coefficients in an array of their own: `coefficients`, of CoefficientInfo, and
+/// `members<Real>`, the places in an Oscillator<Real>.
+template <class T>
+inline constexpr std::size_t coefficients_of = T::coefficients.size();
+
+/// A term whose force has memory: its inner state has a `rate` of its own.
+template <class T>
+concept HasInnerState = requires {
+  T::has_inner_state;
+};
+
+}  // namespace cromer
