@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "bench/stopwatch.h"
-#include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/free_decay.h"
-#include "cromer/identify/levenberg_marquardt.h"
-#include "cromer/identify/start_values.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+#include "cromer/identify/start/start_values.h"
 #include "cromer/model/sensor.h"
 #include "cromer/report/csv.h"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <thread>
 
-#include "cromer/identify/choose_law.h"
+#include "cromer/identify/choose/choose_law.h"
 
 namespace cromer::bench {
 namespace {

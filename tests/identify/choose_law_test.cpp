@@ -1,4 +1,4 @@
-#include "cromer/identify/choose_law.h"
+#include "cromer/identify/choose/choose_law.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/motion/damped_phasor.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cromer/identify/describe_fit.h"
+#include "cromer/identify/least_squares/describe_fit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "cromer/identify/uncertainty.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {

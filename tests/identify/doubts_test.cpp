@@ -1,4 +1,4 @@
-#include "cromer/identify/doubts.h"
+#include "cromer/identify/diagnose/doubts.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/choose_law.h"
-#include "cromer/identify/departures.h"
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/departures.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {

@@ -1,4 +1,4 @@
-#include "cromer/identify/drop_outs.h"
+#include "cromer/identify/diagnose/drop_outs.h"
 
 #include <gtest/gtest.h>
 

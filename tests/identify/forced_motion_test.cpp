@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cromer/identify/recorded_force.h"
-#include "cromer/identify/sinusoidal_force.h"
+#include "cromer/identify/motion/recorded_force.h"
+#include "cromer/identify/motion/sinusoidal_force.h"
 #include "tests/identify/forced_truth.h"
 
 namespace cromer {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/choose_law.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {

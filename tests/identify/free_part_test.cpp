@@ -1,4 +1,4 @@
-#include "cromer/identify/free_part.h"
+#include "cromer/identify/diagnose/free_part.h"
 
 #include <gtest/gtest.h>
 

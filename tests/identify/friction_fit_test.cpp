@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/choose_law.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/free_motion.h"
 #include "tests/identify/synthetic.h"
 

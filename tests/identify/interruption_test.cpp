@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cromer/identify/choose_law.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {

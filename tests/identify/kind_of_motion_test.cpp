@@ -1,4 +1,4 @@
-#include "cromer/identify/kind_of_motion.h"
+#include "cromer/identify/choose/kind_of_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cromer/identify/levenberg_marquardt.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 #include <gtest/gtest.h>
 

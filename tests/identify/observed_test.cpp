@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/choose_law.h"
-#include "cromer/identify/envelope_track.h"
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/start/envelope_track.h"
 #include "cromer/identify/free_motion.h"
 #include "tests/identify/synthetic.h"
 

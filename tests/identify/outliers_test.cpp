@@ -1,9 +1,9 @@
-#include "cromer/identify/outliers.h"
+#include "cromer/identify/diagnose/outliers.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cromer/identify/choose_law.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cromer/identify/choose_law.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {

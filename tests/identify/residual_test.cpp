@@ -1,4 +1,4 @@
-#include "cromer/identify/residual.h"
+#include "cromer/identify/least_squares/residual.h"
 
 #include <gtest/gtest.h>
 

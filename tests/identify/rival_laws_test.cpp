@@ -1,10 +1,10 @@
-#include "cromer/identify/rival_laws.h"
+#include "cromer/identify/choose/rival_laws.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cromer/identify/choose_law.h"
-#include "cromer/identify/mean_decay.h"
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/mean_decay.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {

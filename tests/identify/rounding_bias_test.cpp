@@ -1,4 +1,4 @@
-#include "cromer/identify/rounding_bias.h"
+#include "cromer/identify/least_squares/rounding_bias.h"
 
 #include <gtest/gtest.h>
 

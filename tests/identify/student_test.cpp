@@ -1,4 +1,4 @@
-#include "cromer/identify/student.h"
+#include "cromer/identify/least_squares/student.h"
 
 #include <gtest/gtest.h>
 

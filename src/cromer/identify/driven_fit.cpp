@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "cromer/identify/driven_motion.h"
-#include "cromer/identify/driven_start.h"
+#include "cromer/identify/start/driven_start.h"
 #include "cromer/identify/forced_minimum.h"
 
 namespace cromer {

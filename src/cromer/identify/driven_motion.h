@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cromer/identify/forced_motion.h"
-#include "cromer/identify/sinusoidal_force.h"
+#include "cromer/identify/motion/sinusoidal_force.h"
 
 namespace cromer {
 

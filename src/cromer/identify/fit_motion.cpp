@@ -5,13 +5,13 @@
 #include <numbers>
 #include <vector>
 
-#include "cromer/identify/bounds.h"
-#include "cromer/identify/describe_fit.h"
-#include "cromer/identify/fit_settings.h"
-#include "cromer/identify/fit_viscous.h"
-#include "cromer/identify/refusal.h"
-#include "cromer/identify/rest_minima.h"
-#include "cromer/identify/rounding_bias.h"
+#include "cromer/identify/least_squares/bounds.h"
+#include "cromer/identify/least_squares/describe_fit.h"
+#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/least_squares/fit_viscous.h"
+#include "cromer/identify/diagnose/refusal.h"
+#include "cromer/identify/least_squares/rest_minima.h"
+#include "cromer/identify/least_squares/rounding_bias.h"
 
 namespace cromer {
 namespace {

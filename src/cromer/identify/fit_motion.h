@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/identify/envelope_track.h"
+#include "cromer/identify/start/envelope_track.h"
 #include "cromer/identify/free_decay.h"
 
 namespace cromer {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/identify/criterion.h"
+#include "cromer/identify/choose/criterion.h"
 
 namespace cromer {
 namespace {

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cromer/identify/forced_minimum.h"
-#include "cromer/identify/forced_start.h"
+#include "cromer/identify/start/forced_start.h"
 
 namespace cromer {
 namespace {

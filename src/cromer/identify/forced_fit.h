@@ -21,7 +21,7 @@
 
 #include "cromer/identify/forced_law.h"
 #include "cromer/identify/free_decay.h"
-#include "cromer/identify/recorded_force.h"
+#include "cromer/identify/motion/recorded_force.h"
 #include "cromer/run/trajectory.h"
 
 namespace cromer {

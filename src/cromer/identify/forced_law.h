@@ -7,7 +7,7 @@
 // and the parameter bias is the sensor's offset, from the record's mean.
 #pragma once
 
-#include "cromer/identify/normal_equations.h"
+#include "cromer/identify/least_squares/normal_equations.h"
 
 namespace cromer {
 

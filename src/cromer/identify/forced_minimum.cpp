@@ -1,5 +1,5 @@
 #include "cromer/identify/forced_minimum.h"
-#include "cromer/identify/criterion.h"
+#include "cromer/identify/choose/criterion.h"
 
 namespace cromer {
 namespace {

@@ -11,8 +11,8 @@
 #include "cromer/identify/forced_fit.h"
 #include "cromer/identify/forced_motion.h"
 #include "cromer/identify/forced_quantities.h"
-#include "cromer/identify/levenberg_marquardt.h"
-#include "cromer/identify/rounding_bias.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+#include "cromer/identify/least_squares/rounding_bias.h"
 
 namespace cromer {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "cromer/base/dual.h"
-#include "cromer/identify/recorded_force.h"
-#include "cromer/identify/sinusoidal_force.h"
+#include "cromer/identify/motion/recorded_force.h"
+#include "cromer/identify/motion/sinusoidal_force.h"
 
 namespace cromer {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cromer/identify/forced_law.h"
-#include "cromer/identify/normal_equations.h"
+#include "cromer/identify/least_squares/normal_equations.h"
 
 namespace cromer {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cromer/identify/forced_law.h"
-#include "cromer/identify/normal_equations.h"
+#include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/tangent.h"
 
 namespace cromer {

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/fit_motion.h"
-#include "cromer/identify/fit_settings.h"
-#include "cromer/identify/fit_viscous.h"
-#include "cromer/identify/outliers.h"
-#include "cromer/identify/refusal.h"
+#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/least_squares/fit_viscous.h"
+#include "cromer/identify/diagnose/outliers.h"
+#include "cromer/identify/diagnose/refusal.h"
 
 namespace cromer {
 

@@ -18,8 +18,8 @@
 #include "cromer/identify/free_motion.h"
 #include "cromer/identify/law.h"
 #include "cromer/identify/record.h"
-#include "cromer/identify/residual.h"
-#include "cromer/identify/uncertainty.h"
+#include "cromer/identify/least_squares/residual.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/run/trajectory.h"
 
 namespace cromer {

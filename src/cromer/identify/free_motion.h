@@ -11,7 +11,7 @@
 #include <span>
 
 #include "cromer/identify/law.h"
-#include "cromer/identify/normal_equations.h"
+#include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/record.h"
 #include "cromer/run/trajectory.h"
 

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "cromer/identify/uncertainty.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/study/json/json.h"
 
 namespace cromer {

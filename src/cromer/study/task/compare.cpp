@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/doubts.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/methods/all.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/compared_curve.h"

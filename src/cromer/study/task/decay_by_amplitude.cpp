@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
-#include "cromer/identify/damped_phasor.h"
-#include "cromer/identify/levenberg_marquardt.h"
+#include "cromer/identify/motion/damped_phasor.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer {
 namespace {

@@ -5,7 +5,7 @@
 #include <complex>
 #include <numbers>
 
-#include "cromer/identify/damped_phasor.h"
+#include "cromer/identify/motion/damped_phasor.h"
 
 namespace cromer {
 namespace {

@@ -12,7 +12,7 @@
 #include "cromer/base/result.h"
 #include "cromer/identify/forced_fit.h"
 #include "cromer/identify/free_decay.h"
-#include "cromer/identify/two_modes.h"
+#include "cromer/identify/choose/two_modes.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/study/task/decay_by_amplitude.h"
 #include "cromer/study/task/decay_segments.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "cromer/identify/doubts.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/driven_fit.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/derived_quantities.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cromer/identify/forced_law.h"
-#include "cromer/identify/recorded_force.h"
+#include "cromer/identify/motion/recorded_force.h"
 #include "cromer/study/task/fit.h"
 
 namespace cromer {

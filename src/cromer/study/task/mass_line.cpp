@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/uncertainty.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 
 namespace cromer {
 

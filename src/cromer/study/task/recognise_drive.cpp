@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/kind_of_motion.h"
+#include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/used_samples.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "cromer/base/median.h"
-#include "cromer/identify/residual.h"
-#include "cromer/identify/uncertainty.h"
+#include "cromer/identify/least_squares/residual.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 
 namespace cromer {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/identify/drop_outs.h"
+#include "cromer/identify/diagnose/drop_outs.h"
 
 namespace cromer {
 namespace {

@@ -1,0 +1,143 @@
+#include "cromer/identify/diagnose/departures.h"
+#include "cromer/base/median.h"
+#include "cromer/identify/diagnose/amplitude_windows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "cromer/identify/motion/damped_phasor.h"
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::string with_unit(double value, std::string_view unit) {
+  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
+}
+
+// Share of the variance of r that one step takes away, at its best place.
+struct Step {
+  double share = 0, size = 0;
+  std::size_t at = 0;
+};
+
+Step best_step(std::span<const double> r, double variance) {
+  const auto n = static_cast<double>(r.size());
+  double total = 0, before = 0;
+  for (const double value : r) total += value;
+  Step best;
+  for (std::size_t i = 1; i < r.size(); ++i) {
+    before += r[i - 1];
+    const auto left = static_cast<double>(i), right = n - left;
+    const double size = (total - before) / right - before / left;
+    const double share = left * right / (n * n) * size * size / variance;
+    if (share > best.share) best = {share, size, i};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::string wandering_zero(const Record& record, std::span<const double> r, std::string_view unit) {
+  const auto n = static_cast<double>(r.size());
+  if (r.size() < 32) return {};
+  double mean = 0, time = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) mean += r[i] / n, time += record.t[i] / n;
+  double variance = 0, times = 0, product = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const double dt = record.t[i] - time, dr = r[i] - mean;
+    variance += dr * dr / n;
+    times += dt * dt / n;
+    product += dt * dr / n;
+  }
+  if (!(variance > 0)) return {};
+  constexpr double enough = 0.3;  // of the variance
+  const double line = product * product / (times * variance);
+  const Step step = best_step(r, variance);
+  if (std::max(line, step.share) < enough) return {};
+  const double duration = record.t.back() - record.t.front();
+  if (line >= step.share)
+    return fmt::format("the zero drifts, by {} over the record: take the drift off, or choose a shorter part",
+                       with_unit(product / times * duration, unit));
+  return fmt::format("the zero jumps by {} at {:.4g} s: choose one side of it with --from and --to",
+                     with_unit(step.size, unit), record.t[step.at]);
+}
+
+std::string sudden_stop(const Record& record, double period, std::string_view unit) {
+  const std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
+  if (windows.size() < 8) return {};
+  double largest = 0, later = 0;
+  for (const AmplitudeWindow& window : windows) largest = std::max(largest, window.amplitude);
+  // From the end: the largest amplitude of all that follows, against the one before the window between.
+  for (std::size_t i = windows.size() - 1; i >= 4; --i) {
+    later = std::max(later, windows[i].amplitude);
+    const double before = windows[i - 2].amplitude;
+    if (before > 0.2 * largest && before > 0.6 * windows[i - 4].amplitude && later < 0.1 * before)
+      return fmt::format(
+          "the swing stops between {:.4g} and {:.4g} s, from an amplitude of {} to rest within a period, as "
+          "where a hand catches it: end before with --to",
+          windows[i - 2].to, windows[i].from, with_unit(before, unit));
+  }
+  return {};
+}
+
+std::string few_samples(const Record& record, double w) {
+  const std::size_t n = record.t.size();
+  const double h = (record.t.back() - record.t.front()) / static_cast<double>(n - 1);
+  for (std::size_t i = 1; i < n; ++i)
+    if (std::abs(record.t[i] - record.t[i - 1] - h) > 0.01 * h) return {};
+  const double rate = 1 / h, frequency = w / (2 * pi);
+  if (rate / frequency >= 4) return {};
+  return fmt::format(
+      "only {:.2g} samples in a period: sampled at {:.4g} Hz, a swing of {:.5g} or {:.5g} Hz would look the "
+      "same "
+      "as this one of {:.5g} Hz; sample faster if it may be one of them",
+      rate / frequency, rate, rate - frequency, rate + frequency, frequency);
+}
+
+std::string turning_over(const Record& record) {
+  if (record.derivative != 0 || record.t.size() < 2) return {};
+  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
+  if (*high - *low <= 2 * pi) return {};
+  // It swings about the last multiple of a turn once it has stayed within half a turn of it.
+  const double rest = 2 * pi * std::round(record.y.back() / (2 * pi));
+  std::size_t last = record.t.size();
+  while (last > 0 && std::abs(record.y[last - 1] - rest) < pi) --last;
+  const std::string where =
+      last < record.t.size()
+          ? fmt::format("; from {:.4g} s on it only swings: choose that part with --from", record.t[last])
+          : "";
+  return fmt::format("the angle goes through {:.2g} turns: the pendulum turns over, which is no swing{}",
+                     (*high - *low) / (2 * pi), where);
+}
+
+bool leaves_a_line(const Record& record, const FreeDecay& fit, std::span<const double> residuals) {
+  const std::size_t n = std::min<std::size_t>(residuals.size(), 20'000);
+  if (n < 32) return true;
+  const DampedPhasor phasor({record.t.first(n), residuals.first(n), 0, 0});
+  const double w = fit.angular_frequency.value;
+  const double resolution = 2 * pi / (record.t[n - 1] - record.t.front());
+  const auto power = [&](double at) {
+    const DampedPhasor::Linear line = phasor.best_linear(at, 0);
+    return line.cosine * line.cosine + line.sine * line.sine;
+  };
+  const double reach = std::max(3 * resolution, 3 * fit.decay_rate.value);
+  double top = 0;
+  for (int k = -12; k <= 12; ++k)
+    if (const double at = w + reach * k / 12; at > 0) top = std::max(top, power(at));
+  std::vector<double> beside;
+  for (int k = 1; k <= 24; ++k)
+    for (const double sign : {-1.0, 1.0}) {
+      const double at = w + sign * (2 * reach + k * std::max(resolution, (0.5 * w - 2 * reach) / 24));
+      if (at > 2 * resolution) beside.push_back(power(at));
+    }
+  if (beside.size() < 8) return true;
+  return top > 30 * upper_median(beside);
+}
+
+}  // namespace cromer

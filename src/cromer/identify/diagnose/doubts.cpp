@@ -1,0 +1,110 @@
+#include "cromer/identify/diagnose/doubts.h"
+#include "cromer/identify/diagnose/amplitude_windows.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/identify/diagnose/departures.h"
+#include "cromer/identify/diagnose/mean_decay.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+// Standard deviation of what is independent from sample to sample: a second difference sees six times its
+// variance, and little of anything slow.
+double noise_of(std::span<const double> r) {
+  if (r.size() < 3) return 0;
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < r.size(); ++i) {
+    const double d = r[i - 1] - 2 * r[i] + r[i + 1];
+    sum += d * d;
+  }
+  return std::sqrt(sum / (6 * static_cast<double>(r.size() - 2)));
+}
+
+double middle(const AmplitudeWindow& window) { return 0.5 * (window.from + window.to); }
+
+// The largest rise of the amplitude from an earlier window to a later.
+std::string rise(const Record& record, double period, double noise) {
+  const std::vector<AmplitudeWindow> windows = amplitude_windows(record, 4 * period, 16);
+  if (windows.size() < 3) return {};
+  AmplitudeWindow lowest = windows.front(), from = lowest, to = lowest;
+  double largest = lowest.amplitude;
+  for (const AmplitudeWindow& window : windows) {
+    if (window.amplitude - lowest.amplitude > to.amplitude - from.amplitude) from = lowest, to = window;
+    if (window.amplitude < lowest.amplitude) lowest = window;
+    largest = std::max(largest, window.amplitude);
+  }
+  // An amplitude over a window of 16 samples or more is known to half the noise, and to a rounding step.
+  if (to.amplitude - from.amplitude < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
+  return fmt::format(
+      "the amplitude rises {} between {:.4g} and {:.4g} s, and a free swing's never does: something drives "
+      "or "
+      "pushes it, or two motions beat. The frequency may then be the drive's, and the stiffness not the "
+      "spring's",
+      to.amplitude < 2 * from.amplitude
+          ? fmt::format("by {:.0f} %", 100 * (to.amplitude / from.amplitude - 1))
+          : fmt::format("{:.2g}-fold", to.amplitude / from.amplitude),
+      middle(from), middle(to));
+}
+
+}  // namespace
+
+std::vector<std::string> doubts(const Record& record, const FreeDecay& fit, bool only_law,
+                                std::string_view unit) {
+  std::vector<std::string> found;
+  const double period = two_pi / fit.angular_frequency.value;
+  const double duration = record.t.back() - record.t.front();
+  const std::vector<double> residuals = residuals_of(fit, record);
+  const double noise = noise_of(residuals);
+  const std::string rises = rise(record, period, noise);
+  if (!rises.empty()) found.push_back(rises);
+
+  // The terms may be traded for each other: what falls is known of their sum.
+  const bool falls = mean_decay(fit, record).rate.low > 0;
+  if (rises.empty() && duration >= 20 * period && !falls)
+    found.push_back(
+        fmt::format("the swing does not die down over {:.0f} periods. If something drives it, the frequency "
+                    "is the drive's, "
+                    "and the stiffness that follows from it is not the spring's",
+                    duration / period));
+
+  if (const std::string few = few_samples(record, fit.angular_frequency.value); !few.empty())
+    found.push_back(few);
+  // Where a period has many samples, what a wrong law leaves is smooth.
+  const double samples_per_period = period * static_cast<double>(record.t.size() - 1) / duration;
+  if (samples_per_period < 12 || fit.residual.autocorrelation <= 0.5 || residuals.size() != record.t.size() ||
+      fit.residual.rms <= std::max(2 * noise, record.resolution))
+    return found;
+  const bool line = leaves_a_line(record, fit, residuals);
+  const std::string stop = line && rises.empty() ? sudden_stop(record, period, unit) : "";
+  const std::string zero = stop.empty() ? wandering_zero(record, residuals, unit) : "";
+  for (const std::string& named : {stop, zero})
+    if (!named.empty()) found.push_back(named);
+  if (!line) return found;
+  found.push_back(fmt::format(
+      "{} this recording: what is left is {:.0f} times the noise from sample to sample, and the "
+      "uncertainties "
+      "cannot be trusted",
+      only_law ? fmt::format("the law {} does not describe", to_text(fit.law)) : "no law tried describes",
+      std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))));
+  return found;
+}
+
+std::string widening(const FreeDecay& fit, std::size_t samples) {
+  if (fit.residual.white || !(fit.independent_samples > 0)) return {};
+  const std::string correlated = fmt::format("the residuals are correlated ({:.3f} from sample to sample)",
+                                             fit.residual.autocorrelation);
+  if (fit.independent_samples > 0.95 * static_cast<double>(samples))
+    return correlated +
+           ", but not at the swing's frequency: of its uncertainties only the equilibrium's is widened";
+  return fmt::format("{}: the uncertainties are widened to those of {:.0f} independent samples", correlated,
+                     fit.independent_samples);
+}
+
+}  // namespace cromer

@@ -1,0 +1,154 @@
+#include "cromer/identify/diagnose/free_part.h"
+#include "cromer/base/median.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "cromer/identify/diagnose/kink.h"
+
+namespace cromer {
+namespace {
+
+struct Swing {
+  double centre = 0;  // what it swings about
+  double period = 0;  // [s]
+};
+
+// Period and centre without a spectrum: the median time between upward crossings of the last third's mean,
+// told from noise by a band about it.
+std::optional<Swing> swing_of(const Record& record) {
+  const std::size_t n = record.t.size(), third = n - n / 3;
+  Swing swing;
+  for (std::size_t i = third; i < n; ++i) swing.centre += record.y[i] / static_cast<double>(n - third);
+  double squares = 0;
+  for (const double y : record.y) squares += (y - swing.centre) * (y - swing.centre);
+  const double band = 0.25 * std::sqrt(squares / static_cast<double>(n));
+  std::vector<double> intervals;
+  double last = 0;
+  bool below = false, any = false;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double y = record.y[i] - swing.centre;
+    if (y < -band) below = true;
+    if (!(y > band) || !below) continue;
+    below = false;
+    if (any) intervals.push_back(record.t[i] - last);
+    last = record.t[i];
+    any = true;
+  }
+  if (intervals.size() < 4) return std::nullopt;
+  swing.period = upper_median(intervals);
+  return swing;
+}
+
+struct Window {
+  double from, to, amplitude;
+};
+
+// Root two times the standard deviation, over windows of two periods, each begun half a period after the
+// last.
+std::vector<Window> windows_of(const Record& record, double period) {
+  std::vector<Window> windows;
+  const double length = 2 * period;
+  for (double from = record.t.front(); from + length <= record.t.back(); from += 0.5 * period) {
+    const auto first = std::lower_bound(record.t.begin(), record.t.end(), from) - record.t.begin();
+    const auto last = std::lower_bound(record.t.begin(), record.t.end(), from + length) - record.t.begin();
+    if (last - first < 12) continue;
+    double mean = 0, squares = 0;
+    for (auto i = first; i < last; ++i) mean += record.y[i] / static_cast<double>(last - first);
+    for (auto i = first; i < last; ++i) squares += (record.y[i] - mean) * (record.y[i] - mean);
+    windows.push_back({from, from + length, std::sqrt(2 * squares / static_cast<double>(last - first))});
+  }
+  return windows;
+}
+
+// A drive that stops: the amplitude, risen or level, has a kink and then only falls.
+std::optional<FreePart> after_the_drive(const std::vector<Window>& windows, double period) {
+  constexpr double least_fall = 0.08, least_duration = 8;  // of the top; [periods]
+  double top = 0;
+  for (const Window& window : windows) top = std::max(top, window.amplitude);
+  // From where it is about level to where little is left: in between the fall has one curvature.
+  std::size_t first = 0, last = 0;
+  while (first < windows.size() && windows[first].amplitude < 0.95 * top) ++first;
+  while (last < windows.size() && (last <= first || windows[last].amplitude > 0.25 * top)) ++last;
+  // Means of neighbours, so that there are some 200 at most.
+  const std::size_t each = 1 + (last - first) / 200;
+  std::vector<double> t, amplitude;
+  for (std::size_t k = first; k + each <= last; k += each) {
+    double middle = 0, sum = 0;
+    for (std::size_t i = k; i < k + each; ++i) {
+      middle += 0.5 * (windows[i].from + windows[i].to) / static_cast<double>(each);
+      sum += windows[i].amplitude / static_cast<double>(each);
+    }
+    t.push_back(middle);
+    amplitude.push_back(sum);
+  }
+  const std::optional<Kink> kink = find_kink(t, amplitude);
+  if (!kink || !(kink->after < 0) || kink->before < 0.15 * kink->after) return std::nullopt;
+  if (kink->t - t.front() < least_duration * period || windows.back().to - kink->t < least_duration * period)
+    return std::nullopt;
+  // It stays level before, and falls for good.
+  double driven = HUGE_VAL, lowest = top;
+  for (std::size_t k = first; k < windows.size(); ++k) {
+    const Window& window = windows[k];
+    if (0.5 * (window.from + window.to) < kink->t) driven = std::min(driven, window.amplitude);
+    if (window.from < kink->t) continue;
+    if (window.amplitude > lowest + 0.3 * least_fall * top) return std::nullopt;
+    lowest = std::min(lowest, window.amplitude);
+  }
+  if (driven - lowest < least_fall * top) return std::nullopt;
+  const double from = kink->t + period;
+  return FreePart{from, fmt::format("the amplitude stays level until {:.4g} s and only falls from there, as "
+                                    "where a drive stops",
+                                    kink->t)};
+}
+
+// Held still, displaced or at rest.
+std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing) {
+  double amplitude = 0;
+  for (const double y : record.y) amplitude = std::max(amplitude, std::abs(y - swing.centre));
+  const double band = 0.05 * amplitude;
+  // A first value alone may be off by noise: the mean of the first quarter period.
+  double held = 0;
+  std::size_t quarter = 0;
+  while (quarter + 1 < record.t.size() && record.t[quarter] - record.t[0] < 0.25 * swing.period)
+    held += record.y[quarter++];
+  if (quarter < 3) return std::nullopt;
+  held /= static_cast<double>(quarter);
+  std::size_t last = 0;
+  while (last < record.t.size() && std::abs(record.y[last] - held) <= band) ++last;
+  // A swing stays so close to its turning point for a fifth of a period at most.
+  if (last < 4 || last >= record.t.size() || record.t[last] - record.t[0] < 0.5 * swing.period)
+    return std::nullopt;
+  double from = record.t[last - 1];
+  const double displaced = std::abs(held - swing.centre);
+  // Where it was at rest, something has set it going: free it is when it comes back from its first large
+  // swing.
+  if (displaced < 0.5 * amplitude) {
+    std::size_t i = last;
+    while (i < record.t.size() && std::abs(record.y[i] - swing.centre) < 0.8 * amplitude) ++i;
+    // A beat rises slowly.
+    if (i >= record.t.size() || record.t[i] - record.t[last] > 2 * swing.period) return std::nullopt;
+    const double side = record.y[i] - swing.centre;
+    while (i < record.t.size() && (record.y[i] - swing.centre) * side > 0) ++i;
+    if (i >= record.t.size()) return std::nullopt;
+    from = record.t[i];
+  }
+  if (record.t.back() - from < 4 * swing.period) return std::nullopt;
+  return FreePart{from, fmt::format("it is held still until {:.4g} s{}", record.t[last - 1],
+                                    displaced < 0.5 * amplitude ? " and then set going" : "")};
+}
+
+}  // namespace
+
+std::optional<FreePart> find_free_part(const Record& record) {
+  if (record.t.size() < 64) return std::nullopt;
+  const std::optional<Swing> swing = swing_of(record);
+  if (!swing) return std::nullopt;
+  if (auto part = after_the_drive(windows_of(record, swing->period), swing->period)) return part;
+  return after_the_hold(record, *swing);
+}
+
+}  // namespace cromer

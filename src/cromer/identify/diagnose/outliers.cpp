@@ -1,0 +1,98 @@
+#include "cromer/identify/diagnose/outliers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/base/median.h"
+
+namespace cromer {
+namespace {
+
+constexpr double normal = 1.4826;            // standard deviation over median absolute deviation
+constexpr std::size_t neighbours = 10;       // on either side
+constexpr std::size_t enough_values = 4096;  // for a scale known to 2 %
+
+// Median and robust standard deviation.
+struct Spread {
+  double centre = 0, deviation = 0;
+};
+
+Spread spread_of(std::vector<double>& values) {
+  Spread spread;
+  spread.centre = upper_median(values);
+  for (double& value : values) value = std::abs(value - spread.centre);
+  spread.deviation = normal * upper_median(values);
+  return spread;
+}
+
+// Of the residuals, and of what is independent from sample to sample.
+Spread overall(std::span<const double> r, double& noise) {
+  const std::size_t stride = (r.size() + enough_values - 1) / enough_values;
+  std::vector<double> values, changes;
+  for (std::size_t i = 0; i + 1 < r.size(); i += stride) {
+    values.push_back(r[i]);
+    changes.push_back((r[i + 1] - r[i]) / std::sqrt(2.0));
+  }
+  noise = spread_of(changes).deviation;
+  return spread_of(values);
+}
+
+double largest_of(std::span<const double> y) {
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  return std::max(std::abs(*low), std::abs(*high));
+}
+
+Spread beside(std::span<const double> r, std::size_t i) {
+  const std::size_t first = i > neighbours ? i - neighbours : 0;
+  std::vector<double> values;
+  for (std::size_t j = first; j < std::min(r.size(), i + neighbours + 1); ++j)
+    if (j != i) values.push_back(r[j]);
+  return spread_of(values);
+}
+
+}  // namespace
+
+std::vector<std::size_t> outliers(const Record& record, std::span<const double> r) {
+  const auto n = static_cast<double>(r.size());
+  constexpr std::size_t fewest = 32;
+  if (r.size() < fewest) return {};
+  const double many = std::max(4.0, std::sqrt(2 * std::log(5 * n)));
+  double noise = 0;
+  const Spread all = overall(r, noise);
+  // Rounding of the values, by the sensor or by the arithmetic, is none.
+  const double rounding = std::max(1.5 * record.resolution, 1e-6 * largest_of(record.y));
+  const double limit = std::max(many * all.deviation, rounding);
+
+  std::vector<std::size_t> found;
+  std::size_t suspects = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    if (!(std::abs(r[i] - all.centre) > limit)) continue;
+    if (5 * ++suspects > r.size()) return {};
+    const Spread near = beside(r, i);
+    const double scale = std::max(near.deviation, noise);
+    if (std::abs(r[i] - near.centre) > std::max(many * scale, rounding)) found.push_back(i);
+  }
+  if (10 * found.size() > r.size()) found.clear();
+  return found;
+}
+
+KeptSamples::KeptSamples(const Record& record, const std::vector<std::size_t>& without,
+                         std::span<const double> residuals)
+    : resolution_(record.resolution), derivative_(record.derivative) {
+  t.reserve(record.t.size() - without.size());
+  y.reserve(record.t.size() - without.size());
+  auto next = without.begin();
+  for (std::size_t i = 0; i < record.t.size(); ++i) {
+    if (next != without.end() && *next == i) {
+      ++next;
+      if (i > 0) continue;
+      t.push_back(record.t[i]);
+      y.push_back(record.y[i] - residuals[i]);
+      continue;
+    }
+    t.push_back(record.t[i]);
+    y.push_back(record.y[i]);
+  }
+}
+
+}  // namespace cromer

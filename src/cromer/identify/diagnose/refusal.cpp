@@ -1,0 +1,120 @@
+#include "cromer/identify/diagnose/refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Plateaus at one end of the values: how many there are and how long the longest lasts.
+struct Plateaus {
+  int count = 0;
+  std::size_t longest = 0;  // samples
+};
+
+Plateaus plateaus_at(std::span<const double> y, double level, double width) {
+  Plateaus plateaus;
+  std::size_t run = 0;
+  for (std::size_t i = 0; i <= y.size(); ++i) {
+    if (i < y.size() && std::abs(y[i] - level) <= width) {
+      ++run;
+      continue;
+    }
+    if (run >= 3) ++plateaus.count;
+    plateaus.longest = std::max(plateaus.longest, run);
+    run = 0;
+  }
+  return plateaus;
+}
+
+// A sinusoid of this amplitude stays within one resolution of its top for this long; flat tops stay longer,
+// and at the same value again and again.
+bool is_clipped(const Record& record, double amplitude, double w) {
+  if (!(amplitude > 0)) return false;
+  const double h = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
+  const double depth = std::clamp(1 - record.resolution / amplitude, -1.0, 1.0);
+  const double dwell = 2 * std::acos(depth) / w;
+  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
+  const double width = 0.01 * record.resolution;
+  for (double level : {*low, *high}) {
+    const Plateaus plateaus = plateaus_at(record.y, level, width);
+    if (plateaus.count >= 2 && static_cast<double>(plateaus.longest) * h > 1.5 * dwell + 3 * h) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+std::optional<Refusal> refuse_record(const Record& record, const Law& law) {
+  // Three more than there are parameters: what is left must show how well the law fits.
+  const auto fewest = static_cast<std::size_t>(fitted_parameters(law).count + 3);
+  if (record.t.size() < fewest)
+    return Refusal{FitStatus::too_short,
+                   fmt::format("{} samples are too few: a fit of the law {} needs at least {}",
+                               record.t.size(), to_text(law), fewest)};
+  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
+  if (!(*high > *low)) return Refusal{FitStatus::no_oscillation, "all values are the same: nothing moves"};
+  return std::nullopt;
+}
+
+std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
+  const double duration = record.t.back() - record.t.front();
+  const double g = fit.decay_rate.value, w0 = fit.angular_frequency.value;
+  const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
+  const double amplitude = std::pow(w0, record.derivative) *
+                           std::hypot(fit.position.value, (fit.velocity.value + g * fit.position.value) / w);
+  const double periods = w * duration / (2 * pi);
+
+  // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
+  // over its root. What a wrong law leaves lies at that frequency too, and must not count against a long
+  // oscillation; wandering noise, in turn, looks like a period or three.
+  const double against_noise = fit.explained / std::max(1e-300, 1 - fit.explained) * fit.independent_samples;
+  const double visible_periods = w * std::min(duration, 2 / std::max(g, 1e-300)) / (2 * pi);
+  const bool stands_out = visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
+                                               : against_noise > (fit.explained > 0.9 ? 60 : 500);
+  const bool smooth = fit.explained > 0.9;
+  if (smooth && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w)))
+    return Refusal{FitStatus::overdamped,
+                   fmt::format("the motion returns without oscillating: damping ratio about {:.2g}", g / w0)};
+  if (smooth && periods < 1.5)
+    return Refusal{FitStatus::too_short,
+                   fmt::format("the record holds {:.2g} periods of {:.3g} s: a fit needs at least 1.5",
+                               periods, 2 * pi / w)};
+  if (!stands_out) {
+    const auto n = static_cast<double>(record.t.size());
+    if (against_noise > 60 && fit.independent_samples > 0.5 * n)
+      return Refusal{FitStatus::too_noisy,
+                     fmt::format("too noisy: a sinusoid accounts for {:.1f} % of the variance only",
+                                 100 * fit.explained)};
+    return Refusal{FitStatus::no_oscillation,
+                   fmt::format("no oscillation found: the best decaying sinusoid accounts for {:.1f} % of "
+                               "the variance, and noise like the "
+                               "rest could do as much; choose the part that oscillates with --from and --to, "
+                               "or another --column",
+                               100 * std::max(0.0, fit.explained))};
+  }
+  if (is_clipped(record, amplitude, w))
+    return Refusal{
+        FitStatus::clipped,
+        "the motion's tops are cut off at the same value again and again: the sensor was out of its range; "
+        "choose the later part by --from"};
+  return refuse_frequency(fit);
+}
+
+std::optional<Refusal> refuse_frequency(const FreeDecay& fit) {
+  const Estimate& w = fit.angular_frequency;
+  if (w.standard_error <= 0.05 * w.value) return std::nullopt;
+  return Refusal{FitStatus::too_noisy,
+                 w.standard_error < w.value
+                     ? fmt::format("too noisy: the frequency is known to {:.0f} % only",
+                                   100 * w.standard_error / w.value)
+                     : fmt::format("the law {} leaves so much that the frequency is not known at all",
+                                   to_text(fit.law))};
+}
+
+}  // namespace cromer

@@ -1,0 +1,206 @@
+#include "cromer/identify/diagnose/second_mode.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/analysis/spectrum.h"
+#include "cromer/base/median.h"
+#include "cromer/identify/motion/damped_phasor.h"
+#include "cromer/identify/least_squares/describe_fit.h"
+#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr std::size_t most_samples = 1U << 17;
+
+// The residuals at even times.
+std::vector<double> even(std::span<const double> t, const std::vector<double>& r, double h) {
+  std::vector<double> values;
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < t.size(); ++k) {
+    const double at = t.front() + static_cast<double>(k) * h;
+    while (i + 2 < t.size() && t[i + 1] <= at) ++i;
+    const double share = std::clamp((at - t[i]) / (t[i + 1] - t[i]), 0.0, 1.0);
+    values.push_back((1 - share) * r[i] + share * r[i + 1]);
+  }
+  return values;
+}
+
+// The swing's own frequencies, from its first amplitude to rest, as multiples of half a resolution wider.
+struct Band {
+  double low, high;
+
+  bool holds(double w, double multiple, double slack) const {
+    return w > multiple * low - slack && w < multiple * high + slack;
+  }
+};
+
+Band own_band(const FreeDecay& fit) {
+  const MotionParameters p = fit.motion();
+  const double w0 = p.angular_frequency;
+  const double w = std::sqrt(std::max(0.01 * w0 * w0, w0 * w0 - p.decay_rate * p.decay_rate));
+  const double A = std::hypot(p.position, p.velocity / w0);
+  const double first = p.pendulum ? w * std::max(0.2, 1 - A * A / 16) : w + 3 * p.cubic * A * A / (8 * w);
+  return {std::min(w, std::max(first, 0.2 * w)), std::max(w, first)};
+}
+
+double median_around(const std::vector<double>& a, std::size_t k, std::size_t reach) {
+  std::vector<double> around;
+  for (std::size_t i = k > reach ? k - reach : 1; i < std::min(a.size(), k + reach + 1); ++i)
+    if (i + 4 < k || i > k + 4) around.push_back(a[i]);
+  return around.empty() ? 0 : upper_median(around);
+}
+
+// Amplitude at the first sample, decay rate and frequency of one line: from a grid of decay rates by least
+// squares.
+void measure(const Record& residuals, ResidualLine& line) {
+  const double duration = residuals.t.back() - residuals.t.front();
+  const DampedPhasor phasor(residuals);
+  double least = HUGE_VAL;
+  Parameters start{};
+  start[DampedPhasor::angular_frequency] = line.angular_frequency;
+  for (double g = 0; g * duration<20; g = g> 0 ? 1.6 * g : 0.3 / duration) {
+    const DampedPhasor::Linear linear = phasor.best_linear(line.angular_frequency, g);
+    if (!(linear.sum_of_squares < least)) continue;
+    least = linear.sum_of_squares;
+    line.decay_rate = start[DampedPhasor::decay_rate] = g;
+    line.amplitude = std::hypot(linear.cosine, linear.sine);
+    start[DampedPhasor::equilibrium] = linear.equilibrium;
+    start[DampedPhasor::cosine] = linear.cosine;
+    start[DampedPhasor::sine] = linear.sine;
+  }
+  line.frequency_error = two_pi / duration;
+  const auto n = static_cast<double>(residuals.t.size());
+  LeastSquaresOptions options;
+  options.scale = centred_norm(residuals.y);
+  options.residuals = static_cast<int>(residuals.t.size());
+  options.iteration_limit = 20;
+  options.error_tolerance = 1e-2;
+  options.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
+  options.lower[DampedPhasor::decay_rate] = 0;
+  const LeastSquaresSummary fit = minimise(phasor, start, options);
+  const double w = fit.parameters[DampedPhasor::angular_frequency];
+  if (fit.reason != LeastSquaresReason::converged || std::abs(w - line.angular_frequency) > two_pi / duration)
+    return;
+  const SquareMatrix covariance = inverse(fit.equations.matrix, DampedPhasor::parameter_count);
+  const double variance = fit.equations.sum_of_squares / n;
+  const double error = std::sqrt(variance * covariance[0][0]);
+  if (!std::isfinite(error)) return;
+  line.angular_frequency = w;
+  line.frequency_error = error;
+  line.decay_rate = fit.parameters[DampedPhasor::decay_rate];
+  line.amplitude = std::hypot(fit.parameters[DampedPhasor::cosine], fit.parameters[DampedPhasor::sine]);
+}
+
+// Which multiple of the swing's own frequency a line is, as far as both are known; 0 where it is none.
+int harmonic_of(const ResidualLine& line, const Band& own, double own_error) {
+  constexpr int most = 15;
+  for (int multiple = 2; multiple <= most; ++multiple)
+    if (own.holds(line.angular_frequency, multiple,
+                  3 * std::hypot(line.frequency_error, multiple * own_error)))
+      return multiple;
+  return 0;
+}
+
+std::string name_of(const ResidualLine& line) {
+  if (line.harmonic == 2)
+    return "twice the swing's own: its second harmonic, from a spring or a sensor that is not symmetric";
+  if (line.harmonic == 3)
+    return "three times the swing's own: its third harmonic, from a spring, a damping or a sensor that is "
+           "not linear in another way than the law";
+  if (line.harmonic > 3)
+    return fmt::format(
+        "{} times the swing's own: a harmonic of it, as of a motion with corners or cut-off tops",
+        line.harmonic);
+  return "a second mode, as of a coupled or a sideways swing, or something that shakes the mount";
+}
+
+// How far the skirts of a line reach on either side, [rad/s].
+double skirt_of(double duration, const FreeDecay& fit) {
+  return 4 * std::max(two_pi / duration, fit.decay_rate.value);
+}
+
+// The lines that stand out of a spectrum of the residuals at even times, over `duration` [s], and are not the
+// swing's own.
+std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, double duration,
+                                   const FreeDecay& fit) {
+  const Spectrum spectrum = amplitude_spectrum(values, h);
+  const std::vector<double>& a = spectrum.amplitude;
+  double power = 0;
+  for (const double value : values) power += value * value / static_cast<double>(values.size());
+  const Band own = own_band(fit);
+  const double resolution = two_pi / duration;
+  const double skirt = skirt_of(duration, fit);
+  const auto bins = static_cast<std::size_t>(std::max(1.0, std::round(resolution / spectrum.step)));
+
+  std::vector<ResidualLine> lines;
+  for (std::size_t k = 2; k + 1 < a.size(); ++k) {
+    const double w = static_cast<double>(k) * spectrum.step;
+    const bool top = a[k] >= a[k - 1] && a[k] > a[k + 1];
+    // Slower than four cycles in the record is drift.
+    if (!top || w < 4 * resolution || own.holds(w, 1, skirt)) continue;
+    // The window lets a lasting line's amplitude through; its power is half the square.
+    if (0.5 * a[k] * a[k] < 0.05 * power || a[k] < 6 * median_around(a, k, 40 * bins)) continue;
+    const double left = std::log(a[k - 1] / a[k]), right = std::log(a[k + 1] / a[k]);
+    ResidualLine line;
+    line.angular_frequency =
+        w + (left + right < 0 ? 0.5 * (left - right) / (left + right) : 0) * spectrum.step;
+    line.amplitude = a[k];
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& fit) {
+  const std::size_t n = std::min(record.t.size(), most_samples);
+  if (n < 64 || fit.status != FitStatus::converged) return {};
+  const Record part = first_part(record, n);
+  const std::vector<double> r = motion_residuals(fit.motion(), part, fit.step);
+  if (r.size() != n) return {};
+  const double duration = part.t.back() - part.t.front(), h = duration / static_cast<double>(n - 1);
+  std::vector<ResidualLine> lines = lines_of(even(part.t, r, h), h, duration, fit);
+  std::sort(lines.begin(), lines.end(), [](const ResidualLine& one, const ResidualLine& other) {
+    return one.amplitude > other.amplitude;
+  });
+  // The skirts of a strong line are none of their own.
+  const double skirt = skirt_of(duration, fit);
+  std::vector<ResidualLine> distinct;
+  for (const ResidualLine& line : lines) {
+    const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const ResidualLine& stronger) {
+      return std::abs(stronger.angular_frequency - line.angular_frequency) < skirt;
+    });
+    if (!near && distinct.size() < 3) distinct.push_back(line);
+  }
+  for (ResidualLine& line : distinct) {
+    measure({part.t, r, 0}, line);
+    line.harmonic = harmonic_of(line, own_band(fit), fit.angular_frequency.standard_error);
+  }
+  // Rounding makes lines of its own.
+  const auto rounding = [&](const ResidualLine& line) { return line.amplitude < record.resolution; };
+  distinct.erase(std::remove_if(distinct.begin(), distinct.end(), rounding), distinct.end());
+  return distinct;
+}
+
+std::vector<std::string> second_modes(const Record& record, const FreeDecay& fit, std::string_view unit) {
+  std::vector<std::string> sentences;
+  const MotionParameters p = fit.motion();
+  const double swing = std::hypot(p.position, p.velocity / p.angular_frequency) *
+                       std::pow(p.angular_frequency, record.derivative);
+  for (const ResidualLine& line : residual_lines(record, fit))
+    sentences.push_back(fmt::format(
+        "what the law leaves oscillates at {:.5g} Hz, at first with an amplitude of {:.2g}{}{} ({:.2g} % of "
+        "the swing's at {:.5g} Hz): {}",
+        line.angular_frequency / two_pi, line.amplitude, unit.empty() ? "" : " ", unit,
+        100 * line.amplitude / swing, p.angular_frequency / two_pi, name_of(line)));
+  return sentences;
+}
+
+}  // namespace cromer

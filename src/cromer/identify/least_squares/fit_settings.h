@@ -1,0 +1,61 @@
+// What the fits of all laws share.
+#pragma once
+
+#include <span>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/identify/free_decay.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+
+namespace cromer {
+
+/// Tolerances and scale of a record's least squares; no bounds yet.
+LeastSquaresOptions least_squares_options(const Record& record, const FreeDecayOptions& options);
+
+/// A model that an interruption makes impossible everywhere, so that no further step is tried for long.
+template <class Model>
+auto interruptible(Model model, const Watch& watch) {
+  return [model = std::move(model), &watch](const Parameters& parameters) {
+    if (!watch.interrupted()) return model(parameters);
+    NormalEquations nowhere;
+    nowhere.sum_of_squares = HUGE_VAL;
+    return nowhere;
+  };
+}
+
+/// Nothing of it is known: parameters halfway to the minimum would look like a result.
+FreeDecay interrupted_fit(const Law& law);
+
+/// The first so many samples.
+Record first_part(const Record& record, std::size_t samples);
+
+/// The first periods, as many as the frequency of a large swing stays put for.
+Record first_periods(const Record& record, double angular_frequency);
+
+/// What a reason other than converged means for the user.
+void set_status(FreeDecay& fit, LeastSquaresReason reason);
+
+/// Minimises within the bounds and, where a parameter is on its bound, also without them.
+struct Minimum {
+  LeastSquaresSummary bounded;
+  LeastSquaresSummary free;  ///< the same where no bound is touched; `bounded` where there is no minimum
+  bool touches = false;      ///< a parameter is on its bound
+};
+template <class Model>
+Minimum minimise_both(const Model& model, const Parameters& start, const LeastSquaresOptions& options) {
+  Minimum minimum;
+  minimum.bounded = minimum.free = minimise(model, start, options);
+  for (int i = 0; i < minimum.bounded.equations.size; ++i)
+    minimum.touches = minimum.touches || minimum.bounded.parameters[i] <= options.lower[i];
+  if (!minimum.touches || minimum.bounded.reason != LeastSquaresReason::converged) return minimum;
+  LeastSquaresOptions unbounded = options;
+  unbounded.lower = LeastSquaresOptions::no_bounds();
+  unbounded.iteration_limit = 12;
+  unbounded.error_tolerance = 1e-2;
+  const LeastSquaresSummary beyond = minimise(model, minimum.bounded.parameters, unbounded);
+  minimum.bounded.iterations += beyond.iterations;
+  if (beyond.reason == LeastSquaresReason::converged) minimum.free = beyond;
+  return minimum;
+}
+
+}  // namespace cromer

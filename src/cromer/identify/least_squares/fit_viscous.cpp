@@ -1,0 +1,162 @@
+#include "cromer/identify/least_squares/fit_viscous.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "cromer/base/dual.h"
+#include "cromer/base/state.h"
+#include "cromer/identify/least_squares/bounds.h"
+#include "cromer/identify/motion/damped_phasor.h"
+#include "cromer/identify/least_squares/describe_fit.h"
+#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/diagnose/refusal.h"
+#include "cromer/identify/least_squares/rounding_bias.h"
+#include "cromer/identify/start/start_values.h"
+
+namespace cromer {
+namespace {
+
+// The viscous law in the phasor's own parameters, grown from a first part to the whole record.
+Minimum fit_phasor(const Record& record, const StartValues& start, const FreeDecayOptions& options,
+                   const Watch& watch) {
+  Minimum minimum;
+  Parameters parameters = start.phasor;
+  int iterations = 0;
+  for (std::size_t samples = start.samples;; samples = std::min(record.t.size(), 8 * samples)) {
+    const Record part = first_part(record, samples);
+    LeastSquaresOptions settings = least_squares_options(part, options);
+    const double duration = part.t.back() - part.t.front();
+    settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
+    settings.lower[DampedPhasor::decay_rate] = 0;
+    const bool whole = samples == record.t.size();
+    if (!whole) settings.error_tolerance = 1e-2;
+    const auto model = interruptible(DampedPhasor(part), watch);
+    if (whole || watch.interrupted()) {
+      minimum = minimise_both(model, parameters, settings);
+      break;
+    }
+    const LeastSquaresSummary summary = minimise(model, parameters, settings);
+    parameters = summary.parameters;
+    iterations += summary.iterations;
+  }
+  minimum.bounded.iterations += iterations;
+  return minimum;
+}
+
+// The law's parameters from those of the phasor, over any scalar: of the displacement, whatever its
+// derivative in the record.
+template <class Real>
+struct Converted {
+  Real angular_frequency, decay_rate, equilibrium;
+  State<Real> start;
+};
+
+template <class Real>
+Converted<Real> converted(const Real& w, const Real& g, const Real& E, const Real& A, const Real& B,
+                          int derivative) {
+  using std::hypot;
+  const Real w0 = hypot(w, g);
+  State<Real> y{A, w * B - g * A};
+  // What obeys x'' = -w0² x - 2 g x' is the derivative of something that does.
+  for (int i = 0; i < derivative; ++i) y = {-(y.v + Real(2) * g * y.x) / (w0 * w0), y.x};
+  return {w0, g, E, y};
+}
+
+MotionParameters motion_of_phasor(const Parameters& p, int derivative) {
+  const auto c = converted<double>(p[DampedPhasor::angular_frequency], p[DampedPhasor::decay_rate],
+                                   p[DampedPhasor::equilibrium], p[DampedPhasor::cosine],
+                                   p[DampedPhasor::sine], derivative);
+  return {.angular_frequency = c.angular_frequency,
+          .decay_rate = c.decay_rate,
+          .equilibrium = c.equilibrium,
+          .position = c.start.x,
+          .velocity = c.start.v};
+}
+
+// Row by row, of angular_frequency, decay_rate, equilibrium, position and velocity.
+SquareMatrix jacobian_of(const Parameters& p, int derivative) {
+  constexpr int n = DampedPhasor::parameter_count;
+  using Real = Dual<double, n>;
+  const auto variable = [&](int i) { return Real::variable(p[i], static_cast<std::size_t>(i)); };
+  const auto c = converted<Real>(variable(0), variable(1), variable(2), variable(3), variable(4), derivative);
+  SquareMatrix jacobian{};
+  const Real rows[] = {c.angular_frequency, c.decay_rate, c.equilibrium, c.start.x, c.start.v};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) jacobian[i][j] = rows[i].derivative[static_cast<std::size_t>(j)];
+  return jacobian;
+}
+
+}  // namespace
+
+FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+  FreeDecay fit;
+  fit.law = Law{};
+  const std::optional<StartValues> start = find_start_values(record);
+  if (!start) {
+    fit.status = FitStatus::no_oscillation;
+    fit.message = "no oscillation found: the spectrum has no line";
+    return fit;
+  }
+  const Minimum minimum = fit_phasor(record, *start, options, watch);
+  if (watch.interrupted()) return interrupted_fit(options.law);
+  fit.iterations = minimum.bounded.iterations;
+  const Parameters& p = minimum.bounded.parameters;
+  const MotionParameters motion = motion_of_phasor(p, record.derivative);
+
+  // The same covariance, said of the motion's parameters.
+  constexpr int n = DampedPhasor::parameter_count;
+  const SquareMatrix jacobian = jacobian_of(p, record.derivative);
+  const SquareMatrix phasor_inverse = inverse(minimum.free.equations.matrix, n);
+  SquareMatrix inverse_matrix{};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+        for (int l = 0; l < n; ++l)
+          inverse_matrix[i][j] += jacobian[i][k] * phasor_inverse[k][l] * jacobian[j][l];
+
+  std::vector<double> residuals;
+  DampedPhasor(record).residuals(p, residuals);
+  Parameters bias{};
+  if (const std::vector<double> y = rounded_motion(record, residuals); !y.empty()) {
+    const Parameters right = DampedPhasor({record.t, y, 0})(p).right;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        for (int k = 0; k < n; ++k) bias[i] += jacobian[i][k] * phasor_inverse[k][j] * right[j];
+  }
+  describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
+  set_intervals(fit, motion_of_phasor(minimum.free.parameters, record.derivative), record);
+  fit.step = motion_step(motion.angular_frequency, record.t.back() - record.t.front(), 1e-9);
+  set_status(fit, minimum.bounded.reason);
+  if (const auto refusal = refuse_fit(record, fit)) {
+    fit.status = refusal->status;
+    fit.message = refusal->message;
+  }
+  return fit;
+}
+
+// A swing whose frequency changes as it decays leaves a sinusoid out of step, and is an oscillation all the
+// same: its first periods show it.
+FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+  FreeDecay fit = fit_sinusoid(record, options, watch);
+  if (fit.status == FitStatus::no_oscillation && fit.angular_frequency.value > 0) {
+    const Record beginning = first_periods(record, fit.angular_frequency.value);
+    constexpr double clear = 0.95;
+    if (3 * beginning.t.size() < record.t.size()) {
+      const FreeDecay first = fit_sinusoid(beginning, options, watch);
+      if (first.status == FitStatus::converged && first.explained > clear) {
+        fit.status = FitStatus::converged;
+        fit.message.clear();
+        fit.warnings.push_back(
+            fmt::format("the frequency changes along the record: one decaying sinusoid accounts for {:.0f} % "
+                        "of the variance only",
+                        100 * std::max(0.0, fit.explained)));
+      }
+    }
+  }
+  return fit;
+}
+
+}  // namespace cromer

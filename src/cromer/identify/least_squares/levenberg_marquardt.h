@@ -1,0 +1,110 @@
+// Least squares by Gauss-Newton steps, damped (Levenberg-Marquardt) where a full step would not help, with
+// lower bounds.
+//
+// A model gives its normal equations in one pass over the data, so that an accepted trial costs nothing
+// twice. The first step is undamped: from good start values the iteration is pure Gauss-Newton.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/identify/least_squares/normal_equations.h"
+
+namespace cromer {
+
+struct LeastSquaresOptions {
+  int iteration_limit = 50;        // > 0
+  double tolerance = 1e-10;        // of a step, relative to the data's scale; 0 < tolerance < 1
+  double error_tolerance = 1e-5;   // of a step, in standard errors; 0 <= error_tolerance < 1
+  double scale = 1;                // Euclidean norm of the data; > 0
+  int residuals = 1;               // their number; > 0
+  Parameters lower = no_bounds();  // -inf where free
+
+  static constexpr Parameters no_bounds() {
+    Parameters p{};
+    p.fill(-std::numeric_limits<double>::infinity());
+    return p;
+  }
+};
+
+enum class LeastSquaresReason { converged, iteration_limit, singular, not_finite };
+
+struct LeastSquaresSummary {
+  LeastSquaresReason reason = LeastSquaresReason::iteration_limit;
+  int iterations = 0;
+  Parameters parameters{};
+  NormalEquations equations;  ///< at the parameters
+};
+
+/// Minimises the sum of squared residuals. `model(parameters)` returns its NormalEquations there (a
+/// sum_of_squares that is not finite marks parameters that cannot be); the start must lie within the bounds.
+template <class Model>
+LeastSquaresSummary minimise(const Model& model, const Parameters& start,
+                             const LeastSquaresOptions& options) {
+  LeastSquaresSummary at;
+  at.parameters = start;
+  at.equations = model(start);
+  if (!std::isfinite(at.equations.sum_of_squares)) {
+    at.reason = LeastSquaresReason::not_finite;
+    return at;
+  }
+  const int n = at.equations.size;
+  double lambda = 0;
+  while (at.iterations < options.iteration_limit) {
+    ++at.iterations;
+
+    // A parameter on its bound stays there while the data push it outwards.
+    std::array<bool, max_parameters> free{};
+    for (int i = 0; i < n; ++i) free[i] = at.parameters[i] > options.lower[i] || at.equations.right[i] > 0;
+    const ScaledCholesky factor(at.equations.matrix, n, lambda, free);
+    if (!factor.ok()) {
+      if (lambda > 1e12) {
+        at.reason = LeastSquaresReason::singular;
+        return at;
+      }
+      lambda = std::max(10 * lambda, 1e-9);
+      continue;
+    }
+    Parameters step = factor.solve(at.equations.right);
+    Parameters trial = at.parameters;
+    for (int i = 0; i < n; ++i) {
+      trial[i] = std::max(at.parameters[i] + step[i], options.lower[i]);
+      step[i] = trial[i] - at.parameters[i];
+    }
+
+    double motion = 0;  // how far the step moves the model, as a sum of squares
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) motion += step[i] * at.equations.matrix[i][j] * step[j];
+    const double variance = at.equations.sum_of_squares / std::max(1, options.residuals - n);
+    const double enough = std::max(options.tolerance * options.tolerance * options.scale * options.scale,
+                                   options.error_tolerance * options.error_tolerance * variance);
+
+    const NormalEquations equations = model(trial);
+    // Where the step moves the model by less than the sum of squares can resolve, the gradient still can:
+    // such a step is taken on trust.
+    const double before = at.equations.sum_of_squares;
+    const bool unresolved = motion <= 1e-13 * before;
+    const double limit = unresolved ? before * (1 + 1e-13) : before;
+    const bool better = std::isfinite(equations.sum_of_squares) && equations.sum_of_squares <= limit;
+    if (better) {
+      at.parameters = trial;
+      at.equations = equations;
+      lambda = lambda > 1e-8 ? lambda / 10 : 0;
+    } else {
+      lambda = lambda > 0 ? 10 * lambda : 1e-4;
+    }
+    if ((motion <= enough && lambda <= 1e-3) || (unresolved && !better)) {
+      at.reason = LeastSquaresReason::converged;
+      return at;
+    }
+    if (lambda > 1e14) {
+      at.reason = LeastSquaresReason::singular;
+      return at;
+    }
+  }
+  at.reason = LeastSquaresReason::iteration_limit;
+  return at;
+}
+
+}  // namespace cromer

@@ -1,0 +1,51 @@
+#include "cromer/identify/motion/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/base/median.h"
+
+namespace cromer {
+namespace {
+
+double median_step(std::span<const double> t) {
+  const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  double farthest = 0;
+  for (std::size_t i = 1; i < t.size(); ++i) farthest = std::max(farthest, std::abs(t[i] - t[i - 1] - mean));
+  if (farthest < 1e-6 * mean) return mean;  // equal steps to rounding: the mean is the more accurate
+  std::vector<double> steps(t.size() - 1);
+  for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
+  return upper_median(steps);
+}
+
+}  // namespace
+
+Sampling find_sampling(std::span<const double> t) {
+  Sampling sampling;
+  if (t.size() < 2) {
+    if (!t.empty()) sampling.stretches.push_back({0, 1, false});
+    return sampling;
+  }
+  const double h = sampling.step = median_step(t);
+  // Printed times carry rounding of their own size, which no sensor resolves.
+  const double tolerance = 1e-9 * h + 4e-16 * std::max(std::abs(t.front()), std::abs(t.back()));
+  constexpr std::size_t shortest_uniform = 16;  // below it the table costs more than the samples
+  for (std::size_t first = 0; first < t.size();) {
+    const std::size_t longest = std::min(longest_stretch, t.size() - first);
+    std::size_t count = 1;
+    while (count < longest &&
+           std::abs(t[first + count] - t[first] - static_cast<double>(count) * h) <= tolerance)
+      ++count;
+    const bool uniform = count >= shortest_uniform;
+    const bool joins = !uniform && !sampling.stretches.empty() && !sampling.stretches.back().uniform &&
+                       sampling.stretches.back().count + count <= longest_stretch;
+    if (joins)
+      sampling.stretches.back().count += count;
+    else
+      sampling.stretches.push_back({first, count, uniform});
+    first += count;
+  }
+  return sampling;
+}
+
+}  // namespace cromer

@@ -1,0 +1,161 @@
+#include "cromer/identify/start/driven_start.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "cromer/analysis/spectrum.h"
+#include "cromer/identify/forced_law.h"
+#include "cromer/identify/forced_minimum.h"
+#include "cromer/identify/motion/sinusoidal_force.h"
+
+namespace cromer {
+namespace {
+
+constexpr double two_pi = 2 * std::numbers::pi;
+constexpr std::size_t most_samples = 2048;
+
+struct Samples {
+  std::vector<double> t, y;  // times from the first sample
+  double duration() const { return t.back(); }
+};
+
+// On an even grid of at most `most` points, by straight lines; each point the mean of what lies around it
+// would smooth lines away, so that the grid is cut short instead where it would be too coarse.
+Samples even_samples(const Record& record, std::size_t most) {
+  const double t0 = record.t.front(), T = record.t.back() - t0;
+  const std::size_t count = std::min(record.t.size(), most);
+  Samples even;
+  for (std::size_t k = 0, i = 0; k < count; ++k) {
+    const double t = t0 + T * static_cast<double>(k) / static_cast<double>(count - 1);
+    while (i + 2 < record.t.size() && record.t[i + 1] <= t) ++i;
+    const double share = std::clamp((t - record.t[i]) / (record.t[i + 1] - record.t[i]), 0.0, 1.0);
+    even.t.push_back(t - t0);
+    even.y.push_back((1 - share) * record.y[i] + share * record.y[i + 1]);
+  }
+  return even;
+}
+
+// The spectrum's highest lines, at most `count`, each with its frequency.
+std::vector<double> lines_of(std::span<const double> y, double h, std::size_t count) {
+  Spectrum spectrum = amplitude_spectrum(y, h);
+  std::vector<double> lines;
+  while (lines.size() < count) {
+    const auto line = strongest_line(spectrum);
+    if (!line) break;
+    lines.push_back(line->angular_frequency);
+    // Down its slopes on both sides.
+    auto& a = spectrum.amplitude;
+    const auto top = static_cast<std::size_t>(
+        std::clamp(line->angular_frequency / spectrum.step + 0.5, 1.0, static_cast<double>(a.size() - 1)));
+    const double width = two_pi / (h * static_cast<double>(y.size()) * spectrum.step);  // bins per resolution
+    const auto reach = static_cast<std::size_t>(1 + 1.5 * width);
+    const std::size_t from = top > reach ? top - reach : 0, to = std::min(a.size(), top + reach + 1);
+    std::fill(a.begin() + static_cast<std::ptrdiff_t>(from), a.begin() + static_cast<std::ptrdiff_t>(to),
+              0.0);
+  }
+  return lines;
+}
+
+// E, the decaying sinusoid's cosine and sine, the steady one's.
+constexpr int linear_size = 5;
+struct Linear {
+  Parameters p{};
+  double sum_of_squares = HUGE_VAL;
+};
+
+Linear best_linear(const Samples& samples, double w, double g, double drive) {
+  NormalEquations equations;
+  equations.size = linear_size;
+  const double h = samples.t[1] - samples.t[0];
+  const auto turn = std::polar(std::exp(-g * h), w * h), drive_turn = std::polar(1.0, drive * h);
+  std::complex<double> a = 1, b = 1;
+  for (std::size_t i = 0; i < samples.t.size(); ++i) {
+    const double row[linear_size] = {1, a.real(), a.imag(), b.real(), b.imag()};
+    for (int j = 0; j < linear_size; ++j) {
+      equations.right[j] += row[j] * samples.y[i];
+      for (int l = 0; l < linear_size; ++l) equations.matrix[j][l] += row[j] * row[l];
+    }
+    equations.sum_of_squares += samples.y[i] * samples.y[i];
+    a = {a.real() * turn.real() - a.imag() * turn.imag(), a.real() * turn.imag() + a.imag() * turn.real()};
+    b = {b.real() * drive_turn.real() - b.imag() * drive_turn.imag(),
+         b.real() * drive_turn.imag() + b.imag() * drive_turn.real()};
+  }
+  const ScaledCholesky factor(equations.matrix, linear_size, 1e-9, all_free);
+  Linear result;
+  if (!factor.ok()) return result;
+  result.p = factor.solve(equations.right);
+  result.sum_of_squares = equations.sum_of_squares;
+  for (int j = 0; j < linear_size; ++j) result.sum_of_squares -= result.p[j] * equations.right[j];
+  return result;
+}
+
+}  // namespace
+
+std::optional<Parameters> driven_start(const Record& record, std::optional<double> drive) {
+  const std::size_t whole = record.t.size();
+  const Samples fine = even_samples(record, std::min<std::size_t>(whole, 65'536));
+  const double h = fine.t[1] - fine.t[0], T = fine.duration(), resolution = two_pi / T;
+  std::vector<double> lines = lines_of(fine.y, h, 4);
+  if (lines.empty()) return std::nullopt;
+  // What is left at the end is the drive's.
+  const std::size_t third = fine.y.size() / 3;
+  const std::vector<double> last = lines_of(std::span(fine.y).last(std::max<std::size_t>(third, 8)), h, 1);
+  lines.insert(lines.end(), last.begin(), last.end());
+
+  std::vector<double> drives = lines, natural = lines;
+  if (drive) drives = {*drive};
+  if (drive)
+    for (double line : lines)
+      if (std::abs(line - *drive) < 2 * resolution) drives.push_back(line);
+  for (double at : drives)  // beside the drive's line, where the spectrum shows but one
+    for (double off : {-3.0, -2.0, -1.0, -0.5, 0.5, 1.0, 2.0, 3.0}) natural.push_back(at + off * resolution);
+
+  // Few enough samples for a search, and enough of them in a period of the fastest line.
+  const double fastest = *std::max_element(lines.begin(), lines.end());
+  const auto needed = static_cast<std::size_t>(8 * std::max(fastest, drive.value_or(0)) * T / two_pi) + 64;
+  const Samples coarse = even_samples(record, std::min(std::max(needed, most_samples), 4 * most_samples));
+
+  double w_best = 0, g_best = 0, drive_best = 0;
+  Linear best;
+  for (double wd : drives)
+    for (double w : natural) {
+      if (!(w > 0.2 * resolution) || !(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
+      for (double g = 0.3 / T; g < w; g *= 2.5) {
+        const Linear fit = best_linear(coarse, w, g, wd);
+        if (fit.sum_of_squares < best.sum_of_squares) {
+          best = fit;
+          w_best = w;
+          g_best = g;
+          drive_best = wd;
+        }
+      }
+    }
+  if (!std::isfinite(best.sum_of_squares)) return std::nullopt;
+
+  const ForcedLayout at = forced_layout(SinusoidalForce::parameters, {});
+  const double s1 = w_best * w_best + g_best * g_best;
+  const std::complex<double> steady(best.p[3], -best.p[4]);
+  const std::complex<double> force =
+      steady * std::complex<double>(s1 - drive_best * drive_best, 2 * g_best * drive_best);
+  Parameters start{};
+  start[SinusoidalForce::cosine] = force.real();
+  start[SinusoidalForce::sine] = -force.imag();
+  start[SinusoidalForce::frequency] = drive_best;
+  start[at.bias] = s1 * best.p[0];
+  start[at.decay] = g_best;
+  start[at.stiffness] = s1;
+  start[at.position] = best.p[0] + best.p[1] + best.p[3];
+  start[at.velocity] = w_best * best.p[2] - g_best * best.p[1] + drive_best * best.p[4];
+  for (int d = record.derivative; d > 0; --d) {
+    const double cosine = start[SinusoidalForce::cosine];
+    start[SinusoidalForce::cosine] = -start[SinusoidalForce::sine] / drive_best;
+    start[SinusoidalForce::sine] = cosine / drive_best;
+    integrate_start(start, at, start[SinusoidalForce::cosine], d == record.derivative);
+  }
+  return start;
+}
+
+}  // namespace cromer

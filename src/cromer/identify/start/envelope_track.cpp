@@ -1,0 +1,188 @@
+#include "cromer/identify/start/envelope_track.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t most_in_a_window = 96;
+
+// What is solved here has three or four unknowns at most.
+struct LinearFit {
+  bool ok = false;
+  Parameters x{};
+  double rest = HUGE_VAL;  // sum of squares
+};
+
+LinearFit solve(const NormalEquations& equations) {
+  LinearFit fit;
+  const ScaledCholesky factor(equations.matrix, equations.size, 0, all_free);
+  if (!factor.ok()) return fit;
+  fit.ok = true;
+  fit.x = factor.solve(equations.right);
+  fit.rest = equations.sum_of_squares;
+  for (int i = 0; i < equations.size; ++i) fit.rest -= fit.x[i] * equations.right[i];
+  return fit;
+}
+
+void add_row(NormalEquations& equations, const Parameters& row, double y) {
+  for (int i = 0; i < equations.size; ++i) {
+    equations.right[i] += row[i] * y;
+    for (int j = 0; j < equations.size; ++j) equations.matrix[i][j] += row[i] * row[j];
+  }
+  equations.sum_of_squares += y * y;
+}
+
+struct Window {
+  double equilibrium, amplitude, phase, error;  // error of the amplitude
+};
+
+// A sinusoid of one frequency over the samples [first, last), its phase at the time tc.
+std::optional<Window> window_at(const Record& record, std::size_t first, std::size_t last, double w,
+                                double tc) {
+  const std::size_t stride = (last - first + most_in_a_window - 1) / most_in_a_window;
+  NormalEquations equations;
+  equations.size = 3;
+  double used = 0;
+  for (std::size_t i = first; i < last; i += stride, ++used)
+    add_row(equations, {1, std::cos(w * (record.t[i] - tc)), std::sin(w * (record.t[i] - tc))}, record.y[i]);
+  const LinearFit fit = solve(equations);
+  if (!fit.ok || used < 6) return std::nullopt;
+  const double variance = std::max(fit.rest, 0.0) / (used - 3);
+  return Window{fit.x[0], std::hypot(fit.x[1], fit.x[2]), std::atan2(-fit.x[2], fit.x[1]),
+                std::sqrt(2 * variance / used)};
+}
+
+// The integral over the track of f(A), from its first time: by trapezoids.
+template <class F>
+std::vector<double> integral(const EnvelopeTrack& track, F f) {
+  std::vector<double> sum(track.t.size());
+  for (std::size_t k = 1; k < sum.size(); ++k)
+    sum[k] = sum[k - 1] +
+             0.5 * (track.t[k] - track.t[k - 1]) * (f(track.amplitude[k - 1]) + f(track.amplitude[k]));
+  return sum;
+}
+
+struct Decay {
+  double amplitude = 0, s = 0, b = 0, q = 0, rest = HUGE_VAL;
+};
+
+// The best of all subsets of the law's terms in which none is negative.
+Decay decay_along(const EnvelopeTrack& track, const Law& law) {
+  const std::vector<double> integrals[] = {integral(track, [](double) { return 1.0; }),
+                                           integral(track, [](double A) { return A; }),
+                                           integral(track, [](double A) { return A * A; })};
+  const bool allowed[] = {law.friction, law.viscous, law.drag};
+  Decay best;
+  for (int subset = 0; subset < 8; ++subset) {
+    int terms[3], count = 0;
+    bool possible = true;
+    for (int i = 0; i < 3; ++i)
+      if (subset >> i & 1) possible = possible && allowed[i], terms[count++] = i;
+    if (!possible) continue;
+    NormalEquations equations;
+    equations.size = 1 + count;
+    for (std::size_t k = 0; k < track.t.size(); ++k) {
+      Parameters row{1};
+      for (int i = 0; i < count; ++i) row[1 + i] = -integrals[terms[i]][k];
+      add_row(equations, row, track.amplitude[k]);
+    }
+    const LinearFit fit = solve(equations);
+    if (!fit.ok || fit.rest >= best.rest) continue;
+    double coefficients[3]{};
+    bool negative = false;
+    for (int i = 0; i < count; ++i) {
+      coefficients[terms[i]] = fit.x[1 + i];
+      negative = negative || fit.x[1 + i] < 0;
+    }
+    if (!negative) best = {fit.x[0], coefficients[0], coefficients[1], coefficients[2], fit.rest};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular_frequency,
+                                            double decay_rate) {
+  EnvelopeTrack track;
+  double w = angular_frequency, equilibria = 0;
+  const double duration = std::min(record.t.back() - record.t.front(), 2 / std::max(decay_rate, 1e-300));
+  const double periods = std::clamp(w * duration / (2 * pi) / 12, 1.0, 3.0);
+  std::size_t first = 0;
+  double last_t = 0, last_phase = 0;
+  bool dies_away = false;
+  while (first < record.t.size()) {
+    const double from = record.t[first], to = from + periods * 2 * pi / w, tc = 0.5 * (from + to);
+    const auto last =
+        static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), to) - record.t.begin());
+    if (to > record.t.back()) break;
+    const std::optional<Window> window = window_at(record, first, last, w, tc);
+    first = last;
+    if (!window) continue;
+    const bool begins = track.t.empty();
+    const double scale = std::pow(w, record.derivative);
+    const double amplitude = window->amplitude / scale;
+    dies_away = !begins && (window->amplitude < std::max(4 * window->error, record.resolution) ||
+                            amplitude < 0.02 * track.amplitude.front());
+    if (dies_away) break;
+    double phase = window->phase - 0.5 * pi * record.derivative;
+    if (!begins) {
+      const double expected = last_phase + w * (tc - last_t);
+      const double off = std::remainder(phase - expected, 2 * pi);
+      if (std::abs(off) > 1.5) break;  // lost
+      phase = expected + off;
+      w += std::clamp(off / (tc - last_t), -0.1 * w, 0.1 * w);
+    }
+    track.t.push_back(tc);
+    track.amplitude.push_back(amplitude);
+    track.phase.push_back(phase);
+    equilibria += window->equilibrium;
+    last_t = tc;
+    last_phase = phase;
+    track.samples = track.swinging = last;
+  }
+  if (track.t.size() < 3) return std::nullopt;
+  const bool followed = dies_away || record.t.back() - last_t < 2.5 * periods * 2 * pi / w;
+  if (followed) track.samples = record.t.size();
+  if (!dies_away) track.swinging = track.samples;
+  track.frequency = (track.phase[1] - track.phase[0]) / (track.t[1] - track.t[0]);
+  track.equilibrium = equilibria / static_cast<double>(track.t.size());
+  return track;
+}
+
+MotionParameters motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
+  const Decay decay = decay_along(track, law);
+  const std::vector<double> time =
+      integral(track, [&](double A) { return law.pendulum ? 1 - A * A / 16 + A * A * A * A / 3072 : 1.0; });
+  const std::vector<double> squares = integral(track, [](double A) { return A * A; });
+  NormalEquations equations;
+  equations.size = law.cubic ? 3 : 2;
+  for (std::size_t k = 0; k < track.t.size(); ++k)
+    add_row(equations, {1, time[k], squares[k]}, track.phase[k]);
+  LinearFit fit = solve(equations);
+  if (!fit.ok) fit.x = {track.phase.front(), track.frequency, 0};
+  const double w = fit.x[1] > 0 ? fit.x[1] : track.frequency;
+
+  MotionParameters motion;
+  motion.pendulum = law.pendulum;
+  motion.equilibrium = track.equilibrium;
+  motion.decay_rate = decay.b;
+  motion.drag = 3 * pi * decay.q / (4 * w);
+  motion.friction = 0.5 * pi * w * decay.s;
+  motion.angular_frequency = std::hypot(w, decay.b);
+  if (law.cubic) motion.cubic = 8 * w * fit.x[2] / 3;
+  // From the first window's middle back to the first sample.
+  const double back = track.t.front() - t0, A = decay.amplitude;
+  const double amplitude = A + (decay.s + decay.b * A + decay.q * A * A) * back;
+  const double rate = law.pendulum ? w * (1 - A * A / 16 + A * A * A * A / 3072)
+                                   : w + (law.cubic ? fit.x[2] * amplitude * amplitude : 0);
+  const double phase = fit.x[0] - rate * back;
+  motion.position = amplitude * std::cos(phase);
+  motion.velocity = -amplitude * rate * std::sin(phase) - decay.b * motion.position;
+  return motion;
+}
+
+}  // namespace cromer
