@@ -1,6 +1,6 @@
 #include "cromer/identify/law.h"
 
-#include <array>
+#include <vector>
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
@@ -8,55 +8,62 @@
 namespace cromer {
 namespace {
 
-struct Term {
-  std::string_view name;
-  bool Law::*member;
-};
-
-constexpr std::array<Term, 5> terms{{{"viscous", &Law::viscous},
-                                     {"drag", &Law::drag},
-                                     {"friction", &Law::friction},
-                                     {"cubic", &Law::cubic},
-                                     {"pendulum", &Law::pendulum}}};
+// Of the terms that can be typed, and auto.
+std::vector<std::string_view> typed_names() {
+  std::vector<std::string_view> names;
+  for_each_term([&]<class T>() {
+    if (T::info.name != Spring::info.name) names.push_back(T::info.name);
+  });
+  return names;
+}
 
 Error unknown_term(std::string_view term) {
   if (term == "auto")
     return Error{
         "--law: auto chooses the terms itself and stands alone; for a sum name its terms, for instance "
         "viscous+drag"};
-  constexpr std::array<std::string_view, 6> names{"viscous", "drag", "friction", "cubic", "pendulum", "auto"};
+  std::vector<std::string_view> names = typed_names();
+  names.push_back("auto");
   const std::string suggestion = nearest(term, names);
   std::string message = "--law: \"" + std::string(term) + "\" is not a term";
   message += suggestion.empty() ? "." : "; did you mean " + suggestion + "?";
-  return Error{message + " A law is auto, or a sum of viscous, drag, friction, cubic and pendulum"};
+  return Error{message + " A law is auto, or a sum of " + law_names()};
 }
 
 }  // namespace
 
+std::string law_names() {
+  const std::vector<std::string_view> names = typed_names();
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + std::string(names[i]);
+  return list;
+}
+
 Result<Law> parse_law(std::string_view text) {
-  Law law{.viscous = false};
+  Law law;
   for (std::size_t begin = 0;;) {
     const std::size_t end = text.find('+', begin);
     const std::string_view word =
         trimmed(text.substr(begin, end == std::string_view::npos ? end : end - begin));
-    const Term* found = nullptr;
-    for (const Term& term : terms)
-      if (term.name == word) found = &term;
-    if (!found) return unknown_term(word);
-    if (law.*(found->member)) return Error{"--law: the term " + std::string(word) + " is named twice"};
-    law.*(found->member) = true;
-    if (end == std::string_view::npos) return law;
+    const Law term =
+        law_where([&](const TermInfo& info) { return info.name == word && word != Spring::info.name; });
+    if (term == Law{}) return unknown_term(word);
+    if (law.shares(term)) return Error{"--law: the term " + std::string(word) + " is named twice"};
+    law = law.with(term);
+    if (end == std::string_view::npos) break;
     begin = end + 1;
   }
+  return law.shares(springs) ? law : law.with(law_with<Spring>);
 }
 
 std::string to_text(const Law& law) {
   std::string text;
-  for (const Term& term : terms) {
-    if (!(law.*term.member)) continue;
+  for_each_term([&]<class T>() {
+    if (!law.has<T>() || T::info.name == Spring::info.name) return;
     if (!text.empty()) text += '+';
-    text += term.name;
-  }
+    text += T::info.name;
+  });
   return text;
 }
 

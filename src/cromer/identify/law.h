@@ -1,29 +1,22 @@
-// Which terms a law of free motion has.
+// A law of motion by the names of its terms, as a person types it.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 #include "cromer/base/result.h"
+#include "cromer/model/law.h"
 
 namespace cromer {
 
-/// Which damping and stiffness terms are in the law. Viscous alone has a closed form.
-struct Law {
-  bool viscous = true;
-  bool drag = false;
-  bool friction = false;
-  bool cubic = false;
-  bool pendulum = false;  ///< sin x in place of x, x an angle [rad]
-
-  friend bool operator==(const Law&, const Law&) = default;
-};
-
-/// Reads "viscous+drag": any sum of viscous, drag, friction, cubic and pendulum in any order, each at most
-/// once, blanks allowed. An unknown term is an Error that suggests the nearest.
+/// Reads "viscous+drag": any sum of the registry's terms in any order, each at most once, blanks allowed. A
+/// linear spring is part of it, or a pendulum in its place. An unknown term is an Error that suggests the nearest.
 Result<Law> parse_law(std::string_view text);
 
-/// Writes the terms in the order viscous, drag, friction, cubic, pendulum.
+/// Writes the terms in the order of the registry; the spring goes without saying.
 std::string to_text(const Law& law);
+
+/// The names of all terms that can be typed, "viscous, drag, … and pendulum".
+std::string law_names();
 
 }  // namespace cromer

@@ -1,7 +1,9 @@
-// A recorded motion, as the estimator sees it.
+// A recorded motion and what drove it, as the estimator sees them.
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <string_view>
 
 namespace cromer {
 
@@ -11,6 +13,33 @@ struct Record {
   std::span<const double> y;
   double resolution = 0;  ///< rounding step of the values, 0 if unknown
   int derivative = 0;     ///< which of the displacement y is: 0 itself, 1 the velocity, 2 the acceleration
+
+  /// The first so many samples.
+  Record first(std::size_t samples) const {
+    Record part = *this;
+    part.t = t.first(samples);
+    part.y = y.first(samples);
+    return part;
+  }
+};
+
+/// What a recorded force did between its samples: straight lines; each value until the next, as a converter
+/// does; or the sinc series through all of them.
+enum class ForceBetween { linear, hold, band_limited };
+
+constexpr std::string_view name(ForceBetween between) {
+  return between == ForceBetween::linear ? "linear" : between == ForceBetween::hold ? "hold" : "band-limited";
+}
+
+/// A force that was recorded beside the motion, at even times, before and after it as well if there is more. The
+/// motion's samples lie at times of the force's own.
+struct ForceRecord {
+  std::span<const double> samples;
+  double begin = 0;    // [s] time of the first
+  double spacing = 1;  // [s] > 0
+  ForceBetween between = ForceBetween::linear;
+
+  double time(std::size_t i) const { return begin + static_cast<double>(i) * spacing; }
 };
 
 }  // namespace cromer

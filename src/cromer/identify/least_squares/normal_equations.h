@@ -8,7 +8,7 @@
 namespace cromer {
 
 /// The most parameters a fit can have.
-inline constexpr int max_parameters = 12;
+inline constexpr int max_parameters = 20;
 
 using Parameters = std::array<double, max_parameters>;
 

@@ -1,0 +1,268 @@
+// The loop over a motion's steps and a record's times, for every law and drive that has code of its own. Each
+// kind of drive is compiled in one unit, which includes this.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+#include "cromer/base/function_ref.h"
+#include "cromer/identify/motion/harmonic_columns.h"
+#include "cromer/identify/motion/motion_model.h"
+#include "cromer/identify/motion/path.h"
+#include "cromer/identify/motion/recorded_force.h"
+#include "cromer/model/terms.h"
+
+namespace cromer {
+
+/// A motion at one sample: what is observed of it, its velocity and position, each with its columns.
+template <class Path>
+class Seen {
+ public:
+  using Number = typename Path::Number;
+
+  Seen(const Path& path, double t, double length, double share)
+      : path_(path), t_(t), length_(length), share_(share) {}
+
+  int direction() const { return path_.direction(); }
+  Number x() const { return seen(state().x); }
+  Number v() const { return seen(state().v); }
+  Number a() const {
+    const auto y = state();
+    return path_.acceleration(t_, y.x, y.v);
+  }
+  /// That derivative of the displacement.
+  Number observed(int derivative) const {
+    if (derivative == 0) return x();
+    return derivative == 1 ? v() : a();
+  }
+
+ private:
+  State<typename Path::Real> state() const {
+    if (path_.sticks() || share_ == 1) return path_.last().to;
+    if (share_ == 0) return path_.last().from;
+    if constexpr (requires { path_.last().acceleration_from; })
+      return {displacement_within(path_.last(), length_, share_), velocity_within(path_.last(), length_, share_)};
+    else
+      return path_.last().to;
+  }
+
+  const Path& path_;
+  double t_, length_, share_;
+};
+
+/// A motion that needs more steps than this is not followed to its end: no record is worth them.
+inline constexpr long long most_steps = 100'000'000;
+
+/// Calls visit(i, seen) at every time, strictly increasing, in steps of at most h. Stops where the motion is no
+/// longer finite.
+template <class Code, class Visit>
+void follow_freely(const Motion& motion, const typename Code::Drive& drive, std::span<const double> t, double h,
+                   Visit visit) {
+  using OnPath = Path<Code, DormandPrince>;
+  OnPath path(motion, drive);
+  const double origin = t.front();
+  double now = 0;
+  long long steps = 0;
+  for (std::size_t i = 0; i < t.size() && steps < most_steps; ++steps) {
+    const double length = path.step(now, h);
+    for (; i < t.size() && t[i] - origin <= now + length; ++i) {
+      const double at = t[i] - origin;
+      visit(i, Seen<OnPath>(path, at, length, (at - now) / length));
+    }
+    if (!std::isfinite(seen(path.last().to.x).value)) return;
+    now += length;
+  }
+}
+
+/// The same under a recorded force, whose samples the times lie at: each of its intervals is cut into equal steps
+/// of at most h.
+template <class Code, class Visit>
+void follow_force(const Motion& motion, const ForceRecord& force, std::span<const double> t, double h,
+                  Visit visit) {
+  using OnPath = Path<Code, Rk4>;
+  const int steps = std::max(1, static_cast<int>(std::ceil(force.spacing / h - 1e-9)));
+  const double origin = t.front(), step = force.spacing / steps;
+  RecordedColumns drive(motion, force, origin, steps);
+  OnPath path(motion, drive);
+  const auto sample_at = [&](double time) {
+    return static_cast<std::size_t>(std::max(0.0, std::round((time - force.begin) / force.spacing)));
+  };
+  const std::size_t first = sample_at(origin), last = sample_at(t.back());
+  std::size_t i = 0;
+  for (std::size_t k = first; k <= last && i < t.size(); ++k) {
+    const double begin = force.time(k) - origin;
+    const bool here = sample_at(t[i]) == k;
+    if (k + 1 < force.samples.size()) drive.prepare(k);
+    if (here && k == first) {
+      path.step(begin, 0);  // starts it
+      visit(i++, Seen<OnPath>(path, begin, 1, 1));
+    } else if (here) {
+      visit(i++, Seen<OnPath>(path, begin, 1, 1));
+    }
+    if (k == last || k + 1 >= force.samples.size()) break;
+    for (int n = 0; n < steps; ++n) {
+      const double end = begin + (n + 1) * step;
+      for (double now = begin + n * step; end - now > 1e-9 * step;) now += path.step(now, end - now);
+    }
+    if (!std::isfinite(seen(path.last().to.x).value)) return;
+  }
+}
+
+/// f.operator()<law>() with the smallest of `laws` that has all terms of the given one.
+template <const auto& laws, class F>
+void with_law_among(const Law& law, F&& f) {
+  std::size_t best = std::size(laws);
+  for (std::size_t i = 0; i < std::size(laws); ++i)
+    if (laws[i].contains(law) && (best == std::size(laws) || laws[i].size() < laws[best].size())) best = i;
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (void)((i == best && (f.template operator()<laws[i]>(), true)) || ...);
+  }(std::make_index_sequence<std::size(laws)>{});
+}
+
+/// Calls visit(i, seen) with numbers, and in columns their derivatives.
+template <Law law, class DriveColumns, bool derivatives, class Visit>
+void follow(const Motion& motion, const Drive& drive, std::span<const double> t, double h, Visit visit) {
+  using Code = MotionCode<law, DriveColumns, derivatives>;
+  if constexpr (std::is_same_v<DriveColumns, RecordedColumns>)
+    follow_force<Code>(motion, drive.force, t, h, visit);
+  else if constexpr (std::is_same_v<DriveColumns, HarmonicColumns>)
+    follow_freely<Code>(motion, HarmonicColumns(motion), t, h, visit);
+  else
+    follow_freely<Code>(motion, FreeColumns{}, t, h, visit);
+}
+
+/// Which column of the code, times which factor, a fitted parameter is; none of an equilibrium's, which is 1
+/// throughout.
+struct ColumnOf {
+  int column = -1;
+  double factor = 1;
+};
+
+template <class Code>
+ColumnOf column_of(const FittedParameter& parameter, double value) {
+  ColumnOf found{-1, parameter.coefficient ? parameter.slope(value) : 1};
+  for_each_term([&]<class T>() {
+    if constexpr (Code::law.template has<T>())
+      for (std::size_t i = 0; i < coefficients_of<T>; ++i)
+        if (parameter.coefficient == T::template members<double>[i])
+          found.column = static_cast<int>(Code::template column_of<T> + i);
+  });
+  constexpr int drive = static_cast<int>(Code::drive_column);
+  const std::pair<double Motion::*, int> others[] = {
+      {&Motion::cosine, drive},
+      {&Motion::sine, drive + 1},
+      {&Motion::drive_frequency, drive + 2},
+      {&Motion::force_gain, drive},
+      {&Motion::force_offset, drive + 1},
+      {&Motion::position, static_cast<int>(Code::position_column)},
+      {&Motion::velocity, static_cast<int>(Code::velocity_column)}};
+  for (const auto& [member, column] : others)
+    if (parameter.member && parameter.member == member) found.column = column;
+  return found;
+}
+
+/// What a unit offers for its kind of drive.
+template <const auto& laws, class DriveColumns>
+struct MotionUnit {
+  static Law code_of(const Motion& motion) { return motion.law; }
+
+  template <class Visit>
+  static void values(const Motion& motion, const Drive& drive, std::span<const double> t, double h, Visit visit) {
+    with_law_among<laws>(motion.law, [&]<Law law>() {
+      follow<law, DriveColumns, false>(motion, drive, t, h, visit);
+    });
+  }
+
+  static Trajectory states(const Motion& motion, const Drive& drive, std::span<const double> t, double h) {
+    Trajectory trajectory;
+    values(motion, drive, t, h, [&](std::size_t i, const auto& seen) {
+      trajectory.t.push_back(t[i]);
+      trajectory.x.push_back(seen.x().value);
+      trajectory.v.push_back(seen.v().value);
+    });
+    return trajectory;
+  }
+
+  static std::vector<double> observed(const Motion& motion, const Drive& drive, std::span<const double> t,
+                                      int derivative, double h) {
+    std::vector<double> y;
+    y.reserve(t.size());
+    values(motion, drive, t, h, [&](std::size_t, const auto& seen) {
+      y.push_back(motion.equilibrium + seen.observed(derivative).value);
+    });
+    return y;
+  }
+
+  static NormalEquations equations(const FittedParameters& fitted, const Parameters& parameters,
+                                   const Drive& drive, const Record& record, double h) {
+    const Motion motion = fitted.unpack(parameters);
+    NormalEquations equations;
+    with_law_among<laws>(motion.law, [&]<Law law>() {
+      using Code = MotionCode<law, DriveColumns, true>;
+      constexpr std::size_t N = Code::columns, columns = N + 1;  // the last is the equilibrium's
+      double gram[columns][columns]{}, right[columns]{}, sum_of_squares = 0;
+      std::size_t reached = 0;
+      follow<law, DriveColumns, true>(motion, drive, record.t, h, [&](std::size_t i, const auto& seen) {
+        const auto model = seen.observed(record.derivative);
+        const double r = record.y[i] - motion.equilibrium - model.value;
+        double row[columns];
+        for (std::size_t j = 0; j < N; ++j) row[j] = model.derivative[j];
+        row[N] = 1;
+        for (std::size_t j = 0; j < columns; ++j) {
+          right[j] += row[j] * r;
+          for (std::size_t l = 0; l <= j; ++l) gram[j][l] += row[j] * row[l];
+        }
+        sum_of_squares += r * r;
+        reached = i + 1;
+      });
+      equations.size = fitted.count;
+      equations.sum_of_squares = reached == record.t.size() ? sum_of_squares : HUGE_VAL;
+      ColumnOf at[max_parameters];
+      for (int i = 0; i < fitted.count; ++i) {
+        at[i] = column_of<Code>(fitted.of[i], parameters[i]);
+        if (at[i].column < 0) at[i].column = static_cast<int>(N);
+      }
+      for (int i = 0; i < fitted.count; ++i) {
+        equations.right[i] = at[i].factor * right[at[i].column];
+        for (int j = 0; j < fitted.count; ++j)
+          equations.matrix[i][j] = at[i].factor * at[j].factor *
+                                   gram[std::max(at[i].column, at[j].column)][std::min(at[i].column, at[j].column)];
+      }
+    });
+    return equations;
+  }
+
+  static void rows(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
+                   const Record& record, double h, const VisitRow& visit) {
+    const Motion motion = fitted.unpack(parameters);
+    gradients(fitted, parameters, drive, record.t, h, [&](std::size_t i, const auto& seen, const auto& gradient) {
+      const auto model = seen.observed(record.derivative);
+      visit(i, gradient(model), record.y[i] - motion.equilibrium - model.value);
+    });
+  }
+
+  /// Calls visit(i, seen, gradient): gradient(number) is its derivatives by the fitted parameters.
+  template <class Visit>
+  static void gradients(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
+                        std::span<const double> t, double h, Visit visit) {
+    const Motion motion = fitted.unpack(parameters);
+    with_law_among<laws>(motion.law, [&]<Law law>() {
+      using Code = MotionCode<law, DriveColumns, true>;
+      ColumnOf at[max_parameters];
+      for (int i = 0; i < fitted.count; ++i) at[i] = column_of<Code>(fitted.of[i], parameters[i]);
+      const auto gradient = [&](const typename Code::Number& number) {
+        Parameters row{};
+        for (int i = 0; i < fitted.count; ++i)
+          row[i] = at[i].column < 0 ? 1 : at[i].factor * number.derivative[static_cast<std::size_t>(at[i].column)];
+        return row;
+      };
+      follow<law, DriveColumns, true>(motion, drive, t, h,
+                                      [&](std::size_t i, const auto& seen) { visit(i, seen, gradient); });
+    });
+  }
+};
+
+}  // namespace cromer

@@ -1,0 +1,49 @@
+#include "cromer/identify/motion/motion.h"
+
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+
+namespace cromer {
+
+Parameters FittedParameters::lower_bounds() const {
+  Parameters lower = LeastSquaresOptions::no_bounds();
+  for (int i = 0; i < count; ++i)
+    if (!of[i].may_be_negative) lower[i] = 0;
+  return lower;
+}
+
+FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParameters held, const Motion& values) {
+  FittedParameters fitted;
+  fitted.held = values;
+  fitted.held.law = law;
+  for_each_term([&]<class T>() {
+    if (!law.has<T>()) return;
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
+      const CoefficientInfo& info = T::coefficients[i];
+      fitted.of[fitted.count++] = {.name = info.parameter,
+                                   .coefficient = T::template members<double>[i],
+                                   .as = info.fitted,
+                                   .may_be_negative = info.may_be_negative,
+                                   .term = &term_infos[place_of_term<T>]};
+    }
+  });
+  // A pendulum's frequency is listed where a spring's is.
+  const int swing = fitted.place_of("angular_frequency");
+  for (int i = swing; i > 0; --i) std::swap(fitted.of[i], fitted.of[i - 1]);
+  const auto add = [&](std::string_view name, double Motion::*member, bool at_rest = false) {
+    fitted.of[fitted.count++] = {.name = name, .member = member, .lives_at_rest = at_rest};
+  };
+  if (drive == DriveKind::recorded) {
+    add("force_gain", &Motion::force_gain);
+    if (!held.force_offset) add("force_offset", &Motion::force_offset, true);
+  } else if (drive == DriveKind::harmonic) {
+    add("drive_cosine", &Motion::cosine);
+    add("drive_sine", &Motion::sine);
+    add("drive_frequency", &Motion::drive_frequency);
+  }
+  if (!held.equilibrium) add("equilibrium", &Motion::equilibrium, true);
+  add("position", &Motion::position);
+  add("velocity", &Motion::velocity);
+  return fitted;
+}
+
+}  // namespace cromer
