@@ -167,8 +167,6 @@ ColumnOf column_of(const FittedParameter& parameter, double value) {
 /// What a unit offers for its kind of drive.
 template <const auto& laws, class DriveColumns>
 struct MotionUnit {
-  static Law code_of(const Motion& motion) { return motion.law; }
-
   template <class Visit>
   static void values(const Motion& motion, const Drive& drive, std::span<const double> t, double h, Visit visit) {
     with_law_among<laws>(motion.law, [&]<Law law>() {
@@ -238,9 +236,12 @@ struct MotionUnit {
   static void rows(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
                    const Record& record, double h, const VisitRow& visit) {
     const Motion motion = fitted.unpack(parameters);
+    const int equilibrium = fitted.place_of("equilibrium");
     gradients(fitted, parameters, drive, record.t, h, [&](std::size_t i, const auto& seen, const auto& gradient) {
       const auto model = seen.observed(record.derivative);
-      visit(i, gradient(model), record.y[i] - motion.equilibrium - model.value);
+      Parameters row = gradient(model);
+      if (equilibrium >= 0) row[equilibrium] = 1;
+      visit(i, row, record.y[i] - motion.equilibrium - model.value);
     });
   }
 
@@ -256,7 +257,7 @@ struct MotionUnit {
       const auto gradient = [&](const typename Code::Number& number) {
         Parameters row{};
         for (int i = 0; i < fitted.count; ++i)
-          row[i] = at[i].column < 0 ? 1 : at[i].factor * number.derivative[static_cast<std::size_t>(at[i].column)];
+          row[i] = at[i].column < 0 ? 0 : at[i].factor * number.derivative[static_cast<std::size_t>(at[i].column)];
         return row;
       };
       follow<law, DriveColumns, true>(motion, drive, t, h,

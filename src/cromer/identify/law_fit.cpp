@@ -1,0 +1,116 @@
+#include "cromer/identify/law_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cromer/identify/diagnose/outliers.h"
+#include "cromer/identify/diagnose/refusal.h"
+#include "cromer/identify/fit_motion.h"
+#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/least_squares/fit_viscous.h"
+#include "cromer/identify/motion/damped_phasor.h"
+
+namespace cromer {
+
+std::string_view name(FitStatus status) {
+  switch (status) {
+    case FitStatus::converged:
+      return "converged";
+    case FitStatus::iteration_limit:
+      return "iteration_limit";
+    case FitStatus::no_oscillation:
+      return "no_oscillation";
+    case FitStatus::too_short:
+      return "too_short";
+    case FitStatus::too_noisy:
+      return "too_noisy";
+    case FitStatus::clipped:
+      return "clipped";
+    case FitStatus::overdamped:
+      return "overdamped";
+    case FitStatus::undetermined:
+      return "undetermined";
+  }
+  return "";
+}
+
+const Estimate* LawFit::find(std::string_view wanted) const {
+  const auto at = std::find(names.begin(), names.end(), wanted) - names.begin();
+  return at < static_cast<std::ptrdiff_t>(names.size()) ? &estimates[static_cast<std::size_t>(at)] : nullptr;
+}
+
+Estimate* LawFit::find(std::string_view wanted) {
+  return const_cast<Estimate*>(std::as_const(*this).find(wanted));
+}
+
+Estimate LawFit::operator[](std::string_view wanted) const {
+  const Estimate* found = find(wanted);
+  return found ? *found : Estimate{};
+}
+
+double LawFit::covariance_of(std::string_view a, std::string_view b) const {
+  const auto i = std::find(names.begin(), names.end(), a), j = std::find(names.begin(), names.end(), b);
+  if (i == names.end() || j == names.end()) return 0;
+  const auto row = static_cast<std::size_t>(i - names.begin()),
+             column = static_cast<std::size_t>(j - names.begin());
+  return covariance[row * names.size() + column];
+}
+
+namespace {
+
+LawFit fit_every_sample(const Record& record, const LawFitOptions& options, const Watch& watch) {
+  if (const auto refusal = refuse_record(record, options)) return refused(*refusal, options);
+  if (watch.interrupted()) return interrupted_fit(options);
+  if (options.drive.kind == DriveKind::none && options.law == law_of("viscous"))
+    return fit_viscous(record, options, watch);
+  if (options.start) return fit_motion(record, options, *options.start, watch);
+  const Beginning beginning = begin_fit(record, options, watch);
+  if (!beginning.usable() || watch.interrupted()) {
+    LawFit fit = beginning.linear;
+    fit.law = options.law;
+    return fit;
+  }
+  return fit_motion(record, options, beginning.known(options.law, record), watch);
+}
+
+// The viscous law has a closed form.
+bool is_phasor(const LawFit& fit, const Record& record) {
+  return fit.law == law_of("viscous") && fit.drive.kind == DriveKind::none && record.derivative == 0;
+}
+
+}  // namespace
+
+LawFit fit_law(const Record& record, const LawFitOptions& options, const Watch& watch) {
+  const auto fit_all = [&](const Record& samples) { return fit_every_sample(samples, options, watch); };
+  if (options.every_sample) return fit_all(record);
+  auto [fit, aside] = fit_without_outliers(record, fit_all, residuals_of);
+  fit.outliers = std::move(aside);
+  return std::move(fit);
+}
+
+std::vector<double> residuals_of(const LawFit& fit, const Record& record) {
+  std::vector<double> residuals;
+  if (!fit.has_values()) return residuals;
+  if (!is_phasor(fit, record)) {
+    residuals = motion_residuals(fit.motion, fit.drive, record, fit.step);
+    if (residuals.size() != record.t.size()) residuals.clear();
+    return residuals;
+  }
+  const double w0 = fit.motion.angular_frequency(), g = fit.motion.decay_rate();
+  const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
+  Parameters phasor{};
+  phasor[DampedPhasor::angular_frequency] = w;
+  phasor[DampedPhasor::decay_rate] = g;
+  phasor[DampedPhasor::equilibrium] = fit.motion.equilibrium;
+  phasor[DampedPhasor::cosine] = fit.motion.position;
+  phasor[DampedPhasor::sine] = (fit.motion.velocity + g * fit.motion.position) / w;
+  DampedPhasor(record).residuals(phasor, residuals);
+  return residuals;
+}
+
+Trajectory motion_of(const LawFit& fit, std::span<const double> t) {
+  return motion_states(fit.motion, fit.drive, t, fit.step);
+}
+
+}  // namespace cromer

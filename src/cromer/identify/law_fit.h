@@ -1,0 +1,118 @@
+// From the record of a motion to its law.
+//
+//   x'' = drive(t) - the forces of the law's terms per unit mass,   x = y - equilibrium
+//
+// The whole waveform is fitted, not its peaks, its beginning included; no start values are asked for. What drives
+// the motion is nothing, a harmonic force or a recorded one. A record of velocities or accelerations is fitted as
+// what it is: the equilibrium is then the sensor's offset, in the unit of y, and all other parameters are those of
+// the displacement.
+//
+// Under a recorded force offset, equilibrium and quadratic stiffness can be traded for each other without changing
+// the motion (a shift of x turns a cubic into a cubic): no record tells all three, and of a linear law none tells
+// two. An instrument whose zero lies amid the motion is taken to have been set to zero where the spring is at rest:
+// its equilibrium is 0, and the force's offset is fitted. Where the zero is elsewhere, the force's is trusted.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/base/result.h"
+#include "cromer/identify/law.h"
+#include "cromer/identify/least_squares/residual.h"
+#include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/identify/motion/motion_model.h"
+#include "cromer/identify/record.h"
+#include "cromer/run/trajectory.h"
+
+namespace cromer {
+
+enum class FitStatus {
+  converged,
+  iteration_limit,
+  no_oscillation,
+  too_short,
+  too_noisy,
+  clipped,
+  overdamped,
+  undetermined  ///< of some parameters only a combination is known
+};
+std::string_view name(FitStatus status);  // "converged", ...
+
+/// Parameters stand in the contract's order: those of the law's terms, the drive's, equilibrium, position and
+/// velocity at the first sample. "unit" is that of the displacement. Damping terms that can only take energy are
+/// never negative: their intervals come from Student's t at the minimum without that bound, and are cut at it.
+struct LawFit {
+  FitStatus status = FitStatus::converged;
+  std::string message;  ///< why, when status is not converged
+  int iterations = 0;
+  Law law = law_of("viscous");
+  Drive drive;                      ///< what acted on it; a recorded force's samples are the caller's
+  Motion motion;                    ///< the values
+  int fitted = 0;                   ///< how many numbers were adjusted
+  std::vector<std::string> names;   ///< of the parameters, in the order of estimates and covariance
+  std::vector<Estimate> estimates;  ///< of what was held by convention with a standard error of 0
+  std::vector<double> covariance;   ///< row by row
+  Residual residual;
+  double explained = 0;            ///< share of the record's variance that the law accounts for
+  double bic = 0;                  ///< Bayesian information criterion, of as many samples as are independent
+  double independent_samples = 0;  ///< samples over the factor by which correlation widens variances
+  double student = 0;              ///< t of the 95 % intervals
+  double step = 0;  // [s] longest step at which the law's motion is exact to well below its standard errors
+  std::vector<std::size_t> outliers;  ///< samples of the record that were set aside (see outliers.h)
+  std::vector<std::string> warnings;
+
+  /// nullptr where there is none of that name.
+  const Estimate* find(std::string_view name) const;
+  Estimate* find(std::string_view name);
+  /// The parameter of that name; all 0 where there is none.
+  Estimate operator[](std::string_view name) const;
+
+  /// Of the parameters a and b by name; 0 where one is not there.
+  double covariance_of(std::string_view a, std::string_view b) const;
+
+  Estimate angular_frequency() const { return (*this)["angular_frequency"]; }  // [rad/s] undamped
+  Estimate decay_rate() const { return (*this)["decay_rate"]; }                // [1/s] gamma = c / 2m
+  Estimate equilibrium() const { return (*this)["equilibrium"]; }              // [unit of y]
+  Estimate position() const { return (*this)["position"]; }  // [unit] from the equilibrium at the first sample
+  Estimate velocity() const { return (*this)["velocity"]; }  // [unit/s] there
+
+  /// There are parameters.
+  bool has_values() const { return !estimates.empty(); }
+};
+
+/// A motion that is known to follow a record's first samples.
+struct KnownMotion {
+  Motion motion;
+  std::size_t samples = 0;  ///< how many; all of them if the fit need not grow
+  double decay_rate = 0;    // [1/s] of the amplitude, on average; 0 where it is not known
+};
+
+struct LawFitOptions {
+  Law law = law_of("viscous");
+  Drive drive{};
+  double hysteresis_exponent = 1;           ///< >= 1
+  std::optional<double> drive_frequency{};  // [rad/s] about; found if not given
+  bool angle = false;  ///< the record is of an angle in rad or its derivatives: choose_law tries a pendulum
+  std::optional<KnownMotion> start{};    ///< found if not given; the viscous law alone needs none
+  int iteration_limit = 50;              // > 0
+  double tolerance = 1e-10;              // of the last relative change of the motion, 0 < tolerance < 1
+  bool every_sample = false;             ///< outliers as well
+  double rms_to_beat = HUGE_VAL;         ///< a fit that leaves 1.2 times this is not refined any further
+};
+
+/// Fits one law. Never throws; a record that cannot be fitted is a status with a message. Samples: 12,000
+/// take about half a millisecond with the viscous law.
+LawFit fit_law(const Record& record, const LawFitOptions& options, const Watch& watch = {});
+
+/// The record's values minus the fitted motion, outliers' as well; empty where the fit has no values.
+std::vector<double> residuals_of(const LawFit& fit, const Record& record);
+
+/// The motion of a fitted law: displacement from the equilibrium and velocity, at times [s] that strictly
+/// increase from the first sample's; under a recorded force at times of its samples.
+Trajectory motion_of(const LawFit& fit, std::span<const double> t);
+
+}  // namespace cromer

@@ -1,0 +1,45 @@
+#include "cromer/identify/motion/compiled_laws.h"
+#include "cromer/identify/motion/follow.h"
+#include "cromer/identify/motion/units.h"
+
+namespace cromer {
+
+using Unit = MotionUnit<free_laws, FreeColumns>;
+
+const MotionFunctions free_motions{Unit::states, Unit::observed, Unit::equations, Unit::rows};
+
+Rest rest_of(const FittedParameters& fitted, const Parameters& parameters, const Record& record, double h) {
+  Rest rest;
+  int direction = 0;
+  Unit::gradients(fitted, parameters, {}, record.t, h, [&](std::size_t i, const auto& seen, const auto& gradient) {
+    const int now = seen.direction();
+    if (now != 0) {
+      rest.half_swings += now != direction;
+      rest.first = i + 1;
+    } else if (rest.first == i) {
+      const auto x = seen.x();
+      rest.position = x.value;
+      rest.derivative = gradient(x);
+    }
+    direction = now;
+  });
+  return rest;
+}
+
+VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion& motion, double duration,
+                                   double h) {
+  VelocityGradient result{motion.velocity, {}};
+  if (duration <= 0) {
+    if (const int velocity = fitted.place_of("velocity"); velocity >= 0) result.derivative[velocity] = 1;
+    return result;
+  }
+  const double times[] = {0, duration};
+  Unit::gradients(fitted, fitted.pack(motion), {}, times, h,
+                  [&](std::size_t, const auto& seen, const auto& gradient) {
+                    const auto v = seen.v();
+                    result = {v.value, gradient(v)};
+                  });
+  return result;
+}
+
+}  // namespace cromer

@@ -1,0 +1,11 @@
+#include "cromer/identify/motion/compiled_laws.h"
+#include "cromer/identify/motion/follow.h"
+#include "cromer/identify/motion/units.h"
+
+namespace cromer {
+
+using Unit = MotionUnit<driven_laws, RecordedColumns>;
+
+const MotionFunctions recorded_motions{Unit::states, Unit::observed, Unit::equations, Unit::rows};
+
+}  // namespace cromer
