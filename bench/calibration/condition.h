@@ -20,6 +20,10 @@ struct Condition {
   double outliers = 0;     ///< share of samples that are off by up to the amplitude
   double jitter = 0;       ///< of the times, which the record tells: uniform, share of a step either way
   bool gaps = false;       ///< three gaps of a cycle or so, and one sample in ten missing
+  bool half = false;       ///< half of the record missing, in three blocks
+  double late = 0;    // [s] standard deviation of how late samples are taken, which the record does not tell
+  double clock = 0;   // [s] the times are rounded to multiples of it
+  double growth = 0;  ///< noise that grows with the motion: its standard deviation over the displacement
 };
 
 inline constexpr Condition conditions[] = {
@@ -38,6 +42,17 @@ inline constexpr Condition conditions[] = {
     {"correlated noise, 0.5", Demand::honest, 20, 50, 0.5},
     {"correlated noise, 0.9", Demand::honest, 20, 50, 0.9},
     {"5 % outliers", Demand::honest, 20, 50, 0, 0, 0.05},
+    {.name = "correlated noise, 0.97", .demand = Demand::honest, .correlation = 0.97},
+    {.name = "half missing", .half = true},
+    {.name = "half missing, noise 0.9", .demand = Demand::honest, .correlation = 0.9, .half = true},
+    {.name = "times off by 3 ms", .demand = Demand::honest, .amplitude_to_noise = 500, .late = 3e-3},
+    {.name = "times rounded to 10 ms", .demand = Demand::honest, .amplitude_to_noise = 500, .clock = 0.01},
+    {.name = "rounded uneven times",
+     .demand = Demand::honest,
+     .amplitude_to_noise = 500,
+     .jitter = 0.4,
+     .clock = 0.01},
+    {.name = "noise grows with motion", .demand = Demand::honest, .amplitude_to_noise = 500, .growth = 0.05},
 };
 
 }  // namespace cromer::bench

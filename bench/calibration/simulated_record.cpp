@@ -1,5 +1,6 @@
 #include "bench/calibration/simulated_record.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -21,6 +22,18 @@ bool is_missing(std::size_t i, std::size_t n, SplitMix64& random) {
   const bool in_gap =
       (place > 0.2 && place < 0.26) || (place > 0.41 && place < 0.5) || (place > 0.8 && place < 0.83);
   return random.next_signed_unit() < -0.8 || in_gap;
+}
+
+// Half of the samples, in three blocks within the record.
+bool is_in_half(std::size_t i, std::size_t n) {
+  const double place = 10 * static_cast<double>(i) / static_cast<double>(n);
+  return (place > 1.5 && place < 3.5) || (place > 4.5 && place < 6) || (place > 7.5 && place < 9);
+}
+
+// The waveform between its points, u in points.
+double between(const std::vector<double>& x, double u) {
+  const auto i = static_cast<std::size_t>(std::clamp(u, 0.0, static_cast<double>(x.size() - 2)));
+  return x[i] + (u - static_cast<double>(i)) * (x[i + 1] - x[i]);
 }
 
 }  // namespace
@@ -58,12 +71,19 @@ SimulatedRecord simulate_record(const Waveform& waveform, const Condition& condi
       at += static_cast<std::size_t>(points * (1 + condition.jitter * random.next_signed_unit()) + 0.5) -
             points;
     if (i > 0) disturbance = memory * disturbance + innovation * normal.next();
-    double y = result.truth.equilibrium + waveform.x[at] + disturbance;
+    double x = waveform.x[at];
+    if (condition.late > 0)
+      x = between(waveform.x, static_cast<double>(at) + condition.late * normal.next() / waveform.step);
+    double y = result.truth.equilibrium + x + disturbance;
+    if (condition.growth > 0) y += condition.growth * x * normal.next();
     if (random.next_signed_unit() < 2 * condition.outliers - 1) y += amplitude * random.next_signed_unit();
     if (condition.gaps && i > 0 && is_missing(i, n, random)) continue;
+    if (condition.half && is_in_half(i, n)) continue;
     if (condition.resolution > 0)
       y = to_15_digits(condition.resolution * std::round(y / condition.resolution));
-    result.t.push_back(waveform.step * static_cast<double>(at));
+    const double t = waveform.step * static_cast<double>(at);
+    result.t.push_back(condition.clock > 0 ? to_15_digits(condition.clock * std::round(t / condition.clock))
+                                           : t);
     result.y.push_back(y);
   }
   return result;

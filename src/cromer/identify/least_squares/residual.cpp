@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <unsupported/Eigen/FFT>
 
 namespace cromer {
@@ -62,80 +63,73 @@ std::vector<double> products_by_transform(const std::vector<double>& r, std::siz
   return block;
 }
 
-// r_i = sum over k of a_k r_(i-k) + white noise.
-struct Autoregression {
-  std::vector<double> coefficients;  // a_1, a_2, ...
-  double innovation = 1;             // variance of that noise over the variance of r
+// Sums of r_i r_(i+l), l up to `lags`.
+std::vector<double> products(const std::vector<double>& r, std::size_t lags) {
+  constexpr std::size_t most_direct = 64;
+  if (lags > most_direct) return products_by_transform(r, lags);
+  std::vector<double> sums(lags + 1);
+  for (std::size_t l = 0; l <= std::min(lags, r.size() - 1); ++l)
+    sums[l] = dot(r.data(), r.data() + l, r.size() - l);
+  return sums;
+}
 
-  // Spectral density at an angle [rad per sample], over that of white noise of r's variance.
-  double density(double angle) const {
-    std::complex<double> response = 1;
-    for (std::size_t k = 0; k < coefficients.size(); ++k)
-      response -= coefficients[k] * std::polar(1.0, -static_cast<double>(k + 1) * angle);
-    return innovation / std::norm(response);
-  }
+// The values in their places, zeros where there is none.
+std::vector<double> placed(const std::vector<double>& values, const SampleGrid& grid) {
+  std::vector<double> result(grid.place.back() + 1, 0.0);
+  for (std::size_t i = 0; i < values.size(); ++i) result[grid.place[i]] = values[i];
+  return result;
+}
 
-  // Variance of the logarithm of that density, estimated from so many samples: those of the innovation and of
-  // the coefficients, whose covariance is the inverse of the Toeplitz matrix of autocovariances times
-  // innovation over samples. I. Gohberg & A. Semencul give that inverse as A Aᵀ - B Bᵀ, triangular both.
-  double log_variance(double angle, double samples) const {
-    const std::size_t p = coefficients.size();
-    std::complex<double> response = 1;
-    for (std::size_t k = 0; k < p; ++k)
-      response -= coefficients[k] * std::polar(1.0, -static_cast<double>(k + 1) * angle);
-    std::vector<double> slope(p);
-    for (std::size_t k = 0; k < p; ++k)
-      slope[k] = 2 * (std::polar(1.0, -static_cast<double>(k + 1) * angle) / response).real();
-    double form = 0;
-    for (std::size_t j = 0; j < p; ++j) {
-      double a = slope[j], b = 0;
-      for (std::size_t i = j; i < p; ++i) {
-        if (i > j) a -= slope[i] * coefficients[i - j - 1];
-        b += slope[i] * coefficients[p - 1 - (i - j)];
-      }
-      form += a * a - b * b;
-    }
-    return (2 + form) / samples;
-  }
-};
+// How many pairs of samples there are at each lag.
+std::vector<double> pairs(const SampleGrid& grid, std::size_t lags) {
+  return products(placed(std::vector<double>(grid.place.size(), 1.0), grid), lags);
+}
 
-// The Yule-Walker solution (Levinson-Durbin recursion) of the best order up to `most` < rho.size().
-Autoregression autoregression(const std::vector<double>& rho, std::size_t samples, std::size_t most) {
-  const auto n = static_cast<double>(samples);
-  Autoregression model, best;
-  double least = 0;
-  for (std::size_t p = 1; p <= most; ++p) {
-    double reflection = rho[p];
-    for (std::size_t k = 1; k < p; ++k) reflection -= model.coefficients[k - 1] * rho[p - k];
-    reflection /= model.innovation;
-    if (!(std::abs(reflection) < 1)) break;  // what is left is predicted to rounding
-    const std::vector<double> before = model.coefficients;
-    for (std::size_t k = 1; k < p; ++k) model.coefficients[k - 1] -= reflection * before[p - 1 - k];
-    model.coefficients.push_back(reflection);
-    model.innovation *= 1 - reflection * reflection;
-    const double parameters = static_cast<double>(p);
-    if (n <= parameters + 2) break;
-    const double criterion = n * std::log(model.innovation) + 2 * parameters * n / (n - parameters - 1);
-    if (criterion >= least) continue;
-    least = criterion;
-    best = model;
+// The highest order that samples with gaps can tell: where every fourth sample still has so many neighbours
+// before it. Autocorrelations at several lags, each from other samples, do not go together well enough.
+std::size_t longest_memory(const SampleGrid& grid) {
+  if (!grid.has_gaps()) return std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> before;  // before[k]: samples with exactly k neighbours before them
+  std::size_t run = 0;
+  for (std::size_t i = 0; i < grid.place.size(); ++i) {
+    run = i > 0 && grid.place[i] - grid.place[i - 1] == 1 ? run + 1 : 0;
+    if (run >= before.size()) before.resize(run + 1);
+    ++before[run];
   }
-  return best;
+  std::size_t order = before.size(), with = 0;
+  while (order > 1 && 4 * (with += before[order - 1]) < grid.place.size()) --order;
+  return std::max<std::size_t>(1, order - 1);
 }
 
 }  // namespace
 
 std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags) {
-  const std::vector<double> c = centred(r);
-  std::vector<double> rho(lags + 1);
-  constexpr std::size_t most_direct = 64;
-  if (lags > most_direct) {
-    rho = products_by_transform(c, lags);
-  } else {
-    for (std::size_t l = 0; l <= lags; ++l) rho[l] = dot(c.data(), c.data() + l, c.size() - l);
+  return autocorrelations(r, {}, lags);
+}
+
+std::vector<double> autocorrelations(std::span<const double> r, const SampleGrid& grid, std::size_t lags) {
+  std::vector<double> values = centred(r);
+  if (!grid.has_gaps()) {
+    std::vector<double> rho = products(values, lags);
+    const double variance = rho[0];
+    for (double& value : rho) value = variance > 0 ? value / variance : 0;
+    rho[0] = 1;
+    return rho;
   }
-  const double variance = rho[0];
-  for (double& value : rho) value = variance > 0 ? value / variance : 0;
+  values = placed(values, grid);
+  std::vector<double> rho = products(values, lags);
+  if (!(rho[0] > 0)) return std::vector<double>(lags + 1, 0.0);
+  // Over the mean square of the very samples that are in the pairs: (a + b)(a + b) - a a - b b.
+  for (double& value : values) value *= value / rho[0];
+  const std::vector<double> squares = products(values, lags), count = pairs(grid, lags);
+  for (const std::size_t place : grid.place) values[place] += 1;
+  const std::vector<double> both = products(values, lags);
+  const auto n = static_cast<double>(r.size());
+  for (std::size_t l = 1; l <= lags; ++l) {
+    const double taken = (both[l] - squares[l] - count[l]) / 2 * rho[0];
+    // As much too small as those of a record without gaps, which are positive definite for it.
+    rho[l] = count[l] > 0.5 && taken > 0 ? rho[l] / taken * std::max(0.0, 1 - static_cast<double>(l) / n) : 0;
+  }
   rho[0] = 1;
   return rho;
 }
@@ -190,16 +184,40 @@ double correlation_factor(std::span<const double> r, const std::vector<double>& 
   return correlation(r, rho, phase_step).factor;
 }
 
-Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
-  const std::size_t most = std::min<std::size_t>(512, r.size() / 4);
-  Autoregression model = autoregression(rho, r.size(), std::min(rho.size() - 1, most));
+Autoregression autoregression_of(std::span<const double> r, const std::vector<double>& rho,
+                                 const SampleGrid& grid) {
+  const std::size_t most = std::min(std::min<std::size_t>(512, r.size() / 4), longest_memory(grid));
+  Autoregression model = yule_walker(rho, r.size(), std::min(rho.size() - 1, most));
   // An order near the most that was tried may not be enough.
   for (std::size_t tried = rho.size() - 1; tried < most && 4 * model.coefficients.size() > 3 * tried;) {
     tried = std::min(4 * tried, most);
-    model = autoregression(autocorrelations(r, tried), r.size(), tried);
+    model = yule_walker(autocorrelations(r, grid, tried), r.size(), tried);
   }
+  return model;
+}
+
+Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
+  const Autoregression model = autoregression_of(r, rho, {});
   const double n = static_cast<double>(r.size()), factor = std::max(1.0, model.density(phase_step));
   return {factor, std::min(n / factor, 2 / model.log_variance(phase_step, n))};
+}
+
+Correlation correlation(std::span<const double> t, std::span<const double> r, double angular_frequency) {
+  const SampleGrid grid = find_grid(t);
+  const std::vector<double> rho = autocorrelations(r, grid, first_lags(r.size()));
+  const double phase_step = angular_frequency * grid.step;
+  if (!grid.has_gaps()) return correlation(r, rho, phase_step);
+  const Autoregression model = autoregression_of(r, rho, grid);
+  const auto n = static_cast<double>(r.size());
+  if (model.coefficients.empty()) return {1, n};
+  // As many terms of the density as there are pairs of samples for.
+  const std::size_t lags = std::min<std::size_t>(grid.place.back(), 4096);
+  const std::vector<double> count = pairs(grid, lags), model_rho = model.autocorrelations(lags);
+  double sum = 1;
+  for (std::size_t l = 1; l <= lags; ++l)
+    sum += 2 * model_rho[l] * count[l] / n * std::cos(phase_step * static_cast<double>(l));
+  const double factor = std::max(1.0, sum);
+  return {factor, std::min(n / factor, 2 / model.log_variance(phase_step, count[1] + 1))};
 }
 
 }  // namespace cromer

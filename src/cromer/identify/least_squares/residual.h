@@ -4,6 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "cromer/identify/autoregression.h"
+#include "cromer/identify/sample_grid.h"
+
 namespace cromer {
 
 struct Residual {
@@ -23,11 +26,17 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
 /// All 0 after it where r is constant.
 std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags);
 
+/// The same of samples with gaps, from as many pairs as there are at each lag; all 0 where there are none.
+std::vector<double> autocorrelations(std::span<const double> r, const SampleGrid& grid, std::size_t lags);
+
+/// The residuals as an autoregression over the grid's steps, given their autocorrelations at the first lags;
+/// more are found where its order asks for them.
+Autoregression autoregression_of(std::span<const double> r, const std::vector<double>& rho,
+                                 const SampleGrid& grid);
+
 /// By what factor residuals that are correlated widen the variance of a parameter which lives at `phase_step`
 /// radians per sample (0 for an equilibrium): their spectral density there over that of white noise of the
-/// same variance. The density is that of an autoregression, fitted by the Yule-Walker equations, of the order
-/// that Akaike's corrected criterion chooses (Burnham & Anderson, Model Selection, 2002, section 2.4): none
-/// for white residuals. Never below 1.
+/// same variance, that of an autoregression. Never below 1.
 double correlation_factor(std::span<const double> r, double phase_step);
 
 /// The same, given autocorrelations(r, first_lags(r.size())).
@@ -40,6 +49,9 @@ struct Correlation {
   double factor = 1, degrees = 0;
 };
 Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step);
+
+/// The same of samples at the times t [s], which may have gaps, at an angular frequency [rad/s].
+Correlation correlation(std::span<const double> t, std::span<const double> r, double angular_frequency);
 
 /// As many lags as white residuals need.
 std::size_t first_lags(std::size_t samples);

@@ -6,7 +6,6 @@
 #include "cromer/base/median.h"
 
 namespace cromer {
-namespace {
 
 double median_step(std::span<const double> t) {
   const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
@@ -17,8 +16,6 @@ double median_step(std::span<const double> t) {
   for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
   return upper_median(steps);
 }
-
-}  // namespace
 
 Sampling find_sampling(std::span<const double> t) {
   Sampling sampling;

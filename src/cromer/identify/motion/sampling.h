@@ -23,6 +23,9 @@ struct Sampling {
 /// Longest stretch: a recurrence over it loses no digits, and a table of it stays in the first-level cache.
 inline constexpr std::size_t longest_stretch = 256;
 
+/// [s] The median of the steps; of equal steps their mean. At least two times.
+double median_step(std::span<const double> t);
+
 /// Cuts a record's times (strictly increasing) into stretches.
 Sampling find_sampling(std::span<const double> t);
 

@@ -1,0 +1,50 @@
+// The noise of a record as its residuals show it, and what it does to the estimates of a fit.
+//
+// Noise that is white and alike at all times leaves estimates with the covariance s² H⁻¹, H = JᵀJ the normal
+// matrix. Any other noise, of covariance C over the samples, leaves them with H⁻¹ Jᵀ C J H⁻¹ (the "sandwich",
+// H. White, Econometrica 48, 817 (1980)). Here C_ij = s_i s_j rho(i, j): rho that of an autoregression over
+// the steps of the record's grid, so that Jᵀ C J is the sum of squares of the Jacobian's columns, each times
+// s, filtered as the noise is; gaps are zeros of the columns. This is right whatever frequencies an estimate
+// lives at.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cromer/identify/autoregression.h"
+#include "cromer/identify/normal_equations.h"
+#include "cromer/identify/sample_grid.h"
+
+namespace cromer {
+
+struct Noise {
+  std::vector<double> scale;  ///< standard deviation of each sample over the mean one (rms); empty: all alike
+  Autoregression correlation;  ///< of the residuals over their scale
+  SampleGrid grid;
+  double sum_of_squares = 0;  ///< of the residuals
+  std::size_t samples = 0;
+
+  /// White, and alike at all times.
+  bool is_plain() const { return scale.empty() && correlation.coefficients.empty(); }
+};
+
+/// Times [s], residuals, and the motion that was fitted, each of the same length. Noise is taken for one that
+/// changes with the motion, s_i² = a + b x_i² + c v_i² (a sensor's gain, timing that is off), none of the
+/// three negative, only where residuals of one variance would look so in one record of a hundred.
+Noise find_noise(std::span<const double> t, std::span<const double> r, std::span<const double> motion);
+
+/// What a fit's estimates have from the noise.
+struct EstimateNoise {
+  int size = 0;
+  SquareMatrix covariance{};       // in the estimates' units
+  Parameters degrees{};            ///< of freedom of each variance
+  double independent_samples = 0;  ///< as many as white noise would leave the same variance on average
+};
+
+/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters. No
+/// correlation makes a variance smaller than samples on their own would have it. `resolution` is the rounding
+/// step of the values, 0 if unknown. Infinite where the Jacobian is singular.
+EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
+                             double resolution = 0);
+
+}  // namespace cromer
