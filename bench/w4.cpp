@@ -13,7 +13,7 @@
 
 #include "bench/stopwatch.h"
 #include "cromer/identify/motion/damped_phasor.h"
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/start/start_values.h"
 #include "cromer/model/sensor.h"
@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
         sum += minimum.parameters[0] + inverse(minimum.equations.matrix, 5)[0][0];
       },
       [&] { sum += find_start_values(record)->phasor[0]; },
-      [&] { sum += fit_free_decay(record, {}).decay_rate.standard_error; },
+      [&] { sum += fit_law(record, {}).decay_rate().standard_error; },
   };
   const char* names[] = {"fit of 12000 samples, start values given", "start values of 12000 samples",
                          "fit of 12000 samples, nothing given"};

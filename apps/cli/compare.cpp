@@ -98,7 +98,7 @@ int run_compare(const Arguments& arguments) {
   for (const auto& comparison : *comparisons) {
     warn(comparison.warnings, output.quiet);
     ok = ok && comparison.complete;
-    const FreeDecay& fit = comparison.recording.fit;
+    const LawFit& fit = comparison.recording.fit;
     if (fit.status == FitStatus::converged) continue;
     complain(fmt::format("{}: run {}: {}: {}", files.front(), comparison.recording.series.run,
                          name(fit.status), fit.message));

@@ -12,7 +12,7 @@ std::string compare_csv(const std::vector<CompareResult>& comparisons) {
   for (const auto& comparison : comparisons) {
     const Series& series = comparison.recording.series;
     std::vector<double> measured = series.y;
-    for (double& y : measured) y -= comparison.recording.fit.equilibrium.value;
+    for (double& y : measured) y -= comparison.recording.fit.equilibrium().value;
     const std::string_view unit = si_unit_of(series.quantity);
     const std::string in = unit.empty() ? "" : fmt::format(" ({})", unit);
     const std::string measured_name = "measured displacement" + in,

@@ -122,7 +122,7 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
     figure.panels.push_back(std::move(motion));
   }
   figure.panels.push_back(residual_panel(fitted, axis));
-  if (fitted.held_out && !fitted.held_out->t.empty() && fitted.forced) {
+  if (fitted.held_out && !fitted.held_out->t.empty() && fitted.driven) {
     const FittedRecording held = held_out_part(fitted);
     figure.panels.push_back(swings_panel(held, "held out, about its largest swing"));
     figure.panels.push_back(residual_panel(held, measured_axis(held)));

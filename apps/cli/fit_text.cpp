@@ -21,10 +21,10 @@ Estimate in_hertz(const Estimate& angular) {
 
 /// What drives it, and how the force was read.
 std::string drive_in_words(const FittedRecording& fitted) {
-  if (!fitted.forced) return "";
+  if (!fitted.driven) return "";
   if (fitted.between_samples.empty())
     return fmt::format("  the motion is driven, at {}\n",
-                       in_words(in_hertz(*fitted.forced->drive_frequency), "Hz"));
+                       in_words(in_hertz(fitted.fit["drive_frequency"]), "Hz"));
   return fmt::format("  driven by \"{}\", taken as {} between its samples\n", fitted.options.force_column,
                      fitted.between_samples);
 }

@@ -63,7 +63,7 @@ MeasuredAxis measured_axis(const FittedRecording& fitted) {
   MeasuredAxis axis;
   const bool centred = fitted.fit.status == FitStatus::converged;
   const Series& series = fitted.series;
-  axis.equilibrium = centred ? fitted.fit.equilibrium.value : 0;
+  axis.equilibrium = centred ? fitted.fit.equilibrium().value : 0;
   const std::string si = unit_of(fitted);
   axis.unit = figure_text(si);
   if (series.to_si != 1 && !series.unit.empty()) {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "cromer/analysis/envelope.h"
-#include "cromer/identify/free_motion.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/report/thinning.h"
 #include "cromer/study/task/used_samples.h"
 
@@ -70,8 +70,8 @@ void outermost(std::vector<double>& t, std::vector<double>& x, double window, do
 }
 
 double period_of(const FittedRecording& fitted) {
-  double w = fitted.fit.angular_frequency.value;
-  if (fitted.forced && fitted.forced->drive_frequency) w = std::min(w, fitted.forced->drive_frequency->value);
+  double w = fitted.fit.angular_frequency().value;
+  if (const Estimate* drive = fitted.fit.find("drive_frequency")) w = std::min(w, drive->value);
   return w > 0 ? two_pi / w : 0;
 }
 
@@ -93,7 +93,7 @@ std::vector<double> smooth_times(const FittedRecording& fitted) {
   const std::vector<double>& t = fitted.series.t;
   const double duration = t.back() - t.front(), period = period_of(fitted);
   const double spacing = period / smooth_points;
-  if (!(spacing > 0) || fitted.forced || duration / spacing > static_cast<double>(most_points)) return t;
+  if (!(spacing > 0) || fitted.driven || duration / spacing > static_cast<double>(most_points)) return t;
   if (static_cast<double>(t.size()) * spacing > duration && fitted.series.gaps.empty()) return t;
   const auto steps = static_cast<std::size_t>(std::ceil(duration / spacing));
   std::vector<double> fine;
@@ -117,7 +117,7 @@ std::vector<double> free_values(const FittedRecording& fitted, const std::vector
                                                                                             : 0;
   std::vector<double> values =
       motion_residuals(fitted.fit.motion(), {t, zeros, 0, derivative}, fitted.fit.step);
-  for (double& value : values) value = -value - fitted.fit.equilibrium.value;
+  for (double& value : values) value = -value - fitted.fit.equilibrium().value;
   values.resize(t.size(), none);
   return values;
 }
@@ -185,16 +185,16 @@ void add_measured(Panel& panel, const FittedRecording& fitted, const MeasuredAxi
 }
 
 SampledMotion law_motion(const FittedRecording& fitted, const MeasuredAxis& axis, bool smooth) {
-  if (!fitted.forced) {
+  if (!fitted.driven) {
     const std::vector<double> t = smooth ? smooth_times(fitted) : fitted.series.t;
     return {t, axis.scaled(free_values(fitted, t))};
   }
-  std::vector<double> y = fitted.forced->motion;
+  std::vector<double> y = fitted.driven->motion;
   y.resize(fitted.series.t.size(), none);
   return {fitted.series.t, axis.displacements(std::move(y))};
 }
 
-bool irregular(const FittedRecording& fitted) { return fitted.forced && !fitted.forced->drive_frequency; }
+bool irregular(const FittedRecording& fitted) { return fitted.fit.drive.kind == DriveKind::recorded; }
 
 FittedRecording largest_swings(const FittedRecording& fitted) {
   constexpr double periods = 12;  // to each side
@@ -202,14 +202,14 @@ FittedRecording largest_swings(const FittedRecording& fitted) {
   const FittedSamples good = without_outliers(fitted.series);
   double at = fitted.series.t.front(), largest = 0;
   for (std::size_t i = 0; i < good.t.size(); ++i) {
-    const double size = std::abs(good.y[i] - fitted.fit.equilibrium.value);
+    const double size = std::abs(good.y[i] - fitted.fit.equilibrium().value);
     if (size > largest) largest = size, at = good.t[i];
   }
   const std::vector<double>& t = fitted.series.t;
   const double reach = periods * period_of(fitted);
   const auto first = std::lower_bound(t.begin(), t.end(), at - reach) - t.begin(),
              last = std::upper_bound(t.begin(), t.end(), at + reach) - t.begin();
-  for (std::vector<double>* values : {&part.series.t, &part.series.y, &part.forced->motion}) {
+  for (std::vector<double>* values : {&part.series.t, &part.series.y, &part.driven->motion}) {
     if (values->size() < t.size()) continue;
     values->erase(values->begin() + last, values->end());
     values->erase(values->begin(), values->begin() + first);
@@ -226,7 +226,7 @@ FittedRecording held_out_part(const FittedRecording& fitted) {
   FittedRecording part = fitted;
   part.series.t = fitted.held_out->t;
   part.series.y = fitted.held_out->measured;
-  part.forced->motion = fitted.held_out->law;
+  part.driven->motion = fitted.held_out->law;
   part.series.gaps.clear();
   part.series.outliers.clear();
   part.fit.residual.rms = fitted.held_out->rms;
@@ -246,7 +246,7 @@ void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis&
   std::vector<Envelope> around;
   std::size_t swings = 0;
   const double duration = fitted.series.t.back() - fitted.series.t.front();
-  const double window = std::max(fitted.forced ? 0.7 * period_of(fitted) : 0, duration / 500);
+  const double window = std::max(fitted.driven ? 0.7 * period_of(fitted) : 0, duration / 500);
   bool enough = true;
   for (const SampledMotion& stretch : stretches) {
     around.push_back(envelope(stretch.t, stretch.y));

@@ -61,7 +61,7 @@ void in_parallel(std::size_t n, const Progress& progress, Work work) {
   for (std::thread& thread : threads) thread.join();
 }
 
-const Estimate* estimate_of(const FreeDecay& fit, std::string_view name) {
+const Estimate* estimate_of(const LawFit& fit, std::string_view name) {
   if (name == "angular_frequency") return &fit.angular_frequency;
   if (name == "decay_rate") return &fit.decay_rate;
   if (name == "drag") return fit.drag ? &*fit.drag : nullptr;
@@ -82,7 +82,7 @@ struct Verdict {
   } of[max_parameters];
 };
 
-Verdict judge(const FreeDecay& fit, const Truth& truth, const FittedParameters& fitted,
+Verdict judge(const LawFit& fit, const Truth& truth, const FittedParameters& fitted,
               const Parameters& bound) {
   Verdict verdict;
   verdict.converged = fit.status == FitStatus::converged;
@@ -146,9 +146,9 @@ Tally calibrate(const TrueLaw& truth, const Condition& condition, std::size_t re
     const Motion& motion = all[i % phases];
     const SimulatedRecord record =
         simulate_record(motion.waveform, condition, seed_of(truth.law, condition.name, i));
-    FreeDecayOptions options;
+    LawFitOptions options;
     options.law = law;
-    verdicts[i] = judge(fit_free_decay(record.record(), options), record.truth, fitted, motion.bound);
+    verdicts[i] = judge(fit_law(record.record(), options), record.truth, fitted, motion.bound);
   });
 
   Tally tally;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "cromer/base/state.h"
-#include "cromer/identify/free_motion.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/model/oscillator.h"
 
 namespace cromer::bench {

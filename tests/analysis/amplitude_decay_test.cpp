@@ -26,16 +26,16 @@ double simulated_rate(const Oscillator<double>& law, double A, double periods) {
 
 TEST(AmplitudeDecay, IsTheMeanOverACycleOfEveryTerm) {
   const double A = 0.5;
-  const AmplitudeDecay viscous{.angular_frequency = 1, .decay_rate = 0.001};
+  const AmplitudeDecay viscous{.angular_frequency = 1, .per_mass = {.damping = 0.002}};
   EXPECT_NEAR(simulated_rate({.mass = 1, .stiffness = 1, .damping = 0.002}, A, 1) / viscous.rate(A), 1, 2e-3);
-  const AmplitudeDecay drag{.angular_frequency = 1, .drag = 0.001};
+  const AmplitudeDecay drag{.angular_frequency = 1, .per_mass = {.drag = 0.001}};
   EXPECT_NEAR(simulated_rate({.mass = 1, .stiffness = 1, .drag = 0.001}, A, 1) / drag.rate(A), 1, 3e-3);
   EXPECT_NEAR(drag.rate(2 * A) / drag.rate(A), 2, 1e-14);
 }
 
 TEST(AmplitudeDecay, FrictionTakesTheSameAmplitudeEveryCycle) {
   // Exactly 4 f/(m w^2) a cycle.
-  const AmplitudeDecay friction{.angular_frequency = 2, .friction = 0.003};
+  const AmplitudeDecay friction{.angular_frequency = 2, .per_mass = {.friction = 0.003}};
   const double period = std::numbers::pi, a_cycle = 4 * 0.003 / 4;
   EXPECT_NEAR(friction.rate(0.1) * 0.1 * period, a_cycle, 1e-15);
   EXPECT_NEAR(friction.rate(0.2) * 0.2 * period, a_cycle, 1e-15);

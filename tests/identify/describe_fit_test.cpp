@@ -18,7 +18,7 @@ TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j) singular[i][j] = 1;
   for (const SquareMatrix& matrix : {inverse(singular, 5), inverse({}, 5)}) {
-    FreeDecay fit;
+    LawFit fit;
     describe_fit(fit, record.record(), {.angular_frequency = 8.8}, matrix, {}, record.y);
     EXPECT_EQ(fit.status, FitStatus::iteration_limit);
     EXPECT_THAT(fit.message, testing::HasSubstr("does not determine"));
@@ -34,8 +34,8 @@ TEST(DescribeFit, SlowNoiseLeavesAnEquilibriumFewDegreesOfFreedom) {
   std::normal_distribution<double> normal(0, 1e-3);
   double slow = normal(engine);
   for (double& y : record.y) y += slow = 0.9 * slow + std::sqrt(1 - 0.81) * normal(engine);
-  const FreeDecay fit = fit_free_decay(record.record(), {});
-  const double t = (fit.equilibrium.high - fit.equilibrium.value) / fit.equilibrium.standard_error;
+  const LawFit fit = fit_law(record.record(), {});
+  const double t = (fit.equilibrium().high - fit.equilibrium().value) / fit.equilibrium().standard_error;
   // An AR(1) noise: the logarithm of its density at 0 has the variance (2 + 4 (1 + a)/(1 - a))/n.
   EXPECT_NEAR(t, student_95(1000 / (1 + 2 * 1.9 / 0.1) - 5), 0.03);
   EXPECT_GT(t, fit.student);
@@ -44,8 +44,8 @@ TEST(DescribeFit, SlowNoiseLeavesAnEquilibriumFewDegreesOfFreedom) {
 TEST(DescribeFit, FewerSamplesThanParametersSayNothingOfThem) {
   // A fit wants three samples more than there are parameters, and this law has seven.
   const SyntheticRecord record = viscous_record({}, even_times(9, 0.1));
-  const FreeDecay fit =
-      fit_free_decay(record.record(), {.law = {.viscous = true, .drag = true, .cubic = true}});
+  const LawFit fit =
+      fit_law(record.record(), {.law = {.viscous = true, .drag = true, .cubic = true}});
   EXPECT_EQ(fit.status, FitStatus::too_short);
   EXPECT_THAT(fit.message, testing::HasSubstr("9 samples are too few"));
 }
@@ -57,16 +57,16 @@ TEST(DescribeFit, IntervalsHoldAtABound) {
   int on_bound = 0, covered = 0, covered_w = 0, touching = 0;
   double stated = 0;
   for (unsigned seed = 0; seed < trials; ++seed) {
-    const FreeDecay fit =
-        fit_free_decay(viscous_record(truth, even_times(500, 0.02), 1e-3, 0, seed).record(), {});
+    const LawFit fit =
+        fit_law(viscous_record(truth, even_times(500, 0.02), 1e-3, 0, seed).record(), {});
     ASSERT_EQ(fit.status, FitStatus::converged);
-    on_bound += fit.decay_rate.value == 0;
-    touching += fit.decay_rate.low == 0;
-    covered += fit.decay_rate.low <= truth.g && truth.g <= fit.decay_rate.high;
-    covered_w += fit.angular_frequency.low <= truth.w0 && truth.w0 <= fit.angular_frequency.high;
-    EXPECT_GE(fit.decay_rate.low, 0);
-    EXPECT_LE(fit.decay_rate.value, fit.decay_rate.high);
-    stated += fit.decay_rate.standard_error / trials;
+    on_bound += fit.decay_rate().value == 0;
+    touching += fit.decay_rate().low == 0;
+    covered += fit.decay_rate().low <= truth.g && truth.g <= fit.decay_rate().high;
+    covered_w += fit.angular_frequency().low <= truth.w0 && truth.w0 <= fit.angular_frequency().high;
+    EXPECT_GE(fit.decay_rate().low, 0);
+    EXPECT_LE(fit.decay_rate().value, fit.decay_rate().high);
+    stated += fit.decay_rate().standard_error / trials;
   }
   EXPECT_NEAR(truth.g / stated, 1, 0.5);
   EXPECT_GT(on_bound, 50);

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 std::vector<std::string> doubts_about(const SyntheticRecord& record) {
-  const FreeDecay fit = choose_law(record.record(), {}).chosen;
+  const LawFit fit = choose_law(record.record(), {}).chosen;
   EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
   return doubts(record.record(), fit);
 }
@@ -58,7 +58,7 @@ TEST(Doubts, FrictionIsNotDescribedByTheViscousLaw) {
     const double amplitude = std::max(0.0, 0.05 - (2 * half + 1) * shift);
     record.y.push_back(side * shift + amplitude * std::cos(w0 * t) + normal(engine));
   }
-  const FreeDecay viscous = fit_free_decay(record.record(), {.law = {}});
+  const LawFit viscous = fit_law(record.record(), {.law = {}});
   EXPECT_THAT(doubts(record.record(), viscous), testing::Contains(HasSubstr("no law tried describes")));
   EXPECT_THAT(doubts(record.record(), viscous, true),
               testing::Contains(HasSubstr("the law viscous does not describe this recording")));
@@ -87,7 +87,7 @@ TEST(Doubts, NameWhatTheDataShow) {
 }
 
 TEST(Departures, APendulumThatTurnsOver) {
-  const MotionParameters over{
+  const Motion over{
       .angular_frequency = 3, .decay_rate = 0.1, .position = 0.1, .velocity = 9, .pendulum = true};
   SyntheticRecord record{even_times(2000, 0.02), {}, 0};
   record.y = free_motion(over, record.t, 1e-3).x;
@@ -108,7 +108,7 @@ TEST(Doubts, WanderingNoiseIsNoWrongLaw) {
 }
 
 TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
-  FreeDecay fit;
+  LawFit fit;
   fit.residual = {.rms = 1, .normality = 0, .autocorrelation = 0.99, .white = false};
   fit.independent_samples = 3000;
   EXPECT_THAT(widening(fit, 3000), HasSubstr("only the equilibrium's"));

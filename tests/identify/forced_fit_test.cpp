@@ -36,7 +36,7 @@ TEST(ForcedFit, FindsEveryParameterWithinItsStandardError) {
   expect_near("position", fit.law.position, strong.position, 1e-2);
   expect_near("velocity", fit.law.velocity, strong.velocity, 1e-2);
   EXPECT_NEAR(fit.law.residual.rms, 2e-4, 1e-5);
-  EXPECT_EQ(fit.law.equilibrium.value, 0);
+  EXPECT_EQ(fit.law.equilibrium().value, 0);
 }
 
 TEST(ForcedFit, WithoutNoiseOnlyTheSeriesEndsAreLeft) {
@@ -44,8 +44,8 @@ TEST(ForcedFit, WithoutNoiseOnlyTheSeriesEndsAreLeft) {
   auto record = forced_synthetic({.cubic = 200}, force, 3000, 0.04, 0, 2);
   const ForcedFit fit = fit_recorded_force(record.record(), curved, ForceBetween::band_limited);
   // The sinc series is cut off at the record's first and last samples, and is good to 1e-4 elsewhere.
-  EXPECT_NEAR(fit.law.angular_frequency.value, 12, 2e-3);
-  EXPECT_NEAR(fit.law.decay_rate.value, 0.35, 2e-3);
+  EXPECT_NEAR(fit.law.angular_frequency().value, 12, 2e-3);
+  EXPECT_NEAR(fit.law.decay_rate().value, 0.35, 2e-3);
   EXPECT_NEAR(fit.law.cubic->value, 200, 1);
 }
 
@@ -58,7 +58,7 @@ TEST(ForcedFit, AForceReadAsItWasLeavesTheMethodsErrorOnly) {
         fit_recorded_force(record.record(), everything, hold ? ForceBetween::hold : ForceBetween::linear);
     ASSERT_EQ(fit.law.status, FitStatus::converged) << fit.law.message;
     EXPECT_LT(fit.law.residual.rms, 1e-6);
-    EXPECT_NEAR(fit.law.angular_frequency.value, truth.w0, 1e-5);
+    EXPECT_NEAR(fit.law.angular_frequency().value, truth.w0, 1e-5);
     EXPECT_NEAR(fit.law.drag->value, truth.drag, 1e-4);
     EXPECT_NEAR(fit.law.cubic->value, truth.cubic, 1e-2);
     EXPECT_NEAR(fit.force_gain->value, truth.gain, 1e-5);
@@ -120,7 +120,7 @@ TEST(ForcedFit, AZeroFarFromTheMotionIsTheSensorsOwn) {
   expect_near("quadratic", *fit.quadratic, 30, 5e-2);
   expect_near("w0", fit.law.angular_frequency, 12, 1e-3);
   EXPECT_EQ(fit.force_offset->value, 0);
-  EXPECT_NEAR(fit.law.position.value, truth.position, 4 * fit.law.position.standard_error);
+  EXPECT_NEAR(fit.law.position().value, truth.position, 4 * fit.law.position().standard_error);
 }
 
 // 95 % intervals hold the truth about as often as they say: of 60 records, each misses 0 to 9 (probability
@@ -152,8 +152,8 @@ TEST(ForcedFit, FollowsALongRingingThroughManyCycles) {
   const ForcedFit fit = fit_recorded_force(record.record(), linear, ForceBetween::linear);
   ASSERT_EQ(fit.law.status, FitStatus::converged) << fit.law.message;
   EXPECT_NEAR(fit.law.residual.rms, 1e-3, 3e-5);
-  EXPECT_NEAR(fit.law.angular_frequency.value, 30, 1e-3);
-  EXPECT_NEAR(fit.law.decay_rate.value, 0.005, 2e-4);
+  EXPECT_NEAR(fit.law.angular_frequency().value, 30, 1e-3);
+  EXPECT_NEAR(fit.law.decay_rate().value, 0.005, 2e-4);
 }
 
 TEST(ForcedFit, FindsASpringThatIsMostlyCubic) {
@@ -229,7 +229,7 @@ TEST(ForcedFit, VelocitiesAndAccelerationsAreFittedAsThat) {
       count(fit.law.equilibrium, truth.equilibrium);
       count(fit.law.position, truth.position);
       count(fit.law.velocity, truth.velocity);
-      EXPECT_NEAR(fit.states.x.front(), fit.law.position.value, 1e-12);
+      EXPECT_NEAR(fit.states.x.front(), fit.law.position().value, 1e-12);
     }
     EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 4 * std::sqrt(0.05 * 0.95 / all)) << derivative;
   }

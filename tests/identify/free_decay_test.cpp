@@ -1,4 +1,4 @@
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -9,19 +9,19 @@
 namespace cromer {
 namespace {
 
-FreeDecay fit_viscous(const SyntheticRecord& record) { return fit_free_decay(record.record(), {}); }
+LawFit fit_viscous(const SyntheticRecord& record) { return fit_law(record.record(), {}); }
 
-void expect_truth(const FreeDecay& fit, const Truth& truth, double tolerance) {
+void expect_truth(const LawFit& fit, const Truth& truth, double tolerance) {
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   const double A = std::hypot(truth.position, truth.velocity / truth.w0);
-  EXPECT_NEAR(fit.angular_frequency.value, truth.w0, tolerance * truth.w0);
-  EXPECT_NEAR(fit.decay_rate.value, truth.g, tolerance * truth.w0);
-  EXPECT_NEAR(fit.equilibrium.value, truth.equilibrium, tolerance * A);
-  EXPECT_NEAR(fit.position.value, truth.position, tolerance * A);
-  EXPECT_NEAR(fit.velocity.value, truth.velocity, tolerance * A * truth.w0);
+  EXPECT_NEAR(fit.angular_frequency().value, truth.w0, tolerance * truth.w0);
+  EXPECT_NEAR(fit.decay_rate().value, truth.g, tolerance * truth.w0);
+  EXPECT_NEAR(fit.equilibrium().value, truth.equilibrium, tolerance * A);
+  EXPECT_NEAR(fit.position().value, truth.position, tolerance * A);
+  EXPECT_NEAR(fit.velocity().value, truth.velocity, tolerance * A * truth.w0);
 }
 
-TEST(FreeDecay, RecoversTheLawWithoutNoise) {
+TEST(LawFit, RecoversTheLawWithoutNoise) {
   const Truth truths[] = {{},
                           {.w0 = 3, .g = 0},
                           {.w0 = 3, .g = 0.9},      // fades within a period or two
@@ -35,7 +35,7 @@ TEST(FreeDecay, RecoversTheLawWithoutNoise) {
   }
 }
 
-TEST(FreeDecay, RecoversTheLawFromAnyPhase) {
+TEST(LawFit, RecoversTheLawFromAnyPhase) {
   for (int i = 0; i < 24; ++i) {
     const double phase = i * std::numbers::pi / 12;
     const Truth truth{.position = 0.05 * std::cos(phase), .velocity = 0.05 * 8.849 * std::sin(phase)};
@@ -43,7 +43,7 @@ TEST(FreeDecay, RecoversTheLawFromAnyPhase) {
   }
 }
 
-TEST(FreeDecay, RecoversTheLawFromUnevenTimesAndGaps) {
+TEST(LawFit, RecoversTheLawFromUnevenTimesAndGaps) {
   std::mt19937_64 engine(3);
   std::uniform_real_distribution<double> jitter(-0.004, 0.004);
   std::vector<double> uneven = even_times(2000, 0.01), gaps;
@@ -53,7 +53,7 @@ TEST(FreeDecay, RecoversTheLawFromUnevenTimesAndGaps) {
   for (const auto& t : {uneven, gaps}) expect_truth(fit_viscous(viscous_record({}, t)), {}, 1e-9);
 }
 
-TEST(FreeDecay, RecoversTheLawOfShortAndLongRecords) {
+TEST(LawFit, RecoversTheLawOfShortAndLongRecords) {
   const Truth truth{.w0 = 2 * std::numbers::pi, .g = 0.05};
   expect_truth(fit_viscous(viscous_record(truth, even_times(160, 0.01))), truth, 1e-8);  // 1.6 periods
   expect_truth(fit_viscous(viscous_record(truth, even_times(24, 0.1))), truth, 1e-8);    // 24 samples
@@ -78,17 +78,17 @@ double least_standard_error(double sigma, double h, double A, double g, double T
 }
 
 // The first 8192 samples show less than two periods: a line in their noise is none of the motion's.
-TEST(FreeDecay, FindsTheMotionOfAFastRecord) {
+TEST(LawFit, FindsTheMotionOfAFastRecord) {
   for (const double h : {0.00013, 0.00012, 0.0001}) {
     SCOPED_TRACE(h);
-    const FreeDecay fit = fit_viscous(viscous_record({}, even_times(150000, h), 0.0003, 0, 7));
+    const LawFit fit = fit_viscous(viscous_record({}, even_times(150000, h), 0.0003, 0, 7));
     ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
-    EXPECT_NEAR(fit.angular_frequency.value, Truth{}.w0, 5 * fit.angular_frequency.standard_error);
-    EXPECT_NEAR(fit.decay_rate.value, Truth{}.g, 5 * fit.decay_rate.standard_error);
+    EXPECT_NEAR(fit.angular_frequency().value, Truth{}.w0, 5 * fit.angular_frequency().standard_error);
+    EXPECT_NEAR(fit.decay_rate().value, Truth{}.g, 5 * fit.decay_rate().standard_error);
   }
 }
 
-TEST(FreeDecay, ScattersAsLittleAsCanBeAndSaysSo) {
+TEST(LawFit, ScattersAsLittleAsCanBeAndSaysSo) {
   const Truth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = -0.0025};
   const double noise = 1e-3, h = 0.01, T = 20;
   const double bound = least_standard_error(noise, h, 0.05, truth.g, T);
@@ -97,11 +97,11 @@ TEST(FreeDecay, ScattersAsLittleAsCanBeAndSaysSo) {
   int covered_g = 0, covered_w = 0, covered_x = 0, covered_E = 0;
   const auto covers = [](const Estimate& e, double value) { return e.low <= value && value <= e.high; };
   for (unsigned seed = 0; seed < trials; ++seed) {
-    const FreeDecay fit = fit_viscous(viscous_record(truth, even_times(2000, h), noise, 0, seed));
+    const LawFit fit = fit_viscous(viscous_record(truth, even_times(2000, h), noise, 0, seed));
     ASSERT_EQ(fit.status, FitStatus::converged);
-    scatter_g += std::pow(fit.decay_rate.value - truth.g, 2) / trials;
-    scatter_w += std::pow(fit.angular_frequency.value - truth.w0, 2) / trials;
-    stated += fit.decay_rate.standard_error / trials;
+    scatter_g += std::pow(fit.decay_rate().value - truth.g, 2) / trials;
+    scatter_w += std::pow(fit.angular_frequency().value - truth.w0, 2) / trials;
+    stated += fit.decay_rate().standard_error / trials;
     covered_g += covers(fit.decay_rate, truth.g);
     covered_w += covers(fit.angular_frequency, truth.w0);
     covered_x += covers(fit.position, truth.position);
@@ -115,7 +115,7 @@ TEST(FreeDecay, ScattersAsLittleAsCanBeAndSaysSo) {
     EXPECT_NEAR(covered, 0.955 * trials, 13);  // sd 4
 }
 
-TEST(FreeDecay, IntervalsHoldForCorrelatedNoise) {
+TEST(LawFit, IntervalsHoldForCorrelatedNoise) {
   // Noise of a sensor that smooths: correlated over many samples. Intervals that assume white noise would
   // hold in half of the cases.
   const Truth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = 0};
@@ -127,53 +127,53 @@ TEST(FreeDecay, IntervalsHoldForCorrelatedNoise) {
     std::normal_distribution<double> normal(0, 3e-4);
     double noise = 0;
     for (double& y : record.y) y += noise = 0.95 * noise + normal(engine);
-    const FreeDecay fit = fit_viscous(record);
-    covered += fit.decay_rate.low <= truth.g && truth.g <= fit.decay_rate.high;
+    const LawFit fit = fit_viscous(record);
+    covered += fit.decay_rate().low <= truth.g && truth.g <= fit.decay_rate().high;
     covered_equilibrium +=
-        fit.equilibrium.low <= truth.equilibrium && truth.equilibrium <= fit.equilibrium.high;
+        fit.equilibrium().low <= truth.equilibrium && truth.equilibrium <= fit.equilibrium().high;
     EXPECT_FALSE(fit.residual.white);
   }
   EXPECT_GE(covered, 0.91 * trials);
   EXPECT_GE(covered_equilibrium, 0.88 * trials);
 }
 
-TEST(FreeDecay, IntervalsHoldForQuantisedValues) {
+TEST(LawFit, IntervalsHoldForQuantisedValues) {
   int covered = 0;
   constexpr int trials = 100;
   for (unsigned seed = 0; seed < trials; ++seed) {
     const Truth truth{.g = 0.03 + 1e-4 * seed, .position = 0.05 + 1e-5 * seed};
-    const FreeDecay fit = fit_viscous(viscous_record(truth, even_times(1500, 0.01), 3e-3, 0.01,
+    const LawFit fit = fit_viscous(viscous_record(truth, even_times(1500, 0.01), 3e-3, 0.01,
                                                      seed));  // steps of a fifth of the amplitude
     ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
-    covered += fit.decay_rate.low <= truth.g && truth.g <= fit.decay_rate.high;
+    covered += fit.decay_rate().low <= truth.g && truth.g <= fit.decay_rate().high;
   }
   EXPECT_GE(covered, 90);
 }
 
-TEST(FreeDecay, UndampedMotionIsFittedUnderTheBound) {
+TEST(LawFit, UndampedMotionIsFittedUnderTheBound) {
   int on_bound = 0;
   for (unsigned seed = 0; seed < 20; ++seed) {
-    const FreeDecay fit =
+    const LawFit fit =
         fit_viscous(viscous_record({.g = 0, .velocity = 0}, even_times(1000, 0.01), 1e-3, 0, seed));
     ASSERT_EQ(fit.status, FitStatus::converged);
-    EXPECT_GE(fit.decay_rate.value, 0);
-    on_bound += fit.decay_rate.value == 0 && !fit.warnings.empty();
+    EXPECT_GE(fit.decay_rate().value, 0);
+    on_bound += fit.decay_rate().value == 0 && !fit.warnings.empty();
   }
   EXPECT_GT(on_bound, 3);
   EXPECT_LT(on_bound, 17);
 }
 
-TEST(FreeDecay, ShiftScaleAndTimeUnitChangeNothingElse) {
+TEST(LawFit, ShiftScaleAndTimeUnitChangeNothingElse) {
   const SyntheticRecord one = viscous_record({}, even_times(1200, 0.01), 3e-4);
   SyntheticRecord other = one;
   for (double& y : other.y) y = -1000 * y + 7;
   for (double& t : other.t) t = 50 + 2 * t;
-  const FreeDecay a = fit_viscous(one), b = fit_viscous(other);
-  EXPECT_NEAR(b.angular_frequency.value, a.angular_frequency.value / 2, 1e-9);
-  EXPECT_NEAR(b.decay_rate.value, a.decay_rate.value / 2, 1e-9);
-  EXPECT_NEAR(b.decay_rate.standard_error, a.decay_rate.standard_error / 2,
-              1e-6 * a.decay_rate.standard_error);
-  EXPECT_NEAR(b.equilibrium.value, -1000 * a.equilibrium.value + 7, 1e-6);
+  const LawFit a = fit_viscous(one), b = fit_viscous(other);
+  EXPECT_NEAR(b.angular_frequency().value, a.angular_frequency().value / 2, 1e-9);
+  EXPECT_NEAR(b.decay_rate().value, a.decay_rate().value / 2, 1e-9);
+  EXPECT_NEAR(b.decay_rate().standard_error, a.decay_rate().standard_error / 2,
+              1e-6 * a.decay_rate().standard_error);
+  EXPECT_NEAR(b.equilibrium().value, -1000 * a.equilibrium().value + 7, 1e-6);
 }
 
 }  // namespace

@@ -11,11 +11,11 @@ TEST(Interruption, NoLawConvergesWhenItIsInterrupted) {
   const SyntheticRecord record = viscous_record({}, even_times(3000, 0.01), 1e-4);
   const std::atomic<bool> stop{true};
   const Watch watch{&stop, {}};
-  for (const Law& law : {Law{}, Law{.drag = true}, Law{.cubic = true}, Law{.drag = true, .cubic = true}}) {
-    const FreeDecay fit = fit_free_decay(record.record(), {.law = law}, watch);
+  for (const Law& law : {law_of("viscous"), law_of("viscous+drag"), law_of("viscous+cubic"), law_of("viscous+drag+cubic")}) {
+    const LawFit fit = fit_law(record.record(), {.law = law}, watch);
     EXPECT_EQ(fit.status, FitStatus::iteration_limit) << to_text(law);
     EXPECT_THAT(fit.message, testing::StartsWith("interrupted"));
-    EXPECT_EQ(fit.angular_frequency.value, 0);  // nothing that could be taken for a result
+    EXPECT_EQ(fit.angular_frequency().value, 0);  // nothing that could be taken for a result
   }
   const LawChoice choice = choose_law(record.record(), {}, watch);
   EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit);
@@ -32,7 +32,7 @@ TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
     EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit) << after;
     EXPECT_THAT(choice.chosen.message, testing::StartsWith("interrupted"));
     EXPECT_EQ(choice.candidates.size(), static_cast<std::size_t>(after));
-    EXPECT_NEAR(choice.chosen.angular_frequency.value, 8.849, 1e-3);
+    EXPECT_NEAR(choice.chosen.angular_frequency().value, 8.849, 1e-3);
     // What is missing is named, what was compared is not.
     EXPECT_THAT(choice.chosen.message, testing::EndsWith("drag+friction+cubic, viscous+drag+friction+cubic"));
     EXPECT_EQ(choice.chosen.message.find("not compared yet are viscous+drag,") != std::string::npos,

@@ -79,14 +79,14 @@ TEST(Outliers, CostAFitLittleAndItsIntervalsHold) {
   double scatter = 0, clean_scatter = 0, aside = 0;
   for (unsigned seed = 0; seed < trials; ++seed) {
     const SyntheticRecord record = with_outliers(truth, seed);
-    const FreeDecay fit = fit_free_decay(record.record(), {});
+    const LawFit fit = fit_law(record.record(), {});
     ASSERT_EQ(fit.status, FitStatus::converged);
-    covered_g += fit.decay_rate.low <= truth.g && truth.g <= fit.decay_rate.high;
-    covered_x += fit.position.low <= truth.position && truth.position <= fit.position.high;
-    scatter += std::pow(fit.decay_rate.value - truth.g, 2);
+    covered_g += fit.decay_rate().low <= truth.g && truth.g <= fit.decay_rate().high;
+    covered_x += fit.position().low <= truth.position && truth.position <= fit.position().high;
+    scatter += std::pow(fit.decay_rate().value - truth.g, 2);
     aside += static_cast<double>(fit.outliers.size()) / trials;
     const SyntheticRecord clean = viscous_record(truth, even_times(1500, 0.01), 1e-3, 0, seed);
-    clean_scatter += std::pow(fit_free_decay(clean.record(), {}).decay_rate.value - truth.g, 2);
+    clean_scatter += std::pow(fit_law(clean.record(), {}).decay_rate().value - truth.g, 2);
   }
   EXPECT_GE(covered_g, 0.92 * trials);  // 0.95, sd 0.011
   EXPECT_GE(covered_x, 0.92 * trials);

@@ -42,8 +42,8 @@ TEST(RoundingBias, CoarseRoundingWidensTheUncertainties) {
         const SyntheticRecord record =
             viscous_record({.w0 = 6, .g = g, .equilibrium = 0.2, .position = amplitude, .velocity = 0},
                            even_times(3000, 0.01), 2e-4, resolution, seed);
-        const FreeDecay fit = fit_free_decay(record.record(), {});
-        const double z = (fit.decay_rate.value - g) / fit.decay_rate.standard_error;
+        const LawFit fit = fit_law(record.record(), {});
+        const double z = (fit.decay_rate().value - g) / fit.decay_rate().standard_error;
         sum += z * z / seeds;
       }
       EXPECT_LT(std::sqrt(sum), 1.2) << resolution << " " << amplitude;

@@ -118,7 +118,7 @@ Json curves_of(const FittedRecording& fitted) {
   std::vector<double> outlier_times;
   for (const Outlier& outlier : fitted.series.outliers) outlier_times.push_back(outlier.t);
   std::vector<double> displacement = motion.measured;
-  for (double& x : displacement) x -= fitted.fit.equilibrium.value;
+  for (double& x : displacement) x -= fitted.fit.equilibrium().value;
   return {{"t", motion.t},
           {"measured", motion.measured},
           {"residual", motion.residual},
@@ -142,7 +142,7 @@ Json units_of(const FittedRecording& fitted) {
 /// much.
 double displacement_rms(const FittedRecording& fitted) {
   const int derivative = std::max(0, derivative_order(fitted.series.quantity));
-  return fitted.fit.residual.rms / std::pow(fitted.fit.angular_frequency.value, derivative);
+  return fitted.fit.residual.rms / std::pow(fitted.fit.angular_frequency().value, derivative);
 }
 
 Answer fit_task(const Request& request, std::string_view file) {

@@ -1,6 +1,4 @@
-// Amplitude and frequency of an undamped swing of any size.
-//
-//   x'' = -w0^2 x - k2 x^2 - k3 x^3,   or for a pendulum w0^2 sin x in place of w0^2 x
+// Amplitude and frequency of an undamped swing of any size, under the law's springs.
 //
 // With u = a cos(theta) about the middle of the swing, theta'^2 has no zero between the turning points, and
 // the period is the integral of 1/theta' over a full turn: of a periodic function, so that the midpoint rule
@@ -10,79 +8,87 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/analysis/gauss_rule.h"
 #include "cromer/base/dual.h"
+#include "cromer/model/oscillator.h"
+#include "cromer/model/terms/all.h"
 
 namespace cromer {
 
-/// Coefficients per unit mass.
 template <class Real>
 struct Swing {
-  Real stiffness = 1;  // [1/s^2] w0^2 > 0
-  Real quadratic = 0;  // [1/(unit s^2)] k2, none with a pendulum
-  Real cubic = 0;      // [1/(unit^2 s^2)] k3
-  bool pendulum = false;
+  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; dampings are not looked at
 
-  /// How far the swing goes that passes x [unit] at v [unit/s]: its turning point has all of the energy.
-  /// quadratic is 0. A spring that gives way before it counts as linear, a pendulum that goes over the top as
-  /// one that stops there.
-  Real amplitude(const Real& x, const Real& v) const;
+  /// [unit^2/s^2] of the springs, 0 at rest.
+  Real potential(const Real& x) const {
+    Real sum = 0;
+    for_each_term([&]<class T>() {
+      if constexpr (requires { T::energy(x, x); })
+        if (value_of(per_mass.*T::template members<Real>[0]) != 0)
+          sum += T::energy(x, per_mass.*T::template members<Real>[0]);
+    });
+    return sum;
+  }
+
+  /// [unit/s^2] with which they pull back.
+  Real pull(const Real& x) const {
+    Real sum = 0;
+    for_each_term([&]<class T>() {
+      if constexpr (requires { T::energy(x, x); })
+        if (value_of(per_mass.*T::template members<Real>[0]) != 0)
+          sum += T::force(x, x, per_mass.*T::template members<Real>[0]);
+    });
+    return sum;
+  }
+
+  /// Of small swings [1/s^2].
+  Real stiffness() const { return per_mass.stiffness + per_mass.pendulum + per_mass.hysteresis_stiffness; }
+
+  /// How far the swing goes to the right that passes x [unit] at v [unit/s]: its turning point has all of the
+  /// energy. A spring that gives way before it counts as linear, a pendulum that goes over the top as one that
+  /// stops there.
+  Real amplitude(const Real& x, const Real& v) const {
+    using std::abs, std::sqrt;
+    const Real energy = 0.5 * (v * v) + potential(x);
+    const Real linear = sqrt(2.0 * energy / stiffness());
+    const double most = value_of(per_mass.pendulum) != 0 ? std::numbers::pi : HUGE_VAL;
+    if (most < HUGE_VAL && value_of(energy) >= value_of(potential(Real(most)))) return Real(most);
+    Real A = linear;
+    for (int newton = 0; newton < 60; ++newton) {
+      const Real pulled = pull(A);
+      if (!(value_of(pulled) > 0)) return linear;
+      Real step = (potential(A) - energy) / pulled;
+      // Not further than half of it at once: past the top of a pendulum, or the end of a spring, is nothing.
+      if (std::abs(value_of(step)) > 0.5 * value_of(A)) step = Real((value_of(step) > 0 ? 0.5 : -0.5)) * A;
+      A -= step;
+      if (value_of(A) > most) A = Real(most) - 1e-3 * Real(1.0);
+      if (newton > 4 && std::abs(value_of(step)) < 1e-15 * value_of(A)) break;
+    }
+    return value_of(A) < 1e3 * value_of(linear) ? A : linear;
+  }
 
   /// [rad/s] when it goes `a` [unit] > 0 to each side of its middle; NaN where it would not come back. Error:
   /// 1e-12 of it as long as stiffness keeps more than a twentieth of w0^2 throughout; an angle up to 3 rad.
-  Real angular_frequency(const Real& a) const;
+  Real angular_frequency(const Real& a) const {
+    using std::sqrt;
+    constexpr int points = 96;
+    // The middle c: the potential is the same at c + a and c - a.
+    Real c = 0;
+    if (value_of(per_mass.quadratic) != 0)
+      for (int newton = 0; newton < 12; ++newton)
+        c -= (potential(c + a) - potential(c - a)) / (pull(c + a) - pull(c - a));
+    const auto force = [&](const Real& x) { return pull(x); };
+    Real sum = 0;
+    for (int i = 0; i < points; ++i) {
+      const double share = std::cos((i + 0.5) * std::numbers::pi / points);
+      const Real u = share * a;
+      // theta'^2, from the turning point on its own side: energies would cancel there.
+      const Real square = share > 0 ? 2.0 * mean_over(Real(c + u), Real(c + a), force) / (a + u)
+                                    : -2.0 * mean_over(Real(c - a), Real(c + u), force) / (a - u);
+      sum += Real(1.0) / sqrt(square);
+    }
+    return Real(static_cast<double>(points)) / sum;
+  }
 };
-
-template <class Real>
-Real Swing<Real>::amplitude(const Real& x, const Real& v) const {
-  using std::atan2, std::sin, std::sqrt;
-  const Real x2 = x * x, kinetic = 0.5 * v * v;
-  if (!pendulum) {
-    const Real energy = kinetic + 0.5 * stiffness * x2 + 0.25 * cubic * x2 * x2;
-    const Real root = stiffness * stiffness + 4 * cubic * energy;
-    if (!(root > 0)) return sqrt(2 * energy / stiffness);
-    return sqrt(4 * energy / (stiffness + sqrt(root)));
-  }
-  const Real half = sin(0.5 * x);
-  const Real energy = kinetic + 2 * stiffness * half * half + 0.25 * cubic * x2 * x2;
-  const Real height = energy / (2 * stiffness);  // sin^2(A/2) where nothing is cubic
-  if (!(height < 1)) return Real(std::numbers::pi);
-  Real A = 2 * atan2(sqrt(height), sqrt(1 - height));
-  if (cubic == Real(0)) return A;
-  for (int newton = 0; newton < 12; ++newton) {
-    const Real s = sin(0.5 * A);
-    const Real excess = 2 * stiffness * s * s + 0.25 * cubic * A * A * A * A - energy;
-    A -= excess / (stiffness * sin(A) + cubic * A * A * A);
-  }
-  return A;
-}
-
-template <class Real>
-Real Swing<Real>::angular_frequency(const Real& a) const {
-  using std::sin, std::sqrt;
-  constexpr int points = 96;
-  const Real a2 = a * a;
-  // The middle c: the potential is the same at c + a and c - a.
-  Real c = 0;
-  if (!(quadratic == Real(0))) {
-    for (int newton = 0; newton < 12; ++newton) {
-      const Real unequal = stiffness * c + quadratic * (c * c + a2 / 3) + cubic * c * (c * c + a2);
-      c -= unequal / (stiffness + 2 * quadratic * c + cubic * (3 * c * c + a2));
-    }
-  }
-  // The potential about it, in powers of u; its odd part vanishes at u = a.
-  const Real second = (pendulum ? Real(0) : 0.5 * stiffness) + quadratic * c + 1.5 * cubic * c * c;
-  const Real third = quadratic / 3 + cubic * c, fourth = 0.25 * cubic;
-  Real sum = 0;
-  for (int i = 0; i < points; ++i) {
-    const Real u = a * std::cos((i + 0.5) * std::numbers::pi / points);
-    Real square = 2 * (second + third * u + fourth * (a2 + u * u));  // of theta'
-    if (pendulum) {
-      const Real above = 0.5 * (a + u), below = 0.5 * (a - u);
-      square += stiffness * (sin(above) / above) * (sin(below) / below);
-    }
-    sum += 1 / sqrt(square);
-  }
-  return points / sum;
-}
 
 }  // namespace cromer

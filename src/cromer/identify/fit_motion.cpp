@@ -5,13 +5,14 @@
 #include <numbers>
 #include <vector>
 
-#include "cromer/identify/least_squares/bounds.h"
+#include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/least_squares/describe_fit.h"
 #include "cromer/identify/least_squares/fit_settings.h"
 #include "cromer/identify/least_squares/fit_viscous.h"
-#include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/least_squares/rest_minima.h"
 #include "cromer/identify/least_squares/rounding_bias.h"
+#include "cromer/identify/start/driven_start.h"
+#include "cromer/identify/start/forced_start.h"
 
 namespace cromer {
 namespace {
@@ -19,52 +20,72 @@ namespace {
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double coarsest = 1.0 / 20;  // step, in periods: off by a millionth a radian
 
-auto model_of(const Record& record, const Law& law, double h, const Watch& watch) {
-  return interruptible(
-      [&record, law, h](const Parameters& parameters) {
-        return motion_equations(law, parameters, record, h);
-      },
-      watch);
-}
+// A record beside the motions of one law, as the minimiser asks for them.
+class Problem {
+ public:
+  Problem(const Record& record, const LawFitOptions& options, const FittedParameters& fitted, const Watch& watch)
+      : record_(record), options_(options), fitted_(fitted), watch_(watch) {}
 
-// The frequency of a large swing depends on its amplitude: a start from the whole record's viscous fit would
-// then lose count of the periods, and a few periods' does not.
-KnownMotion linear_motion(const Record& record, const FreeDecayOptions& options, const FreeDecay& viscous,
-                          const Watch& watch) {
-  constexpr double certain = 0.95;
-  const KnownMotion whole{viscous.motion(), record.t.size(), viscous.decay_rate.value};
-  if (viscous.explained > certain) return whole;
-  const Record beginning = first_periods(record, viscous.angular_frequency.value);
-  if (beginning.t.size() >= record.t.size()) return whole;
-  const FreeDecay first = fit_sinusoid(beginning, options, watch);
-  return {first.status == FitStatus::converged ? first.motion() : viscous.motion(), beginning.t.size(),
-          viscous.decay_rate.value};
-}
+  const Record& record() const { return record_; }
+
+  auto model(const Record& part, double h) const {
+    return interruptible(
+        [this, part, h](const Parameters& parameters) {
+          return motion_equations(fitted_, parameters, options_.drive, part, h);
+        },
+        watch_);
+  }
+  auto model(double h) const { return model(record_, h); }
+
+  LeastSquaresOptions settings(const Record& part) const {
+    LeastSquaresOptions settings = least_squares_options(part, options_);
+    settings.lower = fitted_.lower_bounds();
+    return settings;
+  }
+
+  // The rms difference between the motions at steps of h and of h/2 over the first so many samples.
+  double method_error(const Parameters& p, std::size_t samples, double h) const {
+    const Motion motion = fitted_.unpack(p);
+    const Record part = record_.first(samples);
+    const std::vector<double> y = observed_motion(motion, options_.drive, part.t, part.derivative, h),
+                              finer = observed_motion(motion, options_.drive, part.t, part.derivative, h / 2);
+    double sum = 0;
+    const std::size_t n = std::min(y.size(), finer.size());
+    for (std::size_t i = 0; i < n; ++i) sum += (y[i] - finer[i]) * (y[i] - finer[i]);
+    return n == 0 ? HUGE_VAL : std::sqrt(sum / static_cast<double>(n));
+  }
+
+  const FittedParameters& fitted() const { return fitted_; }
+  const LawFitOptions& options() const { return options_; }
+
+ private:
+  const Record& record_;
+  const LawFitOptions& options_;
+  const FittedParameters& fitted_;
+  const Watch& watch_;
+};
 
 // From a first part to the whole record, twice as long each time.
-Parameters grow(const Record& record, const FreeDecayOptions& options, const KnownMotion& known,
-                const Watch& watch) {
-  const FittedParameters fitted = fitted_parameters(options.law);
-  const double period = two_pi / known.motion.angular_frequency;
-  Parameters parameters = pack(fitted, known.motion);
+Parameters grow(const Problem& problem, const KnownMotion& known, double h) {
+  const Record& record = problem.record();
+  Parameters parameters = problem.fitted().pack(known.motion);
   for (std::size_t samples = known.samples; samples < record.t.size(); samples *= 2) {
-    const Record part = first_part(record, samples);
-    LeastSquaresOptions settings = least_squares_options(part, options);
+    const Record part = record.first(samples);
+    LeastSquaresOptions settings = problem.settings(part);
     settings.error_tolerance = 0.1;
     settings.iteration_limit = 12;
-    settings.lower = lower_bounds(fitted);
-    parameters =
-        minimise(model_of(part, options.law, coarsest * period, watch), parameters, settings).parameters;
+    parameters = minimise(problem.model(part, h), parameters, settings).parameters;
   }
   return parameters;
 }
 
-// Every so manieth sample, at least twenty in a period.
+// Every n-th sample, at least twenty in a period; of a motion that is free or harmonically driven.
 struct Thinned {
   std::vector<double> t, y;
   Record record;
 
-  Thinned(const Record& all, double period) : record(all) {
+  Thinned(const Record& all, double period, DriveKind drive) : record(all) {
+    if (drive == DriveKind::recorded) return;
     const double h = (all.t.back() - all.t.front()) / static_cast<double>(all.t.size() - 1);
     const auto stride = static_cast<std::size_t>(std::clamp(period / (20 * h), 1.0, 1e6));
     if (stride < 2) return;
@@ -75,121 +96,314 @@ struct Thinned {
   }
 };
 
+// How long the steps of a motion may be.
+class StepLength {
+ public:
+  StepLength(const Problem& problem, const KnownMotion& known) : problem_(problem) {
+    const Motion& first = known.motion;
+    const Record& record = problem.record();
+    const double w0 = first.angular_frequency();
+    w_ = std::max(w0, first.drive_frequency);
+    const double duration = record.t.back() - record.t.front();
+    duration_ = std::min(duration, 3 / std::max(known.decay_rate, 1e-300));
+    const double n = static_cast<double>(record.t.size());
+    amplitude_ = std::hypot(first.position, first.velocity / w0) * std::pow(w0, record.derivative);
+    if (problem.options().drive.kind != DriveKind::none)
+      amplitude_ = std::max(amplitude_, std::sqrt(2 / n) * centred_norm(record.y));
+  }
+
+  bool recorded() const { return problem_.options().drive.kind == DriveKind::recorded; }
+  double period() const { return two_pi / w_; }
+
+  // To begin with: of a recorded force's motion, off by less than a two-hundredth in the record's beginning.
+  double coarse(const Parameters& start) const {
+    if (!recorded()) return coarsest * period();
+    const double spacing = problem_.options().drive.force.spacing;
+    double h = w_ > 0 ? std::min(spacing, 0.5 / w_) : spacing;
+    const Record& record = problem_.record();
+    const double enough =
+        0.005 * centred_norm(record.y) / std::sqrt(static_cast<double>(record.t.size()));
+    for (int halvings = 0; halvings < 4; ++halvings, h /= 2)
+      if (problem_.method_error(start, std::min<std::size_t>(record.t.size(), 1000), h) < enough) break;
+    return h;
+  }
+
+  // The method's error may move a parameter by a twentieth of its standard error.
+  double fine(const LeastSquaresSummary& at, double samples, double h) const {
+    const double n = static_cast<double>(problem_.record().t.size());
+    const double rms = std::sqrt(at.equations.sum_of_squares / samples);
+    if (!recorded()) return motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
+    // A standard error moves the motion by one residual's rms in all.
+    for (int halvings = 0; halvings < 6; ++halvings, h /= 2) {
+      const double error = problem_.method_error(at.parameters, problem_.record().t.size(), h);
+      if (error * error * n <= 0.01 * rms * rms) break;
+    }
+    return h;
+  }
+
+ private:
+  const Problem& problem_;
+  double w_ = 0, duration_ = 0, amplitude_ = 0;
+};
+
+// Where the iteration ended, and in steps of which length.
+struct FoundMinimum {
+  Minimum minimum;
+  double h = 0;
+  int iterations = 0;
+};
+
+// Most of the way in coarse steps and on few samples, then as fine as the residuals ask for.
+FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool roughly) {
+  const Record& record = problem.record();
+  const LawFitOptions& options = problem.options();
+  const StepLength steps(problem, known);
+  const auto n = static_cast<double>(record.t.size());
+  FoundMinimum found;
+  found.h = steps.coarse(problem.fitted().pack(known.motion));
+  LeastSquaresOptions settings = problem.settings(record);
+  const Thinned thinned(record, steps.period(), options.drive.kind);
+  LeastSquaresOptions coarse = settings;
+  coarse.error_tolerance = roughly || steps.recorded() ? 1e-2 : 1e-1;
+  if (roughly) coarse.iteration_limit = settings.iteration_limit = std::min(20, options.iteration_limit);
+  coarse.residuals = static_cast<int>(thinned.record.t.size());
+  const Parameters start = grow(problem, known, found.h);
+  const LeastSquaresSummary summary = minimise(problem.model(thinned.record, found.h), start, coarse);
+  found.iterations = summary.iterations;
+  const bool beaten = summary.equations.sum_of_squares > 1.44 * options.rms_to_beat * options.rms_to_beat * n;
+  if (roughly || beaten) {
+    settings.error_tolerance = 1e-2;
+    found.minimum = minimise_both(problem.model(found.h), summary.parameters, settings);
+    found.iterations += found.minimum.bounded.iterations;
+    return found;
+  }
+  if (steps.recorded()) settings.error_tolerance = 1e-3;
+  found.h = steps.fine(summary, coarse.residuals, found.h);
+  Parameters from = summary.parameters;
+  for (int round = 0; round < 4; ++round) {
+    found.minimum = minimise_both(problem.model(found.h), from, settings);
+    found.iterations += found.minimum.bounded.iterations;
+    from = found.minimum.bounded.parameters;
+    if (!std::isfinite(found.minimum.bounded.equations.sum_of_squares)) break;
+    const double finer = steps.fine(found.minimum.bounded, n, found.h);
+    if (finer > 0.8 * found.h) break;
+    found.h = finer;
+  }
+  return found;
+}
+
+Parameters rounding_bias_of(const Problem& problem, const FoundMinimum& found,
+                            std::span<const double> residuals) {
+  Parameters bias{};
+  const std::vector<double> y = rounded_motion(problem.record(), residuals);
+  if (y.empty()) return bias;
+  Record pulled = problem.record();
+  pulled.y = y;
+  const int size = problem.fitted().count;
+  const NormalEquations pull = motion_equations(problem.fitted(), found.minimum.bounded.parameters,
+                                                problem.options().drive, pulled, found.h);
+  const SquareMatrix inverse_matrix = inverse(found.minimum.free.equations.matrix, size);
+  if (!std::isfinite(inverse_matrix[0][0])) return bias;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) bias[i] += inverse_matrix[i][j] * pull.right[j];
+  return bias;
+}
+
+// A minimum was found, but its law accounts for less than three tenths of the motion's variance.
+void refuse_what_explains_too_little(LawFit& fit) {
+  constexpr double least = 0.3;
+  if (fit.drive.kind == DriveKind::none || fit.status != FitStatus::converged || fit.explained >= least) return;
+  fit.status = FitStatus::too_noisy;
+  fit.message = explains_too_little(fit);
+}
+
+// The frequency of a large swing depends on its amplitude: a start from the whole record's viscous fit would
+// then lose count of the periods, and a few periods' does not.
+KnownMotion linear_motion(const Record& record, const LawFitOptions& options, const LawFit& viscous,
+                          const Watch& watch) {
+  constexpr double certain = 0.95;
+  const double decay_rate = viscous.decay_rate().value;
+  if (viscous.explained > certain) return {viscous.motion, record.t.size(), decay_rate};
+  const Record beginning = first_periods(record, viscous.angular_frequency().value);
+  if (beginning.t.size() >= record.t.size()) return {viscous.motion, record.t.size(), decay_rate};
+  const LawFit first = fit_sinusoid(beginning, options, watch);
+  return {first.status == FitStatus::converged ? first.motion : viscous.motion, beginning.t.size(), decay_rate};
+}
+
+// The start of a driven motion follows most of it, or is grown from a first part, in which a frequency that is a
+// little off has no time to lose step.
+KnownMotion known_driven(const Record& record, const LawFitOptions& options, const Motion& start) {
+  KnownMotion known{start, record.t.size(), 0};
+  if (options.drive.kind != DriveKind::recorded) return known;
+  const double spacing = options.drive.force.spacing, w0 = start.angular_frequency();
+  const double h = w0 > 0 ? std::min(spacing, 0.5 / w0) : spacing;
+  const std::vector<double> r = motion_residuals(start, options.drive, record, h);
+  double squares = 0;
+  for (const double each : r) squares += each * each;
+  constexpr double followed = 0.3;  // of the motion's squares
+  const double norm = centred_norm(record.y);
+  if (r.size() == record.t.size() && squares < followed * norm * norm) return known;
+  const double periods = w0 > 0 ? 20 * two_pi / w0 : 64 * spacing;
+  known.samples = std::min(record.t.size(), static_cast<std::size_t>(std::max(periods / spacing, 64.0)));
+  return known;
+}
+
+// A hysteretic force beside the spring: shares of the stiffness that the linear law has, and loops of the width
+// that the motion has.
+std::vector<Motion> hysteretic_starts(const Motion& linear, const Law& law, double amplitude) {
+  std::vector<Motion> starts;
+  const double stiffness = linear.angular_frequency() * linear.angular_frequency();
+  for (const double share : {0.3, 0.6})
+    for (const double width : {0.3, 1.0, 3.0}) {
+      Motion motion = linear;
+      motion.law = law;
+      motion.set_angular_frequency(std::sqrt((1 - share) * stiffness));
+      motion.per_mass.hysteresis_stiffness = share * stiffness;
+      motion.per_mass.hysteresis_beta = 0.5 / (width * amplitude);
+      motion.per_mass.hysteresis_gamma = 0;
+      starts.push_back(motion);
+    }
+  return starts;
+}
+
+// The one of several starts from which a few steps lead furthest down.
+KnownMotion best_of(const std::vector<Motion>& starts, const KnownMotion& known, const Problem& problem) {
+  KnownMotion best = known;
+  double least = HUGE_VAL;
+  const std::size_t samples = std::min<std::size_t>(problem.record().t.size(), 4000);
+  const Record part = problem.record().first(samples);
+  LeastSquaresOptions settings = problem.settings(part);
+  settings.iteration_limit = 8;
+  settings.error_tolerance = 0.1;
+  for (const Motion& start : starts) {
+    const StepLength steps(problem, {start, samples, 0});
+    const Parameters p = problem.fitted().pack(start);
+    const LeastSquaresSummary summary = minimise(problem.model(part, steps.coarse(p)), p, settings);
+    if (!(summary.equations.sum_of_squares < least)) continue;
+    least = summary.equations.sum_of_squares;
+    best.motion = problem.fitted().unpack(summary.parameters);
+    best.samples = samples;
+  }
+  return best;
+}
+
 }  // namespace
 
 bool Beginning::usable() const {
-  return viscous.status == FitStatus::converged || viscous.status == FitStatus::iteration_limit;
+  return linear.has_values() &&
+         (linear.status == FitStatus::converged || linear.status == FitStatus::iteration_limit ||
+          linear.status == FitStatus::undetermined);
 }
 
-KnownMotion Beginning::known(const Law& law, double t0) const {
-  KnownMotion result = linear;
-  result.motion.pendulum = law.pendulum;
-  if (!law.viscous) result.motion.decay_rate = 0;
+KnownMotion Beginning::known(const Law& law, const Record& record) const {
+  KnownMotion result = known_motion;
+  const double w0 = result.motion.angular_frequency();
+  result.motion.law = law;
+  for_each_term([&]<class T>() {
+    if (!law.has<T>())
+      for (const auto member : T::template members<double>) result.motion.per_mass.*member = 0;
+  });
+  if (law.shares(springs)) result.motion.set_angular_frequency(w0);
   if (track) {
-    result.motion = motion_along(*track, law, t0);
+    result.motion = motion_along(*track, law, record.t.front());
     // Where it comes to rest depends on how many half swings there are: the swing itself must tell that
     // before the rest may pull.
-    result.samples = law.friction ? track->swinging : track->samples;
+    result.samples = law.has<Friction>() ? track->swinging : track->samples;
   }
   return result;
 }
 
-Beginning begin_fit(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+Beginning begin_fit(const Record& record, const LawFitOptions& options, const Watch& watch) {
   Beginning beginning;
-  beginning.viscous = fit_viscous(record, options, watch);
-  if (!beginning.usable() || watch.interrupted()) return beginning;
-  beginning.linear = linear_motion(record, options, beginning.viscous, watch);
-  beginning.track =
-      track_envelope(record, beginning.linear.motion.angular_frequency, beginning.linear.decay_rate);
+  if (options.drive.kind == DriveKind::none) {
+    beginning.linear = fit_viscous(record, options, watch);
+    if (!beginning.usable() || watch.interrupted()) return beginning;
+    beginning.known_motion = linear_motion(record, options, beginning.linear, watch);
+    beginning.track = track_envelope(record, beginning.known_motion.motion.angular_frequency(),
+                                     beginning.known_motion.decay_rate);
+    return beginning;
+  }
+  // The linear law leads the way: it has the widest valley. A recorded force shows a bent spring from the start.
+  LawFitOptions linear = options;
+  const Law leading = options.drive.kind == DriveKind::recorded ? springs.with(law_with<Quadratic, Cubic>) : springs;
+  linear.law = Law{options.law.terms & leading.terms}.with(law_with<Viscous>);
+  const std::optional<Motion> start = options.drive.kind == DriveKind::harmonic
+                                          ? driven_start(record, options.drive_frequency)
+                                          : forced_start(record, options.drive.force, linear.law);
+  if (!start) {
+    beginning.linear = refused({FitStatus::no_oscillation, options.drive.kind == DriveKind::harmonic
+                                                               ? "no oscillation found: the spectrum has no line"
+                                                               : "no oscillation found: the force explains no "
+                                                                 "resonance"},
+                               options);
+    return beginning;
+  }
+  beginning.linear = fit_motion(record, linear, known_driven(record, linear, *start), watch);
+  beginning.known_motion = {beginning.linear.motion, record.t.size(), 0};
   return beginning;
 }
 
-FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, const KnownMotion& known,
-                     const Watch& watch, bool roughly) {
-  FreeDecay fit;
+LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
+                  const Watch& watch, bool roughly) {
+  LawFit fit;
   fit.law = options.law;
-  const FittedParameters fitted = fitted_parameters(options.law);
-  LeastSquaresOptions settings = least_squares_options(record, options);
-  settings.lower = lower_bounds(fitted);
-
-  const MotionParameters& first = known.motion;
-  const double duration = record.t.back() - record.t.front();
-  const double seen = std::min(duration, 3 / std::max(known.decay_rate, 1e-300));
-  const double amplitude = std::hypot(first.position, first.velocity / first.angular_frequency) *
-                           std::pow(first.angular_frequency, record.derivative);
-  const double root_n = std::sqrt(static_cast<double>(record.t.size()));
-  // The method's error may move a parameter by a twentieth of its standard error.
-  const auto step_for = [&](double rms) {
-    return motion_step(first.angular_frequency, seen, 0.05 * rms / (root_n * amplitude));
-  };
-
-  // Most of the way in coarse steps and on few samples, then as fine as the residuals ask for.
-  const double period = two_pi / first.angular_frequency;
-  const Thinned thinned(record, period);
-  LeastSquaresOptions coarse = settings;
-  coarse.error_tolerance = roughly ? 1e-2 : 1e-1;
-  if (roughly) coarse.iteration_limit = settings.iteration_limit = std::min(20, options.iteration_limit);
-  coarse.residuals = static_cast<int>(thinned.record.t.size());
-  Parameters start = grow(record, options, known, watch);
-  double h = coarsest * period;
-  LeastSquaresSummary summary = minimise(model_of(thinned.record, options.law, h, watch), start, coarse);
-  fit.iterations = summary.iterations;
-  Minimum minimum;
-  if (roughly) {
-    settings.error_tolerance = 1e-2;
-    minimum = minimise_both(model_of(record, options.law, h, watch), summary.parameters, settings);
-    fit.iterations += minimum.bounded.iterations;
-  } else {
-    h = step_for(std::sqrt(summary.equations.sum_of_squares / static_cast<double>(coarse.residuals)));
-    Parameters from = summary.parameters;
-    for (int round = 0; round < 4; ++round) {
-      minimum = minimise_both(model_of(record, options.law, h, watch), from, settings);
-      fit.iterations += minimum.bounded.iterations;
-      from = minimum.bounded.parameters;
-      const double finer = step_for(std::sqrt(minimum.bounded.equations.sum_of_squares) / root_n);
-      if (finer > 0.8 * h) break;
-      h = finer;
-    }
+  fit.drive = options.drive;
+  Motion values = known.motion;
+  values.per_mass.hysteresis_exponent = options.hysteresis_exponent;
+  const FittedParameters fitted = fitted_parameters(
+      options.law, options.drive.kind, held_parameters(record, options.law, options.drive.kind), values);
+  const Problem problem(record, options, fitted, watch);
+  KnownMotion from = known;
+  if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
+    const double amplitude = std::sqrt(2 / static_cast<double>(record.y.size())) * centred_norm(record.y) /
+                             std::pow(std::max(1e-300, known.motion.angular_frequency()), record.derivative);
+    from = best_of(hysteretic_starts(known.motion, options.law, amplitude), known, problem);
   }
+  FoundMinimum found = find_minimum(problem, from, roughly);
+  Minimum& minimum = found.minimum;
 
   // Of the minima for several numbers of half swings before a rest the lowest counts.
-  std::vector<LeastSquaresSummary> minima =
-      rest_minima(record, options.law, minimum.bounded, settings, h, watch);
-  if (minima.front().equations.sum_of_squares < minimum.bounded.equations.sum_of_squares) {
-    minimum = minimise_both(model_of(record, options.law, h, watch), minima.front().parameters, settings);
-    fit.iterations += minimum.bounded.iterations;
+  std::vector<LeastSquaresSummary> minima{minimum.bounded};
+  if (options.drive.kind == DriveKind::none && options.law.has<Friction>()) {
+    const LeastSquaresOptions settings = problem.settings(record);
+    minima = rest_minima(record, fitted, minimum.bounded, settings, found.h, watch);
+    if (minima.front().equations.sum_of_squares < minimum.bounded.equations.sum_of_squares) {
+      minimum = minimise_both(problem.model(found.h), minima.front().parameters, settings);
+      found.iterations += minimum.bounded.iterations;
+    }
+    if (minimum.bounded.reason == LeastSquaresReason::iteration_limit)
+      minimum.bounded = minimum.free =
+          end_of_band_minimum(record, fitted, minimum.bounded, settings, found.h, watch);
+    minima.front() = minimum.bounded;
   }
-  if (minimum.bounded.reason == LeastSquaresReason::iteration_limit)
-    minimum.bounded = minimum.free =
-        end_of_band_minimum(record, options.law, minimum.bounded, settings, h, watch);
-  minima.front() = minimum.bounded;
 
-  if (watch.interrupted()) return interrupted_fit(options.law);
-  fit.step = h;
-  const MotionParameters motion = unpack(fitted, minimum.bounded.parameters);
-  const std::vector<double> residuals = motion_residuals(motion, record, h);
+  if (watch.interrupted()) return interrupted_fit(options);
+  fit.iterations = found.iterations;
+  fit.step = found.h;
+  const Motion motion = fitted.unpack(minimum.bounded.parameters);
+  const std::vector<double> residuals = motion_residuals(motion, options.drive, record, found.h);
   if (residuals.size() != record.t.size() || !std::isfinite(residuals.back())) {
-    fit.status = FitStatus::iteration_limit;
-    fit.message = "this law's motion runs away from the recorded one";
+    set_status(fit, LeastSquaresReason::not_finite);
     return fit;
   }
-  const SquareMatrix inverse_matrix = inverse(minimum.free.equations.matrix, fitted.count);
-  Parameters bias{};
-  if (const std::vector<double> y = rounded_motion(record, residuals); !y.empty()) {
-    Record pulled = record;
-    pulled.y = y;
-    const NormalEquations pull = motion_equations(options.law, minimum.bounded.parameters, pulled, h);
-    for (int i = 0; i < fitted.count; ++i)
-      for (int j = 0; j < fitted.count; ++j) bias[i] += inverse_matrix[i][j] * pull.right[j];
-  }
-  describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
-  set_intervals(fit, unpack(fitted, minimum.free.parameters), record);
-  spread_over(fit, minima);
+  DescribedMinimum described{.fitted = fitted,
+                             .parameters = minimum.bounded.parameters,
+                             .without_bounds = minimum.free.parameters,
+                             .matrix = minimum.free.equations.matrix,
+                             .rounding_bias = rounding_bias_of(problem, found, residuals),
+                             .residuals = residuals};
+  if (!roughly)
+    described.jacobian = [&] {
+      return jacobian_of(fitted, minimum.bounded.parameters, options.drive, record, found.h);
+    };
+  describe_fit(fit, record, described);
+  spread_over(fit, fitted, minima);
   set_status(fit, minimum.bounded.reason);
   if (const auto refusal = refuse_frequency(fit); refusal && fit.status == FitStatus::converged) {
     fit.status = refusal->status;
     fit.message = refusal->message;
   }
+  refuse_what_explains_too_little(fit);
   return fit;
 }
 

@@ -1,28 +1,29 @@
-// The laws without a closed form.
+// The laws without a closed form: from a known beginning to the minimum, and what it says.
 #pragma once
 
 #include <optional>
 
 #include "cromer/base/interrupt.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/identify/start/envelope_track.h"
-#include "cromer/identify/free_decay.h"
 
 namespace cromer {
 
-/// What is found once and serves the fits of all laws.
+/// What is found once and serves the fits of all laws under one drive.
 struct Beginning {
-  FreeDecay viscous;
-  KnownMotion linear;                  ///< of the viscous law, as far as it goes
-  std::optional<EnvelopeTrack> track;  ///< where the swing can be followed
+  LawFit linear;                       ///< the viscous law's: of a free motion by its closed form
+  KnownMotion known_motion;            ///< of it, as far as it goes
+  std::optional<EnvelopeTrack> track;  ///< of a free motion, where the swing can be followed
 
-  bool usable() const;                                 ///< the record is an oscillation
-  KnownMotion known(const Law& law, double t0) const;  ///< where the iteration for a law begins
+  bool usable() const;  ///< the record is an oscillation
+  /// Where the iteration for a law begins.
+  KnownMotion known(const Law& law, const Record& record) const;
 };
-Beginning begin_fit(const Record& record, const FreeDecayOptions& options, const Watch& watch);
+Beginning begin_fit(const Record& record, const LawFitOptions& options, const Watch& watch);
 
-/// Fits options.law from a known motion. Only `roughly`: to a hundredth of the standard errors, in steps of a
-/// twentieth of a period, for comparing laws.
-FreeDecay fit_motion(const Record& record, const FreeDecayOptions& options, const KnownMotion& known,
-                     const Watch& watch, bool roughly = false);
+/// Fits options.law from a known motion. Only `roughly`: to a hundredth of the standard errors, in coarse steps,
+/// for comparing laws.
+LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
+                  const Watch& watch, bool roughly = false);
 
 }  // namespace cromer

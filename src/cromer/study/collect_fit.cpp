@@ -30,7 +30,7 @@ void collect_segments(const std::string& id, const FittedRecording& fitted, Resu
   set_estimate(results, id + ".decay_rate_mean", *fitted.decay_rate_mean, "1/s");
   // The damping that would give the mean rate: c = 2 m gamma.
   if (const Estimate* stiffness = fitted.find("stiffness")) {
-    const double w = fitted.fit.angular_frequency.value;
+    const double w = fitted.fit.angular_frequency().value;
     results.set(id + ".damping_mean", 2 * fitted.decay_rate_mean->value * stiffness->value / (w * w), "kg/s");
   }
 }
@@ -74,7 +74,7 @@ void collect_decay(const std::string& id, const FittedRecording& fitted, Results
 }
 
 void collect_columns(const std::string& id, const FittedRecording& fitted, Results& results) {
-  const double mean = fitted.fit.equilibrium.value;
+  const double mean = fitted.fit.equilibrium().value;
   const std::string_view unit = si_unit_of(fitted.series.quantity);
   const std::string axis = fitted.series.quantity == "position" ? "position *x*" : fitted.series.quantity;
   std::vector<double> displacement = fitted.series.y;

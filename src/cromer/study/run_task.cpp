@@ -45,8 +45,8 @@ Result<TaskReport> run_simulate(const Work& work) {
   return TaskReport{result->warnings, ""};
 }
 
-const FreeDecay& fit_of(const FittedRecording& fitted) { return fitted.fit; }
-const FreeDecay& fit_of(const CompareResult& compared) { return compared.recording.fit; }
+const LawFit& fit_of(const FittedRecording& fitted) { return fitted.fit; }
+const LawFit& fit_of(const CompareResult& compared) { return compared.recording.fit; }
 
 /// fit and compare: a recording's file in, one result for each of its runs out.
 template <class Options, class Task>

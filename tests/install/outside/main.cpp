@@ -1,5 +1,5 @@
 // Uses the installed library as somebody else would: integrates, and fits what it integrated.
-#include <cromer/identify/free_decay.h>
+#include <cromer/identify/law_fit.h>
 #include <cromer/study/task/simulate.h>
 #include <cromer/version.h>
 
@@ -17,10 +17,10 @@ int main() {
   const auto simulated = cromer::simulate(options);
   if (!simulated) return std::fprintf(stderr, "%s\n", simulated.error().message.c_str()), 1;
   const cromer::Trajectory& motion = simulated->runs.front().trajectory;
-  const cromer::FreeDecay found = cromer::fit_free_decay({motion.t, motion.x}, {});
+  const cromer::LawFit found = cromer::fit_law({motion.t, motion.x}, {});
   std::printf("cromer %s: w = %.9f rad/s, decay rate %.9f 1/s\n", CROMER_VERSION,
-              found.angular_frequency.value, found.decay_rate.value);
+              found.angular_frequency().value, found.decay_rate().value);
   const bool right =
-      std::abs(found.angular_frequency.value - 3) < 1e-6 && std::abs(found.decay_rate.value - 0.05) < 1e-6;
+      std::abs(found.angular_frequency().value - 3) < 1e-6 && std::abs(found.decay_rate().value - 0.05) < 1e-6;
   return right ? 0 : 1;
 }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "cromer/identify/free_motion.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
 #include "tests/study/task/disc_recording.h"
 
@@ -144,7 +144,7 @@ TEST(CompareTask, ARunThatDivergesIsAWarning) {
 }
 
 // A motion of one law, sampled 100 times a second with noise.
-Series recording_of(const MotionParameters& law, double duration, double noise, const char* quantity) {
+Series recording_of(const Motion& law, double duration, double noise, const char* quantity) {
   Series series;
   series.column = "x";
   series.quantity = quantity;
@@ -210,7 +210,7 @@ TEST(CompareTask, AStepTooLongForTheMethodIsNoWordOnTheLaw) {
 
 TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
   // The amplitude falls by 4 f/w² a cycle: it rests after 8 of them, 10 s.
-  const MotionParameters cart{
+  const Motion cart{
       .angular_frequency = 5, .decay_rate = 0.01, .friction = 0.08, .equilibrium = 0, .position = 0.1};
   const Series series = recording_of(cart, 30, 3e-4, "position");
   CompareOptions options;
@@ -231,7 +231,7 @@ TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
 }
 
 TEST(CompareTask, APendulumIsSimulatedAsOne) {
-  const MotionParameters pendulum{
+  const Motion pendulum{
       .angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
   CompareOptions options;
   options.fit.law = "viscous+pendulum";

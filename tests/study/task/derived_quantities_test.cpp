@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string>
 
-#include "cromer/identify/free_motion.h"
+#include "cromer/identify/motion/motion_model.h"
 
 namespace cromer {
 namespace {
@@ -20,8 +20,8 @@ constexpr double w0 = 3, A = 0.4;
 Estimate certain(double value) { return make_estimate(value, 0, 2); }
 
 /// Released at rest at A.
-FreeDecay released(double decay_rate) {
-  FreeDecay fit;
+LawFit released(double decay_rate) {
+  LawFit fit;
   fit.angular_frequency = certain(w0);
   fit.decay_rate = certain(decay_rate);
   fit.position = certain(A);
@@ -29,7 +29,7 @@ FreeDecay released(double decay_rate) {
   return fit;
 }
 
-double value(const FreeDecay& fit, std::string_view name) {
+double value(const LawFit& fit, std::string_view name) {
   for (const NamedEstimate& number : derived_quantities(fit, "m", 0))
     if (number.name == name) return number.estimate.value;
   ADD_FAILURE() << name;
@@ -38,7 +38,7 @@ double value(const FreeDecay& fit, std::string_view name) {
 
 /// The viscous rate that takes as much in a cycle as the motion loses about the amplitude A: from the squares
 /// of the turning points before and after it, A reached in the middle.
-double rate_by_integration(const MotionParameters& law, double period) {
+double rate_by_integration(const Motion& law, double period) {
   constexpr int points = 4000;
   std::vector<double> t;
   for (int i = 0; i <= points; ++i) t.push_back(1.3 * period * i / points);
@@ -55,7 +55,7 @@ double rate_by_integration(const MotionParameters& law, double period) {
 }
 
 TEST(DerivedQuantities, OfTheViscousLawAreTheTextbooks) {
-  const FreeDecay fit = released(0.2);
+  const LawFit fit = released(0.2);
   const double w = std::sqrt(9 - 0.04);
   EXPECT_NEAR(value(fit, "frequency"), w / (2 * pi), 1e-14);
   EXPECT_NEAR(value(fit, "period"), 2 * pi / w, 1e-14);
@@ -66,12 +66,12 @@ TEST(DerivedQuantities, OfTheViscousLawAreTheTextbooks) {
 }
 
 TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
-  FreeDecay drag = released(0);
+  LawFit drag = released(0);
   drag.drag = certain(0.05);
   // Drag takes 8 d w^2 A^3/3 in a cycle, viscous damping 2 pi zeta w^2 A^2.
   EXPECT_NEAR(value(drag, "damping_ratio"), 4 * 0.05 * A / (3 * pi), 1e-15);
   EXPECT_NEAR(value(drag, "frequency"), w0 / (2 * pi), 1e-14);
-  FreeDecay friction = released(0);
+  LawFit friction = released(0);
   friction.friction = certain(0.02);
   // Friction takes 4 f A.
   EXPECT_NEAR(value(friction, "damping_ratio"), 4 * 0.02 * A / (2 * pi * w0 * w0 * A * A), 1e-15);
@@ -81,12 +81,12 @@ TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
 TEST(DerivedQuantities, AreThoseOfTheMotionIntegrated) {
   // Damping so small that the amplitude hardly changes over the cycle that is looked at.
   for (const bool pendulum : {false, true}) {
-    FreeDecay fit = released(1e-5);
+    LawFit fit = released(1e-5);
     fit.law.pendulum = pendulum;
     fit.drag = certain(2e-5);
     fit.friction = certain(2e-6);
     fit.cubic = certain(pendulum ? 0.0 : -1.5);
-    MotionParameters law = fit.motion();
+    Motion law = fit.motion();
     const double measured = rate_by_integration(law, value(fit, "period"));
     // The rate is that of a harmonic swing; the springs' curvature changes what is lost by some of k3
     // A^2/w0^2 = 3 %.
@@ -101,7 +101,7 @@ TEST(DerivedQuantities, AreThoseOfTheMotionIntegrated) {
 }
 
 TEST(DerivedQuantities, PropagateTheWholeCovariance) {
-  FreeDecay fit = released(0.05);
+  LawFit fit = released(0.05);
   fit.law = {.viscous = true, .drag = true, .friction = true, .cubic = true};
   fit.drag = certain(0.3);
   fit.friction = certain(0.01);
@@ -119,7 +119,7 @@ TEST(DerivedQuantities, PropagateTheWholeCovariance) {
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t k = 0; k < n; ++k) fit.covariance[i * n + j] += L[i * n + k] * L[j * n + k];
   const auto moved = [&](std::size_t i, double by) {
-    FreeDecay other = fit;
+    LawFit other = fit;
     Estimate* const all[] = {&other.angular_frequency, &other.decay_rate, &*other.drag,
                              &*other.friction,         &*other.cubic,     &other.equilibrium,
                              &other.position,          &other.velocity};

@@ -73,7 +73,7 @@ TEST(FitForced, NamesFollowTheContract) {
   EXPECT_NEAR(ratio * there, result.find("decay_rate")->value, 1e-9);
   EXPECT_NEAR(ratio * there, 0.35, 0.012);
   EXPECT_GT(there, 12.3);
-  EXPECT_EQ(result.forced->motion.size(), result.series.t.size());
+  EXPECT_EQ(result.driven->motion.size(), result.series.t.size());
 }
 
 TEST(FitForced, TestsTheLawOnWhatWasHeldOut) {
@@ -238,7 +238,7 @@ TEST(FitDriven, WritesTheMotionUnderTheDrive) {
   const FittedMotion motion = fitted_motion(result);
   ASSERT_EQ(motion.x.size(), result.series.t.size());
   for (std::size_t i = 1; i + 1 < motion.x.size(); ++i) {
-    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium.value + motion.residual[i], result.series.y[i], 1e-12);
+    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium().value + motion.residual[i], result.series.y[i], 1e-12);
     const double slope = (motion.x[i + 1] - motion.x[i - 1]) / (motion.t[i + 1] - motion.t[i - 1]);
     EXPECT_NEAR(motion.v[i], slope, 0.02 * 7.58 * 0.3);
   }

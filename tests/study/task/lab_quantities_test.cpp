@@ -126,7 +126,7 @@ TEST(MonteCarlo, AgreesWithThePropagatedIntervalAndRepeats) {
 }
 
 TEST(MonteCarlo, FewDegreesOfFreedomWidenTheInterval) {
-  FreeDecay fit;
+  LawFit fit;
   fit.angular_frequency = make_estimate(9, 0.01, student_95(4));
   fit.independent_samples = 9;
   fit.names = {"angular_frequency", "decay_rate", "equilibrium", "position", "velocity"};
@@ -159,7 +159,7 @@ TEST(FittedMotion, IsTheTrueMotionAndTheSamplesAgree) {
   double sum = 0, square = 0;
   int n = 0;
   for (std::size_t i = 0; i < motion.t.size(); ++i) {
-    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium.value + motion.residual[i], disc().y[i], 1e-12);
+    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium().value + motion.residual[i], disc().y[i], 1e-12);
     if (std::isnan(motion.local_velocity[i])) continue;
     const double off = motion.local_velocity[i] - motion.v[i];
     sum += off * motion.v[i];

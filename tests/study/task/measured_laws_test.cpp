@@ -72,7 +72,7 @@ TEST(MeasuredLaws, TheReleaseOfADrivenPendulumIsFound) {
   // --from overrides.
   const auto own = fitted("torsion-50hz/0.96500.1.csv", {.column = "Pendolo", .from = 220});
   EXPECT_NEAR(own->series.t.front(), 220, 0.02);
-  EXPECT_NEAR(own->fit.decay_rate.value, result->fit.decay_rate.value, 0.05 * result->fit.decay_rate.value);
+  EXPECT_NEAR(own->fit.decay_rate().value, result->fit.decay_rate().value, 0.05 * result->fit.decay_rate().value);
 }
 
 TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {

@@ -43,7 +43,7 @@ TEST(SetAside, TheMotionBeginsAtTheFirstSampleThatTheFitSees) {
   ASSERT_TRUE(fit.ok());
   EXPECT_DOUBLE_EQ(fit->series.t.front(), 0.2);
   EXPECT_EQ(fit->series.outliers.size(), 20u);
-  EXPECT_NEAR(fit->fit.position.value, 0.036 * std::cos(std::sqrt(17.04 / 0.2176) * 0.2), 1e-3);
+  EXPECT_NEAR(fit->fit.position().value, 0.036 * std::cos(std::sqrt(17.04 / 0.2176) * 0.2), 1e-3);
 }
 
 }  // namespace

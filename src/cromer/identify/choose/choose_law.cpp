@@ -7,33 +7,38 @@
 #include <optional>
 
 #include "cromer/identify/choose/criterion.h"
-#include "cromer/identify/fit_motion.h"
+#include "cromer/identify/choose/readings.h"
+#include "cromer/identify/choose/rival_laws.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/identify/diagnose/refusal.h"
-#include "cromer/identify/choose/rival_laws.h"
+#include "cromer/identify/fit_motion.h"
 
 namespace cromer {
 namespace {
 
 // What the choice is made on: most records whole.
-constexpr std::size_t enough_samples = 40'000;
+constexpr std::size_t enough_samples = 40'000, enough_driven = 100'000;
 constexpr double samples_per_period = 16;
 
 struct Selection {
   std::vector<double> t, y;
-  double resolution = 0;
-  int derivative = 0;
+  Record like;
   std::size_t stride = 1;
   std::size_t end = 0;  ///< one past the last sample of the record that was considered
 
-  Record record() const { return {t, y, resolution, derivative}; }
+  Record record() const {
+    Record part = like;
+    part.t = t;
+    part.y = y;
+    return part;
+  }
 };
 
 // One sample in so many, at least sixteen in a period, of as long a beginning as then suffices.
 Selection select(const Record& record, double angular_frequency) {
   Selection part;
-  part.resolution = record.resolution;
-  part.derivative = record.derivative;
+  part.like = record;
   const std::size_t n = record.t.size();
   const double h = (record.t.back() - record.t.front()) / static_cast<double>(n - 1);
   const double most = 2 * std::numbers::pi / (angular_frequency * h * samples_per_period);
@@ -47,47 +52,41 @@ Selection select(const Record& record, double angular_frequency) {
   return part;
 }
 
-// Every sum of dampings with a linear and a cubic spring, and for angles as a pendulum; the simplest first,
-// then those most often found.
-std::vector<Law> candidate_laws(bool angle) {
-  std::vector<Law> laws{{.viscous = true},
-                        {.viscous = true, .drag = true},
-                        {.viscous = true, .cubic = true},
-                        {.viscous = true, .drag = true, .cubic = true}};
-  for (int restoring = 0; restoring < (angle ? 3 : 2); ++restoring)
-    for (int damping = 1; damping < 8; ++damping) {
-      const Law law{.viscous = (damping & 1) != 0,
-                    .drag = (damping & 2) != 0,
-                    .friction = (damping & 4) != 0,
-                    .cubic = restoring == 1,
-                    .pendulum = restoring == 2};
+// Every sum of dampings with each spring that is met often, and for angles as a pendulum; the simplest first, then
+// those most often found.
+std::vector<Law> free_candidates(bool angle) {
+  std::vector<Law> laws{law_of("viscous"), law_of("viscous+drag"), law_of("viscous+cubic"),
+                        law_of("viscous+drag+cubic")};
+  std::vector<Law> shapes{law_with<Spring>, law_with<Spring, Cubic>, law_with<Spring, OddQuadratic>};
+  if (angle) shapes.push_back(law_with<Pendulum>);
+  const Law each[] = {law_with<Viscous>, law_with<Drag>, law_with<Friction>};
+  for (const Law& shape : shapes)
+    for (unsigned set = 1; set < 8; ++set) {
+      Law law = shape;
+      for (unsigned i = 0; i < 3; ++i)
+        if (set >> i & 1U) law = law.with(each[i]);
       if (std::find(laws.begin(), laws.end(), law) == laws.end()) laws.push_back(law);
     }
   return laws;
 }
 
-// A choice among some of the laws is none: which ones it lacks is said.
-void mark_interrupted(LawChoice& choice, const std::vector<Law>& laws) {
-  FreeDecay& fit = choice.chosen;
-  if (fit.status != FitStatus::converged) return;
-  fit.status = FitStatus::iteration_limit;
-  std::string missing;
-  for (const Law& law : laws) {
-    const bool done = std::any_of(choice.candidates.begin(), choice.candidates.end(),
-                                  [&](const FreeDecay& candidate) { return candidate.law == law; });
-    if (!done) missing += (missing.empty() ? "" : ", ") + to_text(law);
-  }
-  fit.message = missing.empty()
-                    ? "interrupted before all laws were tried: none is missing, but the last steps of the "
-                      "comparison are"
-                    : fmt::format(
-                          "interrupted before all laws were tried: {} is only the best of {}, and not "
-                          "compared yet are {}",
-                          to_text(fit.law), choice.candidates.size(), missing);
+// Terms that may be added one by one, or together where one alone says little.
+std::vector<Law> additions(DriveKind drive) {
+  std::vector<Law> list;
+  if (drive != DriveKind::none)
+    list = {law_with<Drag>, law_with<Friction>, law_with<Cubic>, law_with<OddQuadratic>};
+  for (const Law& more : {law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<Quintic>, law_with<VanDerPol>,
+                          law_with<Hysteresis>})
+    list.push_back(more);
+  return list;
+}
+
+bool has_values(const LawFit& fit) {
+  return fit.has_values() && (fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit);
 }
 
 // Place of the candidate of lowest BIC but one.
-std::optional<std::size_t> runner_up(const std::vector<FreeDecay>& candidates, std::size_t best) {
+std::optional<std::size_t> runner_up(const std::vector<LawFit>& candidates, std::size_t best) {
   std::optional<std::size_t> second;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (i != best && candidates[i].status == FitStatus::converged &&
@@ -96,84 +95,193 @@ std::optional<std::size_t> runner_up(const std::vector<FreeDecay>& candidates, s
   return second;
 }
 
-LawChoice choose_on(const Record& record, const FreeDecayOptions& options, const Watch& watch,
-                    double progress_end) {
-  LawChoice choice;
-  std::vector<FreeDecay>& candidates = choice.candidates;
-  const Beginning beginning = begin_fit(record, options, watch);
-  candidates.push_back(beginning.viscous);
-  choice.chosen = beginning.viscous;
-  if (!beginning.usable()) return choice;
-  std::vector<Law> laws = candidate_laws(options.angle);
-  const auto too_many_terms = [&](const Law& law) { return refuse_record(record, law).has_value(); };
-  laws.erase(std::remove_if(laws.begin() + 1, laws.end(), too_many_terms), laws.end());
-  if (watch.interrupted()) {
-    mark_interrupted(choice, laws);
+// The fits of one record under one drive, and the choice among them as it grows.
+class Choosing {
+ public:
+  Choosing(const Record& record, const LawFitOptions& options, const Watch& watch)
+      : record_(record), options_(options), watch_(watch) {}
+
+  LawChoice among_free(double progress_end) {
+    const Beginning beginning = begin_fit(record_, options_, watch_);
+    add(beginning.linear, true);
+    if (!beginning.usable()) return alone();
+    std::vector<Law> laws = free_candidates(options_.angle);
+    laws.erase(std::remove_if(laws.begin() + 1, laws.end(), [&](const Law& law) { return too_many_terms(law); }),
+               laws.end());
+    for (std::size_t i = 1; i < laws.size() && !watch_.interrupted(); ++i) {
+      if (watch_.progress)
+        watch_.progress(progress_end * static_cast<double>(i) / static_cast<double>(laws.size()));
+      try_law(laws[i], beginning.known(laws[i], record_));
+    }
+    settle();
+    if (!watch_.interrupted() && something_is_left(record_, candidates_[best_])) {
+      add_terms(beginning, additions(DriveKind::none));
+      settle();
+    }
+    LawChoice choice = chosen(laws);
+    if (const std::string rivals = rival_laws(record_, candidates_, best_); !rivals.empty())
+      choice.chosen.warnings.push_back(rivals);
     return choice;
   }
-  const auto progress = [&](std::size_t done) {
-    if (watch.progress)
-      watch.progress(progress_end * static_cast<double>(done) / static_cast<double>(laws.size()));
-  };
-  progress(1);
-  std::vector<bool> fine(laws.size());
-  fine[0] = true;
-  FreeDecayOptions one = options;
-  for (std::size_t i = 1; i < laws.size() && !watch.interrupted(); ++i) {
-    one.law = laws[i];
-    FreeDecay fit = fit_motion(record, one, beginning.known(one.law, record.t.front()), watch, true);
-    if (watch.interrupted()) break;
-    candidates.push_back(std::move(fit));
-    progress(i + 1);
-  }
-  // The one chosen, and what it is chosen over, as finely as the record asks for.
-  std::size_t best = choose_candidate(candidates);
-  for (std::optional<std::size_t> next = best; next && !watch.interrupted();) {
-    FreeDecay& rough = candidates[*next];
-    if (!fine[*next]) {
-      one.law = rough.law;
-      const KnownMotion known{rough.motion(), record.t.size(), beginning.viscous.decay_rate.value};
-      FreeDecay fit = fit_motion(record, one, known, watch);
-      if (fit.status == FitStatus::converged) rough = std::move(fit);
-      fine[*next] = true;
-    }
-    best = choose_candidate(candidates);
-    next = runner_up(candidates, best);
-    if (!fine[best]) next = best;
-    if (next && fine[*next]) break;
-  }
-  choice.chosen = candidates[best];
-  if (const std::string rivals = rival_laws(record, candidates, best); !rivals.empty())
-    choice.chosen.warnings.push_back(rivals);
-  if (watch.interrupted()) mark_interrupted(choice, laws);
-  return choice;
-}
 
-bool has_values(const FreeDecay& fit) {
-  return fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
-}
+  // Terms one by one from the linear law; under a recorded force from one with a bent spring, and without it.
+  LawChoice among_driven() {
+    LawFitOptions leading = options_;
+    const Law linear = Law{options_.law.terms & springs.terms}.with(law_with<Viscous>);
+    leading.law = linear;
+    if (options_.drive.kind == DriveKind::recorded && linear.shares(springs))
+      leading.law = linear.with(law_with<Quadratic, Cubic>);
+    Beginning beginning = begin_fit(record_, leading, watch_);
+    if (!beginning.usable() && leading.law != linear) {
+      leading.law = linear;
+      beginning = begin_fit(record_, leading, watch_);
+    }
+    if (!beginning.usable() || watch_.interrupted()) {
+      add(beginning.linear, true);
+      return alone();
+    }
+    if (leading.law != linear) {
+      try_law(linear, beginning.known(linear, record_));
+      add(beginning.linear, true);
+      for (const Law& bent : {linear.with(law_with<Cubic>), linear.with(law_with<Quadratic>)})
+        try_law(bent, beginning.known(bent, record_));
+    } else {
+      add(beginning.linear, true);
+    }
+    add_terms(beginning, additions(options_.drive.kind));
+    settle();
+    return chosen({});
+  }
+
+ private:
+  void add(LawFit fit, bool fine) {
+    candidates_.push_back(std::move(fit));
+    fine_.push_back(fine);
+  }
+
+  bool tried(const Law& law) const {
+    return std::any_of(candidates_.begin(), candidates_.end(), [&](const LawFit& fit) { return fit.law == law; });
+  }
+  bool too_many_terms(const Law& law) const {
+    LawFitOptions one = options_;
+    one.law = law;
+    return refuse_record(record_, one).has_value();
+  }
+
+  void try_law(const Law& law, const KnownMotion& known) {
+    if (tried(law) || too_many_terms(law) || watch_.interrupted()) return;
+    LawFitOptions one = options_;
+    one.law = law;
+    LawFit fit = fit_motion(record_, one, known, watch_, true);
+    if (!watch_.interrupted()) add(std::move(fit), false);
+  }
+
+  // The best law with each addition, as long as one of them is chosen.
+  void add_terms(const Beginning& beginning, const std::vector<Law>& more) {
+    for (std::size_t round = 0; round < 4 && !watch_.interrupted(); ++round) {
+      best_ = choose_candidate(candidates_, record_.resolution);
+      const LawFit base = candidates_[best_];
+      if (!base.has_values()) return;
+      for (const Law& addition : more) {
+        if (base.law.contains(addition)) continue;
+        const Law law = base.law.with(addition);
+        KnownMotion known = beginning.known(law, record_);
+        if (options_.drive.kind != DriveKind::none || law.has<Hysteresis>() || round > 0) {
+          known.motion = base.motion;
+          known.motion.law = law;
+          known.samples = record_.t.size();
+        }
+        try_law(law, known);
+      }
+      const std::size_t next = choose_candidate(candidates_, record_.resolution);
+      if (next == best_) return;
+      best_ = next;
+      if (options_.drive.kind == DriveKind::none && !something_is_left(record_, candidates_[best_])) return;
+    }
+  }
+
+  // The one chosen, and what it is chosen over, as finely as the record asks for.
+  void settle() {
+    best_ = choose_candidate(candidates_, record_.resolution);
+    for (std::optional<std::size_t> next = best_; next && !watch_.interrupted();) {
+      LawFit& rough = candidates_[*next];
+      if (!fine_[*next]) {
+        LawFitOptions one = options_;
+        one.law = rough.law;
+        const KnownMotion known{rough.motion, record_.t.size(), candidates_.front().decay_rate().value};
+        LawFit fit = fit_motion(record_, one, known, watch_);
+        if (fit.status == FitStatus::converged) rough = std::move(fit);
+        fine_[*next] = true;
+      }
+      best_ = choose_candidate(candidates_, record_.resolution);
+      next = runner_up(candidates_, best_);
+      if (!fine_[best_]) next = best_;
+      if (next && fine_[*next]) break;
+    }
+  }
+
+  LawChoice alone() {
+    LawChoice choice{candidates_.front(), candidates_};
+    if (watch_.interrupted()) mark_interrupted(choice, {});
+    return choice;
+  }
+  LawChoice chosen(const std::vector<Law>& laws) {
+    LawChoice choice{candidates_[best_], candidates_};
+    if (watch_.interrupted()) mark_interrupted(choice, laws);
+    return choice;
+  }
+
+ public:
+  // A choice among some of the laws is none: which ones it lacks is said.
+  static void mark_interrupted(LawChoice& choice, const std::vector<Law>& laws) {
+    LawFit& fit = choice.chosen;
+    if (fit.status != FitStatus::converged) return;
+    fit.status = FitStatus::iteration_limit;
+    std::string missing;
+    for (const Law& law : laws) {
+      const bool done = std::any_of(choice.candidates.begin(), choice.candidates.end(),
+                                    [&](const LawFit& candidate) { return candidate.law == law; });
+      if (!done) missing += (missing.empty() ? "" : ", ") + to_text(law);
+    }
+    fit.message = missing.empty()
+                      ? "interrupted before all laws were tried"
+                      : fmt::format(
+                            "interrupted before all laws were tried: {} is only the best of {}, and not "
+                            "compared yet are {}",
+                            to_text(fit.law), choice.candidates.size(), missing);
+  }
+
+ private:
+  const Record& record_;
+  const LawFitOptions& options_;
+  const Watch& watch_;
+  std::vector<LawFit> candidates_;
+  std::vector<bool> fine_;
+  std::size_t best_ = 0;
+};
 
 // The choice on a part, then the chosen law on all samples.
-LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  FreeDecayOptions one = options;
-  one.law = Law{};
-  const FreeDecay viscous = fit_free_decay(record, one, watch);
+LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options, const Watch& watch) {
+  LawFitOptions one = options;
+  one.law = law_of("viscous");
+  const LawFit viscous = fit_law(record, one, watch);
   if (!has_values(viscous)) return {viscous, {viscous}};
   if (watch.interrupted()) {
     LawChoice choice{viscous, {viscous}};
-    mark_interrupted(choice, candidate_laws(options.angle));
+    Choosing::mark_interrupted(choice, free_candidates(options.angle));
     return choice;
   }
-  const Selection part = select(record, viscous.angular_frequency.value);
-  LawChoice choice = choose_on(part.record(), options, watch, 0.5);
-  if (!has_values(choice.chosen) || choice.chosen.law == Law{}) {
+  const Selection part = select(record, viscous.angular_frequency().value);
+  const Record seen = part.record();
+  LawChoice choice = Choosing(seen, options, watch).among_free(0.5);
+  if (!has_values(choice.chosen) || choice.chosen.law == law_of("viscous")) {
     choice.chosen = viscous;
   } else if (choice.chosen.status == FitStatus::converged) {
     one.law = choice.chosen.law;
-    one.start = KnownMotion{choice.chosen.motion(), part.end, viscous.decay_rate.value};
-    choice.chosen = fit_free_decay(record, one, watch);
+    one.start = KnownMotion{choice.chosen.motion, part.end, viscous.decay_rate().value};
+    choice.chosen = fit_law(record, one, watch);
   }
-  if (watch.interrupted()) mark_interrupted(choice, candidate_laws(options.angle));
+  if (watch.interrupted()) Choosing::mark_interrupted(choice, free_candidates(options.angle));
   choice.chosen.warnings.push_back(fmt::format(
       "the laws were compared on {} of the {} samples, one in {} up to {:.6g} s; the one chosen is "
       "fitted to all",
@@ -181,25 +289,61 @@ LawChoice choose_on_part(const Record& record, const FreeDecayOptions& options, 
   return choice;
 }
 
-LawChoice choose_on_all(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  if (refuse_record(record, Law{})) {
-    FreeDecayOptions viscous = options;
-    viscous.law = Law{};
-    const FreeDecay fit = fit_free_decay(record, viscous, watch);
+LawChoice choose_free(const Record& record, const LawFitOptions& options, const Watch& watch) {
+  LawFitOptions viscous = options;
+  viscous.law = law_of("viscous");
+  if (refuse_record(record, viscous)) {
+    const LawFit fit = fit_law(record, viscous, watch);
     return {fit, {fit}};
   }
-  return record.t.size() > 5 * enough_samples ? choose_on_part(record, options, watch)
-                                              : choose_on(record, options, watch, 1);
+  return record.t.size() > 5 * enough_samples ? choose_free_on_part(record, viscous, watch)
+                                              : Choosing(record, viscous, watch).among_free(1);
+}
+
+// One law of a driven motion, or the one that the record asks for, under one reading of its force.
+LawChoice choose_driven(const Record& record, const LawFitOptions& options, const GivenLaw& given,
+                        const Watch& watch) {
+  LawFitOptions one = options;
+  if (given.law) {
+    one.law = *given.law;
+    const LawFit fit = fit_law(record, one, watch);
+    return {fit, {fit}};
+  }
+  if (const auto refusal = refuse_record(record, one)) {
+    const LawFit fit = refused(*refusal, one);
+    return {fit, {fit}};
+  }
+  if (record.t.size() <= 2 * enough_driven) return Choosing(record, one, watch).among_driven();
+  const Record part = record.first(enough_driven);
+  LawChoice choice = Choosing(part, one, watch).among_driven();
+  if (choice.chosen.status != FitStatus::converged) return choice;
+  one.law = choice.chosen.law;
+  one.start = KnownMotion{choice.chosen.motion, record.t.size(), 0};
+  choice.chosen = fit_law(record, one, watch);
+  choice.chosen.warnings.push_back(
+      fmt::format("the laws were compared on the first {} of {} samples; the one chosen is fitted to all",
+                  enough_driven, record.t.size()));
+  return choice;
+}
+
+LawChoice choose_on(const Record& record, const LawFitOptions& options, const GivenLaw& given,
+                    const Watch& watch) {
+  if (options.drive.kind == DriveKind::recorded)
+    return choose_reading(record, options, given,
+                          [&](const LawFitOptions& one) { return choose_driven(record, one, given, watch); }, watch);
+  if (options.drive.kind == DriveKind::harmonic) return choose_driven(record, options, given, watch);
+  return choose_free(record, options, watch);
 }
 
 }  // namespace
 
-LawChoice choose_law(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
+LawChoice choose_law(const Record& record, const LawFitOptions& options, const Watch& watch,
+                     const GivenLaw& given) {
   // All candidates see the same samples: those that are no outliers from the chosen one.
-  FreeDecayOptions every = options;
+  LawFitOptions every = options;
   every.every_sample = true;
-  const auto choose = [&](const Record& samples) { return choose_on_all(samples, every, watch); };
-  if (options.every_sample) return choose(record);
+  const auto choose = [&](const Record& samples) { return choose_on(samples, every, given, watch); };
+  if (options.every_sample || options.drive.kind != DriveKind::none) return choose(record);
   auto [choice, aside] = fit_without_outliers(
       record, choose,
       [](const LawChoice& made, const Record& samples) { return residuals_of(made.chosen, samples); });

@@ -6,52 +6,66 @@
 namespace cromer {
 namespace {
 
-bool excludes_zero(const std::optional<Estimate>& term) { return !term || term->low > 0 || term->high < 0; }
+bool excludes_zero(const Estimate& term) { return term.low > 0 || term.high < 0; }
 
-// A lone damping term may be as small as it is; of two or more each must show.
-bool every_term_shows(const FreeDecay& fit) {
-  const int dampings = fit.law.viscous + fit.law.drag + fit.law.friction;
-  if (!excludes_zero(fit.cubic)) return false;
-  if (dampings < 2) return true;
-  return (!fit.law.viscous || fit.decay_rate.low > 0) && excludes_zero(fit.drag) &&
-         excludes_zero(fit.friction);
+// The estimate of one of the law's terms that could be left out; nullptr where it could not.
+const Estimate* removable(const LawFit& fit, const TermInfo& info, Law term) {
+  if (springs.contains(term)) return nullptr;
+  // A lone damping term may be as small as it is.
+  if (info.damps && Law{fit.law.terms & dampings.terms}.size() < 2) return nullptr;
+  const Estimate* found = nullptr;
+  for_each_term([&]<class T>() {
+    if (T::info.name == info.name) found = fit.find(T::coefficients[0].parameter);
+  });
+  return found;
 }
 
-double information_criterion(const FreeDecay& fit, double independent_samples) {
-  return bayesian_criterion(independent_samples, fit.residual.rms, static_cast<double>(fit.names.size()));
+bool is_admissible(const LawFit& fit, const std::vector<LawFit>& candidates) {
+  if (fit.status != FitStatus::converged) return false;
+  for (std::size_t i = 0; i < term_count; ++i) {
+    const Law term{std::uint32_t{1} << i};
+    if (!fit.law.shares(term)) continue;
+    const Estimate* estimate = removable(fit, term_infos[i], term);
+    if (!estimate || excludes_zero(*estimate)) continue;
+    const Law without = fit.law.without(term);
+    const auto simpler = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& other) {
+      return other.law == without && other.drive.force.between == fit.drive.force.between &&
+             other.residual.rms > 0;
+    });
+    if (simpler == candidates.end() || simpler->bic < fit.bic + strong_evidence) return false;
+  }
+  return true;
 }
 
 }  // namespace
 
-std::size_t choose_candidate(std::vector<FreeDecay>& candidates) {
-  const FreeDecay* closest = &candidates.front();
-  for (const FreeDecay& fit : candidates)
+std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution) {
+  const LawFit* closest = &candidates.front();
+  for (const LawFit& fit : candidates)
     if (fit.status == FitStatus::converged && fit.residual.rms < closest->residual.rms) closest = &fit;
   const double independent = closest->independent_samples;
+  for (LawFit& fit : candidates)
+    if (fit.residual.rms > 0 && independent > 0)
+      fit.bic = bayesian_criterion(independent, std::max(fit.residual.rms, resolution / std::sqrt(12.0)),
+                                   fit.fitted);
+  std::vector<bool> admissible;
+  for (const LawFit& fit : candidates) admissible.push_back(is_admissible(fit, candidates));
   std::size_t best = 0;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    FreeDecay& fit = candidates[i];
-    if (fit.residual.rms <= 0) continue;
-    fit.bic = information_criterion(fit, independent);
-    if (fit.status != FitStatus::converged || !every_term_shows(fit)) continue;
-    if (candidates[best].status != FitStatus::converged || fit.bic < candidates[best].bic) best = i;
-  }
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (admissible[i] && (!admissible[best] || candidates[i].bic < candidates[best].bic)) best = i;
   // Evidence that is not strong does not speak against a simpler law: the fewest terms then. Of as many terms
   // a law met more often stays unless the other is clearly better; rival_laws.h says where neither is.
-  constexpr double strong = 6, clear = 5;
+  constexpr double clear = 5;
   const double lowest = candidates[best].bic;
-  const auto eligible = [&](const FreeDecay& fit) {
-    return fit.status == FitStatus::converged && every_term_shows(fit) && fit.bic < lowest + strong;
-  };
-  std::size_t fewest = candidates[best].names.size();
-  for (const FreeDecay& fit : candidates)
-    if (eligible(fit)) fewest = std::min(fewest, fit.names.size());
-  double least = HUGE_VAL;
-  for (const FreeDecay& fit : candidates)
-    if (eligible(fit) && fit.names.size() == fewest) least = std::min(least, fit.bic);
+  const auto eligible = [&](std::size_t i) { return admissible[i] && candidates[i].bic < lowest + strong_evidence; };
+  int fewest = candidates[best].fitted;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (eligible(candidates[i]) && candidates[i].names.size() == fewest && candidates[i].bic < least + clear)
-      return i;
+    if (eligible(i)) fewest = std::min(fewest, candidates[i].fitted);
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (eligible(i) && candidates[i].fitted == fewest) least = std::min(least, candidates[i].bic);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    if (eligible(i) && candidates[i].fitted == fewest && candidates[i].bic < least + clear) return i;
   return best;
 }
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
@@ -15,12 +15,16 @@ inline double bayesian_criterion(double independent_samples, double rms, double 
   return independent_samples * 2 * std::log(rms) + parameters * std::log(independent_samples);
 }
 
-/// Place of the candidate of lowest BIC among those that converged and whose every extra term's 95 % interval
-/// excludes zero; 0 where none is. Sets the candidates' BIC, all of the number of samples which the closest
-/// candidate's residuals leave independent. Of candidates within 6 of the
-/// lowest (less than strong evidence: Kass & Raftery, J. Am. Stat. Assoc. 90, 773 (1995)) the one with the
-/// fewest parameters, and of as many the lowest, or the first that is within 5 of it: laws met more often
+/// Differences of the criterion that are strong evidence: Kass & Raftery, J. Am. Stat. Assoc. 90, 773 (1995).
+inline constexpr double strong_evidence = 6;
+
+/// Place of the admissible candidate of lowest BIC; 0 where none is. A law is admissible if it converged and each
+/// of its terms (but for a lone damping) either has a 95 % interval without zero, or raises BIC by more than 6
+/// when it is taken away. Sets the candidates' BIC, all of the number of samples which the closest candidate's
+/// residuals leave independent, so that no law's misfit is taken for noise; residuals below what rounding leaves
+/// (`resolution`, 0 if unknown) only follow its pattern. Of admissible candidates within 6 of the lowest the one with
+/// the fewest parameters, and of as many the lowest, or the first that is within 5 of it: laws met more often
 /// come first. `candidates` is not empty and begins with the simplest law.
-std::size_t choose_candidate(std::vector<FreeDecay>& candidates);
+std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0);
 
 }  // namespace cromer

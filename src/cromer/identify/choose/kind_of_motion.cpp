@@ -4,34 +4,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/start/driven_start.h"
-#include "cromer/identify/motion/sinusoidal_force.h"
 
 namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr double strong = 6;
 
 // The two lines to begin with: the swing's own and the steady one.
-std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const ForcedFit& driven) {
-  Parameters p = driven.parameters;
-  const ForcedTerms terms{driven.law.law.drag, driven.law.law.cubic};
-  ForcedLayout at = forced_layout(SinusoidalForce::parameters, terms);
-  if (driven.law.status != FitStatus::converged) {
-    double level = 0;
-    for (const double y : record.y) level += y / static_cast<double>(record.y.size());
-    std::vector<double> z(record.y.begin(), record.y.end());
-    for (double& value : z) value -= level;
-    const auto start = driven_start({record.t, z, record.resolution}, {});
+std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const LawFit& driven) {
+  Motion motion = driven.motion;
+  if (driven.status != FitStatus::converged) {
+    const std::optional<Motion> start = driven_start({record.t, record.y, record.resolution}, {});
     if (!start) return std::nullopt;
-    p = *start;
-    at = forced_layout(SinusoidalForce::parameters, {});
+    motion = *start;
   }
-  const double g = p[at.decay], s1 = p[at.stiffness];
-  if (!(s1 > g * g)) return std::nullopt;
-  return std::array<ModeStart, 2>{ModeStart{std::sqrt(s1 - g * g), g},
-                                  ModeStart{p[SinusoidalForce::frequency], 0}};
+  const double g = motion.decay_rate(), w0 = motion.angular_frequency();
+  if (!(w0 > g)) return std::nullopt;
+  return std::array<ModeStart, 2>{ModeStart{std::sqrt(w0 * w0 - g * g), g}, ModeStart{motion.drive_frequency, 0}};
 }
 
 // A generator's amplitude is not quite constant: what falls by less than a tenth over the record, and twenty
@@ -52,7 +43,7 @@ struct Criterion {
 
 }  // namespace
 
-MotionJudgement judge_motion(const Record& record, const FreeDecay& free, const ForcedFit& driven,
+MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known) {
   MotionJudgement judgement;
   if (record.t.size() < 32 || !(free.residual.rms > 0)) return judgement;
@@ -63,31 +54,30 @@ MotionJudgement judge_motion(const Record& record, const FreeDecay& free, const 
     judgement.modes = fit_two_modes(record, {*lines, {own, {steady.angular_frequency, g}}});
   }
   const std::optional<TwoModes>& modes = judgement.modes;
-  const bool drives = driven.law.status == FitStatus::converged;
+  const bool drives = driven.status == FitStatus::converged;
 
   // Residuals below what rounding leaves only follow the rounding's pattern.
   const auto left = [&](double rms) { return std::max(rms, record.resolution / std::sqrt(12.0)); };
   double independent = free.independent_samples, least = free.residual.rms;
-  if (drives && driven.law.residual.rms < least)
-    independent = driven.law.independent_samples, least = driven.law.residual.rms;
+  if (drives && driven.residual.rms < least)
+    independent = driven.independent_samples, least = driven.residual.rms;
   if (modes && modes->residual.rms < least) independent = modes->independent_samples;
   const Criterion criterion{std::max(2.0, independent)};
   constexpr double few = 8;  // frequencies about one that is known
   const auto searched = [](double frequencies) { return 2 * std::log(std::max(1.0, frequencies)); };
   const double all = 0.5 * static_cast<double>(record.t.size());
-  const double of_free = criterion.of(left(free.residual.rms), static_cast<double>(free.names.size()), 0);
-  // The quantities of a driven law with its equilibrium count as many names as there are parameters.
+  const double of_free = criterion.of(left(free.residual.rms), free.fitted, 0);
   const double of_driven =
-      drives ? criterion.of(left(driven.law.residual.rms), static_cast<double>(driven.law.names.size()),
+      drives ? criterion.of(left(driven.residual.rms), driven.fitted,
                             searched(frequency_known ? few : all))
              : HUGE_VAL;
   const double of_modes =
       modes ? criterion.of(left(modes->residual.rms), TwoModes::parameters, searched(all)) : HUGE_VAL;
-  if (std::min(of_driven, of_modes) > of_free - strong) return judgement;
+  if (std::min(of_driven, of_modes) > of_free - strong_evidence) return judgement;
 
-  const bool linear = !driven.law.law.drag && !driven.law.law.cubic;
+  const bool linear = linear_terms.contains(driven.law);
   if (!modes || (drives && !linear && of_driven < of_modes)) {
-    if (of_driven < of_free - strong) judgement.kind = MotionKind::driven;
+    if (of_driven < of_free - strong_evidence) judgement.kind = MotionKind::driven;
     return judgement;
   }
   const auto& [one, other] = modes->modes;
@@ -97,9 +87,9 @@ MotionJudgement judge_motion(const Record& record, const FreeDecay& free, const 
   const bool apart = std::abs(one.angular_frequency.value - other.angular_frequency.value) > 0.5 * resolution;
   if (!one_lasts && !other_lasts) {
     // Two decays at one frequency are one swing that decays in another way than its law.
-    if (apart && shows(one) && shows(other) && of_modes < of_free - strong)
+    if (apart && shows(one) && shows(other) && of_modes < of_free - strong_evidence)
       judgement.kind = MotionKind::two_modes;
-  } else if (drives && of_driven < of_free - strong) {
+  } else if (drives && of_driven < of_free - strong_evidence) {
     const bool neither = one_lasts && other_lasts;
     judgement.kind = neither && shows(one) && shows(other) && linear ? MotionKind::driven_or_two_modes
                                                                      : MotionKind::driven;

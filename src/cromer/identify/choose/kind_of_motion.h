@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cromer/identify/forced_fit.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/identify/choose/two_modes.h"
 
 namespace cromer {
@@ -25,7 +25,7 @@ struct MotionJudgement {
 /// be better by more than 6 (strong evidence, see criterion.h), after the price of the search for its
 /// frequency: twice the logarithm of the number of frequencies that were searched, half the samples where the
 /// drive's was not known.
-MotionJudgement judge_motion(const Record& record, const FreeDecay& free, const ForcedFit& driven,
+MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known);
 
 }  // namespace cromer

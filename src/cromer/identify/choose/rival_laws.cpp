@@ -6,65 +6,60 @@
 #include <cmath>
 #include <optional>
 
+#include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 
 namespace cromer {
 namespace {
 
-constexpr double strong = 6;
-
 bool is_off(const Estimate& here, double there) {
   return std::abs(there - here.value) > 3 * here.standard_error;
 }
 
-bool is_off(const std::optional<Estimate>& here, const std::optional<Estimate>& there) {
-  return here && there && is_off(*here, there->value);
-}
-
 // Another law would give other numbers for the same coefficients.
-bool moves_the_numbers(const FreeDecay& chosen, const FreeDecay& rival) {
-  if (is_off(chosen.angular_frequency, rival.angular_frequency.value) || is_off(chosen.drag, rival.drag) ||
-      is_off(chosen.friction, rival.friction) || is_off(chosen.cubic, rival.cubic))
-    return true;
-  return chosen.law.viscous && rival.law.viscous && is_off(chosen.decay_rate, rival.decay_rate.value);
+bool moves_the_numbers(const LawFit& chosen, const LawFit& rival) {
+  for (std::size_t i = 0; i < chosen.names.size(); ++i) {
+    if (chosen.names[i] == "equilibrium" || chosen.names[i] == "position" || chosen.names[i] == "velocity") continue;
+    const Estimate* there = rival.find(chosen.names[i]);
+    if (there && is_off(chosen.estimates[i], there->value)) return true;
+  }
+  return false;
 }
 
-bool has_other_damping(const FreeDecay& chosen, const FreeDecay& rival) {
-  const Law &a = chosen.law, &b = rival.law;
-  return (a.viscous && !b.viscous) || (a.drag && !b.drag) || (a.friction && !b.friction);
+bool has_other_damping(const LawFit& chosen, const LawFit& rival) {
+  return Law{chosen.law.terms & dampings.terms}.without(rival.law) != Law{};
 }
 
-std::string coefficients(const FreeDecay& fit) {
+std::string coefficients(const LawFit& fit) {
   std::string text;
-  const auto add = [&](const char* name, const Estimate& value) {
-    text += fmt::format("{}{} {:.3g} ± {:.1g}", text.empty() ? "" : ", ", name, value.value,
-                        value.standard_error);
-  };
-  if (fit.law.viscous) add("decay rate", fit.decay_rate);
-  if (fit.drag) add("drag", *fit.drag);
-  if (fit.friction) add("friction", *fit.friction);
-  if (fit.cubic) add("cubic", *fit.cubic);
+  for (std::size_t i = 0; i < fit.names.size(); ++i) {
+    std::string name = fit.names[i];
+    if (name == "equilibrium" || name == "position" || name == "velocity" || name == "angular_frequency") continue;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += fmt::format("{}{} {:.3g} ± {:.1g}", text.empty() ? "" : ", ", name, fit.estimates[i].value,
+                        fit.estimates[i].standard_error);
+  }
   return text;
 }
 
 }  // namespace
 
-std::string rival_laws(const Record& record, const std::vector<FreeDecay>& candidates, std::size_t chosen) {
-  const FreeDecay& best = candidates[chosen];
+std::string rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
+  const LawFit& best = candidates[chosen];
   if (best.status != FitStatus::converged) return {};
   const MeanDecay decay = mean_decay(best, record);
   if (!(decay.rate.low > 0)) return {};  // no damping is seen, whichever it be
-  std::vector<const FreeDecay*> rivals;
-  for (const FreeDecay& rival : candidates) {
-    if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong) continue;
-    const std::size_t terms = rival.names.size();
-    if (terms != best.names.size() && terms != best.names.size() + 1) continue;
-    if (moves_the_numbers(best, rival) || (terms == best.names.size() && has_other_damping(best, rival)))
+  std::vector<const LawFit*> rivals;
+  for (const LawFit& rival : candidates) {
+    if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong_evidence) continue;
+    const int terms = rival.fitted;
+    if (terms != best.fitted && terms != best.fitted + 1) continue;
+    if (moves_the_numbers(best, rival) || (terms == best.fitted && has_other_damping(best, rival)))
       rivals.push_back(&rival);
   }
   if (rivals.empty()) return {};
   std::sort(rivals.begin(), rivals.end(),
-            [](const FreeDecay* one, const FreeDecay* other) { return one->bic < other->bic; });
+            [](const LawFit* one, const LawFit* other) { return one->bic < other->bic; });
   constexpr std::size_t most = 3;
   std::string list;
   for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
@@ -13,6 +13,6 @@ namespace cromer {
 /// (see criterion.h), has as many terms or one more, and puts a coefficient that both share, or the
 /// frequency, further off than three of the standard errors that the chosen one claims; or it has another
 /// damping in the place of its own.
-std::string rival_laws(const Record& record, const std::vector<FreeDecay>& candidates, std::size_t chosen);
+std::string rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen);
 
 }  // namespace cromer

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 

@@ -116,17 +116,17 @@ std::string turning_over(const Record& record) {
                      (*high - *low) / (2 * pi), where);
 }
 
-bool leaves_a_line(const Record& record, const FreeDecay& fit, std::span<const double> residuals) {
+bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals, int multiple) {
   const std::size_t n = std::min<std::size_t>(residuals.size(), 20'000);
   if (n < 32) return true;
   const DampedPhasor phasor({record.t.first(n), residuals.first(n), 0, 0});
-  const double w = fit.angular_frequency.value;
+  const double w = multiple * fit.angular_frequency().value;
   const double resolution = 2 * pi / (record.t[n - 1] - record.t.front());
   const auto power = [&](double at) {
     const DampedPhasor::Linear line = phasor.best_linear(at, 0);
     return line.cosine * line.cosine + line.sine * line.sine;
   };
-  const double reach = std::max(3 * resolution, 3 * fit.decay_rate.value);
+  const double reach = std::max(3 * resolution, 3 * fit.decay_rate().value);
   double top = 0;
   for (int k = -12; k <= 12; ++k)
     if (const double at = w + reach * k / 12; at > 0) top = std::max(top, power(at));

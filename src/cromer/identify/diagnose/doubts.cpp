@@ -55,10 +55,10 @@ std::string rise(const Record& record, double period, double noise) {
 
 }  // namespace
 
-std::vector<std::string> doubts(const Record& record, const FreeDecay& fit, bool only_law,
+std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool only_law,
                                 std::string_view unit) {
   std::vector<std::string> found;
-  const double period = two_pi / fit.angular_frequency.value;
+  const double period = two_pi / fit.angular_frequency().value;
   const double duration = record.t.back() - record.t.front();
   const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
@@ -74,7 +74,7 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit, bool
                     "and the stiffness that follows from it is not the spring's",
                     duration / period));
 
-  if (const std::string few = few_samples(record, fit.angular_frequency.value); !few.empty())
+  if (const std::string few = few_samples(record, fit.angular_frequency().value); !few.empty())
     found.push_back(few);
   // Where a period has many samples, what a wrong law leaves is smooth.
   const double samples_per_period = period * static_cast<double>(record.t.size() - 1) / duration;
@@ -96,7 +96,16 @@ std::vector<std::string> doubts(const Record& record, const FreeDecay& fit, bool
   return found;
 }
 
-std::string widening(const FreeDecay& fit, std::size_t samples) {
+bool something_is_left(const Record& record, const LawFit& fit) {
+  const std::vector<double> residuals = residuals_of(fit, record);
+  if (residuals.size() < 64 || !fit.find("angular_frequency")) return false;
+  if (fit.residual.rms <= std::max(1.3 * noise_of(residuals), record.resolution)) return false;
+  for (int multiple = 1; multiple <= 3; ++multiple)
+    if (leaves_a_line(record, fit, residuals, multiple)) return true;
+  return false;
+}
+
+std::string widening(const LawFit& fit, std::size_t samples) {
   if (fit.residual.white || !(fit.independent_samples > 0)) return {};
   const std::string correlated = fmt::format("the residuals are correlated ({:.3f} from sample to sample)",
                                              fit.residual.autocorrelation);

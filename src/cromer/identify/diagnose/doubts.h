@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
@@ -13,10 +13,14 @@ namespace cromer {
 /// does not fall over twenty periods, what departures.h names, and residuals well above the noise from sample
 /// to sample that stand out about the swing's own frequency. `only_law`: no other law was tried. `unit` is
 /// the record's.
-std::vector<std::string> doubts(const Record& record, const FreeDecay& fit, bool only_law = false,
+std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool only_law = false,
                                 std::string_view unit = {});
 
+/// More terms may be worth trying: the residuals stand well above the noise from sample to sample, and out about
+/// the swing's frequency or its first harmonics.
+bool something_is_left(const Record& record, const LawFit& fit);
+
 /// What residuals that are correlated have done to the uncertainties; empty where they are white.
-std::string widening(const FreeDecay& fit, std::size_t samples);
+std::string widening(const LawFit& fit, std::size_t samples);
 
 }  // namespace cromer

@@ -6,41 +6,38 @@
 #include <cmath>
 #include <utility>
 
-#include "cromer/analysis/amplitude_decay.h"
+#include "cromer/analysis/cycle_average.h"
 #include "cromer/identify/least_squares/describe_fit.h"
 
 namespace cromer {
 namespace {
 
-// Each damping term with the rate it makes per unit of its coefficient.
-std::vector<std::pair<std::string_view, double>> parts_of(const FreeDecay& fit, double amplitude) {
-  const double w = fit.angular_frequency.value;
+// Each term that takes energy, by its parameter, with the rate that a unit of it makes.
+std::vector<std::pair<std::string_view, double>> parts_of(const LawFit& fit, double amplitude) {
   std::vector<std::pair<std::string_view, double>> parts;
-  if (fit.law.viscous) parts.emplace_back("decay_rate", 0.0);
-  if (fit.drag) parts.emplace_back("drag", 0.0);
-  if (fit.friction) parts.emplace_back("friction", 0.0);
-  for (auto& [name, per_unit] : parts) {
-    AmplitudeDecay one{.angular_frequency = w, .decay_rate = 0, .drag = 0, .friction = 0};
-    (name == "decay_rate" ? one.decay_rate : name == "drag" ? one.drag : one.friction) = 1;
-    per_unit = one.rate(amplitude);
-  }
+  for_each_term([&]<class T>() {
+    if constexpr (!HasInnerState<T>) {
+      if (!fit.law.has<T>() || springs.has<T>()) return;
+      const CycleAverage<double> average = cycle_average<T>(amplitude, fit.motion.angular_frequency());
+      if (std::abs(average.fall) < 1e-9 * std::abs(average.shift) * amplitude) return;
+      const double coefficient = T::coefficients[0].fitted == FittedAs::half ? 2 : 1;
+      parts.emplace_back(T::coefficients[0].parameter, coefficient * average.fall / amplitude);
+    }
+  });
   return parts;
 }
 
 }  // namespace
 
-MeanDecay mean_decay(const FreeDecay& fit, const Record& record) {
+MeanDecay mean_decay(const LawFit& fit, const Record& record) {
   MeanDecay decay;
-  const double w = fit.angular_frequency.value;
+  const double w = fit.motion.angular_frequency();
   decay.amplitude = centred_norm(record.y) * std::sqrt(2 / static_cast<double>(record.y.size())) /
                     std::pow(w, record.derivative);
   const auto parts = parts_of(fit, decay.amplitude);
   double rate = 0, variance = 0;
   for (const auto& [name, per_unit] : parts) {
-    rate += per_unit * (name == "decay_rate" ? fit.decay_rate
-                        : name == "drag"     ? *fit.drag
-                                             : *fit.friction)
-                           .value;
+    rate += per_unit * fit[name].value;
     for (const auto& [other, per_other] : parts)
       variance += per_unit * per_other * fit.covariance_of(name, other);
   }
@@ -48,7 +45,7 @@ MeanDecay mean_decay(const FreeDecay& fit, const Record& record) {
   return decay;
 }
 
-bool dampings_are_collinear(const FreeDecay& fit) {
+bool dampings_are_collinear(const LawFit& fit) {
   constexpr double collinear = -0.9;
   for (const auto& [one, other] : {std::pair{"decay_rate", "drag"}, std::pair{"decay_rate", "friction"},
                                    std::pair{"drag", "friction"}}) {

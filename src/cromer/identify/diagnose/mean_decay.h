@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
@@ -13,10 +13,10 @@ struct MeanDecay {
 };
 
 /// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record.
-MeanDecay mean_decay(const FreeDecay& fit, const Record& record);
+MeanDecay mean_decay(const LawFit& fit, const Record& record);
 
 /// Two damping terms are traded for each other: their estimates' correlation is below -0.9.
-bool dampings_are_collinear(const FreeDecay& fit);
+bool dampings_are_collinear(const LawFit& fit);
 
 /// "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude"
 std::string to_text(const MeanDecay& decay);

@@ -50,24 +50,38 @@ bool is_clipped(const Record& record, double amplitude, double w) {
 
 }  // namespace
 
-std::optional<Refusal> refuse_record(const Record& record, const Law& law) {
+LawFit refused(const Refusal& refusal, const LawFitOptions& options) {
+  LawFit fit;
+  fit.law = options.law;
+  fit.drive = options.drive;
+  fit.status = refusal.status;
+  fit.message = refusal.message;
+  return fit;
+}
+
+std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& options) {
+  const bool driven = options.drive.kind != DriveKind::none;
+  if (!options.law.shares(springs) && options.drive.kind != DriveKind::recorded)
+    return Refusal{FitStatus::no_oscillation,
+                   "a body without a spring does not swing: only under a recorded force can its law be found"};
   // Three more than there are parameters: what is left must show how well the law fits.
-  const auto fewest = static_cast<std::size_t>(fitted_parameters(law).count + 3);
+  const int parameters = fitted_parameters(options.law, options.drive.kind).count;
+  const auto fewest = static_cast<std::size_t>(driven ? std::max(32, 3 * parameters) : parameters + 3);
   if (record.t.size() < fewest)
     return Refusal{FitStatus::too_short,
                    fmt::format("{} samples are too few: a fit of the law {} needs at least {}",
-                               record.t.size(), to_text(law), fewest)};
+                               record.t.size(), to_text(options.law), fewest)};
   const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
   if (!(*high > *low)) return Refusal{FitStatus::no_oscillation, "all values are the same: nothing moves"};
   return std::nullopt;
 }
 
-std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
+std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const double duration = record.t.back() - record.t.front();
-  const double g = fit.decay_rate.value, w0 = fit.angular_frequency.value;
+  const double g = fit.decay_rate().value, w0 = fit.angular_frequency().value;
   const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
   const double amplitude = std::pow(w0, record.derivative) *
-                           std::hypot(fit.position.value, (fit.velocity.value + g * fit.position.value) / w);
+                           std::hypot(fit.position().value, (fit.velocity().value + g * fit.position().value) / w);
   const double periods = w * duration / (2 * pi);
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
@@ -106,8 +120,16 @@ std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit) {
   return refuse_frequency(fit);
 }
 
-std::optional<Refusal> refuse_frequency(const FreeDecay& fit) {
-  const Estimate& w = fit.angular_frequency;
+std::string explains_too_little(const LawFit& fit) {
+  const double share = 100 * std::max(0.0, fit.explained);
+  return fit.drive.kind == DriveKind::recorded
+             ? fmt::format("the force accounts for {:.1f} % of the motion's variance only", share)
+             : fmt::format("a decaying and a steady oscillation account for {:.1f} % of the variance only", share);
+}
+
+std::optional<Refusal> refuse_frequency(const LawFit& fit) {
+  if (!fit.find("angular_frequency")) return std::nullopt;
+  const Estimate w = fit.angular_frequency();
   if (w.standard_error <= 0.05 * w.value) return std::nullopt;
   return Refusal{FitStatus::too_noisy,
                  w.standard_error < w.value

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
@@ -12,14 +12,20 @@ struct Refusal {
   std::string message;
 };
 
-/// Before any fit of the law: too few samples for its parameters, nothing moves.
-std::optional<Refusal> refuse_record(const Record& record, const Law& law);
+/// A fit that was not made.
+LawFit refused(const Refusal& refusal, const LawFitOptions& options);
+
+/// Before any fit of the law: too few samples for its parameters, nothing moves, no spring and no force.
+std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& options);
 
 /// What the viscous fit shows: a record without a line, too short, overdamped, too noisy, or with its tops
 /// cut off.
-std::optional<Refusal> refuse_fit(const Record& record, const FreeDecay& fit);
+std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit);
+
+/// A driven law that accounts for too little of the motion, in words.
+std::string explains_too_little(const LawFit& fit);
 
 /// A frequency that is known to no more than a twentieth, by whatever law.
-std::optional<Refusal> refuse_frequency(const FreeDecay& fit);
+std::optional<Refusal> refuse_frequency(const LawFit& fit);
 
 }  // namespace cromer

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/median.h"
 #include "cromer/identify/motion/damped_phasor.h"
@@ -41,12 +42,17 @@ struct Band {
   }
 };
 
-Band own_band(const FreeDecay& fit) {
-  const MotionParameters p = fit.motion();
-  const double w0 = p.angular_frequency;
-  const double w = std::sqrt(std::max(0.01 * w0 * w0, w0 * w0 - p.decay_rate * p.decay_rate));
+Band own_band(const LawFit& fit) {
+  const Motion& p = fit.motion;
+  const double w0 = p.angular_frequency();
+  const double w = std::sqrt(std::max(0.01 * w0 * w0, w0 * w0 - p.decay_rate() * p.decay_rate()));
   const double A = std::hypot(p.position, p.velocity / w0);
-  const double first = p.pendulum ? w * std::max(0.2, 1 - A * A / 16) : w + 3 * p.cubic * A * A / (8 * w);
+  double first = p.law.has<Pendulum>() ? w * std::max(0.2, 1 - A * A / 16) : w;
+  for_each_term([&]<class T>() {
+    if constexpr (!HasInnerState<T>)
+      if (p.law.has<T>() && !springs.has<T>())
+        first += p.per_mass.*T::template members<double>[0] * cycle_average<T>(A, w).shift;
+  });
   return {std::min(w, std::max(first, 0.2 * w)), std::max(w, first)};
 }
 
@@ -122,14 +128,14 @@ std::string name_of(const ResidualLine& line) {
 }
 
 // How far the skirts of a line reach on either side, [rad/s].
-double skirt_of(double duration, const FreeDecay& fit) {
-  return 4 * std::max(two_pi / duration, fit.decay_rate.value);
+double skirt_of(double duration, const LawFit& fit) {
+  return 4 * std::max(two_pi / duration, fit.decay_rate().value);
 }
 
 // The lines that stand out of a spectrum of the residuals at even times, over `duration` [s], and are not the
 // swing's own.
 std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, double duration,
-                                   const FreeDecay& fit) {
+                                   const LawFit& fit) {
   const Spectrum spectrum = amplitude_spectrum(values, h);
   const std::vector<double>& a = spectrum.amplitude;
   double power = 0;
@@ -159,11 +165,11 @@ std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, 
 
 }  // namespace
 
-std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& fit) {
+std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit) {
   const std::size_t n = std::min(record.t.size(), most_samples);
   if (n < 64 || fit.status != FitStatus::converged) return {};
-  const Record part = first_part(record, n);
-  const std::vector<double> r = motion_residuals(fit.motion(), part, fit.step);
+  const Record part = record.first(n);
+  const std::vector<double> r = motion_residuals(fit.motion, fit.drive, part, fit.step);
   if (r.size() != n) return {};
   const double duration = part.t.back() - part.t.front(), h = duration / static_cast<double>(n - 1);
   std::vector<ResidualLine> lines = lines_of(even(part.t, r, h), h, duration, fit);
@@ -181,7 +187,7 @@ std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& 
   }
   for (ResidualLine& line : distinct) {
     measure({part.t, r, 0}, line);
-    line.harmonic = harmonic_of(line, own_band(fit), fit.angular_frequency.standard_error);
+    line.harmonic = harmonic_of(line, own_band(fit), fit.angular_frequency().standard_error);
   }
   // Rounding makes lines of its own.
   const auto rounding = [&](const ResidualLine& line) { return line.amplitude < record.resolution; };
@@ -189,17 +195,17 @@ std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& 
   return distinct;
 }
 
-std::vector<std::string> second_modes(const Record& record, const FreeDecay& fit, std::string_view unit) {
+std::vector<std::string> second_modes(const Record& record, const LawFit& fit, std::string_view unit) {
   std::vector<std::string> sentences;
-  const MotionParameters p = fit.motion();
-  const double swing = std::hypot(p.position, p.velocity / p.angular_frequency) *
-                       std::pow(p.angular_frequency, record.derivative);
+  const Motion& p = fit.motion;
+  const double w0 = p.angular_frequency();
+  const double swing = std::hypot(p.position, p.velocity / w0) * std::pow(w0, record.derivative);
   for (const ResidualLine& line : residual_lines(record, fit))
     sentences.push_back(fmt::format(
         "what the law leaves oscillates at {:.5g} Hz, at first with an amplitude of {:.2g}{}{} ({:.2g} % of "
         "the swing's at {:.5g} Hz): {}",
         line.angular_frequency / two_pi, line.amplitude, unit.empty() ? "" : " ", unit,
-        100 * line.amplitude / swing, p.angular_frequency / two_pi, name_of(line)));
+        100 * line.amplitude / swing, w0 / two_pi, name_of(line)));
   return sentences;
 }
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
@@ -21,9 +21,9 @@ struct ResidualLine {
 /// Lines of the residuals' spectrum, the strongest first, at most three: each stands six times above its
 /// surroundings, carries a twentieth of the residuals' power and is no skirt of the swing's own line. What
 /// lies closer to that than four over the record's length (in cycles) is not told from it.
-std::vector<ResidualLine> residual_lines(const Record& record, const FreeDecay& fit);
+std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit);
 
 /// The same as sentences for the user; `unit` is the record's.
-std::vector<std::string> second_modes(const Record& record, const FreeDecay& fit, std::string_view unit);
+std::vector<std::string> second_modes(const Record& record, const LawFit& fit, std::string_view unit);
 
 }  // namespace cromer

@@ -1,31 +1,215 @@
 #include "cromer/identify/least_squares/describe_fit.h"
 
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "cromer/base/dual.h"
 #include "cromer/identify/choose/criterion.h"
+#include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/least_squares/noise.h"
 
 namespace cromer {
 namespace {
 
-// An equilibrium lives at zero frequency, all else at the oscillation's own: their variances widen
-// differently.
-struct Widening {
-  double oscillation = 1, equilibrium = 1;
+// Beyond so many samples correlation is known without their Jacobian.
+constexpr std::size_t most_filtered = 1'000'000;
 
-  double of(std::string_view parameter) const {
-    return parameter == "equilibrium" ? equilibrium : oscillation;
+// The inverse of the normal matrix where the record determines it, and which parameters it does not.
+struct Inverse {
+  SquareMatrix matrix{};
+  std::array<bool, max_parameters> unknown{};
+  std::string known;  ///< the combinations that are known instead, for people
+
+  bool determined() const { return std::find(unknown.begin(), unknown.end(), true) == unknown.end(); }
+};
+
+Inverse inverse_of(const SquareMatrix& normal, const FittedParameters& fitted) {
+  const int n = fitted.count;
+  Inverse result;
+  if (ScaledCholesky(normal, n, 0, all_free).ok()) {
+    result.matrix = inverse(normal, n);
+    return result;
+  }
+  // Of unit diagonal: the parameters' units then do not matter.
+  Eigen::MatrixXd scaled = Eigen::MatrixXd::Zero(n, n);
+  Parameters scale{};
+  for (int i = 0; i < n; ++i) scale[i] = normal[i][i] > 0 ? 1 / std::sqrt(normal[i][i]) : 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) scaled(i, j) = normal[i][j] * scale[i] * scale[j];
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);
+  constexpr double flat = 1e-13, takes_part = 1e-3;
+  for (int k = 0; k < n; ++k) {
+    const double value = solver.eigenvalues()(k);
+    std::vector<int> parts;
+    for (int i = 0; i < n; ++i) {
+      const double share = solver.eigenvectors()(i, k);
+      if (value <= flat && std::abs(share) > takes_part) {
+        result.unknown[i] = true;
+        parts.push_back(i);
+      }
+      if (value > flat)
+        for (int j = 0; j < n; ++j)
+          result.matrix[i][j] += share * solver.eigenvectors()(j, k) / value * scale[i] * scale[j];
+    }
+    if (parts.empty()) continue;
+    std::string names;
+    for (const int i : parts) names += (names.empty() ? "" : " and ") + std::string(fitted.of[i].name);
+    result.known += (result.known.empty() ? "" : "; ") +
+                    (parts.size() == 1 ? names + " does nothing that the record shows"
+                                       : "of " + names + " only a combination is known");
+  }
+  return result;
+}
+
+// The parameters that people read, with their derivatives by the fitted ones.
+struct Quantities {
+  std::vector<std::string> names;
+  std::vector<double> values;
+  std::vector<Parameters> derivatives;
+  std::vector<int> place;  ///< among the fitted parameters; -1 where it is made of several or held
+
+  void add(std::string_view name, double value, const Parameters& derivative, int at) {
+    names.emplace_back(name);
+    values.push_back(value);
+    derivatives.push_back(derivative);
+    place.push_back(at);
   }
 };
 
-// Infinite where a singular matrix left no number.
-double standard_error(double variance) {
-  return std::isfinite(variance) ? std::sqrt(std::max(0.0, variance)) : HUGE_VAL;
+Quantities quantities_of(const FittedParameters& fitted, const Parameters& p, DriveKind drive, int derivative) {
+  Quantities list;
+  const int cosine = fitted.place_of("drive_cosine");
+  const Motion motion = fitted.unpack(p);
+  const auto held = [&](std::string_view name, double value) {
+    if (fitted.place_of(name) < 0) list.add(name, value, {}, -1);
+  };
+  for (int i = 0; i < fitted.count; ++i) {
+    if (fitted.of[i].name == "equilibrium" || (i > 0 && fitted.of[i].name == "position" &&
+                                               fitted.place_of("equilibrium") < 0)) {
+      if (drive == DriveKind::recorded && derivative == 0) held("force_offset", motion.force_offset);
+      if (motion.law.shares(springs)) held("equilibrium", motion.equilibrium);
+    }
+    if (i == cosine || i == cosine + 1) continue;
+    Parameters unit{};
+    unit[i] = 1;
+    list.add(fitted.of[i].name, p[i], unit, i);
+    if (cosine < 0 || fitted.of[i].name != "drive_frequency") continue;
+    // C cos + S sin = A cos(w s + phase)
+    using Real = Dual<double, 2>;
+    const Real C = Real::variable(p[cosine], 0), S = Real::variable(p[cosine + 1], 1);
+    const auto add = [&](std::string_view name, const Real& value) {
+      Parameters by{};
+      by[cosine] = value.derivative[0];
+      by[cosine + 1] = value.derivative[1];
+      list.add(name, value.value, by, -1);
+    };
+    add("drive_amplitude", hypot(C, S));
+    add("drive_phase", atan2(-S, C));
+  }
+  return list;
 }
 
-void set_undetermined(FreeDecay& fit) {
-  fit.status = FitStatus::iteration_limit;
-  fit.message = "the record does not determine this law: its terms cannot be told apart";
+// What one estimate is known to.
+struct Known {
+  SquareMatrix covariance{};
+  Parameters degrees{};
+};
+
+Known known_of(const LawFit& fit, const Record& record, const DescribedMinimum& minimum, const Inverse& inverse,
+               const Noise& noise) {
+  const FittedParameters& fitted = minimum.fitted;
+  const auto n = static_cast<double>(noise.samples);
+  const double k = fitted.count;
+  Known known;
+  std::vector<double> jacobian;
+  if (minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered)
+    jacobian = minimum.jacobian();
+  if (!jacobian.empty()) {
+    const EstimateNoise estimates = estimate_noise(jacobian, fitted.count, noise, record.resolution);
+    known.covariance = estimates.covariance;
+    known.degrees = estimates.degrees;
+  } else {
+    // Everything at the swing's own frequency, what lives at rest there.
+    const double w = fit.motion.angular_frequency();
+    const auto widening = [&](double at) {
+      return std::clamp(noise.correlation.density(at * noise.grid.step), 1.0, n);
+    };
+    const double own = widening(std::max(w, fit.motion.drive_frequency)), resting = widening(0);
+    const auto of = [&](int i) { return fitted.of[i].lives_at_rest ? std::max(own, resting) : own; };
+    const double variance =
+        std::max(noise.sum_of_squares / std::max({1.0, n / (k + 1), n - k * own}),
+                 record.resolution * record.resolution / 12);
+    for (int i = 0; i < fitted.count; ++i) {
+      known.degrees[i] = std::max(1.0, n / of(i) - k);
+      for (int j = 0; j < fitted.count; ++j)
+        known.covariance[i][j] = variance * inverse.matrix[i][j] * std::sqrt(of(i) * of(j));
+    }
+  }
+  for (int i = 0; i < fitted.count; ++i)
+    for (int j = 0; j < fitted.count; ++j)
+      known.covariance[i][j] += minimum.rounding_bias[i] * minimum.rounding_bias[j];
+  return known;
+}
+
+// Of two parameters that are hardly known, the ratio that is: flat to the noise, not to rounding.
+std::string known_ratio(const LawFit& fit, const FittedParameters& fitted) {
+  constexpr double hardly = 0.3, much_better = 0.01;  // relative standard errors
+  for (int i = 0; i < fitted.count; ++i)
+    for (int j = 0; j < i; ++j) {
+      const Estimate *a = fit.find(fitted.of[i].name), *b = fit.find(fitted.of[j].name);
+      if (!a || !b || a->value == 0 || b->value == 0) continue;
+      if (fitted.of[i].name == "position" || fitted.of[i].name == "velocity") continue;
+      const double of_a = a->standard_error / std::abs(a->value), of_b = b->standard_error / std::abs(b->value);
+      if (!(of_a > hardly && of_b > hardly)) continue;
+      const double covariance =
+          fit.covariance_of(fitted.of[i].name, fitted.of[j].name) / (a->value * b->value);
+      const double of_ratio = std::sqrt(std::max(0.0, of_a * of_a + of_b * of_b - 2 * covariance));
+      if (of_ratio < much_better * std::min(of_a, of_b))
+        return fmt::format("of {} and {} only the ratio is known, {:.6g} ± {:.2g}", fitted.of[i].name,
+                           fitted.of[j].name, a->value / b->value, of_ratio * std::abs(a->value / b->value));
+    }
+  return {};
+}
+
+void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& record) {
+  std::string cut;
+  bool any_unsure = false;
+  for (int i = 0; i < fitted.count; ++i) {
+    if (fitted.of[i].may_be_negative) continue;
+    const Estimate& term = *fit.find(fitted.of[i].name);
+    if (term.low > 0) continue;
+    any_unsure = true;
+    std::string what(fitted.of[i].name);
+    std::replace(what.begin(), what.end(), '_', ' ');
+    cut += (cut.empty() ? "" : " and the ") + what;
+  }
+  if (!any_unsure) return;
+  if (fit.drive.kind == DriveKind::none && dampings_are_collinear(fit)) {
+    fit.warnings.push_back(fmt::format(
+        "the damping terms of {} cannot be told apart here: their sum is known, {}, its parts are "
+        "not, and the interval of the {} is cut at its bound 0",
+        to_text(fit.law), to_text(mean_decay(fit, record)), cut));
+    return;
+  }
+  for (int i = 0; i < fitted.count; ++i) {
+    if (fitted.of[i].may_be_negative) continue;
+    const Estimate& term = *fit.find(fitted.of[i].name);
+    std::string what(fitted.of[i].name);
+    std::replace(what.begin(), what.end(), '_', ' ');
+    const std::string damping = fitted.of[i].name == "decay_rate" ? "viscous damping"
+                                : fitted.of[i].name == "friction" ? "dry friction"
+                                                                  : what;
+    if (term.value <= 0)
+      fit.warnings.push_back(fmt::format("the {} is on its bound 0: the record shows no {}", what, damping));
+    else if (term.low <= 0)
+      fit.warnings.push_back(fmt::format(
+          "the 95 % interval of the {} is cut at its bound 0: the record does not show that there is any {}",
+          what, damping));
+  }
 }
 
 }  // namespace
@@ -38,56 +222,64 @@ double centred_norm(std::span<const double> y) {
   return std::sqrt(sum);
 }
 
-void describe_fit(FreeDecay& fit, const Record& record, const MotionParameters& motion,
-                  const SquareMatrix& inverse_matrix, const Parameters& rounding_bias,
-                  std::span<const double> residuals) {
-  const FittedParameters fitted = fitted_parameters(fit.law);
-  const auto n = static_cast<double>(record.t.size());
-  const double h = (record.t.back() - record.t.front()) / (n - 1);
-  const std::vector<double> rho = autocorrelations(residuals, first_lags(residuals.size()));
-  fit.residual = describe_residual(residuals, rho);
+void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& minimum) {
+  const FittedParameters& fitted = minimum.fitted;
+  const std::span<const double> residuals = minimum.residuals;
+  fit.motion = fitted.unpack(minimum.parameters);
+  fit.fitted = fitted.count;
+  fit.residual = describe_residual(residuals, autocorrelations(residuals, first_lags(residuals.size())));
+  const auto n = static_cast<double>(residuals.size());
   const double norm = centred_norm(record.y);
-  const double sum_of_squares = fit.residual.rms * fit.residual.rms * n;
-  fit.explained = 1 - sum_of_squares / (norm * norm);
+  fit.explained = 1 - fit.residual.rms * fit.residual.rms * n / (norm * norm);
 
-  const Correlation resting = correlation(residuals, rho, 0);
-  const Widening widening{std::min(n, correlation_factor(residuals, rho, motion.angular_frequency * h)),
-                          std::min(n, resting.factor)};
-  fit.independent_samples = n / widening.oscillation;
+  std::vector<double> motion(residuals.size());
+  for (std::size_t i = 0; i < motion.size(); ++i) motion[i] = record.y[i] - residuals[i];
+  const Noise noise = find_noise(record.t, residuals, motion);
+  const double w = std::max(fit.motion.angular_frequency(), fit.motion.drive_frequency);
+  fit.independent_samples = n / std::clamp(noise.correlation.density(w * noise.grid.step), 1.0, n);
   const double k = fitted.count;
-  const auto student_of = [&](double degrees) { return student_95(std::max(1.0, degrees - k)); };
-  fit.student = student_of(fit.independent_samples);
+  fit.student = student_95(std::max(1.0, fit.independent_samples - k));
   fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k);
-  // Each parameter takes as much from the sum of squares as the residuals' spectrum holds where it lives.
-  // Rounding alone leaves q^2/12; residuals below that only repeat the rounding's pattern.
-  const double remaining = n - (k - 1) * widening.oscillation - widening.equilibrium;
-  const double variance = std::max(sum_of_squares / std::max({1.0, n / (k + 1), remaining}),
-                                   record.resolution * record.resolution / 12);
 
-  fit.names.clear();
-  fit.covariance.assign(static_cast<std::size_t>(fitted.count * fitted.count), 0);
-  for (int i = 0; i < fitted.count; ++i) {
-    fit.names.emplace_back(fitted.name[i]);
-    for (int j = 0; j < fitted.count; ++j)
-      fit.covariance[static_cast<std::size_t>(i * fitted.count + j)] =
-          variance * inverse_matrix[i][j] *
-              std::sqrt(widening.of(fitted.name[i]) * widening.of(fitted.name[j])) +
-          rounding_bias[i] * rounding_bias[j];
+  const Inverse inverse = inverse_of(minimum.matrix, fitted);
+  const Known known = known_of(fit, record, minimum, inverse, noise);
+  const Quantities quantities = quantities_of(fitted, minimum.parameters, fit.drive.kind, record.derivative);
+  const std::size_t count = quantities.names.size();
+  fit.names = quantities.names;
+  fit.estimates.clear();
+  fit.covariance.assign(count * count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < count; ++j)
+      for (int a = 0; a < fitted.count; ++a)
+        for (int b = 0; b < fitted.count; ++b)
+          fit.covariance[i * count + j] +=
+              quantities.derivatives[i][a] * known.covariance[a][b] * quantities.derivatives[j][b];
+  for (std::size_t i = 0; i < count; ++i) {
+    double error = std::sqrt(std::max(0.0, fit.covariance[i * count + i])), degrees = 1e9;
+    bool unknown = false;
+    for (int a = 0; a < fitted.count; ++a) {
+      if (quantities.derivatives[i][a] == 0) continue;
+      degrees = std::min(degrees, known.degrees[a]);
+      unknown = unknown || inverse.unknown[a];
+    }
+    if (unknown) error = HUGE_VAL;
+    Estimate estimate = make_estimate(quantities.values[i], error, student_95(std::max(1.0, degrees)));
+    if (const int at = quantities.place[i]; at >= 0 && std::isfinite(error)) {
+      const double shift = minimum.without_bounds[at] - minimum.parameters[at];
+      estimate.low = std::min(estimate.low + shift, estimate.value);
+      estimate.high = std::max(estimate.high + shift, estimate.value);
+      if (!fitted.of[at].may_be_negative) estimate.low = std::max(estimate.low, 0.0);
+    }
+    fit.estimates.push_back(estimate);
   }
-  const auto estimate = [&](std::string_view parameter, double value) {
-    const double student = parameter == "equilibrium" ? student_of(resting.degrees) : fit.student;
-    return make_estimate(value, standard_error(fit.covariance_of(parameter, parameter)), student);
-  };
-  fit.angular_frequency = estimate("angular_frequency", motion.angular_frequency);
-  if (fit.law.viscous) fit.decay_rate = estimate("decay_rate", motion.decay_rate);
-  if (fit.law.drag) fit.drag = estimate("drag", motion.drag);
-  if (fit.law.friction) fit.friction = estimate("friction", motion.friction);
-  if (fit.law.cubic) fit.cubic = estimate("cubic", motion.cubic);
-  fit.equilibrium = estimate("equilibrium", motion.equilibrium);
-  fit.position = estimate("position", motion.position);
-  fit.velocity = estimate("velocity", motion.velocity);
-  for (int i = 0; i < fitted.count; ++i)
-    if (!std::isfinite(fit.covariance_of(fitted.name[i], fitted.name[i]))) set_undetermined(fit);
+  if (!inverse.determined()) {
+    fit.status = FitStatus::undetermined;
+    fit.message = "the record does not determine this law: " + inverse.known;
+  } else if (const std::string ratio = known_ratio(fit, fitted); !ratio.empty()) {
+    fit.status = FitStatus::undetermined;
+    fit.message = "the record does not determine this law: " + ratio;
+  }
+  say_bounds(fit, fitted, record);
 }
 
 }  // namespace cromer

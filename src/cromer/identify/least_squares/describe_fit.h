@@ -1,10 +1,12 @@
 // What a minimum says of its parameters: covariance, intervals, what the record does not determine.
 #pragma once
 
+#include <functional>
 #include <span>
+#include <vector>
 
 #include "cromer/identify/law_fit.h"
-#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/least_squares/normal_equations.h"
 
 namespace cromer {
 
@@ -12,25 +14,25 @@ namespace cromer {
 double centred_norm(std::span<const double> y);
 
 /// Where a fit ended.
-struct Described {
+struct DescribedMinimum {
   const FittedParameters& fitted;
-  Parameters parameters{};       ///< at the minimum within the bounds
-  Parameters without_bounds{};   ///< at the minimum without them
-  SquareMatrix matrix{};         ///< JᵀJ there
-  Parameters rounding_bias{};    ///< by how much rounding may have moved the parameters (rounding_bias.h)
+  Parameters parameters{};      ///< within the bounds
+  Parameters without_bounds{};  ///< where the sum of squares is least without them
+  SquareMatrix matrix{};        ///< JᵀJ
+  Parameters rounding_bias{};   ///< by how much rounding may have moved the parameters (rounding_bias.h)
   std::span<const double> residuals{};
-  const SquareMatrix* inverse = nullptr;  ///< of the matrix, where it is known already
+  /// The Jacobian, sample by sample: asked for where the noise is not plain.
+  std::function<std::vector<double>()> jacobian{};
 };
 
 /// Fills parameters, covariance, intervals and statistics of `fit`, whose law and drive are set.
 ///
-/// Variances are those of the residuals, of as many degrees of freedom as correlation leaves at the frequency
-/// where a parameter lives; an equilibrium lives at zero frequency, all else at the swing's own. Rounding alone
-/// leaves q^2/12: residuals below that only repeat the rounding's pattern. Intervals are centred on the minimum
-/// without bounds, cut at their bound, and hold the estimate; what touches its bound is said.
+/// Covariances are what the residuals' noise does to the estimates (noise.h), and what rounding may have done.
+/// Intervals are centred on the minimum without bounds, cut at their bound, and hold the estimate; what touches
+/// its bound is said, and where two dampings are traded for each other, what is known of their sum instead.
 ///
-/// Directions in which the sum of squares is flat to rounding, and those in which a parameter is unknown while a
-/// ratio or product of it is known ten times as well, make the status undetermined: the message names them.
-void describe_fit(LawFit& fit, const Record& record, const Described& minimum);
+/// Directions in which the sum of squares is flat to rounding, and those in which a parameter is hardly known
+/// while its ratio to another is, make the status undetermined: the message names what is known instead.
+void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& minimum);
 
 }  // namespace cromer

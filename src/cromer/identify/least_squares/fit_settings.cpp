@@ -6,11 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/least_squares/describe_fit.h"
 
 namespace cromer {
 
-LeastSquaresOptions least_squares_options(const Record& record, const FreeDecayOptions& options) {
+LeastSquaresOptions least_squares_options(const Record& record, const LawFitOptions& options) {
   LeastSquaresOptions result;
   result.iteration_limit = options.iteration_limit;
   result.tolerance = options.tolerance;
@@ -19,35 +20,46 @@ LeastSquaresOptions least_squares_options(const Record& record, const FreeDecayO
   return result;
 }
 
-FreeDecay interrupted_fit(const Law& law) {
-  FreeDecay fit;
-  fit.law = law;
-  fit.status = FitStatus::iteration_limit;
-  fit.message = "interrupted before the fit was done";
-  return fit;
+HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive) {
+  if (drive != DriveKind::recorded) return {};
+  // Of velocities and accelerations the place of rest is not seen: the equilibrium is the sensor's offset.
+  if (record.derivative > 0) return {.force_offset = true};
+  if (!law.shares(springs)) return {.equilibrium = true};
+  constexpr Law centred = law_where([](const TermInfo& info) { return info.centred; });
+  if (law.shares(centred) && !law.has<Quadratic>()) return {};
+  // The instrument's zero lies amid the motion: within a tenth of its rms of the mean.
+  const auto n = static_cast<double>(record.y.size());
+  double mean = 0;
+  for (const double y : record.y) mean += y / n;
+  const bool amid = std::abs(mean) <= 0.1 * centred_norm(record.y) / std::sqrt(n);
+  return {.equilibrium = amid, .force_offset = !amid};
 }
 
-Record first_part(const Record& record, std::size_t samples) {
-  Record part = record;
-  part.t = record.t.first(samples);
-  part.y = record.y.first(samples);
-  return part;
+LawFit interrupted_fit(const LawFitOptions& options) {
+  return refused({FitStatus::iteration_limit, "interrupted before the fit was done"}, options);
 }
 
 Record first_periods(const Record& record, double angular_frequency) {
   const double end = record.t.front() + 8 * 2 * std::numbers::pi / angular_frequency;
   const auto samples =
       static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), end) - record.t.begin());
-  return first_part(
-      record, std::clamp<std::size_t>(samples, std::min<std::size_t>(32, record.t.size()), record.t.size()));
+  return record.first(
+      std::clamp<std::size_t>(samples, std::min<std::size_t>(32, record.t.size()), record.t.size()));
 }
 
-void set_status(FreeDecay& fit, LeastSquaresReason reason) {
-  if (reason == LeastSquaresReason::converged) return;
+void set_status(LawFit& fit, LeastSquaresReason reason) {
+  if (reason == LeastSquaresReason::converged || fit.status == FitStatus::undetermined) return;
   fit.status = FitStatus::iteration_limit;
-  fit.message = reason == LeastSquaresReason::iteration_limit
-                    ? fmt::format("the fit has not settled after {} iterations", fit.iterations)
-                    : "the record does not determine this law: its terms cannot be told apart";
+  switch (reason) {
+    case LeastSquaresReason::iteration_limit:
+      fit.message = fmt::format("the fit has not settled after {} iterations", fit.iterations);
+      break;
+    case LeastSquaresReason::not_finite:
+      fit.message = "this law's motion runs away from the recorded one";
+      break;
+    default:
+      fit.message = "the record does not determine this law: its terms cannot be told apart";
+  }
 }
 
 }  // namespace cromer

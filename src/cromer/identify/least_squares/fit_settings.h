@@ -4,13 +4,16 @@
 #include <span>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer {
 
 /// Tolerances and scale of a record's least squares; no bounds yet.
-LeastSquaresOptions least_squares_options(const Record& record, const FreeDecayOptions& options);
+LeastSquaresOptions least_squares_options(const Record& record, const LawFitOptions& options);
+
+/// What is held by convention (see law_fit.h), so that nothing is fitted that a record of this drive cannot tell.
+HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive);
 
 /// A model that an interruption makes impossible everywhere, so that no further step is tried for long.
 template <class Model>
@@ -24,16 +27,13 @@ auto interruptible(Model model, const Watch& watch) {
 }
 
 /// Nothing of it is known: parameters halfway to the minimum would look like a result.
-FreeDecay interrupted_fit(const Law& law);
-
-/// The first so many samples.
-Record first_part(const Record& record, std::size_t samples);
+LawFit interrupted_fit(const LawFitOptions& options);
 
 /// The first periods, as many as the frequency of a large swing stays put for.
 Record first_periods(const Record& record, double angular_frequency);
 
 /// What a reason other than converged means for the user.
-void set_status(FreeDecay& fit, LeastSquaresReason reason);
+void set_status(LawFit& fit, LeastSquaresReason reason);
 
 /// Minimises within the bounds and, where a parameter is on its bound, also without them.
 struct Minimum {

@@ -8,7 +8,6 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
-#include "cromer/identify/least_squares/bounds.h"
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/least_squares/describe_fit.h"
 #include "cromer/identify/least_squares/fit_settings.h"
@@ -20,13 +19,13 @@ namespace cromer {
 namespace {
 
 // The viscous law in the phasor's own parameters, grown from a first part to the whole record.
-Minimum fit_phasor(const Record& record, const StartValues& start, const FreeDecayOptions& options,
+Minimum fit_phasor(const Record& record, const StartValues& start, const LawFitOptions& options,
                    const Watch& watch) {
   Minimum minimum;
   Parameters parameters = start.phasor;
   int iterations = 0;
   for (std::size_t samples = start.samples;; samples = std::min(record.t.size(), 8 * samples)) {
-    const Record part = first_part(record, samples);
+    const Record part = record.first(samples);
     LeastSquaresOptions settings = least_squares_options(part, options);
     const double duration = part.t.back() - part.t.front();
     settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
@@ -65,15 +64,14 @@ Converted<Real> converted(const Real& w, const Real& g, const Real& E, const Rea
   return {w0, g, E, y};
 }
 
-MotionParameters motion_of_phasor(const Parameters& p, int derivative) {
+Motion motion_of_phasor(const Parameters& p, int derivative) {
   const auto c = converted<double>(p[DampedPhasor::angular_frequency], p[DampedPhasor::decay_rate],
                                    p[DampedPhasor::equilibrium], p[DampedPhasor::cosine],
                                    p[DampedPhasor::sine], derivative);
-  return {.angular_frequency = c.angular_frequency,
-          .decay_rate = c.decay_rate,
-          .equilibrium = c.equilibrium,
-          .position = c.start.x,
-          .velocity = c.start.v};
+  Motion motion{.equilibrium = c.equilibrium, .position = c.start.x, .velocity = c.start.v};
+  motion.set_angular_frequency(c.angular_frequency);
+  motion.set_decay_rate(c.decay_rate);
+  return motion;
 }
 
 // Row by row, of angular_frequency, decay_rate, equilibrium, position and velocity.
@@ -91,9 +89,9 @@ SquareMatrix jacobian_of(const Parameters& p, int derivative) {
 
 }  // namespace
 
-FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  FreeDecay fit;
-  fit.law = Law{};
+LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Watch& watch) {
+  LawFit fit;
+  fit.law = law_of("viscous");
   const std::optional<StartValues> start = find_start_values(record);
   if (!start) {
     fit.status = FitStatus::no_oscillation;
@@ -101,10 +99,11 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, co
     return fit;
   }
   const Minimum minimum = fit_phasor(record, *start, options, watch);
-  if (watch.interrupted()) return interrupted_fit(options.law);
+  if (watch.interrupted()) return interrupted_fit(options);
   fit.iterations = minimum.bounded.iterations;
   const Parameters& p = minimum.bounded.parameters;
-  const MotionParameters motion = motion_of_phasor(p, record.derivative);
+  const FittedParameters fitted = fitted_parameters(fit.law);
+  const Motion motion = motion_of_phasor(p, record.derivative);
 
   // The same covariance, said of the motion's parameters.
   constexpr int n = DampedPhasor::parameter_count;
@@ -126,9 +125,18 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, co
       for (int j = 0; j < n; ++j)
         for (int k = 0; k < n; ++k) bias[i] += jacobian[i][k] * phasor_inverse[k][j] * right[j];
   }
-  describe_fit(fit, record, motion, inverse_matrix, bias, residuals);
-  set_intervals(fit, motion_of_phasor(minimum.free.parameters, record.derivative), record);
-  fit.step = motion_step(motion.angular_frequency, record.t.back() - record.t.front(), 1e-9);
+  const double w0 = motion.angular_frequency();
+  fit.step = motion_step(w0, record.t.back() - record.t.front(), 1e-9);
+  DescribedMinimum described{.fitted = fitted,
+                             .parameters = fitted.pack(motion),
+                             .without_bounds = fitted.pack(motion_of_phasor(minimum.free.parameters, record.derivative)),
+                             .matrix = inverse(inverse_matrix, n),
+                             .rounding_bias = bias,
+                             .residuals = residuals};
+  described.jacobian = [&] {
+    return jacobian_of(fitted, fitted.pack(motion), fit.drive, record, motion_step(w0, 0, 1));
+  };
+  describe_fit(fit, record, described);
   set_status(fit, minimum.bounded.reason);
   if (const auto refusal = refuse_fit(record, fit)) {
     fit.status = refusal->status;
@@ -139,13 +147,13 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, co
 
 // A swing whose frequency changes as it decays leaves a sinusoid out of step, and is an oscillation all the
 // same: its first periods show it.
-FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
-  FreeDecay fit = fit_sinusoid(record, options, watch);
-  if (fit.status == FitStatus::no_oscillation && fit.angular_frequency.value > 0) {
-    const Record beginning = first_periods(record, fit.angular_frequency.value);
+LawFit fit_viscous(const Record& record, const LawFitOptions& options, const Watch& watch) {
+  LawFit fit = fit_sinusoid(record, options, watch);
+  if (fit.status == FitStatus::no_oscillation && fit.angular_frequency().value > 0) {
+    const Record beginning = first_periods(record, fit.angular_frequency().value);
     constexpr double clear = 0.95;
     if (3 * beginning.t.size() < record.t.size()) {
-      const FreeDecay first = fit_sinusoid(beginning, options, watch);
+      const LawFit first = fit_sinusoid(beginning, options, watch);
       if (first.status == FitStatus::converged && first.explained > clear) {
         fit.status = FitStatus::converged;
         fit.message.clear();

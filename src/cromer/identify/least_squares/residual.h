@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "cromer/identify/autoregression.h"
-#include "cromer/identify/sample_grid.h"
+#include "cromer/identify/least_squares/autoregression.h"
+#include "cromer/identify/least_squares/sample_grid.h"
 
 namespace cromer {
 

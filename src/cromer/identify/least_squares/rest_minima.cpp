@@ -7,8 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "cromer/identify/least_squares/bounds.h"
-#include "cromer/identify/free_motion.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/identify/least_squares/student.h"
 
 namespace cromer {
@@ -17,17 +16,12 @@ namespace {
 constexpr double ruled_out = 25;  // variances above the lowest sum of squares
 constexpr int farthest = 12;      // half swings more or fewer
 
-int place_of(const FittedParameters& fitted, double MotionParameters::*member) {
-  return static_cast<int>(std::find(fitted.member, fitted.member + fitted.count, member) - fitted.member);
-}
-
 // Across the next end of the band and as far again, in the direction of more (side 1) or less friction, by
 // what the swing before the rest resists least.
-std::optional<Parameters> beyond_the_band(const Record& record, const Law& law, const Parameters& at,
+std::optional<Parameters> beyond_the_band(const Record& record, const FittedParameters& fitted, const Parameters& at,
                                           const Rest& rest, int side, double h) {
-  const FittedParameters fitted = fitted_parameters(law);
-  const MotionParameters motion = unpack(fitted, at);
-  const NormalEquations swing = motion_equations(law, at, first_part(record, rest.first), h);
+  const Motion motion = fitted.unpack(at);
+  const NormalEquations swing = motion_equations(fitted, at, {}, record.first(rest.first), h);
   const SquareMatrix spread = inverse(swing.matrix, fitted.count);
   Parameters way{};
   double length = 0;
@@ -36,34 +30,33 @@ std::optional<Parameters> beyond_the_band(const Record& record, const Law& law, 
     length += way[i] * rest.derivative[i];
   }
   if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-  const double to_more = way[place_of(fitted, &MotionParameters::friction)] > 0 ? side : -side;
-  const double band = motion.friction / (motion.angular_frequency * motion.angular_frequency);
+  const double to_more = way[fitted.place_of("friction")] > 0 ? side : -side;
+  const double band = motion.per_mass.friction / std::pow(motion.angular_frequency(), 2);
   const double to_end = band - to_more * rest.position;
   const double move = to_more * (to_end + std::max(to_end, 0.3 * band)) / length;
   Parameters start = at;
-  const Parameters lower = lower_bounds(fitted);
+  const Parameters lower = fitted.lower_bounds();
   for (int i = 0; i < fitted.count; ++i) start[i] = std::max(at[i] + move * way[i], lower[i]);
   return start;
 }
 
 }  // namespace
 
-std::vector<LeastSquaresSummary> rest_minima(const Record& record, const Law& law,
+std::vector<LeastSquaresSummary> rest_minima(const Record& record, const FittedParameters& fitted,
                                              const LeastSquaresSummary& found,
                                              const LeastSquaresOptions& options, double h,
                                              const Watch& watch) {
   std::vector<LeastSquaresSummary> minima{found};
-  const FittedParameters fitted = fitted_parameters(law);
-  const double period = 2 * std::numbers::pi / unpack(fitted, found.parameters).angular_frequency;
-  const Rest middle = rest_of(law, found.parameters, record, h);
+  const double period = 2 * std::numbers::pi / fitted.unpack(found.parameters).angular_frequency();
+  const Rest middle = rest_of(fitted, found.parameters, record, h);
   const auto rests = [&](const Rest& rest) {
     return rest.first < record.t.size() && record.t.back() - record.t[rest.first] > period &&
            rest.first > static_cast<std::size_t>(2 * fitted.count);
   };
-  if (!law.friction || !rests(middle)) return minima;
+  if (!rests(middle)) return minima;
 
   const auto model = interruptible(
-      [&](const Parameters& parameters) { return motion_equations(law, parameters, record, h); }, watch);
+      [&](const Parameters& parameters) { return motion_equations(fitted, parameters, {}, record, h); }, watch);
   LeastSquaresOptions settings = options;
   settings.error_tolerance = 0.1;
   settings.iteration_limit = 10;
@@ -73,12 +66,12 @@ std::vector<LeastSquaresSummary> rest_minima(const Record& record, const Law& la
     Rest rest = middle;
     int without_minimum = 0;
     for (int i = 0; i < farthest && without_minimum < 2 && !watch.interrupted(); ++i) {
-      const std::optional<Parameters> start = beyond_the_band(record, law, at, rest, side, h);
+      const std::optional<Parameters> start = beyond_the_band(record, fitted, at, rest, side, h);
       if (!start) break;
-      const Rest expected = rest_of(law, *start, record, h);
+      const Rest expected = rest_of(fitted, *start, record, h);
       if (!rests(expected) || expected.half_swings == rest.half_swings) break;
       LeastSquaresSummary next = minimise(model, *start, settings);
-      const Rest reached = rest_of(law, next.parameters, record, h);
+      const Rest reached = rest_of(fitted, next.parameters, record, h);
       const bool stays = reached.half_swings == expected.half_swings && rests(reached);
       at = stays ? next.parameters : *start;
       rest = stays ? reached : expected;
@@ -99,15 +92,13 @@ std::vector<LeastSquaresSummary> rest_minima(const Record& record, const Law& la
   return minima;
 }
 
-LeastSquaresSummary end_of_band_minimum(const Record& record, const Law& law,
+LeastSquaresSummary end_of_band_minimum(const Record& record, const FittedParameters& fitted,
                                         const LeastSquaresSummary& found, const LeastSquaresOptions& options,
                                         double h, const Watch& watch) {
-  if (!law.friction || found.reason != LeastSquaresReason::iteration_limit) return found;
-  const FittedParameters fitted = fitted_parameters(law);
-  const int f = place_of(fitted, &MotionParameters::friction),
-            w = place_of(fitted, &MotionParameters::angular_frequency);
+  if (found.reason != LeastSquaresReason::iteration_limit) return found;
+  const int f = fitted.place_of("friction"), w = fitted.place_of("angular_frequency");
   const auto band_at = [&](const Parameters& p) { return p[f] / (p[w] * p[w]); };
-  const Rest middle = rest_of(law, found.parameters, record, h);
+  const Rest middle = rest_of(fitted, found.parameters, record, h);
   const auto resting = static_cast<double>(record.t.size() - std::min(record.t.size(), middle.first));
   if (resting == 0 || std::abs(middle.position) < 0.9 * band_at(found.parameters)) return found;
 
@@ -115,8 +106,8 @@ LeastSquaresSummary end_of_band_minimum(const Record& record, const Law& law,
   const double side = middle.position > 0 ? 1 : -1, weight = 1e4 * resting;
   const auto model = interruptible(
       [&](const Parameters& parameters) {
-        NormalEquations equations = motion_equations(law, parameters, record, h);
-        const Rest rest = rest_of(law, parameters, record, h);
+        NormalEquations equations = motion_equations(fitted, parameters, {}, record, h);
+        const Rest rest = rest_of(fitted, parameters, record, h);
         const double band = band_at(parameters), off = side * band - rest.position;
         Parameters row = rest.derivative;
         row[f] -= side / (parameters[w] * parameters[w]);
@@ -132,7 +123,7 @@ LeastSquaresSummary end_of_band_minimum(const Record& record, const Law& law,
   LeastSquaresOptions settings = options;
   settings.error_tolerance = 1e-2;
   LeastSquaresSummary at = minimise(model, found.parameters, settings);
-  at.equations = motion_equations(law, at.parameters, record, h);
+  at.equations = motion_equations(fitted, at.parameters, {}, record, h);
   const double variance = found.equations.sum_of_squares / static_cast<double>(record.t.size());
   const bool as_low = at.equations.sum_of_squares < found.equations.sum_of_squares + 0.1 * variance;
   return as_low && at.reason == LeastSquaresReason::converged ? at : found;
@@ -179,9 +170,8 @@ double half_log_determinant(const SquareMatrix& matrix, int size) {
 
 }  // namespace
 
-void spread_over(FreeDecay& fit, const std::vector<LeastSquaresSummary>& minima) {
+void spread_over(LawFit& fit, const FittedParameters& fitted, const std::vector<LeastSquaresSummary>& minima) {
   if (minima.size() < 2) return;
-  const FittedParameters fitted = fitted_parameters(fit.law);
   const int n = fitted.count;
   const auto entry = [&](int i, int j) -> double& {
     return fit.covariance[static_cast<std::size_t>(i * n + j)];
@@ -221,22 +211,14 @@ void spread_over(FreeDecay& fit, const std::vector<LeastSquaresSummary>& minima)
   }
   fit.covariance = std::move(covariance);
   const double degrees = std::max(1.0, fit.independent_samples - n);
-  const auto widen = [&](double MotionParameters::*member, Estimate& estimate, bool bounded) {
-    const int i = place_of(fitted, member);
-    if (i == n) return;
+  for (int i = 0; i < n; ++i) {
+    Estimate& estimate = *fit.find(fitted.of[i].name);
+    const auto& hill = hills[static_cast<std::size_t>(i)];
     estimate.standard_error = std::sqrt(entry(i, i));
-    estimate.low = std::min(quantile(hills[static_cast<std::size_t>(i)], 0.025, degrees), estimate.value);
-    estimate.high = std::max(quantile(hills[static_cast<std::size_t>(i)], 0.975, degrees), estimate.value);
-    if (bounded) estimate.low = std::max(estimate.low, 0.0);
-  };
-  widen(&MotionParameters::angular_frequency, fit.angular_frequency, false);
-  widen(&MotionParameters::decay_rate, fit.decay_rate, true);
-  if (fit.drag) widen(&MotionParameters::drag, *fit.drag, true);
-  if (fit.friction) widen(&MotionParameters::friction, *fit.friction, true);
-  if (fit.cubic) widen(&MotionParameters::cubic, *fit.cubic, false);
-  widen(&MotionParameters::equilibrium, fit.equilibrium, false);
-  widen(&MotionParameters::position, fit.position, false);
-  widen(&MotionParameters::velocity, fit.velocity, false);
+    estimate.low = std::min(quantile(hill, 0.025, degrees), estimate.value);
+    estimate.high = std::max(quantile(hill, 0.975, degrees), estimate.value);
+    if (!fitted.of[i].may_be_negative) estimate.low = std::max(estimate.low, 0.0);
+  }
 
   const double second = *std::max_element(weights.begin() + 1, weights.end());
   if (second > 0.05)

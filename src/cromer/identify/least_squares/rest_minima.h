@@ -10,14 +10,14 @@
 
 #include "cromer/base/interrupt.h"
 #include "cromer/identify/least_squares/fit_settings.h"
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
 /// `found` and the minima on either side of it, as far as the record does not rule them out (their sum of
 /// squares is not above the lowest by 25 variances or more); the lowest comes first. `found` alone where the
 /// motion does not come to rest before the record's last period. Steps of at most h [s].
-std::vector<LeastSquaresSummary> rest_minima(const Record& record, const Law& law,
+std::vector<LeastSquaresSummary> rest_minima(const Record& record, const FittedParameters& fitted,
                                              const LeastSquaresSummary& found,
                                              const LeastSquaresOptions& options, double h,
                                              const Watch& watch);
@@ -25,7 +25,7 @@ std::vector<LeastSquaresSummary> rest_minima(const Record& record, const Law& la
 /// The minimum along an end of the band, for an iteration that ended there unsettled: a rest seen beyond the
 /// band has its least squares where two numbers of half swings meet, and the slope jumps. `found` itself
 /// where that is not so.
-LeastSquaresSummary end_of_band_minimum(const Record& record, const Law& law,
+LeastSquaresSummary end_of_band_minimum(const Record& record, const FittedParameters& fitted,
                                         const LeastSquaresSummary& found, const LeastSquaresOptions& options,
                                         double h, const Watch& watch);
 
@@ -33,6 +33,6 @@ LeastSquaresSummary end_of_band_minimum(const Record& record, const Law& law,
 /// middle of Student's distributions about each, weighted by Laplace's approximation of their likelihoods
 /// (L. Tierney & J. B. Kadane, J. Am. Stat. Assoc. 81, 82 (1986)). The fit is the one of minima.front(). A
 /// warning says so where another minimum has a weight of a twentieth or more.
-void spread_over(FreeDecay& fit, const std::vector<LeastSquaresSummary>& minima);
+void spread_over(LawFit& fit, const FittedParameters& fitted, const std::vector<LeastSquaresSummary>& minima);
 
 }  // namespace cromer

@@ -233,16 +233,18 @@ struct MotionUnit {
     return equations;
   }
 
-  static void rows(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                   const Record& record, double h, const VisitRow& visit) {
-    const Motion motion = fitted.unpack(parameters);
+  static std::vector<double> jacobian(const FittedParameters& fitted, const Parameters& parameters,
+                                      const Drive& drive, const Record& record, double h) {
     const int equilibrium = fitted.place_of("equilibrium");
-    gradients(fitted, parameters, drive, record.t, h, [&](std::size_t i, const auto& seen, const auto& gradient) {
-      const auto model = seen.observed(record.derivative);
-      Parameters row = gradient(model);
+    std::vector<double> rows;
+    rows.reserve(record.t.size() * static_cast<std::size_t>(fitted.count));
+    gradients(fitted, parameters, drive, record.t, h, [&](std::size_t, const auto& seen, const auto& gradient) {
+      Parameters row = gradient(seen.observed(record.derivative));
       if (equilibrium >= 0) row[equilibrium] = 1;
-      visit(i, row, record.y[i] - motion.equilibrium - model.value);
+      rows.insert(rows.end(), row.begin(), row.begin() + fitted.count);
     });
+    if (rows.size() != record.t.size() * static_cast<std::size_t>(fitted.count)) rows.clear();
+    return rows;
   }
 
   /// Calls visit(i, seen, gradient): gradient(number) is its derivatives by the fitted parameters.

@@ -6,7 +6,7 @@ namespace cromer {
 
 using Unit = MotionUnit<free_laws, FreeColumns>;
 
-const MotionFunctions free_motions{Unit::states, Unit::observed, Unit::equations, Unit::rows};
+const MotionFunctions free_motions{Unit::states, Unit::observed, Unit::equations, Unit::jacobian};
 
 Rest rest_of(const FittedParameters& fitted, const Parameters& parameters, const Record& record, double h) {
   Rest rest;

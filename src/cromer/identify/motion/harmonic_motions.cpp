@@ -6,6 +6,6 @@ namespace cromer {
 
 using Unit = MotionUnit<driven_laws, HarmonicColumns>;
 
-const MotionFunctions harmonic_motions{Unit::states, Unit::observed, Unit::equations, Unit::rows};
+const MotionFunctions harmonic_motions{Unit::states, Unit::observed, Unit::equations, Unit::jacobian};
 
 }  // namespace cromer

@@ -44,9 +44,9 @@ NormalEquations motion_equations(const FittedParameters& fitted, const Parameter
   return functions_of(drive).equations(fitted, parameters, drive, record, h);
 }
 
-void visit_rows(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                const Record& record, double h, const VisitRow& visit) {
-  functions_of(drive).rows(fitted, parameters, drive, record, h, visit);
+std::vector<double> jacobian_of(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
+                                const Record& record, double h) {
+  return functions_of(drive).jacobian(fitted, parameters, drive, record, h);
 }
 
 }  // namespace cromer

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,10 +47,10 @@ std::vector<double> motion_residuals(const Motion& motion, const Drive& drive, c
 NormalEquations motion_equations(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
                                  const Record& record, double h);
 
-/// One row of the Jacobian and its residual, at each sample: what motion_equations sums.
-using VisitRow = std::function<void(std::size_t sample, const Parameters& row, double residual)>;
-void visit_rows(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                const Record& record, double h, const VisitRow& visit);
+/// The Jacobian of what is observed, sample by sample: fitted.count numbers for each. Empty where the motion does
+/// not stay finite.
+std::vector<double> jacobian_of(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
+                                const Record& record, double h);
 
 /// The rest that dry friction brings a free motion to.
 struct Rest {

@@ -6,6 +6,6 @@ namespace cromer {
 
 using Unit = MotionUnit<driven_laws, RecordedColumns>;
 
-const MotionFunctions recorded_motions{Unit::states, Unit::observed, Unit::equations, Unit::rows};
+const MotionFunctions recorded_motions{Unit::states, Unit::observed, Unit::equations, Unit::jacobian};
 
 }  // namespace cromer

@@ -7,9 +7,6 @@
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
-#include "cromer/identify/forced_law.h"
-#include "cromer/identify/forced_minimum.h"
-#include "cromer/identify/motion/sinusoidal_force.h"
 
 namespace cromer {
 namespace {
@@ -94,7 +91,22 @@ Linear best_linear(const Samples& samples, double w, double g, double drive) {
 
 }  // namespace
 
-std::optional<Parameters> driven_start(const Record& record, std::optional<double> drive) {
+Motion integrated(const Motion& derivative, double pull) {
+  const double w0 = derivative.angular_frequency(), acceleration = derivative.velocity;
+  Motion motion = derivative;
+  motion.velocity = derivative.position;
+  motion.position = (pull - 2 * motion.decay_rate() * motion.velocity - acceleration) / (w0 * w0);
+  return motion;
+}
+
+std::optional<Motion> driven_start(const Record& observed, std::optional<double> drive) {
+  // About their mean: sums keep their digits.
+  double level = 0;
+  for (const double y : observed.y) level += y / static_cast<double>(observed.y.size());
+  std::vector<double> z(observed.y.begin(), observed.y.end());
+  for (double& value : z) value -= level;
+  Record record = observed;
+  record.y = z;
   const std::size_t whole = record.t.size();
   const Samples fine = even_samples(record, std::min<std::size_t>(whole, 65'536));
   const double h = fine.t[1] - fine.t[0], T = fine.duration(), resolution = two_pi / T;
@@ -135,25 +147,23 @@ std::optional<Parameters> driven_start(const Record& record, std::optional<doubl
     }
   if (!std::isfinite(best.sum_of_squares)) return std::nullopt;
 
-  const ForcedLayout at = forced_layout(SinusoidalForce::parameters, {});
   const double s1 = w_best * w_best + g_best * g_best;
   const std::complex<double> steady(best.p[3], -best.p[4]);
   const std::complex<double> force =
       steady * std::complex<double>(s1 - drive_best * drive_best, 2 * g_best * drive_best);
-  Parameters start{};
-  start[SinusoidalForce::cosine] = force.real();
-  start[SinusoidalForce::sine] = -force.imag();
-  start[SinusoidalForce::frequency] = drive_best;
-  start[at.bias] = s1 * best.p[0];
-  start[at.decay] = g_best;
-  start[at.stiffness] = s1;
-  start[at.position] = best.p[0] + best.p[1] + best.p[3];
-  start[at.velocity] = w_best * best.p[2] - g_best * best.p[1] + drive_best * best.p[4];
+  Motion start{.cosine = force.real(),
+               .sine = -force.imag(),
+               .drive_frequency = drive_best,
+               .equilibrium = level + best.p[0],
+               .position = best.p[1] + best.p[3],
+               .velocity = w_best * best.p[2] - g_best * best.p[1] + drive_best * best.p[4]};
+  start.set_angular_frequency(std::sqrt(s1));
+  start.set_decay_rate(g_best);
   for (int d = record.derivative; d > 0; --d) {
-    const double cosine = start[SinusoidalForce::cosine];
-    start[SinusoidalForce::cosine] = -start[SinusoidalForce::sine] / drive_best;
-    start[SinusoidalForce::sine] = cosine / drive_best;
-    integrate_start(start, at, start[SinusoidalForce::cosine], d == record.derivative);
+    start = integrated(start, -start.sine / drive_best);
+    const double cosine = start.cosine;
+    start.cosine = -start.sine / drive_best;
+    start.sine = cosine / drive_best;
   }
   return start;
 }

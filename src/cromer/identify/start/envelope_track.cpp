@@ -4,13 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/analysis/cycle_average.h"
+#include "cromer/model/law.h"
+
 namespace cromer {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t most_in_a_window = 96;
 
-// What is solved here has three or four unknowns at most.
 struct LinearFit {
   bool ok = false;
   Parameters x{};
@@ -66,39 +68,60 @@ std::vector<double> integral(const EnvelopeTrack& track, F f) {
   return sum;
 }
 
-struct Decay {
-  double amplitude = 0, s = 0, b = 0, q = 0, rest = HUGE_VAL;
+// A term's coefficient per unit mass, and the integrals along the track of what a unit of it does.
+struct TermAlong {
+  double Oscillator<double>::*coefficient;
+  bool may_be_negative;
+  std::vector<double> fall, shift;
 };
 
-// The best of all subsets of the law's terms in which none is negative.
-Decay decay_along(const EnvelopeTrack& track, const Law& law) {
-  const std::vector<double> integrals[] = {integral(track, [](double) { return 1.0; }),
-                                           integral(track, [](double A) { return A; }),
-                                           integral(track, [](double A) { return A * A; })};
-  const bool allowed[] = {law.friction, law.viscous, law.drag};
+// Of the terms that change amplitude or frequency: all but the spring and what has an inner state.
+std::vector<TermAlong> terms_along(const EnvelopeTrack& track, const Law& law, double w) {
+  std::vector<TermAlong> terms;
+  for_each_term([&]<class T>() {
+    if constexpr (!HasInnerState<T>) {
+      if (!law.has<T>() || springs.has<T>()) return;
+      terms.push_back({T::template members<double>[0], T::coefficients[0].may_be_negative,
+                       integral(track, [&](double A) { return cycle_average<T>(A, w).fall; }),
+                       integral(track, [&](double A) { return cycle_average<T>(A, w).shift; })});
+    }
+  });
+  return terms;
+}
+
+// Least squares of the track's amplitudes: the best of all subsets of the terms in which none is negative that
+// cannot be.
+struct Decay {
+  double amplitude = 0;  // at the first window
+  std::vector<double> coefficients;
+  double rest = HUGE_VAL;
+};
+
+Decay decay_along(const EnvelopeTrack& track, const std::vector<TermAlong>& terms) {
   Decay best;
-  for (int subset = 0; subset < 8; ++subset) {
-    int terms[3], count = 0;
-    bool possible = true;
-    for (int i = 0; i < 3; ++i)
-      if (subset >> i & 1) possible = possible && allowed[i], terms[count++] = i;
-    if (!possible) continue;
+  std::vector<std::size_t> damping;
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    if (std::abs(terms[i].fall.back()) > 1e-9 * std::abs(terms[i].shift.back())) damping.push_back(i);
+  for (unsigned subset = 0; subset < 1U << damping.size(); ++subset) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < damping.size(); ++i)
+      if (subset >> i & 1U) chosen.push_back(damping[i]);
     NormalEquations equations;
-    equations.size = 1 + count;
+    equations.size = 1 + static_cast<int>(chosen.size());
     for (std::size_t k = 0; k < track.t.size(); ++k) {
       Parameters row{1};
-      for (int i = 0; i < count; ++i) row[1 + i] = -integrals[terms[i]][k];
+      for (std::size_t i = 0; i < chosen.size(); ++i) row[1 + i] = -terms[chosen[i]].fall[k];
       add_row(equations, row, track.amplitude[k]);
     }
     const LinearFit fit = solve(equations);
     if (!fit.ok || fit.rest >= best.rest) continue;
-    double coefficients[3]{};
     bool negative = false;
-    for (int i = 0; i < count; ++i) {
-      coefficients[terms[i]] = fit.x[1 + i];
-      negative = negative || fit.x[1 + i] < 0;
+    std::vector<double> coefficients(terms.size(), 0.0);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      coefficients[chosen[i]] = fit.x[1 + i];
+      negative = negative || (fit.x[1 + i] < 0 && !terms[chosen[i]].may_be_negative);
     }
-    if (!negative) best = {fit.x[0], coefficients[0], coefficients[1], coefficients[2], fit.rest};
+    if (!negative) best = {fit.x[0], coefficients, fit.rest};
   }
   return best;
 }
@@ -153,35 +176,49 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
   return track;
 }
 
-MotionParameters motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
-  const Decay decay = decay_along(track, law);
+Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
+  const std::vector<TermAlong> terms = terms_along(track, law, track.frequency);
+  const Decay decay = decay_along(track, terms);
+  const bool pendulum = law.has<Pendulum>();
   const std::vector<double> time =
-      integral(track, [&](double A) { return law.pendulum ? 1 - A * A / 16 + A * A * A * A / 3072 : 1.0; });
-  const std::vector<double> squares = integral(track, [](double A) { return A * A; });
+      integral(track, [&](double A) { return pendulum ? 1 - A * A / 16 + A * A * A * A / 3072 : 1.0; });
+  std::vector<std::size_t> shifting;
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    if (std::abs(terms[i].shift.back()) > 1e-9 * std::abs(terms[i].fall.back())) shifting.push_back(i);
   NormalEquations equations;
-  equations.size = law.cubic ? 3 : 2;
-  for (std::size_t k = 0; k < track.t.size(); ++k)
-    add_row(equations, {1, time[k], squares[k]}, track.phase[k]);
+  equations.size = 2 + static_cast<int>(shifting.size());
+  for (std::size_t k = 0; k < track.t.size(); ++k) {
+    Parameters row{1, time[k]};
+    for (std::size_t i = 0; i < shifting.size(); ++i) row[2 + i] = terms[shifting[i]].shift[k];
+    add_row(equations, row, track.phase[k]);
+  }
   LinearFit fit = solve(equations);
-  if (!fit.ok) fit.x = {track.phase.front(), track.frequency, 0};
+  if (!fit.ok) fit.x = {track.phase.front(), track.frequency};
   const double w = fit.x[1] > 0 ? fit.x[1] : track.frequency;
 
-  MotionParameters motion;
-  motion.pendulum = law.pendulum;
+  Motion motion;
+  motion.law = law;
   motion.equilibrium = track.equilibrium;
-  motion.decay_rate = decay.b;
-  motion.drag = 3 * pi * decay.q / (4 * w);
-  motion.friction = 0.5 * pi * w * decay.s;
-  motion.angular_frequency = std::hypot(w, decay.b);
-  if (law.cubic) motion.cubic = 8 * w * fit.x[2] / 3;
-  // From the first window's middle back to the first sample.
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    if (decay.coefficients.size() == terms.size()) motion.per_mass.*terms[i].coefficient = decay.coefficients[i];
+  for (std::size_t i = 0; i < shifting.size(); ++i)
+    motion.per_mass.*terms[shifting[i]].coefficient = fit.x[2 + i];
+  motion.set_angular_frequency(std::hypot(w, motion.decay_rate()));
+  // From the first window's middle back to the first sample, at the rates there.
   const double back = track.t.front() - t0, A = decay.amplitude;
-  const double amplitude = A + (decay.s + decay.b * A + decay.q * A * A) * back;
-  const double rate = law.pendulum ? w * (1 - A * A / 16 + A * A * A * A / 3072)
-                                   : w + (law.cubic ? fit.x[2] * amplitude * amplitude : 0);
+  double fall = 0, rate = pendulum ? w * (1 - A * A / 16 + A * A * A * A / 3072) : w;
+  for_each_term([&]<class T>() {
+    if constexpr (!HasInnerState<T>) {
+      if (!law.has<T>() || springs.has<T>()) return;
+      const CycleAverage<double> average = cycle_average<T>(A, w);
+      fall += motion.per_mass.*T::template members<double>[0] * average.fall;
+      rate += motion.per_mass.*T::template members<double>[0] * average.shift;
+    }
+  });
+  const double amplitude = A + fall * back;
   const double phase = fit.x[0] - rate * back;
   motion.position = amplitude * std::cos(phase);
-  motion.velocity = -amplitude * rate * std::sin(phase) - decay.b * motion.position;
+  motion.velocity = -amplitude * rate * std::sin(phase) - motion.decay_rate() * motion.position;
   return motion;
 }
 

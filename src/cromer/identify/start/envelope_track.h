@@ -1,16 +1,12 @@
 // Amplitude and phase of a swing, followed through a record whatever its law, and the start values that they
-// give: the amplitude falls as
-//
-//   dA/dt = -(s + b A + q A²),   s = 2 f/(pi w),  b the decay rate,  q = 4 (drag) w/(3 pi)
-//
-// and the phase runs as w0 + 3 k3 A²/(8 w0), a pendulum's as w0 (1 - A²/16 + A⁴/3072). Averages over a cycle:
-// N. N. Bogoliubov & Y. A. Mitropolsky, Asymptotic Methods (1961), chapter 1.
+// give: each term makes the amplitude fall and the frequency rise as cycle_average.h says, in proportion to its
+// coefficient. A pendulum's phase runs as w0 (1 - A²/16 + A⁴/3072).
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "cromer/identify/free_motion.h"
+#include "cromer/identify/motion/motion_model.h"
 
 namespace cromer {
 
@@ -31,6 +27,6 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
 
 /// The motion of a law that follows the track best, from the record's first time t0. None of decay rate, drag
 /// and friction is negative.
-MotionParameters motion_along(const EnvelopeTrack& track, const Law& law, double t0);
+Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0);
 
 }  // namespace cromer

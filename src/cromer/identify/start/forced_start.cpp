@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
-#include "cromer/identify/motion/recorded_force.h"
+#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/start/driven_start.h"
 
 namespace cromer {
 namespace {
@@ -136,44 +138,122 @@ double first_slope(const std::vector<double>& z, double h, double w) {
   return top / (bottom * h);
 }
 
+// The record's values and the force at the force's own times from the first sample to the last; what is missing
+// by straight lines.
+struct OnGrid {
+  std::vector<double> z, u;
+  double level = 0;  // of y where z is 0
+};
+
+OnGrid on_grid(const Record& record, const ForceRecord& force) {
+  const auto place = [&](double t) {
+    return static_cast<std::size_t>(std::max(0.0, std::round((t - force.begin) / force.spacing)));
+  };
+  const std::size_t first = place(record.t.front());
+  const std::size_t last = std::min(place(record.t.back()), force.samples.size() - 1);
+  OnGrid grid;
+  for (const double y : record.y) grid.level += y / static_cast<double>(record.y.size());
+  grid.z.assign(last - first + 1, std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < record.t.size(); ++i)
+    if (const std::size_t k = place(record.t[i]); k <= last) grid.z[k - first] = record.y[i] - grid.level;
+  grid.z = without_holes(grid.z);
+  grid.u.assign(force.samples.begin() + static_cast<std::ptrdiff_t>(first),
+                force.samples.begin() + static_cast<std::ptrdiff_t>(last + 1));
+  return grid;
+}
+
+// By central differences; for where a fit begins, noise does no harm.
+std::vector<double> slopes(const std::vector<double>& values, double spacing) {
+  const std::size_t last = values.size() - 1;
+  std::vector<double> result(values.size());
+  for (std::size_t i = 0; i <= last; ++i) {
+    const std::size_t before = i > 0 ? i - 1 : 0, after = std::min(i + 1, last);
+    result[i] = (values[after] - values[before]) / (static_cast<double>(after - before) * spacing);
+  }
+  return result;
+}
+
+// The spring as a polynomial: pull(z) = bias - z (s1 + z (s2 + z s3)), z from the level.
+struct Polynomial {
+  double bias = 0, s1 = 0, s2 = 0, s3 = 0;
+
+  double pull(double z) const { return bias - z * (s1 + z * (s2 + z * s3)); }
+  double stiffness(double z) const { return s1 + z * (2 * s2 + 3 * s3 * z); }
+  // Nearest 0, where nothing pulls.
+  double rest() const {
+    double z = 0;
+    for (int i = 0; i < 50 && stiffness(z) > 0; ++i) z += pull(z) / stiffness(z);
+    return std::isfinite(z) ? z : 0;
+  }
+};
+
 }  // namespace
 
-Parameters forced_start(std::span<const double> force, const ForcedSamples& samples, double spacing,
-                        bool curved) {
-  const std::vector<double> z = without_holes(samples.z);
+std::optional<Motion> forced_start(const Record& record, const ForceRecord& force, const Law& law) {
+  OnGrid grid = on_grid(record, force);
+  const bool sprung = law.shares(springs);
+  const bool curved = record.derivative == 0 && law.shares(law_with<Quadratic, Cubic>);
+  // The derivative of a linear motion is the motion under the force's derivative.
+  std::vector<double> first_forces;
+  for (int d = 0; d < record.derivative; ++d) {
+    first_forces.push_back(grid.u.front());
+    grid.u = slopes(grid.u, force.spacing);
+  }
+  const std::vector<double>& z = grid.z;
   const std::size_t n = z.size(), length = quick_length(std::min(n, longest_segment));
+  const double h = force.spacing;
   std::vector<Segment> segments;
   for (std::size_t from = 0; from + length <= n; from += std::max<std::size_t>(1, length / 2))
     segments.push_back(
-        transform(force.subspan(from, length), std::span(z).subspan(from, length), spacing, curved));
+        transform(std::span(grid.u).subspan(from, length), std::span(z).subspan(from, length), h, curved));
 
-  const auto line = strongest_line(amplitude_spectrum(std::span(z).first(length), spacing));
-  const double w_line = line ? line->angular_frequency : 2 * pi / (static_cast<double>(length) * spacing);
-  double s1 = w_line * w_line, resistance_now = 0.2 * w_line;
-  const int size = curved ? most_unknowns : stiffness + 1;
+  const auto line = strongest_line(amplitude_spectrum(std::span(z).first(length), h));
+  const double w_line = line ? line->angular_frequency : 2 * pi / (static_cast<double>(length) * h);
+  double s1 = sprung ? w_line * w_line : 0, resistance_now = 0.2 * w_line;
+  const int size = curved ? most_unknowns : sprung ? stiffness + 1 : resistance + 1;
   Parameters found{};
   for (int round = 0; round < 4; ++round) {
-    const NormalEquations equations = linear_equations(segments, spacing, length, size, s1, resistance_now);
+    const NormalEquations equations = linear_equations(segments, h, length, size, s1, resistance_now);
     const ScaledCholesky factor(equations.matrix, size, 1e-13, all_free);
     if (!factor.ok()) break;
     found = factor.solve(equations.right);
-    if (!(found[stiffness] > 0)) break;
-    s1 = found[stiffness];
-    resistance_now = std::clamp(found[resistance], 1e-4 * std::sqrt(s1), 2 * std::sqrt(s1));
+    if (sprung && !(found[stiffness] > 0)) break;
+    if (sprung) s1 = found[stiffness];
+    const double w = sprung ? std::sqrt(s1) : w_line;
+    resistance_now = std::clamp(found[resistance], 1e-4 * w, 2 * w);
   }
 
-  const ForcedLayout at = forced_layout(RecordedForce::parameters, {.curved = curved});
-  Parameters start{};
-  start[RecordedForce::gain] = found[gain];
-  start[at.bias] = found[bias];
-  start[at.decay] = 0.5 * resistance_now;
-  start[at.stiffness] = s1;
-  if (curved) {
-    start[at.quadratic] = found[quadratic];
-    start[at.cubic] = found[cubic];
+  Motion start;
+  start.law = law;
+  start.force_gain = found[gain];
+  start.set_decay_rate(0.5 * resistance_now);
+  const double slope = first_slope(z, h, sprung ? std::sqrt(s1) : w_line);
+  if (!sprung) {
+    start.position = z.front() + grid.level;
+    start.velocity = slope;
+    start.force_offset = found[gain] != 0 ? found[bias] / found[gain] : 0;
+    return start;
   }
-  start[at.position] = z.front();
-  start[at.velocity] = first_slope(z, spacing, std::sqrt(s1));
+  const Polynomial spring{found[bias], s1, curved ? found[quadratic] : 0, curved ? found[cubic] : 0};
+  if (record.derivative > 0) {
+    start.set_angular_frequency(std::sqrt(s1));
+    start.equilibrium = grid.level + spring.rest();
+    start.position = z.front() - spring.rest();
+    start.velocity = slope;
+    for (int d = record.derivative; d > 0; --d)
+      start = integrated(start, start.force_gain * first_forces[static_cast<std::size_t>(d - 1)]);
+    return start;
+  }
+  const bool amid = held_parameters(record, law, DriveKind::recorded).equilibrium;
+  const double e = amid ? -grid.level : spring.rest();
+  if (!(spring.stiffness(e) > 0)) return std::nullopt;
+  start.set_angular_frequency(std::sqrt(spring.stiffness(e)));
+  if (law.has<Quadratic>()) start.per_mass.quadratic = spring.s2 + 3 * spring.s3 * e;
+  if (law.has<Cubic>()) start.per_mass.cubic = spring.s3;
+  start.equilibrium = grid.level + e;
+  start.force_offset = amid && found[gain] != 0 ? spring.pull(e) / found[gain] : 0;
+  start.position = z.front() - e;
+  start.velocity = slope;
   return start;
 }
 

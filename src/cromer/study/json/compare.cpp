@@ -4,7 +4,7 @@
 
 namespace cromer {
 Json comparison_object(const CompareResult& comparison) {
-  const FreeDecay& fit = comparison.recording.fit;
+  const LawFit& fit = comparison.recording.fit;
   Json object;
   object["recording"] = recording_object(comparison.recording);
   object["status"] = name(fit.status);

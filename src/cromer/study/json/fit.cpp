@@ -116,7 +116,7 @@ Json textbook(const FittedRecording& fitted) {
 }
 
 // Of the fitted parameters; the diagonal is the squares of their standard errors.
-Json covariance(const FreeDecay& fit) {
+Json covariance(const LawFit& fit) {
   Json matrix = Json::array();
   const std::size_t n = fit.names.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -142,7 +142,7 @@ Json modes(const std::vector<Mode>& found) {
 }  // namespace
 
 Json fit_object(const FittedRecording& fitted) {
-  const FreeDecay& fit = fitted.fit;
+  const LawFit& fit = fitted.fit;
   Json object;
   object["recording"] = recording_object(fitted);
   object["law"] = fitted.wrong_input ? Json(nullptr) : Json(to_text(fit.law));

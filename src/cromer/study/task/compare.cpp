@@ -42,23 +42,22 @@ Result<FittedRecording> with_law(const FittedRecording& recording, const Law& la
 
 // The constant rate, and the frequency that goes with it.
 Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& watch) {
-  double w0 = recording.fit.angular_frequency.value, g = recording.fit.decay_rate.value;
-  if (!(recording.fit.law == Law{})) {
-    const Result<FittedRecording> fitted = with_law(recording, Law{}, watch);
+  double w0 = recording.fit.angular_frequency().value, g = recording.fit.decay_rate().value;
+  if (!(recording.fit.law == law_of("viscous"))) {
+    const Result<FittedRecording> fitted = with_law(recording, law_of("viscous"), watch);
     if (!fitted) return fitted.error();
     if (watch.interrupted()) return NamedLaw{};
-    w0 = fitted->fit.angular_frequency.value;
-    g = fitted->fit.decay_rate.value;
+    w0 = fitted->fit.angular_frequency().value;
+    g = fitted->fit.decay_rate().value;
   }
   if (recording.decay_rate_mean) g = recording.decay_rate_mean->value;
-  const MotionParameters start = recording.fit.motion();
-  return NamedLaw{"one constant decay rate",
-                  Law{},
-                  {.angular_frequency = w0,
-                   .decay_rate = g,
-                   .equilibrium = start.equilibrium,
-                   .position = start.position,
-                   .velocity = start.velocity}};
+  const Motion& fitted_motion = recording.fit.motion;
+  Motion constant{.equilibrium = fitted_motion.equilibrium,
+                  .position = fitted_motion.position,
+                  .velocity = fitted_motion.velocity};
+  constant.set_angular_frequency(w0);
+  constant.set_decay_rate(g);
+  return NamedLaw{"one constant decay rate", law_of("viscous"), constant};
 }
 
 }  // namespace
@@ -70,9 +69,9 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   CompareResult result;
   result.recording = recording;
   result.warnings = recording.warnings;
-  const FreeDecay& fit = recording.fit;
+  const LawFit& fit = recording.fit;
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
-  if (!fitted || !(fit.angular_frequency.value > 0)) return result;
+  if (!fitted || !(fit.angular_frequency().value > 0)) return result;
   if (recording.series.quantity.find("velocity") != std::string::npos ||
       recording.series.quantity == "acceleration")
     return Error{fmt::format(
@@ -88,7 +87,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const bool only_law = !(options.fit.law.empty() || options.fit.law == "auto");
   result.doubts =
       doubts({samples.t, samples.y, series.resolution}, fit, only_law, si_unit_of(series.quantity));
-  const double period = two_pi / fit.angular_frequency.value, duration = series.t.back() - series.t.front();
+  const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / 200;
   const double step = options.step.value_or(default_step(spacing, period));
   if (!(step > 0) || duration / step > most_steps)
@@ -102,7 +101,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     result.complete = false;
     return result;
   }
-  const NamedLaw chosen{to_text(fit.law), fit.law, fit.motion()};
+  const NamedLaw chosen{to_text(fit.law), fit.law, fit.motion};
   for (const NamedLaw& law : {*constant, chosen}) {
     const double done = result.curves.empty() ? 0.2 : 0.6;
     const Watch part = part_of(watch, done, done + 0.4);
@@ -151,7 +150,7 @@ Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_v
     const double each = (1 - of_fits) / static_cast<double>(fits->size()),
                  done = of_fits + each * static_cast<double>(results.size());
     const Watch part = part_of(watch, done, done + each);
-    Result<CompareResult> one = recording.forced ? compare_driven(bytes, file, recording, options, part)
+    Result<CompareResult> one = recording.driven ? compare_driven(bytes, file, recording, options, part)
                                                  : compare_fitted(recording, options, part);
     if (!one) return one.error();
     results.push_back(std::move(*one));

@@ -9,7 +9,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/study/task/end_comparison.h"
 #include "cromer/study/task/keep_at.h"
-#include "cromer/study/task/run_pendulum.h"
+#include "cromer/study/task/run_law.h"
 #include "cromer/study/task/used_samples.h"
 
 namespace cromer {
@@ -17,20 +17,10 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-Oscillator<double> per_unit_mass(const MotionParameters& p) {
-  return {.mass = 1,
-          .stiffness = p.angular_frequency * p.angular_frequency,
-          .damping = 2 * p.decay_rate,
-          .drag = p.drag,
-          .friction = p.friction,
-          .cubic = p.cubic};
-}
-
 /// Empty if there is one, in arcs where friction is all that is added to the linear law.
 std::string_view why_no_closed_form(const NamedLaw& law) {
-  if (law.motion.pendulum) return "pendulum";
-  const std::string_view term = why_not_exact(per_unit_mass(law.motion));
-  return term == "friction" ? "" : term;
+  const std::string_view term = why_not_exact(law.motion.per_mass);
+  return term == Friction::info.name ? "" : term;
 }
 
 double rms_of_difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -60,7 +50,7 @@ struct Samples {
 Samples good_samples(const FittedRecording& recording, const Trajectory& simulated, const Trajectory& law) {
   const FittedSamples good = without_outliers(recording.series);
   Samples samples{good.t, good.y, {}, {}};
-  for (double& y : samples.measured) y -= recording.fit.equilibrium.value;
+  for (double& y : samples.measured) y -= recording.fit.equilibrium().value;
   samples.simulated.reserve(good.t.size());
   samples.law.reserve(good.t.size());
   for (std::size_t i = 0; i < simulated.size() && samples.law.size() < good.t.size(); ++i) {
@@ -72,7 +62,7 @@ Samples good_samples(const FittedRecording& recording, const Trajectory& simulat
 }
 
 void compare_with_measured(ComparedCurve& curve, const FittedRecording& recording, const Samples& samples) {
-  const double w = recording.fit.angular_frequency.value;
+  const double w = recording.fit.angular_frequency().value;
   const double scatter = standard_deviation(samples.measured);
   curve.rms = rms_of_difference(samples.measured, samples.simulated);
   curve.r_squared = 1 - std::pow(curve.rms / scatter, 2);
@@ -91,7 +81,7 @@ void compare_with_measured(ComparedCurve& curve, const FittedRecording& recordin
 // The method's own part: the same law without it.
 void compare_with_law(ComparedCurve& curve, const FittedRecording& recording, const Samples& samples) {
   const EndComparison end = compare_ends(samples.t, samples.law, samples.simulated, samples.law,
-                                         recording.fit.angular_frequency.value);
+                                         recording.fit.angular_frequency().value);
   // Below this a law has stopped, or has died down beyond what its own rounding leaves.
   const double nothing = 1e-9 * standard_deviation(samples.law);
   if (!(end.first_amplitude > nothing)) return;
@@ -110,17 +100,17 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
           "--method exact: there is no closed form with {}; choose rk4 or another method, or --law viscous",
           term)};
   const Series& series = recording.series;
-  const MotionParameters& motion = law.motion;
+  const Motion& motion = law.motion;
   const double t0 = series.t.front(), duration = series.t.back() - t0;
   const Interval interval{t0, t0 + std::ceil(duration / step - 1e-9) * step};
   KeepAt keep(series.t, 1e-6 * step);
   KeepEvery each{AnyRecorder(keep)};
-  const LawRun run{.oscillator = per_unit_mass(motion),
+  const LawRun run{.oscillator = motion.per_mass,
                    .method = options.method,
                    .interval = interval,
                    .start = {motion.position, motion.velocity},
                    .control = step};
-  const Outcome outcome = motion.pendulum ? run_pendulum(run, each, watch) : run_law(run, each, watch);
+  const Outcome outcome = run_law(run, each, watch);
 
   ComparedCurve curve;
   curve.label = law.label;
@@ -140,7 +130,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
     return curve;
   }
   const double law_step = recording.fit.step > 0 ? recording.fit.step : step;
-  const Trajectory itself = free_motion(motion, series.t, law_step);
+  const Trajectory itself = motion_states(motion, {}, series.t, law_step);
   if (itself.size() < series.t.size())
     return Error{
         fmt::format("{}: the law runs away from the recording's start; choose another --law", law.label)};
@@ -149,7 +139,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   compare_with_law(curve, recording, samples);
   // A free swing never exceeds its start by much: what does has grown from step to step.
   double largest = 0;
-  const double start = std::hypot(motion.position, motion.velocity / motion.angular_frequency);
+  const double start = std::hypot(motion.position, motion.velocity / motion.angular_frequency());
   for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
   if (largest > 10 * start) {
     curve.diverged = true;

@@ -6,7 +6,7 @@
 
 #include "cromer/base/interrupt.h"
 #include "cromer/base/result.h"
-#include "cromer/identify/free_motion.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/study/task/compare.h"
 
 namespace cromer {
@@ -14,7 +14,7 @@ namespace cromer {
 struct NamedLaw {
   std::string label;
   Law law;
-  MotionParameters motion;  ///< from the recording's first sample on
+  Motion motion;  ///< from the recording's first sample on
 };
 
 /// Runs the law by the method and step of the options over the recording's times. Samples set aside are in no

@@ -93,24 +93,17 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
 
 }  // namespace
 
-AmplitudeDecay amplitude_decay(const FreeDecay& fit) {
-  const MotionParameters p = fit.motion();
-  return {.angular_frequency = p.angular_frequency,
-          .decay_rate = p.decay_rate,
-          .drag = p.drag,
-          .friction = p.friction};
+AmplitudeDecay amplitude_decay(const LawFit& fit) {
+  return {.angular_frequency = fit.motion.angular_frequency(), .per_mass = fit.motion.per_mass};
 }
 
-Swing<double> swing_of(const FreeDecay& fit) {
-  const MotionParameters p = fit.motion();
-  return {.stiffness = p.angular_frequency * p.angular_frequency, .cubic = p.cubic, .pendulum = p.pendulum};
+Swing<double> swing_of(const LawFit& fit) { return {fit.motion.per_mass}; }
+
+double first_amplitude(const LawFit& fit) {
+  return swing_of(fit).amplitude(fit.position().value, fit.velocity().value);
 }
 
-double first_amplitude(const FreeDecay& fit) {
-  return swing_of(fit).amplitude(fit.position.value, fit.velocity.value);
-}
-
-std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDecay& fit,
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch) {
   std::vector<AmplitudeRate> result;
   const AmplitudeDecay decay = amplitude_decay(fit);
@@ -118,7 +111,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDe
   if (record.t.size() < 24 || !(amplitude > 0) || !std::isfinite(amplitude)) return result;
   // The frequency at the first amplitude, not below half of that of small swings; from then on each stretch
   // starts from the one before.
-  const double lowest = 0.5 * fit.angular_frequency.value, there = swing_of(fit).angular_frequency(amplitude);
+  const double lowest = 0.5 * fit.angular_frequency().value, there = swing_of(fit).angular_frequency(amplitude);
   double w = there > lowest ? there : lowest;
   double at = amplitude;
   StretchLength stretch(record, w);

@@ -6,7 +6,7 @@
 
 #include "cromer/analysis/amplitude_decay.h"
 #include "cromer/analysis/swing.h"
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 
@@ -18,19 +18,19 @@ struct AmplitudeRate {
 };
 
 /// What the law's damping does to the amplitude.
-AmplitudeDecay amplitude_decay(const FreeDecay& fit);
+AmplitudeDecay amplitude_decay(const LawFit& fit);
 
 /// What its springs do to a swing.
-Swing<double> swing_of(const FreeDecay& fit);
+Swing<double> swing_of(const LawFit& fit);
 
 /// The largest swing that the law has from the first sample on: [unit of the displacement].
-double first_amplitude(const FreeDecay& fit);
+double first_amplitude(const LawFit& fit);
 
 /// Stretches of at least two periods and twelve samples, as long as a rate takes to be known to a twentieth
 /// and no longer than a sixth of the record; at most 60 of them. A stretch whose rate is less certain than
 /// its size is left out. `fit` has values. Errors are widened for the correlation of the stretch's own
 /// residuals.
-std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const FreeDecay& fit,
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch = {});
 
 }  // namespace cromer

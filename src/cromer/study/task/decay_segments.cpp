@@ -48,7 +48,7 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
                       last = i + 1 == wanted && !length ? record.t.size() : index_at(to);
     const Record part{record.t.subspan(first, last - first), record.y.subspan(first, last - first),
                       record.resolution};
-    const FreeDecay fit = fit_free_decay(part, {}, watch);
+    const LawFit fit = fit_law(part, {}, watch);
     if (watch.interrupted()) {
       result.warnings.push_back(fmt::format("interrupted after {} of the {} segments", i, wanted));
       break;
@@ -58,9 +58,9 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
         first_failure = fmt::format("from {:.6g} to {:.6g} s is left out: {}", from, to, fit.message);
       continue;
     }
-    result.segments.push_back({from, to, fit.decay_rate});
-    sum += fit.decay_rate.value;
-    variance += fit.decay_rate.standard_error * fit.decay_rate.standard_error;
+    result.segments.push_back({from, to, fit.decay_rate()});
+    sum += fit.decay_rate().value;
+    variance += fit.decay_rate().standard_error * fit.decay_rate().standard_error;
     student = std::max(student, fit.student);
   }
   if (left_out == 1) result.warnings.push_back("the segment " + first_failure);

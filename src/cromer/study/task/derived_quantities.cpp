@@ -1,7 +1,6 @@
 #include "cromer/study/task/derived_quantities.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,9 +11,7 @@
 namespace cromer {
 namespace {
 
-constexpr std::array<std::string_view, 8> of_the_law{
-    "angular_frequency", "decay_rate", "drag", "friction", "cubic", "quadratic", "position", "velocity"};
-using Real = Dual<double, of_the_law.size()>;
+using Real = Dual<double, max_parameters>;
 
 /// The law over numbers that carry their derivatives by its own parameters.
 struct LawAtAmplitude {
@@ -23,38 +20,44 @@ struct LawAtAmplitude {
   Real position, velocity;
 };
 
-LawAtAmplitude law_of(const FreeDecay& fit, const std::optional<Estimate>& quadratic) {
-  const auto variable = [&](std::size_t i, const std::optional<Estimate>& estimate) {
-    return estimate ? Real::variable(estimate->value, i) : Real(0);
+LawAtAmplitude law_at_amplitude(const LawFit& fit) {
+  const auto variable = [&](std::string_view name) {
+    const auto i = static_cast<std::size_t>(std::find(fit.names.begin(), fit.names.end(), name) - fit.names.begin());
+    return i < fit.names.size() ? Real::variable(fit.estimates[i].value, i) : Real(0.0);
   };
   LawAtAmplitude law;
-  const Real w0 = variable(0, fit.angular_frequency);
-  law.decay = {.decay_rate = variable(1, fit.decay_rate),
-               .drag = variable(2, fit.drag),
-               .friction = variable(3, fit.friction)};
-  law.swing = {.stiffness = w0 * w0,
-               .quadratic = variable(5, quadratic),
-               .cubic = variable(4, fit.cubic),
-               .pendulum = fit.law.pendulum};
-  law.position = variable(6, fit.position);
-  law.velocity = variable(7, fit.velocity);
+  Oscillator<Real>& per_mass = law.swing.per_mass;
+  per_mass.stiffness = Real(0.0);
+  for_each_term([&]<class T>() {
+    if (!fit.law.has<T>()) return;
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
+      const CoefficientInfo& info = T::coefficients[i];
+      const Real fitted = variable(info.parameter);
+      per_mass.*T::template members<Real>[i] = info.fitted == FittedAs::square_root ? fitted * fitted
+                                               : info.fitted == FittedAs::half      ? 2.0 * fitted
+                                                                                    : fitted;
+    }
+  });
+  law.decay.per_mass = per_mass;
+  law.position = variable("position");
+  law.velocity = variable("velocity");
   return law;
 }
 
-Estimate estimate_of(const Real& number, const FreeDecay& fit) {
+Estimate estimate_of(const Real& number, const LawFit& fit) {
+  const std::size_t n = fit.names.size();
   double variance = 0;
-  for (std::size_t i = 0; i < of_the_law.size(); ++i)
-    for (std::size_t j = 0; j < of_the_law.size(); ++j)
-      if (const double c = fit.covariance_of(of_the_law[i], of_the_law[j]); c != 0)
-        variance += number.derivative[i] * c * number.derivative[j];
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      variance += number.derivative[i] * fit.covariance[i * n + j] * number.derivative[j];
   return make_estimate(number.value, std::sqrt(std::max(0.0, variance)), fit.student);
 }
 
-std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const FreeDecay& fit,
+std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const LawFit& fit,
                                         std::string unit) {
   const Real undamped = law.swing.angular_frequency(A);
   law.decay.angular_frequency = undamped;
-  const Real g = law.decay.decay_rate, equivalent = law.decay.rate(A);
+  const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.rate(A);
   const Real w = sqrt(undamped * undamped - g * g);
   const Real period = 2 * std::numbers::pi / w;
   return {{"frequency", estimate_of(1 / period, fit), "Hz"},
@@ -75,19 +78,20 @@ double mean_amplitude(const std::vector<double>& motion) {
 
 }  // namespace
 
-std::vector<NamedEstimate> derived_quantities(const FreeDecay& fit, std::string_view observed,
-                                              int derivative) {
-  const LawAtAmplitude law = law_of(fit, std::nullopt);
-  return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit,
-                      displacement_unit(observed, derivative));
-}
-
-std::vector<NamedEstimate> derived_quantities(const ForcedFit& fit, std::string_view observed,
-                                              int derivative) {
-  std::vector<NamedEstimate> list =
-      at_amplitude(law_of(fit.law, fit.quadratic), Real(mean_amplitude(fit.states.x)), fit.law,
-                   displacement_unit(observed, derivative));
-  if (fit.law.decay_rate.value >= fit.law.angular_frequency.value)
+std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
+                                              const std::vector<double>& x, std::string_view force_unit) {
+  const std::string length = displacement_unit(observed, derivative);
+  if (!fit.law.shares(springs)) {
+    const Estimate gain = fit["force_gain"];
+    const double mass = 1 / gain.value, error = gain.standard_error / (gain.value * gain.value);
+    const bool newtons = force_unit == "N" && length == "m";
+    return {{"mass", make_estimate(mass, error, fit.student), newtons ? "kg" : ""}};
+  }
+  const LawAtAmplitude law = law_at_amplitude(fit);
+  if (fit.drive.kind == DriveKind::none)
+    return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit, length);
+  std::vector<NamedEstimate> list = at_amplitude(law, Real(mean_amplitude(x)), fit, length);
+  if (fit.motion.decay_rate() >= fit.motion.angular_frequency())
     list.erase(std::remove_if(list.begin(), list.end(),
                               [](const NamedEstimate& number) {
                                 return number.name == "frequency" || number.name == "period" ||

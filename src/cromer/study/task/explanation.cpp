@@ -73,14 +73,14 @@ std::string explanation(const CompareResult& comparison) {
   const std::string with_law = fmt::format("with {} {}", to_text(law.law), with_unit(law.law_rms, unit));
   if (!comparison.doubts.empty())
     return fmt::format("{}. No verdict on the damping: {}{}.", capitalised(comparison.doubts.front()), left,
-                       law.law == Law{} ? "" : ", " + with_law);
+                       law.law == law_of("viscous") ? "" : ", " + with_law);
 
   const auto& rates = comparison.recording.decay_by_amplitude;
   const double first = rates.empty() ? 0 : rates.front().law_rate,
                last = rates.empty() ? 0 : rates.back().law_rate;
   const bool constant = std::abs(first - last) < 0.02 * std::max(first, last);
   const std::string method = method_adds(law, unit);
-  if (law.law == Law{})
+  if (law.law == law_of("viscous"))
     return fmt::format("One decay rate is enough: {}, and {}.{}", left, amplitude_at_the_end(one), method);
   if (rates.empty() || constant)
     return fmt::format(

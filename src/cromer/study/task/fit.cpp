@@ -9,7 +9,6 @@
 #include "cromer/analysis/air.h"
 #include "cromer/analysis/reynolds.h"
 #include "cromer/base/number.h"
-#include "cromer/base/state.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/doubts.h"
@@ -22,6 +21,7 @@
 #include "cromer/study/task/lab_quantities.h"
 #include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/recognise_drive.h"
+#include "cromer/study/task/simulate_line.h"
 #include "cromer/study/task/used_samples.h"
 
 namespace cromer {
@@ -56,43 +56,17 @@ Result<void> check_options(const FitOptions& options) {
   if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");
   const double rate = options.read.rate;
   if (rate != 0 && !(rate >= 1e-6 && rate <= 1e12)) return must("rate", rate, "between 1e-6 and 1e12 Hz");
+  if (!(options.hysteresis_exponent >= 1))
+    return must("hysteresis-exponent", options.hysteresis_exponent, "1 or more");
+  if (options.no_spring && options.force_column.empty())
+    return Error{
+        "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded force tells "
+        "its law"};
   if (options.segments && *options.segments <= 0) return must("segments", *options.segments, "positive");
   if (const Result<void> good = check_forced_options(options); !good) return good;
   if (options.from && options.to && !(*options.from < *options.to))
     return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
   return {};
-}
-
-// Twelve significant digits: a logger's times do not carry more.
-double to_twelve_digits(double value) {
-  return leading_number(fmt::format("{:.12g}", value)).value_or(LeadingNumber{value}).value;
-}
-
-std::string simulate_line(const FreeDecay& fit, const Series& series, double mass) {
-  const MotionParameters law = fit.motion();
-  if (law.pendulum) return {};  // simulate has no such term
-  const State<double> start{law.position, law.velocity};
-  const double period = two_pi / law.angular_frequency;
-  const double stiffness = mass * law.angular_frequency * law.angular_frequency;
-  for (const double value : {mass, stiffness, start.x, start.v, period})
-    if (!std::isfinite(value)) return {};
-  std::string line =
-      fmt::format("cromer simulate --mass {} --stiffness {}", shortest(mass), shortest(stiffness));
-  const auto add = [&](const char* option, double value) {
-    line += fmt::format(" --{} {}", option, shortest(value));
-  };
-  if (law.decay_rate != 0) add("damping", 2 * mass * law.decay_rate);
-  if (law.drag != 0) add("drag", mass * law.drag);
-  if (law.friction != 0) add("friction", mass * law.friction);
-  if (law.cubic != 0) add("cubic", mass * law.cubic);
-  add("position", start.x);
-  add("velocity", start.v);
-  line += " --method rk4";
-  // A sample is a whole number of steps, and a period has at least 200.
-  const double rate = to_twelve_digits(series.rate > 0 ? series.rate : 200 / period);
-  add("step", 1 / (rate * std::max(1.0, std::ceil(200 / (rate * period) - 1e-9))));
-  add("until", to_twelve_digits(series.t.back() - series.t.front()));
-  return line;
 }
 
 void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quantity& temperature,
@@ -105,9 +79,9 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
     return;
   }
   constexpr double window = 0.5;  // [s]
-  const FreeDecay& fit = result.fit;
+  const LawFit& fit = result.fit;
   const double t0 = result.series.t.front(), duration = result.series.t.back() - t0;
-  const double period = two_pi / fit.angular_frequency.value;
+  const double period = two_pi / fit.motion.angular_frequency();
   if (period >= 1)
     result.warnings.push_back(fmt::format(
         "the period of {:.3g} s is longer than two windows of the Reynolds number: a window may hold no "
@@ -132,7 +106,7 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
   // At the top the speed does not depend on when it is taken: its derivatives are those of the velocity
   // there.
   double variance = 0;
-  const VelocityGradient gradient = velocity_gradient(fit.law, fit.motion(), top->at - t0, fit.step);
+  const VelocityGradient gradient = velocity_gradient(fitted_parameters(fit.law, DriveKind::none, {}, fit.motion), fit.motion, top->at - t0, fit.step);
   const std::size_t n = fit.names.size();
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
@@ -147,31 +121,32 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
 }
 
 // The law asked for, or the one the record asks for.
-Result<LawChoice> fit_law(const Record& record, const Series& series, const FitOptions& options,
-                          std::vector<std::string>& warnings, const Watch& watch) {
-  FreeDecayOptions decay;
+Result<LawChoice> law_of_record(const Record& record, const Series& series, const FitOptions& options,
+                                std::vector<std::string>& warnings, const Watch& watch) {
+  LawFitOptions decay;
   decay.angle = series.quantity.starts_with("ang");
-  const bool automatic = options.law.empty() || options.law == "auto";
+  decay.hysteresis_exponent = options.hysteresis_exponent;
   if (record.derivative > 0) warnings.push_back(fitted_as_it_is(series.quantity, series.column));
-  if (automatic) return choose_law(record, decay, watch);
-  const Result<Law> law = parse_law(options.law);
+  const Result<std::optional<Law>> law = law_of(options);
   if (!law) return law.error();
-  if (law->pendulum && !decay.angle && !series.quantity.empty())
+  if (!*law) return choose_law(record, decay, watch);
+  if ((*law)->has<Pendulum>() && !decay.angle && !series.quantity.empty())
     return Error{fmt::format(
         "--law {}: a pendulum's law is one of angles, and column \"{}\" holds {}; use cubic, or choose an "
         "angle by --column",
         options.law, series.column, series.quantity)};
-  decay.law = *law;
+  decay.law = **law;
   LawChoice choice;
-  choice.chosen = fit_free_decay(record, decay, watch);
+  choice.chosen = fit_law(record, decay, watch);
   choice.candidates = {choice.chosen};
   return choice;
 }
 
 // An interrupted fit may have none.
-bool has_values(const FreeDecay& fit) {
-  const bool may = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
-  return may && fit.angular_frequency.value > 0;
+bool has_values(const LawFit& fit) {
+  return fit.has_values() && fit.status != FitStatus::no_oscillation && fit.status != FitStatus::too_short &&
+         fit.status != FitStatus::too_noisy && fit.status != FitStatus::clipped &&
+         fit.status != FitStatus::overdamped;
 }
 
 }  // namespace
@@ -185,8 +160,7 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
 
 Result<void> check_fit_options(const FitOptions& options) {
   if (const Result<void> checked = check_options(options); !checked) return checked;
-  if (options.law.empty() || options.law == "auto") return {};
-  if (const Result<Law> law = parse_law(options.law); !law) return law.error();
+  if (const auto law = law_of(options); !law) return law.error();
   return {};
 }
 
@@ -262,12 +236,12 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
   if (result.series.quantity == "angle")
     if (const std::string over = turning_over(record); !over.empty()) result.warnings.push_back(over);
-  Result<LawChoice> choice = fit_law(record, result.series, options, result.warnings, watch);
+  Result<LawChoice> choice = law_of_record(record, result.series, options, result.warnings, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;
   list_outliers(result.series, samples, result.fit.outliers, result.warnings);
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
-  for (const FreeDecay& candidate : choice->candidates)
+  for (const LawFit& candidate : choice->candidates)
     if (has_values(candidate))
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic});
   if (!has_values(result.fit)) return result;
@@ -287,7 +261,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
   const FittedSamples good = without_outliers(result.series);
   const Record kept{good.t, good.y, record.resolution, record.derivative};
-  const DecaySegments segments = fit_segments(kept, two_pi / result.fit.angular_frequency.value,
+  const DecaySegments segments = fit_segments(kept, two_pi / result.fit.angular_frequency().value,
                                               options.segment, options.segments, watch);
   result.segments = segments.segments;
   result.decay_rate_mean = segments.mean;

@@ -10,8 +10,7 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
-#include "cromer/identify/forced_fit.h"
-#include "cromer/identify/free_decay.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/identify/choose/two_modes.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/study/task/decay_by_amplitude.h"
@@ -28,6 +27,8 @@ struct FitOptions {
   std::optional<int> run{};            ///< from 1; all runs when not given
   std::optional<double> from{}, to{};  // [s]
   std::string law = "auto";
+  bool no_spring = false;              ///< a body without one, under a recorded force
+  double hysteresis_exponent = 1;      ///< >= 1
   std::optional<Quantity> mass{};           // [kg] > 0
   std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
   std::optional<Quantity> disc_diameter{};  // [m] > 0
@@ -65,6 +66,12 @@ struct Candidate {
   std::string between_samples{};  ///< how a recorded force was read; "" without one
 };
 
+/// The fitted motion of a driven law at the series' times.
+struct DrivenMotion {
+  std::vector<double> motion;  ///< in the SI unit of the column
+  Trajectory states;           ///< displacement from the equilibrium and velocity
+};
+
 /// How the law, carried on beyond the samples it was fitted to, meets those held out.
 struct HeldOut {
   double from, to;  // [s]
@@ -78,7 +85,7 @@ struct FittedRecording {
   Series series;            ///< the samples used, in SI units
   std::size_t samples = 0;  ///< in the file
   FitOptions options;
-  FreeDecay fit;
+  LawFit fit;
   std::vector<NamedEstimate> parameters;  ///< contract's order
   std::vector<NamedEstimate> derived;
   std::string simulate;  ///< the command line that simulates this law
@@ -94,7 +101,7 @@ struct FittedRecording {
   std::optional<MonteCarlo> monte_carlo;
   std::optional<RecordingPlan> plan;
   std::optional<TextbookDamping> textbook;
-  std::optional<ForcedFit> forced{};  ///< of a forced or driven motion; its motion at the series' times
+  std::optional<DrivenMotion> driven{};  ///< of a motion under a force, recorded or harmonic
   std::vector<Mode> modes{};          ///< where two oscillations were found, the larger first
   std::string between_samples{};      ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "cromer/analysis/swing.h"
+#include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/study/task/used_samples.h"
 
 namespace cromer {
@@ -94,10 +96,10 @@ std::vector<double> local_velocities(const Series& series, double w, double leve
   return v;
 }
 
-std::vector<double> residuals_of(const ForcedFit& fit, const Series& series) {
+std::vector<double> residuals_of(const DrivenMotion& driven, const Series& series) {
   std::vector<double> residuals;
-  for (std::size_t i = 0; i < std::min(fit.motion.size(), series.y.size()); ++i)
-    residuals.push_back(series.y[i] - fit.motion[i]);
+  for (std::size_t i = 0; i < std::min(driven.motion.size(), series.y.size()); ++i)
+    residuals.push_back(series.y[i] - driven.motion[i]);
   return residuals;
 }
 
@@ -105,32 +107,24 @@ std::vector<double> residuals_of(const ForcedFit& fit, const Series& series) {
 
 std::vector<double> energies_of(const FittedRecording& fitted, const std::vector<double>& x,
                                 const std::vector<double>& v) {
-  const MotionParameters p = fitted.fit.motion();
-  const double w2 = p.angular_frequency * p.angular_frequency;
-  const bool lopsided = fitted.forced && fitted.forced->quadratic;
-  const double quadratic = lopsided ? fitted.forced->quadratic->value : 0;
+  const Swing<double> swing{fitted.fit.motion.per_mass};
   const Estimate* stiffness = fitted.find("stiffness");
-  const double mass = stiffness ? stiffness->value / w2 : 1;
+  const double mass = stiffness ? stiffness->value / swing.per_mass.stiffness : 1;
   std::vector<double> energies;
-  for (std::size_t i = 0; i < std::min(x.size(), v.size()); ++i) {
-    const double x2 = x[i] * x[i], sine = std::sin(0.5 * x[i]);
-    const double potential = p.pendulum
-                                 ? 2 * w2 * sine * sine
-                                 : 0.5 * w2 * x2 + quadratic / 3 * x2 * x[i] + 0.25 * p.cubic * x2 * x2;
-    energies.push_back(mass * (0.5 * v[i] * v[i] + potential));
-  }
+  for (std::size_t i = 0; i < std::min(x.size(), v.size()); ++i)
+    energies.push_back(mass * (0.5 * v[i] * v[i] + swing.potential(x[i])));
   return energies;
 }
 
 FittedMotion fitted_motion(const FittedRecording& fitted) {
   const Series& series = fitted.series;
-  const FreeDecay& fit = fitted.fit;
-  const MotionParameters p = fit.motion();
+  const LawFit& fit = fitted.fit;
+  const Motion& p = fit.motion;
   const int derivative = std::max(0, derivative_order(series.quantity));
-  const Trajectory law = fitted.forced ? fitted.forced->states : motion_of(fit, series.t);
+  const Trajectory law = fitted.driven ? fitted.driven->states : motion_of(fit, series.t);
   FittedMotion motion;
-  motion.residual = fitted.forced ? residuals_of(*fitted.forced, series)
-                                  : motion_residuals(p, {series.t, series.y, 0, derivative}, fit.step);
+  motion.residual = fitted.driven ? residuals_of(*fitted.driven, series)
+                                  : motion_residuals(p, {}, {series.t, series.y, 0, derivative}, fit.step);
   const std::size_t n = std::min(law.x.size(), motion.residual.size());
   const auto first = [n](const std::vector<double>& all) {
     return std::vector<double>(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(n));
@@ -142,8 +136,8 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   motion.v = first(law.v);
   motion.per_mass = fitted.find("stiffness") == nullptr;
   motion.energy = energies_of(fitted, motion.x, motion.v);
-  if (derivative == 0 && !fitted.forced) {
-    motion.local_velocity = local_velocities(series, p.angular_frequency, p.equilibrium);
+  if (derivative == 0 && !fitted.driven) {
+    motion.local_velocity = local_velocities(series, p.angular_frequency(), p.equilibrium);
     motion.local_velocity.resize(n);
   }
   return motion;

@@ -1,8 +1,11 @@
 #include "cromer/study/task/fitted_quantities.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <initializer_list>
 #include <numbers>
+#include <utility>
 
 #include "cromer/analysis/air.h"
 
@@ -11,14 +14,46 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// "1/m" and "1/(m² s²)" from "m".
-std::string reciprocal(std::string_view unit) { return unit.empty() ? "" : "1/" + std::string(unit); }
-std::string cubic_unit(std::string_view unit) {
-  return unit.empty() ? "1/s²" : "1/(" + std::string(unit) + "² s²)";
+constexpr std::array<std::string_view, 6> powers{"", "", "²", "³", "⁴", "⁵"};
+
+// "m/s²" and "1/(m² s)" from powers of the units; those without a name are left out.
+std::string unit_of(std::initializer_list<std::pair<std::string_view, int>> factors) {
+  std::string above, below;
+  int count_below = 0;
+  for (const auto& [name, power] : factors) {
+    if (name.empty() || power == 0) continue;
+    std::string& side = power > 0 ? above : below;
+    side += (side.empty() ? "" : " ") + std::string(name) + std::string(powers[static_cast<std::size_t>(std::abs(power))]);
+    count_below += power < 0;
+  }
+  if (below.empty()) return above;
+  return (above.empty() ? "1" : above) + "/" + (count_below > 1 ? "(" + below + ")" : below);
 }
-std::string rate_unit(std::string_view unit) { return unit.empty() ? "1/s" : std::string(unit) + "/s"; }
-std::string acceleration_unit(std::string_view unit) {
-  return unit.empty() ? "1/s²" : std::string(unit) + "/s²";
+
+// Of a coefficient per unit mass, where displacements have the unit `length`.
+std::string unit_per_mass(const CoefficientInfo& info, std::string_view length) {
+  if (info.fitted == FittedAs::square_root) return "rad/s";
+  if (info.fitted == FittedAs::with_any_mass) return unit_of({{length, info.length}, {"s", info.time}});
+  return unit_of({{length, 1 + info.length}, {"s", info.time - 2}});
+}
+
+// Of the coefficient itself.
+std::string unit_in_si(const CoefficientInfo& info) {
+  if (info.time == 0) return unit_of({{"N", 1}, {"m", info.length}});
+  return unit_of({{"kg", 1}, {"m", 1 + info.length}, {"s", info.time - 2}});
+}
+
+// Of the parameters beside the law's.
+std::string unit_of_parameter(std::string_view name, std::string_view observed, std::string_view length,
+                              std::string_view force_unit) {
+  if (name == "drive_frequency") return "rad/s";
+  if (name == "drive_phase") return "rad";
+  if (name == "drive_amplitude") return unit_of({{length, 1}, {"s", -2}});
+  if (name == "force_gain") return unit_of({{length, 1}, {"s", -2}, {force_unit, -1}});
+  if (name == "force_offset") return std::string(force_unit);
+  if (name == "equilibrium") return std::string(observed);
+  if (name == "velocity") return unit_of({{length, 1}, {"s", -1}});
+  return std::string(length);
 }
 
 // c times an estimate, where c has a relative uncertainty of its own that is independent of the estimate.
@@ -46,43 +81,49 @@ std::string displacement_unit(std::string_view unit, int derivative) {
   return std::string(derivative > 0 ? unit.substr(0, unit.find('/')) : unit);
 }
 
-std::vector<NamedEstimate> law_parameters(const FreeDecay& fit, std::string_view observed, int derivative) {
-  const std::string unit = displacement_unit(observed, derivative);
+std::vector<NamedEstimate> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
+                                          std::string_view force_unit) {
+  const std::string length = displacement_unit(observed, derivative);
   std::vector<NamedEstimate> result;
-  result.push_back({"angular_frequency", fit.angular_frequency, "rad/s"});
-  if (fit.law.viscous) result.push_back({"decay_rate", fit.decay_rate, "1/s"});
-  if (fit.drag) result.push_back({"drag", *fit.drag, reciprocal(unit)});
-  if (fit.friction) result.push_back({"friction", *fit.friction, acceleration_unit(unit)});
-  if (fit.cubic) result.push_back({"cubic", *fit.cubic, cubic_unit(unit)});
-  result.push_back({"equilibrium", fit.equilibrium, std::string(observed)});
-  result.push_back({"position", fit.position, unit});
-  result.push_back({"velocity", fit.velocity, rate_unit(unit)});
+  for (std::size_t i = 0; i < fit.names.size(); ++i) {
+    std::string unit = unit_of_parameter(fit.names[i], observed, length, force_unit);
+    for_each_term([&]<class T>() {
+      for (const CoefficientInfo& info : T::coefficients)
+        if (fit.law.has<T>() && info.parameter == fit.names[i]) unit = unit_per_mass(info, length);
+    });
+    result.push_back({fit.names[i], fit.estimates[i], std::move(unit)});
+  }
   return result;
 }
 
-std::vector<NamedEstimate> force_parameters(const FreeDecay& fit, const Body& body) {
+std::vector<NamedEstimate> force_parameters(const LawFit& fit, const Body& body) {
   std::vector<NamedEstimate> result;
   if (!body.mass) return result;
   const Quantity m = body.effective_mass();
   const double u_m = m.uncertainty / m.value;
-  const double w0 = fit.angular_frequency.value;
-  const Estimate stiffness_per_mass =
-      make_estimate(w0 * w0, 2 * w0 * fit.angular_frequency.standard_error, fit.student);
-  result.push_back({"stiffness", scaled(stiffness_per_mass, m.value, u_m, fit.student), "N/m"});
-  if (fit.law.viscous)
-    result.push_back({"damping", scaled(fit.decay_rate, 2 * m.value, u_m, fit.student), "kg/s"});
-  if (fit.drag) result.push_back({"drag_constant", scaled(*fit.drag, m.value, u_m, fit.student), "kg/m"});
-  if (fit.friction)
-    result.push_back({"friction_force", scaled(*fit.friction, m.value, u_m, fit.student), "N"});
-  if (fit.cubic) result.push_back({"cubic_stiffness", scaled(*fit.cubic, m.value, u_m, fit.student), "N/m³"});
-  if (fit.drag && body.disc_diameter) {
+  for_each_term([&]<class T>() {
+    for (const CoefficientInfo& info : T::coefficients) {
+      const Estimate* fitted = fit.find(info.parameter);
+      if (!fit.law.has<T>() || info.in_si.empty() || !fitted) continue;
+      const Estimate per_mass = info.fitted == FittedAs::square_root
+                                    ? make_estimate(fitted->value * fitted->value,
+                                                    2 * fitted->value * fitted->standard_error, fit.student)
+                                    : *fitted;
+      const double times = info.fitted == FittedAs::half ? 2 * m.value : m.value;
+      result.push_back({std::string(info.in_si), scaled(per_mass, times, u_m, fit.student), unit_in_si(info)});
+    }
+  });
+  if (const Estimate* amplitude = fit.find("drive_amplitude"))
+    result.push_back({"drive_force", scaled(*amplitude, m.value, u_m, fit.student), "N"});
+  const Estimate* drag = fit.find(Drag::coefficients[0].parameter);
+  if (drag && body.disc_diameter) {
     // d = rho S C_d / 2 with S = pi D²/4; rho goes as 1/T.
     const Quantity D = *body.disc_diameter;
     const double area = pi / 4 * D.value * D.value;
     const double factor = 2 * m.value / (air_density(body.temperature.value) * area);
     const double relative =
         std::hypot(u_m, 2 * D.uncertainty / D.value, body.temperature.uncertainty / body.temperature.value);
-    result.push_back({"drag_coefficient", scaled(*fit.drag, factor, relative, fit.student), "1"});
+    result.push_back({"drag_coefficient", scaled(*drag, factor, relative, fit.student), "1"});
   }
   return result;
 }

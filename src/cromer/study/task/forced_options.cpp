@@ -19,16 +19,14 @@ std::optional<ForceBetween> reading_of(const FitOptions& options) {
   return std::nullopt;
 }
 
-Result<std::optional<ForcedTerms>> terms_of(const FitOptions& options) {
-  if (options.law.empty() || options.law == "auto") return std::optional<ForcedTerms>{};
+Result<std::optional<Law>> law_of(const FitOptions& options) {
+  if (options.law.empty() || options.law == "auto") return std::optional<Law>{};
   const Result<Law> law = parse_law(options.law);
   if (!law) return law.error();
-  const Law known{true, law->drag, false, law->cubic};
-  if (*law != known)
-    return Error{fmt::format(
-        "--law {}: a driven motion is fitted with viscous damping, and drag and cubic if they are asked for",
-        options.law)};
-  return std::optional<ForcedTerms>{{.drag = law->drag, .curved = law->cubic}};
+  if (!options.no_spring) return std::optional<Law>{*law};
+  if (law->has<Pendulum>())
+    return Error{"--no-spring and --law pendulum exclude each other: a pendulum's weight is its spring"};
+  return std::optional<Law>{law->without(law_with<Spring>)};
 }
 
 Result<std::optional<double>> drive_of(const FitOptions& options) {
@@ -80,7 +78,7 @@ Result<void> check_forced_options(const FitOptions& options) {
         "{} cannot be had of a driven motion, whose amplitude the drive keeps up; fit a free decay, for "
         "instance a part of the record after the drive has stopped, by --from and --to",
         unused)};
-  if (const auto terms = terms_of(options); !terms) return terms.error();
+  if (const auto law = law_of(options); !law) return law.error();
   if (!options.drive_frequency.empty())
     if (const auto drive = drive_of(options); !drive) return drive.error();
   return {};

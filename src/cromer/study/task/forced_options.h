@@ -3,8 +3,6 @@
 
 #include <optional>
 
-#include "cromer/identify/forced_law.h"
-#include "cromer/identify/motion/recorded_force.h"
 #include "cromer/study/task/fit.h"
 
 namespace cromer {
@@ -21,8 +19,8 @@ Result<void> check_forced_options(const FitOptions& options);
 /// How --between-samples reads the force; nothing for auto.
 std::optional<ForceBetween> reading_of(const FitOptions& options);
 
-/// The terms of --law; nothing for auto. A term that a driven motion is not fitted with is an Error.
-Result<std::optional<ForcedTerms>> terms_of(const FitOptions& options);
+/// The law of --law and --no-spring; nothing for auto.
+Result<std::optional<Law>> law_of(const FitOptions& options);
 
 /// The [rad/s] of --drive-frequency; nothing for auto.
 Result<std::optional<double>> drive_of(const FitOptions& options);

@@ -13,14 +13,14 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 // KC = 2 pi A/D. The amplitude's error from those of the displacement and velocity at the first sample.
 void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
-  const FreeDecay& fit = result.fit;
+  const LawFit& fit = result.fit;
   const std::string& quantity = result.series.quantity;
   if (quantity != "position" && quantity != "velocity" && quantity != "acceleration" && !quantity.empty())
     return;
-  const double w = fit.angular_frequency.value;
+  const double w = fit.angular_frequency().value;
   const double A = first_amplitude(fit);
   if (!(A > 0)) return;
-  const double by_x = fit.position.value / A, by_v = fit.velocity.value / (w * w * A);
+  const double by_x = fit.position().value / A, by_v = fit.velocity().value / (w * w * A);
   const double variance = by_x * by_x * fit.covariance_of("position", "position") +
                           by_v * by_v * fit.covariance_of("velocity", "velocity") +
                           2 * by_x * by_v * fit.covariance_of("position", "velocity");
@@ -31,10 +31,10 @@ void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
 }
 
 void add_textbook(FittedRecording& result, const Record& record) {
-  const double w0 = result.fit.angular_frequency.value, g = result.fit.decay_rate.value;
+  const double w0 = result.fit.angular_frequency().value, g = result.fit.decay_rate().value;
   const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
   std::vector<double> y(record.y.begin(), record.y.end());
-  for (double& each : y) each -= result.fit.equilibrium.value;
+  for (double& each : y) each -= result.fit.equilibrium().value;
   result.textbook = TextbookDamping{peak_decrement(record.t, y, two_pi / w, result.fit.residual.rms),
                                     half_power_bandwidth(record.t, y, w)};
 }
@@ -55,7 +55,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   const Result<Goal> goal = parse_goal(options.goal);
   if (!goal) return goal.error();
   const std::string_view unit = si_unit_of(result.series.quantity);
-  const auto quantities_of = [&](const FreeDecay& fit) {
+  const auto quantities_of = [&](const LawFit& fit) {
     std::vector<NamedEstimate> all = law_parameters(fit, unit, record.derivative);
     const auto add = [&](const std::vector<NamedEstimate>& more) {
       all.insert(all.end(), more.begin(), more.end());

@@ -25,7 +25,7 @@ Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::
                                             fitted.series.run, fitted.fit.message));
       continue;
     }
-    const Estimate& w = fitted.fit.angular_frequency;
+    const Estimate w = fitted.fit.angular_frequency();
     const double T2 = two_pi * two_pi / (w.value * w.value);
     const Estimate square = make_estimate(T2, 2 * T2 * w.standard_error / w.value, fitted.fit.student);
     result.points.push_back({fitted.file, fitted.series.run, masses[i], square});

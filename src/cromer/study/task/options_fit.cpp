@@ -9,6 +9,12 @@
 namespace cromer {
 namespace {
 
+// The terms as the registry has them.
+std::string_view law_help() {
+  static const std::string text = "auto, or a sum of " + law_names() + " (of an angle)";
+  return text;
+}
+
 std::vector<Option> joined(std::vector<Option> first, const std::vector<Option>& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
@@ -40,8 +46,11 @@ std::vector<Option> options_of(FitOptions& o) {
       {"run", &o.run, "", Range::positive, "which run of the file, from 1", "all runs", samples},
       {"from", &o.from, "s", Range::any, "first time used", "the first sample", samples},
       {"to", &o.to, "s", Range::any, "last time used", "the last sample", samples},
-      {"law", &o.law, "", Range::any,
-       "auto, or a sum of viscous, drag, friction, cubic and, for an angle, pendulum", "auto", model},
+      {"law", &o.law, "", Range::any, law_help(), "auto", model},
+      {"no-spring", &o.no_spring, "", Range::any, "a body without a spring, under a recorded force", "a linear spring",
+       model},
+      {"hysteresis-exponent", &o.hysteresis_exponent, "", Range::positive,
+       "n >= 1 of a hysteretic law: beta |x'| |z|^(n-1) z, gamma x' |z|^n", "1", model},
       {"mass", &o.mass, "kg", Range::positive, "oscillating mass, for the spring constant", "none", model},
       {"spring-mass", &o.spring_mass, "kg", Range::not_negative, "mass of the spring; a third of it is added",
        "0", model},

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -17,32 +16,35 @@
 namespace cromer {
 namespace {
 
-constexpr std::array<std::string_view, 19> known_quantities{"angular_frequency",
-                                                            "decay_rate",
-                                                            "drag",
-                                                            "friction",
-                                                            "cubic",
-                                                            "equilibrium",
-                                                            "position",
-                                                            "velocity",
-                                                            "stiffness",
-                                                            "damping",
-                                                            "drag_constant",
-                                                            "friction_force",
-                                                            "cubic_stiffness",
-                                                            "drag_coefficient",
-                                                            "frequency",
-                                                            "period",
-                                                            "damping_ratio",
-                                                            "quality_factor",
-                                                            "logarithmic_decrement"};
+// Every number that a fit of a free motion may have.
+const std::vector<std::string_view>& known_quantities() {
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> names;
+    const auto add = [&](std::string_view name) {
+      if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const auto member : {&CoefficientInfo::parameter, &CoefficientInfo::in_si}) {
+      for_each_term([&]<class T>() {
+        for (const CoefficientInfo& info : T::coefficients) add(info.*member);
+      });
+      if (member == &CoefficientInfo::parameter)
+        for (const std::string_view start : {"equilibrium", "position", "velocity"}) add(start);
+    }
+    for (const std::string_view derived : {"drag_coefficient", "frequency", "period", "damping_ratio",
+                                           "quality_factor", "logarithmic_decrement"})
+      add(derived);
+    return names;
+  }();
+  return all;
+}
+
 constexpr double most_periods = 20'000;
 
 /// The covariance that records of other lengths would have.
 class Prospect {
  public:
-  Prospect(const FreeDecay& fit, const Record& record)
-      : fit_(fit), fitted_(fitted_parameters(fit.law)), derivative_(record.derivative) {
+  Prospect(const LawFit& fit, const Record& record)
+      : fit_(fit), fitted_(fitted_parameters(fit.law, DriveKind::none, {}, fit.motion)), derivative_(record.derivative) {
     const double duration = record.t.back() - record.t.front();
     rate_ = static_cast<double>(record.t.size() - 1) / duration;
     const SquareMatrix now = white(duration);
@@ -53,37 +55,28 @@ class Prospect {
   double rate() const { return rate_; }
 
   /// The fit as a record of this length would give it: the same values, its own covariance.
-  FreeDecay after(double duration) const {
-    FreeDecay fit = fit_;
+  LawFit after(double duration) const {
+    LawFit fit = fit_;
     const SquareMatrix covariance = white(duration);
     const std::size_t n = fit.names.size();
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
         fit.covariance[i * n + j] = covariance[i][j] * excess_[i] * excess_[j];
-    const auto again = [&](std::string_view name, Estimate& estimate) {
-      estimate.standard_error = std::sqrt(std::max(0.0, fit.covariance_of(name, name)));
-    };
-    again("angular_frequency", fit.angular_frequency);
-    again("decay_rate", fit.decay_rate);
-    if (fit.drag) again("drag", *fit.drag);
-    if (fit.friction) again("friction", *fit.friction);
-    if (fit.cubic) again("cubic", *fit.cubic);
-    again("equilibrium", fit.equilibrium);
-    again("position", fit.position);
-    again("velocity", fit.velocity);
+    for (std::size_t i = 0; i < n; ++i)
+      fit.estimates[i].standard_error = std::sqrt(std::max(0.0, fit.covariance[i * n + i]));
     return fit;
   }
 
  private:
   /// The bound of white noise of the residual's size. Twenty points in a period stand for all samples.
   SquareMatrix white(double duration) const {
-    const double period = 2 * std::numbers::pi / fit_.angular_frequency.value;
+    const double period = 2 * std::numbers::pi / fit_.angular_frequency().value;
     const double points = std::max(24.0, std::ceil(20 * duration / period));
     std::vector<double> t(static_cast<std::size_t>(points)), y(t.size());
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = duration * (static_cast<double>(i) + 0.5) / points;
     t.front() = 0;  // where the motion's start is
     NormalEquations equations =
-        motion_equations(fit_.law, pack(fitted_, fit_.motion()), {t, y, 0, derivative_}, period / 40);
+        motion_equations(fitted_, fitted_.pack(fit_.motion), {}, {t, y, 0, derivative_}, period / 40);
     const double samples_per_point = rate_ * duration / points;
     const double variance = fit_.residual.rms * fit_.residual.rms;
     for (int i = 0; i < fitted_.count; ++i)
@@ -91,7 +84,7 @@ class Prospect {
     return inverse(equations.matrix, fitted_.count);
   }
 
-  const FreeDecay& fit_;
+  const LawFit& fit_;
   FittedParameters fitted_;
   int derivative_;
   double rate_ = 0;
@@ -99,7 +92,7 @@ class Prospect {
 };
 
 /// When the swing has become too small to tell anything, or the counting of periods too long.
-double end_of_the_swing(const FreeDecay& fit) {
+double end_of_the_swing(const LawFit& fit) {
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double period = 2 * std::numbers::pi / decay.angular_frequency;
   const double first = first_amplitude(fit);
@@ -151,19 +144,21 @@ std::string sentence(const RecordingPlan& plan, bool relative, double present, d
 std::string meant(std::string_view text, std::string_view quantity) {
   std::string joined(text);
   std::replace(joined.begin(), joined.end(), ' ', '_');
-  for (const std::string_view known : known_quantities)
+  for (const std::string_view known : known_quantities())
     if (joined.starts_with(known)) return fmt::format("did you mean {}?", known);
-  if (const std::string near = nearest(quantity, known_quantities); !near.empty())
+  if (const std::string near = nearest(quantity, known_quantities()); !near.empty())
     return fmt::format("did you mean {}?", near);
-  return fmt::format("there are {}.", fmt::join(known_quantities, ", "));
+  return fmt::format("there are {}.", fmt::join(known_quantities(), ", "));
 }
 
 /// Why a fit lacks a quantity that others have, and the cure.
 std::string why_not_there(std::string_view quantity, const Law& law) {
-  for (const std::string_view term : {"drag", "friction", "cubic"})
-    if (quantity == term) return fmt::format("its law is {}; fit one with {} by --law", to_text(law), term);
-  if (quantity == "decay_rate")
-    return fmt::format("its law is {}; fit one with viscous by --law", to_text(law));
+  std::string_view missing;
+  for_each_term([&]<class T>() {
+    for (const CoefficientInfo& info : T::coefficients)
+      if (info.parameter == quantity && !law.has<T>()) missing = T::info.name;
+  });
+  if (!missing.empty()) return fmt::format("its law is {}; fit one with {} by --law", to_text(law), missing);
   return fmt::format(
       "its law is {}, and quantities of force need a position (or velocity, acceleration) and --mass, a drag "
       "coefficient --disc-diameter as well",
@@ -175,7 +170,7 @@ std::string why_not_there(std::string_view quantity, const Law& law) {
 Result<Goal> parse_goal(std::string_view text) {
   const auto blank = text.find(' ');
   Goal goal{std::string(text.substr(0, blank)), false, ""};
-  if (std::find(known_quantities.begin(), known_quantities.end(), goal.quantity) == known_quantities.end()) {
+  if (std::find(known_quantities().begin(), known_quantities().end(), goal.quantity) == known_quantities().end()) {
     return Error{fmt::format(
         "--goal: \"{}\" is no quantity of a fit; {} Give a name and its standard uncertainty, for instance "
         "\"decay_rate 0.5 %\"",
@@ -196,9 +191,9 @@ Result<Goal> parse_goal(std::string_view text) {
   return goal;
 }
 
-Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, const Record& record,
+Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const Record& record,
                                      const QuantitiesOf& quantities_of) {
-  const auto look_up = [&](const FreeDecay& in) -> std::optional<NamedEstimate> {
+  const auto look_up = [&](const LawFit& in) -> std::optional<NamedEstimate> {
     for (const NamedEstimate& number : quantities_of(in))
       if (number.name == goal.quantity) return number;
     return std::nullopt;
@@ -229,7 +224,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
   };
   const double present = record.t.back() - record.t.front();
   const double last = std::max(present, end_of_the_swing(fit));
-  const double period = 2 * std::numbers::pi / fit.angular_frequency.value;
+  const double period = 2 * std::numbers::pi / fit.angular_frequency().value;
   double low = std::min(present, 1.5 * period), high = present;
   if (!plan.met) {
     low = present;
@@ -245,12 +240,9 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const FreeDecay& fit, con
     plan.duration = high;
   } else {
     // What is left when the record says all: the mass's part.
-    FreeDecay certain = prospect.after(last);
+    LawFit certain = prospect.after(last);
     for (double& c : certain.covariance) c = 0;
-    certain.angular_frequency.standard_error = certain.decay_rate.standard_error = 0;
-    if (certain.drag) certain.drag->standard_error = 0;
-    if (certain.friction) certain.friction->standard_error = 0;
-    if (certain.cubic) certain.cubic->standard_error = 0;
+    for (Estimate& estimate : certain.estimates) estimate.standard_error = 0;
     const double given = look_up(certain)->estimate.standard_error;
     const double own = std::sqrt(std::max(0.0, plan.best * plan.best - given * given));
     const double room = plan.goal * plan.goal - given * given;

@@ -19,20 +19,20 @@ constexpr double structured = 0.3, unstructured = 0.5;  // autocorrelation of re
 
 MotionJudgement judged(const FittedRecording& free, const FittedRecording& driven, bool frequency_known) {
   const FittedSamples samples = without_outliers(driven.series);
-  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, *driven.forced,
+  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, driven.fit,
                       frequency_known);
 }
 
 // Amplitude of the steady oscillation over that of a lasting sinusoid with the record's variance.
 double share_of_steady(const FittedRecording& driven) {
-  const ForcedFit& fit = *driven.forced;
-  const double w0 = fit.law.angular_frequency.value, w = fit.drive_frequency->value;
+  const Motion& law = driven.fit.motion;
+  const double w0 = law.angular_frequency(), w = law.drive_frequency;
   const double steady = std::pow(w, std::max(0, derivative_order(driven.series.quantity))) *
-                        fit.drive_amplitude->value /
-                        std::hypot(w0 * w0 - w * w, 2 * fit.law.decay_rate.value * w);
+                        driven.fit["drive_amplitude"].value /
+                        std::hypot(w0 * w0 - w * w, 2 * law.decay_rate() * w);
   double square = 0;
   for (const double y : driven.series.y)
-    square += (y - fit.law.equilibrium.value) * (y - fit.law.equilibrium.value);
+    square += (y - law.equilibrium) * (y - law.equilibrium);
   return steady / std::sqrt(2 * square / static_cast<double>(driven.series.y.size()));
 }
 
@@ -40,7 +40,7 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
   if (driven.fit.status != FitStatus::converged) return false;
   const Residual &left = driven.fit.residual, &left_free = free.fit.residual;
   return left.rms < 0.9 * left_free.rms && std::abs(left.autocorrelation) <= unstructured &&
-         driven.forced->drive_amplitude->low > 0 && share_of_steady(driven) >= 0.3;
+         driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
 }
 
 std::string said(const Mode& mode) {
@@ -98,7 +98,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
     driven->warnings.push_back(fmt::format(
         "the motion is driven, at {:.6g} Hz: a free motion would leave {:.3g}, this leaves {:.3g}; say "
         "--drive-frequency if it is known, or choose a free part with --from and --to",
-        driven->forced->drive_frequency->value / two_pi, free.fit.residual.rms, driven->fit.residual.rms));
+        driven->fit.motion.drive_frequency / two_pi, free.fit.residual.rms, driven->fit.residual.rms));
   }
   return *std::move(driven);
 }
@@ -127,7 +127,7 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
     say_two_modes(result, *judgement.modes);
     return result;
   }
-  if (judgement.kind != MotionKind::free && (!settled || driven.forced->drive_amplitude->low > 0))
+  if (judgement.kind != MotionKind::free && (!settled || driven.fit["drive_amplitude"].low > 0))
     return driven;
   const std::string compared = fmt::format("a free law leaves {:.4g}, the driven one {:.4g}",
                                            free->fit.residual.rms, driven.fit.residual.rms);

@@ -21,7 +21,7 @@ struct Contribution {
 };
 
 /// Mass, spring mass (if any) and frequency. `body` has a mass.
-std::vector<Contribution> stiffness_budget(const FreeDecay& fit, const Body& body);
+std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body);
 
 /// The same propagated as distributions (JCGM 101:2008): masses normal, the frequency by Student's t scaled
 /// to its standard error (6.4.9.2) with the fit's degrees of freedom.
@@ -33,7 +33,7 @@ struct MonteCarlo {
 };
 
 /// `trials` from 1000 to 1e7; the same seed gives the same numbers on every machine.
-MonteCarlo stiffness_monte_carlo(const FreeDecay& fit, const Body& body, long long trials,
+MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
                                  std::uint64_t seed);
 
 }  // namespace cromer

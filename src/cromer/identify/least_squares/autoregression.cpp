@@ -1,4 +1,4 @@
-#include "cromer/identify/autoregression.h"
+#include "cromer/identify/least_squares/autoregression.h"
 
 #include <algorithm>
 #include <cmath>

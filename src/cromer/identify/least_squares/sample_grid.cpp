@@ -1,9 +1,9 @@
-#include "cromer/identify/sample_grid.h"
+#include "cromer/identify/least_squares/sample_grid.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/identify/sampling.h"
+#include "cromer/identify/motion/sampling.h"
 
 namespace cromer {
 namespace {

@@ -1,10 +1,10 @@
-#include "cromer/identify/noise.h"
+#include "cromer/identify/least_squares/noise.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "cromer/identify/residual.h"
+#include "cromer/identify/least_squares/residual.h"
 
 namespace cromer {
 namespace {

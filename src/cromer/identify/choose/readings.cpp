@@ -1,0 +1,137 @@
+#include "cromer/identify/choose/readings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/identify/choose/criterion.h"
+
+namespace cromer {
+namespace {
+
+bool converged(const LawFit& fit) { return fit.status == FitStatus::converged; }
+
+// What one fit makes of the parameters that another makes otherwise, in its own standard errors.
+std::string differences(const LawFit& chosen, const LawFit& other) {
+  std::string text;
+  for (std::size_t i = 0; i < chosen.names.size(); ++i) {
+    const Estimate* there = other.find(chosen.names[i]);
+    const Estimate& here = chosen.estimates[i];
+    if (!there || chosen.names[i] == "position" || chosen.names[i] == "velocity") continue;
+    const double off = std::abs(there->value - here.value) / here.standard_error;
+    if (!(off > 1)) continue;
+    std::string name = chosen.names[i];
+    std::replace(name.begin(), name.end(), '_', ' ');
+    text += fmt::format("{}{} {:.6g} ({:.1f} of its standard errors away)", text.empty() ? "" : ", ", name,
+                        there->value, off);
+  }
+  return text;
+}
+
+// The spread between readings that stay open, each with its weight, into the chosen one's errors.
+void spread_over_readings(LawFit& chosen, const std::vector<LawFit>& open) {
+  double total = 1;
+  std::vector<double> weights;
+  for (const LawFit& other : open) {
+    weights.push_back(std::exp(-0.5 * (other.bic - chosen.bic)));
+    total += weights.back();
+  }
+  const std::size_t n = chosen.names.size();
+  for (std::size_t k = 0; k < open.size(); ++k) {
+    std::vector<double> off(n, 0.0);
+    for (std::size_t i = 0; i < n; ++i)
+      if (const Estimate* there = open[k].find(chosen.names[i])) off[i] = there->value - chosen.estimates[i].value;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) chosen.covariance[i * n + j] += weights[k] / total * off[i] * off[j];
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    Estimate& estimate = chosen.estimates[i];
+    const double before = estimate.standard_error, after = std::sqrt(std::max(0.0, chosen.covariance[i * n + i]));
+    if (!(before > 0) || !std::isfinite(after)) continue;
+    const bool bounded = estimate.low == 0;
+    estimate.low = estimate.value - (estimate.value - estimate.low) * after / before;
+    estimate.high = estimate.value + (estimate.high - estimate.value) * after / before;
+    if (bounded) estimate.low = 0;
+    estimate.standard_error = after;
+  }
+}
+
+}  // namespace
+
+LawChoice choose_reading(const Record& record, const LawFitOptions& options, const GivenLaw& given,
+                         const std::function<LawChoice(const LawFitOptions&)>& choose, const Watch& watch) {
+  LawFitOptions one = options;
+  if (given.between) {
+    one.drive.force.between = *given.between;
+    return choose(one);
+  }
+  // Which reading leaves least, under a law that bends where it may; the law under that one; and the other readings
+  // under that law.
+  const ForceBetween readings[] = {ForceBetween::band_limited, ForceBetween::linear, ForceBetween::hold};
+  LawFitOptions bent = options;
+  bent.law = given.law.value_or(options.law.shares(springs) ? law_of("viscous+quadratic+cubic") : options.law);
+  std::vector<LawFit> by_reading;
+  for (const ForceBetween between : readings) {
+    bent.drive.force.between = between;
+    by_reading.push_back(fit_law(record, bent, watch));
+    if (!converged(by_reading.back()) && !given.law && options.law.shares(springs)) {
+      LawFitOptions linear = bent;
+      linear.law = law_of("viscous");
+      by_reading.back() = fit_law(record, linear, watch);
+    }
+    if (converged(by_reading.back()))
+      bent.rms_to_beat = std::min(bent.rms_to_beat, by_reading.back().residual.rms);
+    if (watch.progress) watch.progress(0.15 * static_cast<double>(by_reading.size()));
+  }
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < by_reading.size(); ++i)
+    if (converged(by_reading[i]) &&
+        (!converged(by_reading[best]) || by_reading[i].residual.rms < by_reading[best].residual.rms))
+      best = i;
+  one.drive.force.between = readings[best];
+  if (by_reading[best].has_values() && given.law)
+    one.start = KnownMotion{by_reading[best].motion, record.t.size(), 0};
+  LawChoice choice = choose(one);
+  if (!converged(choice.chosen) || watch.interrupted()) return choice;
+
+  const double independent = choice.chosen.independent_samples;
+  const auto criterion = [&](const LawFit& fit) {
+    return bayesian_criterion(independent, std::max(fit.residual.rms, record.resolution / std::sqrt(12.0)),
+                              fit.fitted);
+  };
+  choice.chosen.bic = criterion(choice.chosen);
+  std::vector<LawFit> open;
+  for (std::size_t i = 0; i < by_reading.size() && !watch.interrupted(); ++i) {
+    if (i == best || !by_reading[i].has_values()) continue;
+    constexpr double worth_a_fit = 30;
+    LawFit other = by_reading[i];
+    if (independent * 2 * std::log(other.residual.rms / by_reading[best].residual.rms) < worth_a_fit) {
+      LawFitOptions same = options;
+      same.law = choice.chosen.law;
+      same.drive.force.between = readings[i];
+      same.start = KnownMotion{choice.chosen.motion, record.t.size(), 0};
+      other = fit_law(record, same, watch);
+    }
+    other.bic = criterion(other);
+    choice.candidates.push_back(other);
+    if (converged(other) && other.law == choice.chosen.law) open.push_back(std::move(other));
+  }
+  for (LawFit& other : open)
+    if (other.bic < choice.chosen.bic) std::swap(other, choice.chosen);
+  open.erase(std::remove_if(open.begin(), open.end(),
+                            [&](const LawFit& other) { return other.bic > choice.chosen.bic + strong_evidence; }),
+             open.end());
+  for (const LawFit& other : open) {
+    const std::string differ = differences(choice.chosen, other);
+    choice.chosen.warnings.push_back(fmt::format(
+        "what the force did between its samples is open: taken as {} it leaves {:.4g}, as {} {:.4g}, too little "
+        "apart to tell{}{}; the errors hold both. --between-samples says which, if it is known",
+        name(choice.chosen.drive.force.between), choice.chosen.residual.rms, name(other.drive.force.between),
+        other.residual.rms, differ.empty() ? "" : "; the other would make the ", differ));
+  }
+  if (!open.empty()) spread_over_readings(choice.chosen, open);
+  return choice;
+}
+
+}  // namespace cromer
