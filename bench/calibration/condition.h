@@ -50,7 +50,7 @@ inline constexpr Condition conditions[] = {
     {.name = "rounded uneven times",
      .demand = Demand::honest,
      .amplitude_to_noise = 500,
-     .jitter = 0.4,
+     .jitter = 0.2,
      .clock = 0.01},
     {.name = "noise grows with motion", .demand = Demand::honest, .amplitude_to_noise = 500, .growth = 0.05},
 };

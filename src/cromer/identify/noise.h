@@ -8,6 +8,7 @@
 // lives at.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct Noise {
 /// three negative, only where residuals of one variance would look so in one record of a hundred.
 Noise find_noise(std::span<const double> t, std::span<const double> r, std::span<const double> motion);
 
+/// The same, given find_grid(t) and autocorrelations(r, grid, first_lags(r.size())).
+Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,
+                 const std::vector<double>& rho);
+
 /// What a fit's estimates have from the noise.
 struct EstimateNoise {
   int size = 0;
@@ -41,10 +46,17 @@ struct EstimateNoise {
   double independent_samples = 0;  ///< as many as white noise would leave the same variance on average
 };
 
-/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters. No
-/// correlation makes a variance smaller than samples on their own would have it. `resolution` is the rounding
-/// step of the values, 0 if unknown. Infinite where the Jacobian is singular.
+/// What follows from a fit's parameters: a row of derivatives for each quantity.
+struct Quantities {
+  int count = 0;
+  SquareMatrix derivatives{};
+};
+
+/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters; told
+/// of these, or of the quantities if given. No correlation makes a variance smaller than samples on their own
+/// would have it. `resolution` is the rounding step of the values, 0 if unknown. Variances are infinite where
+/// the Jacobian is singular.
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
-                             double resolution = 0);
+                             double resolution = 0, const std::optional<Quantities>& quantities = {});
 
 }  // namespace cromer

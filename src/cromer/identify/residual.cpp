@@ -202,7 +202,8 @@ Correlation correlation(std::span<const double> r, const std::vector<double>& rh
   return {factor, std::min(n / factor, 2 / model.log_variance(phase_step, n))};
 }
 
-Correlation correlation(std::span<const double> t, std::span<const double> r, double angular_frequency) {
+Correlation correlation_in_time(std::span<const double> t, std::span<const double> r,
+                                double angular_frequency) {
   const SampleGrid grid = find_grid(t);
   const std::vector<double> rho = autocorrelations(r, grid, first_lags(r.size()));
   const double phase_step = angular_frequency * grid.step;
