@@ -296,10 +296,11 @@ bool follow(std::span<const double> r, const MotionSquares& x, const NormalEquat
   return statistic(coefficients, estimate_noise(rows, size, noise).covariance, size) > critical;
 }
 
-// Standard deviation of each sample over the mean one (rms): a regression of the squares, each with the
-// weight that its own variance gives it. Empty where they do not follow the motion.
-std::vector<double> scale_of(std::span<const double> r, std::span<const double> motion,
-                             const SampleGrid& grid) {
+}  // namespace
+
+// A regression of the squares of residuals, each with the weight that its own variance gives it.
+std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> r,
+                                std::span<const double> motion) {
   constexpr std::size_t fewest = 30;
   if (r.size() < fewest) return {};
   const MotionSquares x(motion, grid);
@@ -336,8 +337,6 @@ std::vector<double> scale_of(std::span<const double> r, std::span<const double> 
   for (double& each : variance) each = std::sqrt(each / sum);
   return variance;
 }
-
-}  // namespace
 
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution, const std::optional<Quantities>& quantities) {
@@ -377,7 +376,7 @@ Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<co
   noise.grid = grid;
   noise.samples = r.size();
   for (double each : r) noise.sum_of_squares += each * each;
-  noise.scale = scale_of(r, motion, grid);
+  noise.scale = noise_scale(grid, r, motion);
   if (noise.scale.empty()) {
     noise.correlation = correlation_of(r, rho, grid);
   } else {

@@ -29,9 +29,13 @@ struct Noise {
   bool is_plain() const { return scale.empty() && correlation.coefficients.empty(); }
 };
 
-/// Times [s], residuals, and the motion that was fitted, each of the same length. Noise is taken for one that
-/// changes with the motion, s_i² = a + b x_i² + c v_i² (a sensor's gain, timing that is off), none of the
-/// three negative, only where residuals of one variance would look so in one record of a hundred.
+/// The standard deviation of each sample's noise over the mean one (rms), from residuals and the motion that
+/// was fitted: s_i² = a + b x_i² + c v_i² (a sensor's gain, timing that is off), none of the three negative.
+/// Empty, all alike, unless residuals of one variance would look so in one record of a hundred only.
+std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> r,
+                                std::span<const double> motion);
+
+/// Times [s], residuals, and the motion that was fitted, each of the same length.
 Noise find_noise(std::span<const double> t, std::span<const double> r, std::span<const double> motion);
 
 /// The same, given find_grid(t) and autocorrelations(r, grid, first_lags(r.size())).
