@@ -1,5 +1,6 @@
 // Do the intervals hold? For each law and each condition many simulated records are fitted and the 95 %
-// intervals counted that hold the truth; then the laws are left to the program to choose.
+// intervals counted that hold the truth; then motions under a force; then the laws are left to the program to
+// choose.
 //
 //   calibration [RECORDS] [--only TEXT] [--figure FILE.svg|png]
 //
@@ -15,6 +16,7 @@
 
 #include "bench/calibration/calibrate.h"
 #include "bench/calibration/coverage_figure.h"
+#include "bench/calibration/forced_rows.h"
 
 namespace {
 
@@ -96,6 +98,12 @@ int main(int argc, char** argv) {
       tallies.push_back(calibrate(law, condition, records, progress_of(row, records)));
       print(tallies.back());
     }
+  for (const ForcedRow& forced : forced_rows) {
+    const std::string row = std::string(forced.law) + ", " + forced.condition;
+    if (row.find(options.only) == std::string::npos) continue;
+    tallies.push_back(calibrate(forced, options.records, progress_of(row, options.records)));
+    print(tallies.back());
+  }
   std::printf("\n%-22s %-17s %6s %9s %9s %9s\n", "auto, true law", "its weakest term", "fits", "right %",
               "needless %", "missed %");
   for (const double strength : {0.0, 6.5})  // as above, and as weak as a term may be that must be found

@@ -1,12 +1,10 @@
 #include "bench/calibration/calibrate.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numbers>
-#include <thread>
 
+#include "bench/calibration/in_parallel.h"
 #include "cromer/identify/choose/choose_law.h"
 
 namespace cromer::bench {
@@ -39,26 +37,6 @@ std::vector<Motion> motions(const Oscillator<double>& oscillator, const Law& law
           std::sqrt(covariance[j][j]);
   }
   return result;
-}
-
-// Calls work(i) for i below n on all processors.
-template <class Work>
-void in_parallel(std::size_t n, const Progress& progress, Work work) {
-  std::atomic<std::size_t> next{0}, done{0};
-  std::mutex telling;
-  const auto run = [&] {
-    for (std::size_t i; (i = next++) < n;) {
-      work(i);
-      if (const std::size_t count = ++done; count % 50 == 0) {
-        const std::lock_guard lock(telling);
-        progress(count);
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  for (unsigned i = 1; i < std::max(1u, std::thread::hardware_concurrency()); ++i) threads.emplace_back(run);
-  run();
-  for (std::thread& thread : threads) thread.join();
 }
 
 const Estimate* estimate_of(const LawFit& fit, std::string_view name) {
@@ -98,13 +76,6 @@ Verdict judge(const LawFit& fit, const Truth& truth, const FittedParameters& fit
     verdict.on_bound |= bounded && estimate->value <= 0;
   }
   return verdict;
-}
-
-std::uint64_t seed_of(std::string_view law, std::string_view condition, std::size_t i) {
-  std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
-  for (std::string_view text : {law, condition})
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash + i * 0x9E3779B97F4A7C15u;
 }
 
 // The oscillator with its extra terms scaled to about so many standard errors each.

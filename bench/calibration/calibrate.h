@@ -1,15 +1,11 @@
 // Many records fitted, and the fits held against the truth.
 #pragma once
 
-#include <functional>
-
+#include "bench/calibration/in_parallel.h"
 #include "bench/calibration/simulated_record.h"
 #include "bench/calibration/tally.h"
 
 namespace cromer::bench {
-
-/// Called with the number of records done, from any thread but never from two at a time.
-using Progress = std::function<void(std::size_t)>;
 
 /// Fits `records` records with the true law, on all processors. The tally does not depend on their number.
 Tally calibrate(const TrueLaw& law, const Condition& condition, std::size_t records,

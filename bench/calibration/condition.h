@@ -46,11 +46,13 @@ inline constexpr Condition conditions[] = {
     {.name = "half missing", .half = true},
     {.name = "half missing, noise 0.9", .demand = Demand::honest, .correlation = 0.9, .half = true},
     {.name = "times off by 3 ms", .demand = Demand::honest, .amplitude_to_noise = 500, .late = 3e-3},
+    // Of even times: what the rounding leaves repeats at other frequencies than the motion's, and intervals
+    // are then too wide. Of uneven ones it is noise.
     {.name = "times rounded to 10 ms", .demand = Demand::honest, .amplitude_to_noise = 500, .clock = 0.01},
     {.name = "rounded uneven times",
      .demand = Demand::honest,
      .amplitude_to_noise = 500,
-     .jitter = 0.4,
+     .jitter = 0.2,
      .clock = 0.01},
     {.name = "noise grows with motion", .demand = Demand::honest, .amplitude_to_noise = 500, .growth = 0.05},
 };

@@ -33,6 +33,26 @@ TEST(Outliers, AreTheSamplesThatStandOut) {
   EXPECT_THAT(outliers_of(r), ElementsAre(0, 700, 701, 1999));
 }
 
+TEST(Outliers, NoiseThatGrowsWithTheMotionHasFew) {
+  const std::vector<double> t = even_times(1000, 0.02);
+  std::size_t found = 0;
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const std::vector<double> deviates = normal_values(1000, seed), floor = normal_values(1000, 1000 + seed);
+    std::vector<double> r, y;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      const double x = 0.05 * std::exp(-0.07 * t[i]) * std::cos(6 * t[i]);
+      r.push_back(0.05 * x * deviates[i] + 1e-4 * floor[i]);
+      y.push_back(x + r.back());
+    }
+    found += outliers({t, y, 0}, r).size();
+    // A spike where the motion is all but over.
+    y[900] += 0.01;
+    r[900] += 0.01;
+    EXPECT_THAT(outliers({t, y, 0}, r), testing::Contains(900)) << seed;
+  }
+  EXPECT_LE(found, 10u);
+}
+
 TEST(Outliers, NormalNoiseHasOneInTenRecordsOrFewer) {
   for (const std::size_t n : {100u, 2000u, 20000u}) {
     std::size_t found = 0;

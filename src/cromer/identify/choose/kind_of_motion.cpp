@@ -29,8 +29,8 @@ std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const Law
 // times slower than the swing beside it, lasts.
 bool lasts(const Mode& mode, const Mode& other, double duration) {
   if (!mode.decays()) return true;
-  const double g = mode.decay_rate.value;
-  return g * duration < 0.1 && g < 0.05 * other.decay_rate.value;
+  const double g = mode.decay_rate().value;
+  return g * duration < 0.1 && g < 0.05 * other.decay_rate().value;
 }
 
 struct Criterion {
@@ -84,7 +84,7 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const auto shows = [](const Mode& mode) { return mode.amplitude > 4 * mode.amplitude_error; };
   const double duration = record.t.back() - record.t.front(), resolution = two_pi / duration;
   const bool one_lasts = lasts(one, other, duration), other_lasts = lasts(other, one, duration);
-  const bool apart = std::abs(one.angular_frequency.value - other.angular_frequency.value) > 0.5 * resolution;
+  const bool apart = std::abs(one.angular_frequency().value - other.angular_frequency().value) > 0.5 * resolution;
   if (!one_lasts && !other_lasts) {
     // Two decays at one frequency are one swing that decays in another way than its law.
     if (apart && shows(one) && shows(other) && of_modes < of_free - strong_evidence)

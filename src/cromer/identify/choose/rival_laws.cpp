@@ -27,7 +27,7 @@ bool moves_the_numbers(const LawFit& chosen, const LawFit& rival) {
 }
 
 bool has_other_damping(const LawFit& chosen, const LawFit& rival) {
-  return Law{chosen.law.terms & dampings.terms}.without(rival.law) != Law{};
+  return Law{chosen.law.terms & dampings.terms}.without(rival.law) != law_of("viscous");
 }
 
 std::string coefficients(const LawFit& fit) {

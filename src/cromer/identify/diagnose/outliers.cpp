@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cromer/base/median.h"
+#include "cromer/identify/least_squares/noise.h"
 
 namespace cromer {
 namespace {
@@ -50,17 +51,12 @@ Spread beside(std::span<const double> r, std::size_t i) {
   return spread_of(values);
 }
 
-}  // namespace
-
-std::vector<std::size_t> outliers(const Record& record, std::span<const double> r) {
+// Those whose residuals stand out by more than `rounding` too.
+std::vector<std::size_t> standing_out(std::span<const double> r, double rounding) {
   const auto n = static_cast<double>(r.size());
-  constexpr std::size_t fewest = 32;
-  if (r.size() < fewest) return {};
   const double many = std::max(4.0, std::sqrt(2 * std::log(5 * n)));
   double noise = 0;
   const Spread all = overall(r, noise);
-  // Rounding of the values, by the sensor or by the arithmetic, is none.
-  const double rounding = std::max(1.5 * record.resolution, 1e-6 * largest_of(record.y));
   const double limit = std::max(many * all.deviation, rounding);
 
   std::vector<std::size_t> found;
@@ -73,6 +69,36 @@ std::vector<std::size_t> outliers(const Record& record, std::span<const double> 
     if (std::abs(r[i] - near.centre) > std::max(many * scale, rounding)) found.push_back(i);
   }
   if (10 * found.size() > r.size()) found.clear();
+  return found;
+}
+
+// The residuals over the scale of noise that grows with the motion; empty where it does not. What stands out
+// counts no more than the largest of the others.
+std::vector<double> standardised(const Record& record, std::span<const double> r,
+                                 const std::vector<std::size_t>& out) {
+  std::vector<double> motion, others(r.begin(), r.end());
+  for (std::size_t i = 0; i < r.size(); ++i) motion.push_back(record.y[i] - r[i]);
+  for (const std::size_t i : out) others[i] = 0;
+  const double most = largest_of(others);
+  for (const std::size_t i : out) others[i] = most;
+  std::vector<double> scale = noise_scale(find_grid(record.t), others, motion);
+  for (std::size_t i = 0; i < scale.size(); ++i) scale[i] = r[i] / scale[i];
+  return scale;
+}
+
+}  // namespace
+
+std::vector<std::size_t> outliers(const Record& record, std::span<const double> r) {
+  constexpr std::size_t fewest = 32;
+  if (r.size() < fewest) return {};
+  // Rounding of the values, by the sensor or by the arithmetic, is none.
+  std::vector<std::size_t> found =
+      standing_out(r, std::max(1.5 * record.resolution, 1e-6 * largest_of(record.y)));
+  if (found.empty()) return found;
+  if (const std::vector<double> u = standardised(record, r, found); !u.empty()) {
+    const std::vector<std::size_t> still = standing_out(u, 0);
+    std::erase_if(found, [&](std::size_t i) { return !std::binary_search(still.begin(), still.end(), i); });
+  }
   return found;
 }
 

@@ -9,171 +9,247 @@
 namespace cromer {
 namespace {
 
-// The last rows of a series, row 0 the latest.
-class LastRows {
- public:
-  explicit LastRows(std::size_t count) {
-    while (size_ < count) size_ *= 2;
-    rows_.resize(size_);
+// The autoregression of residuals, none where its density is within a twentieth of white noise's. Its
+// autocorrelations are those of the noise: the residuals lack their mean, which the fit took away, and the
+// biased estimate is too small; (1 - l/n)(rho_l - S(0)/n) over the same at lag 0.
+Autoregression correlation_of(std::span<const double> r, std::vector<double> rho, const SampleGrid& grid) {
+  Autoregression model = autoregression_of(r, rho, grid);
+  const std::size_t order = model.coefficients.size();
+  double size = 0;
+  for (double coefficient : model.coefficients) size += std::abs(coefficient);
+  if (size < 0.025) return {};
+  const auto n = static_cast<double>(r.size());
+  if (order >= rho.size()) rho = autocorrelations(r, grid, order);
+  for (int round = 0; round < 4; ++round) {
+    const double mean = model.density(0) / n;
+    if (mean > 0.25) break;
+    std::vector<double> corrected(order + 1, 1.0);
+    for (std::size_t l = 1; l <= order; ++l)
+      corrected[l] = (rho[l] / (1 - static_cast<double>(l) / n) + mean) / (1 + mean);
+    const Autoregression next = yule_walker(corrected, r.size(), order);
+    if (next.coefficients.size() < order) break;
+    model = next;
   }
-  Parameters& push() { return rows_[++at_ & (size_ - 1)] = Parameters{}; }
-  const Parameters& back(std::size_t lag) const { return rows_[(at_ - lag) & (size_ - 1)]; }
+  return model;
+}
 
- private:
-  std::size_t size_ = 1, at_ = 0;
-  std::vector<Parameters> rows_;
-};
-
-// Sums over the columns of a Jacobian, scaled and filtered as the noise is.
+// Sums over what each sample does to the estimates, scaled and filtered as the noise is.
 struct FilteredSums {
-  SquareMatrix alone{};              // scaled only
+  Parameters alone{};                // scaled only: variances
   SquareMatrix all{};                // filtered
   std::vector<Parameters> gradient;  // of the logarithm of an estimate's variance with each coefficient
 };
 
-// By `to_estimates`, a row for each estimate, the Jacobian's rows become those of what a sample does to them.
+// Block after block of rows, `width` columns: so wide that processors take whole registers of them.
+template <std::size_t width>
 class Filter {
  public:
-  Filter(const Noise& noise, const SquareMatrix& to_estimates, int size)
-      : noise_(noise), to_estimates_(to_estimates), size_(size) {}
+  explicit Filter(const Noise& noise)
+      : coefficients_(noise.correlation.coefficients),
+        order_(coefficients_.size()),
+        once_(order_ + block),
+        twice_(order_ + block),
+        gradient_(order_) {}
 
-  FilteredSums operator()(std::span<const double> jacobian) {
-    const std::size_t order = noise_.correlation.coefficients.size();
-    once_ = LastRows(order + 1);
-    twice_ = LastRows(order + 1);
-    sums_.gradient.assign(order, {});
-    const auto n = noise_.samples;
-    for (std::size_t i = 0; i < n; ++i) {
-      Parameters row{};
-      const double scale = noise_.scale.empty() ? 1 : noise_.scale[i];
-      for (int a = 0; a < size_; ++a)
-        for (int b = 0; b < size_; ++b)
-          row[a] += scale * to_estimates_[a][b] *
-                    jacobian[i * static_cast<std::size_t>(size_) + static_cast<std::size_t>(b)];
-      add_product(sums_.alone, row);
-      if (order == 0) continue;
-      step(row);
-      const std::size_t empty = (i + 1 < n ? noise_.grid.at(i + 1) - noise_.grid.at(i) : 100 * n + 10000) - 1;
-      for (std::size_t k = 0; k < empty && !faded(); ++k) step({});
+  // A row of the Jacobian becomes what its sample does to the estimates by a matrix of a row for each
+  // estimate.
+  FilteredSums operator()(const Noise& noise, std::span<const double> jacobian, int parameters,
+                          const SquareMatrix& to_estimates, int estimates) {
+    size_ = static_cast<std::size_t>(estimates);
+    Row column[max_parameters]{};
+    for (int b = 0; b < parameters; ++b)
+      for (int a = 0; a < estimates; ++a) column[b][static_cast<std::size_t>(a)] = to_estimates[a][b];
+    const std::size_t n = noise.samples;
+    const double* from = jacobian.data();
+    for (std::size_t i = 0; i < n; ++i, from += parameters) {
+      const double scale = noise.scale.empty() ? 1 : noise.scale[i];
+      Row row{};
+      for (int b = 0; b < parameters; ++b)
+        for (std::size_t a = 0; a < width; ++a) row[a] += scale * from[b] * column[b][a];
+      for (std::size_t a = 0; a < width; ++a) alone_[a] += row[a] * row[a];
+      if (i > 0 && order_ > 0)
+        for (std::size_t empty = noise.grid.at(i) - noise.grid.at(i - 1); empty > 1; --empty) put({});
+      put(row);
     }
-    if (order == 0) sums_.all = sums_.alone;
-    for (int a = 0; a < size_; ++a)
-      for (int b = 0; b < size_; ++b) {
-        if (order > 0) sums_.all[a][b] *= noise_.correlation.innovation;
-        // Half of each product was added.
-        if (b > a) continue;
-        sums_.alone[b][a] = sums_.alone[a][b];
-        sums_.all[b][a] = sums_.all[a][b];
-      }
-    return sums_;
+    // The noise's memory goes on after the last sample.
+    for (std::size_t k = 0; order_ > 0 && k < 100 * n + 10000 && !(rows_ == 0 && has_faded()); ++k) put({});
+    end_block();
+    return sums(noise.correlation.innovation);
   }
 
  private:
-  void add_product(SquareMatrix& sum, const Parameters& row) const {
-    for (int a = 0; a < size_; ++a)
-      for (int b = 0; b <= a; ++b) sum[a][b] += row[a] * row[b];
+  using Row = std::array<double, width>;
+  static constexpr std::size_t block = 128;
+
+  // Of a buffer the first rows are the last `order` ones of the block before.
+  void filter(std::vector<Row>& rows, std::size_t at, const Row& in) const {
+    Row sum = in;
+    for (std::size_t k = 0; k < order_; ++k) {
+      const Row& before = rows[at - 1 - k];
+      for (std::size_t a = 0; a < width; ++a) sum[a] += coefficients_[k] * before[a];
+    }
+    rows[at] = sum;
   }
 
-  void filter(LastRows& rows, const Parameters& in) const {
-    const std::vector<double>& coefficients = noise_.correlation.coefficients;
-    Parameters& out = rows.push();
-    Parameters sum = in;
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-      const Parameters& before = rows.back(k + 1);
-      for (int a = 0; a < size_; ++a) sum[a] += coefficients[k] * before[a];
-    }
-    out = sum;
+  void put(const Row& in) {
+    const std::size_t at = order_ + rows_++;
+    filter(once_, at, in);
+    if (order_ > 0) filter(twice_, at, once_[at]);
+    if (rows_ == block) end_block();
   }
 
-  void step(const Parameters& in) {
-    filter(once_, in);
-    const Parameters& u = once_.back(0);
-    filter(twice_, u);
-    add_product(sums_.all, u);
-    for (std::size_t k = 0; k < sums_.gradient.size(); ++k) {
-      const Parameters& before = twice_.back(k + 1);
-      for (int a = 0; a < size_; ++a) sums_.gradient[k][a] += 2 * u[a] * before[a];
+  void end_block() {
+    for (std::size_t b = 0; b < size_; ++b) {
+      Row sum{};
+      for (std::size_t i = order_; i < order_ + rows_; ++i)
+        for (std::size_t a = 0; a < width; ++a) sum[a] += once_[i][b] * once_[i][a];
+      for (std::size_t a = 0; a < width; ++a) all_[b][a] += sum[a];
     }
+    for (std::size_t k = 0; k < order_; ++k) {
+      Row sum{};
+      for (std::size_t i = order_; i < order_ + rows_; ++i)
+        for (std::size_t a = 0; a < width; ++a) sum[a] += once_[i][a] * twice_[i - 1 - k][a];
+      for (std::size_t a = 0; a < width; ++a) gradient_[k][a] += 2 * sum[a];
+    }
+    const auto shift = static_cast<std::ptrdiff_t>(rows_);
+    for (std::vector<Row>* rows : {&once_, &twice_})
+      std::copy(rows->begin() + shift, rows->begin() + shift + static_cast<std::ptrdiff_t>(order_),
+                rows->begin());
+    rows_ = 0;
   }
 
   // Nothing that would count comes any more.
-  bool faded() const {
+  bool has_faded() const {
     constexpr double negligible = 1e-9;
-    const std::size_t order = sums_.gradient.size();
-    for (std::size_t k = 0; k < order; ++k)
-      for (int a = 0; a < size_; ++a)
-        if (once_.back(k)[a] * once_.back(k)[a] > negligible * sums_.all[a][a]) return false;
+    for (std::size_t k = 0; k < order_; ++k)
+      for (std::size_t a = 0; a < size_; ++a)
+        if (once_[k][a] * once_[k][a] > negligible * all_[a][a]) return false;
     return true;
   }
 
-  const Noise& noise_;
-  const SquareMatrix& to_estimates_;
-  int size_;
-  LastRows once_{1}, twice_{1};
-  FilteredSums sums_;
-};
-
-// What squares of residuals are compared with: 1, and squares of the motion.
-struct Regressors {
-  int size = 0;
-  std::vector<double> rows;  // `size` for each sample
-
-  std::span<const double> row(std::size_t i) const {
-    return {rows.data() + static_cast<std::size_t>(size) * i, static_cast<std::size_t>(size)};
-  }
-  double value(std::size_t i, const Parameters& coefficients) const {
-    double sum = 0;
-    for (int a = 0; a < size; ++a) sum += coefficients[a] * row(i)[static_cast<std::size_t>(a)];
-    return sum;
-  }
-};
-
-NormalEquations regression(const Regressors& x, std::span<const double> y, std::span<const double> weight) {
-  NormalEquations sums;
-  sums.size = x.size;
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    const std::span<const double> row = x.row(i);
-    const double w = weight.empty() ? 1 : weight[i];
-    for (std::size_t a = 0; a < row.size(); ++a) {
-      sums.right[a] += w * row[a] * y[i];
-      for (std::size_t b = 0; b < row.size(); ++b) sums.matrix[a][b] += w * row[a] * row[b];
+  FilteredSums sums(double innovation) const {
+    FilteredSums result;
+    result.gradient.assign(order_, {});
+    for (std::size_t a = 0; a < size_; ++a) {
+      result.alone[a] = alone_[a];
+      for (std::size_t b = 0; b < size_; ++b) result.all[a][b] = innovation * all_[a][b];
+      for (std::size_t k = 0; k < order_; ++k) result.gradient[k][a] = gradient_[k][a] / all_[a][a];
     }
+    return result;
   }
+
+  const std::vector<double>& coefficients_;
+  std::size_t order_, rows_ = 0, size_ = 0;
+  std::vector<Row> once_, twice_;
+  Row alone_{};
+  std::array<Row, width> all_{};
+  std::vector<Row> gradient_;
+};
+
+FilteredSums filtered_sums(const Noise& noise, std::span<const double> jacobian, int parameters,
+                           const SquareMatrix& to_estimates, int estimates) {
+  static_assert(max_parameters <= 12);
+  if (estimates <= 4) return Filter<4>(noise)(noise, jacobian, parameters, to_estimates, estimates);
+  if (estimates <= 8) return Filter<8>(noise)(noise, jacobian, parameters, to_estimates, estimates);
+  return Filter<12>(noise)(noise, jacobian, parameters, to_estimates, estimates);
+}
+
+// JᵀJ.
+SquareMatrix normal_matrix(std::span<const double> jacobian, int size) {
+  SquareMatrix matrix{};
+  for (std::size_t i = 0; i < jacobian.size(); i += static_cast<std::size_t>(size)) {
+    const double* row = jacobian.data() + i;
+    for (int a = 0; a < size; ++a)
+      for (int b = 0; b <= a; ++b) matrix[a][b] += row[a] * row[b];
+  }
+  for (int a = 0; a < size; ++a)
+    for (int b = 0; b < a; ++b) matrix[b][a] = matrix[a][b];
+  return matrix;
+}
+
+// Estimates whose sums these are, where noise has this variance and so many parameters were fitted.
+EstimateNoise said_of(const FilteredSums& sums, int size, const Noise& noise, double variance,
+                      double fitted) {
+  EstimateNoise result;
+  result.size = size;
+  const auto n = static_cast<double>(noise.samples);
+  Parameters widening{};  // beyond that of the sums
+  double mean = 0;
+  for (int a = 0; a < size; ++a) {
+    const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
+    widening[a] = wide / factor;
+    mean += wide / size;
+    std::vector<double> slope;
+    for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
+    const double known = 2 / noise.correlation.log_variance(slope, n);
+    result.degrees[a] = std::min(n / wide, known) * std::max(0.0, 1 - fitted / n);
+  }
+  for (int a = 0; a < size; ++a)
+    for (int b = 0; b < size; ++b)
+      result.covariance[a][b] = variance * sums.all[a][b] * std::sqrt(widening[a] * widening[b]);
+  result.independent_samples = n / mean;
+  return result;
+}
+
+// 1, and the squares of a motion's displacement from its mean and of its velocity.
+class MotionSquares {
+ public:
+  MotionSquares(std::span<const double> motion, const SampleGrid& grid) : motion_(motion), grid_(grid) {
+    double sum[4]{};
+    for (std::size_t i = 0; i < motion.size(); ++i) sum[i % 4] += motion[i];
+    mean_ = (sum[0] + sum[1] + sum[2] + sum[3]) / static_cast<double>(motion.size());
+  }
+
+  std::array<double, 3> row(std::size_t i) const {
+    return {1, square_of_displacement(i), square_of_velocity(i)};
+  }
+
+ private:
+  double square_of_displacement(std::size_t i) const { return (motion_[i] - mean_) * (motion_[i] - mean_); }
+
+  // From the neighbours, unless a gap is between.
+  double square_of_velocity(std::size_t i) const {
+    const std::size_t last = motion_.size() - 1;
+    std::size_t before = i > 0 ? i - 1 : i, after = i < last ? i + 1 : i;
+    if (grid_.has_gaps()) {
+      if (grid_.at(i) - grid_.at(before) > 1) before = i;
+      if (grid_.at(after) - grid_.at(i) > 1) after = i;
+    }
+    const double slope =
+        (motion_[after] - motion_[before]) / static_cast<double>(std::max<std::size_t>(1, after - before));
+    return slope * slope;
+  }
+
+  std::span<const double> motion_;
+  const SampleGrid& grid_;
+  double mean_ = 0;
+};
+
+// The normal equations of the squares of residuals over the first `size` of them.
+NormalEquations regression(const MotionSquares& x, int size, std::span<const double> r,
+                           std::span<const double> weight) {
+  // Half of a symmetric matrix; in locals, which stay in registers.
+  double m00 = 0, m10 = 0, m11 = 0, m20 = 0, m21 = 0, m22 = 0, b0 = 0, b1 = 0, b2 = 0, squares = 0;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const auto [one, p, q] = x.row(i);
+    const double w = weight.empty() ? 1 : weight[i], y = r[i] * r[i];
+    const double wp = w * p, wq = w * q, wy = w * y;
+    m00 += w * one, m10 += wp, m11 += wp * p, m20 += wq, m21 += wq * p, m22 += wq * q;
+    b0 += wy, b1 += wy * p, b2 += wy * q, squares += wy * y;
+  }
+  NormalEquations sums;
+  sums.size = size;
+  sums.matrix[0] = {m00, m10, m20};
+  sums.matrix[1] = {m10, m11, m21};
+  sums.matrix[2] = {m20, m21, m22};
+  sums.right = {b0, b1, b2};
+  sums.sum_of_squares = squares;
   return sums;
 }
 
-// 1, and the squares of the displacement from the mean and of the velocity, each over its own mean.
-Regressors squares_of(std::span<const double> motion, const SampleGrid& grid) {
-  const std::size_t n = motion.size();
-  double mean = 0;
-  for (double x : motion) mean += x / static_cast<double>(n);
-  std::vector<double> x(n), v(n);
-  double all_x = 0, all_v = 0, known = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    all_x += x[i] = (motion[i] - mean) * (motion[i] - mean);
-    // From the neighbours, unless a gap is between.
-    const std::size_t before = i > 0 && grid.at(i) - grid.at(i - 1) == 1 ? i - 1 : i;
-    const std::size_t after = i + 1 < n && grid.at(i + 1) - grid.at(i) == 1 ? i + 1 : i;
-    const double slope = (motion[after] - motion[before]) / static_cast<double>(after - before);
-    v[i] = slope * slope;
-    if (after > before) all_v += v[i], ++known;
-  }
-  Regressors result{3, {}};
-  result.rows.reserve(3 * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    result.rows.push_back(1);
-    result.rows.push_back(all_x > 0 ? x[i] * static_cast<double>(n) / all_x : 0);
-    result.rows.push_back(std::isnan(v[i]) ? 1 : all_v > 0 ? v[i] * known / all_v : 0);
-  }
-  return result;
-}
-
-// Those without the last, which says nothing new where a motion is steady.
-Regressors without_last(const Regressors& all) {
-  Regressors result{all.size - 1, {}};
-  for (std::size_t i = 0; i < all.rows.size() / static_cast<std::size_t>(all.size); ++i)
-    for (int a = 0; a < result.size; ++a) result.rows.push_back(all.row(i)[static_cast<std::size_t>(a)]);
-  return result;
+double value(const MotionSquares& x, std::size_t i, const Parameters& coefficients) {
+  const auto [one, p, q] = x.row(i);
+  return coefficients[0] * one + coefficients[1] * p + coefficients[2] * q;
 }
 
 // Wald's statistic of all coefficients but the first: chi-squared with size - 1 degrees of freedom where
@@ -193,60 +269,68 @@ double statistic(const Parameters& coefficients, const SquareMatrix& covariance,
   return sum;
 }
 
-// Whether squares of residuals follow the regressors, at a level of 1 %. The test is R. Koenker's (J.
+// Whether squares of residuals follow the motion's, at a level of 1 %. The test is R. Koenker's (J.
 // Econometrics 17, 107 (1981)), with the squares' own correlation.
-bool follow(std::span<const double> square, const Regressors& x, const SampleGrid& grid) {
-  const double critical = x.size == 3 ? 9.210 : 6.635;
-  const NormalEquations sums = regression(x, square, {});
-  const ScaledCholesky factor(sums.matrix, x.size, 0, all_free);
-  if (!factor.ok()) return false;
-  const Parameters coefficients = factor.solve(sums.right);
-  std::vector<double> left(square.size());
+bool follow(std::span<const double> r, const MotionSquares& x, const NormalEquations& sums,
+            const SampleGrid& grid) {
+  const int size = sums.size;
+  const double critical = size == 3 ? 9.210 : 6.635;
+  const Parameters coefficients = ScaledCholesky(sums.matrix, size, 0, all_free).solve(sums.right);
   Noise noise;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    left[i] = square[i] - x.value(i, coefficients);
-    noise.sum_of_squares += left[i] * left[i];
-  }
-  SquareMatrix covariance = inverse(sums.matrix, x.size);
+  noise.samples = r.size();
+  noise.sum_of_squares = sums.sum_of_squares;
+  for (int a = 0; a < size; ++a) noise.sum_of_squares -= coefficients[a] * sums.right[a];
+  SquareMatrix covariance = inverse(sums.matrix, size);
   for (Parameters& row : covariance)
-    for (double& value : row) value *= noise.sum_of_squares / static_cast<double>(left.size());
-  if (statistic(coefficients, covariance, x.size) < critical) return false;
-  noise.samples = left.size();
+    for (double& each : row) each *= noise.sum_of_squares / static_cast<double>(r.size());
+  if (statistic(coefficients, covariance, size) < critical) return false;
+
+  std::vector<double> left(r.size()), rows;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    left[i] = r[i] * r[i] - value(x, i, coefficients);
+    const std::array<double, 3> row = x.row(i);
+    rows.insert(rows.end(), row.begin(), row.begin() + size);
+  }
   noise.grid = grid;
   noise.correlation = autoregression_of(left, autocorrelations(left, grid, first_lags(left.size())), grid);
-  return statistic(coefficients, estimate_noise(x.rows, x.size, noise).covariance, x.size) > critical;
+  return statistic(coefficients, estimate_noise(rows, size, noise).covariance, size) > critical;
 }
 
-// Standard deviation of each sample over the mean one (rms): a regression of the squares, each with the
-// weight that its own variance gives it. Empty where they do not follow the motion.
-std::vector<double> scale_of(std::span<const double> square, std::span<const double> motion,
-                             const SampleGrid& grid) {
-  constexpr std::size_t fewest = 30;
-  if (square.size() < fewest) return {};
-  Regressors x = squares_of(motion, grid);
-  if (!ScaledCholesky(regression(x, square, {}).matrix, x.size, 0, all_free).ok()) x = without_last(x);
-  if (!follow(square, x, grid)) return {};
+}  // namespace
 
-  const auto n = static_cast<double>(square.size());
-  double mean = 0;
-  for (double each : square) mean += each / n;
-  std::vector<double> variance(square.size(), mean), weight(square.size());
+// A regression of the squares of residuals, each with the weight that its own variance gives it.
+std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> r,
+                                std::span<const double> motion) {
+  constexpr std::size_t fewest = 30;
+  if (r.size() < fewest) return {};
+  const MotionSquares x(motion, grid);
+  NormalEquations sums = regression(x, 3, r, {});
+  // The velocity says nothing new where a motion is steady.
+  while (sums.size > 1 && !ScaledCholesky(sums.matrix, sums.size, 0, all_free).ok()) --sums.size;
+  if (sums.size == 1 || !follow(r, x, sums, grid)) return {};
+
+  const int size = sums.size;
+  const auto n = static_cast<double>(r.size());
+  const double mean = sums.right[0] / n;
+  std::vector<double> variance(r.size(), mean), weight(r.size());
   for (int round = 0; round < 6; ++round) {
     for (std::size_t i = 0; i < weight.size(); ++i) weight[i] = 1 / (variance[i] * variance[i]);
-    const NormalEquations sums = regression(x, square, weight);
+    sums = regression(x, size, r, weight);
     // No part may be negative: the most negative one goes, until none is.
     std::array<bool, max_parameters> free = all_free;
     Parameters coefficients{};
-    for (int dropped = 0; dropped < x.size; ++dropped) {
-      const ScaledCholesky factor(sums.matrix, x.size, 0, free);
+    for (int dropped = 0; dropped < size; ++dropped) {
+      const ScaledCholesky factor(sums.matrix, size, 0, free);
       if (!factor.ok()) return {};
       coefficients = factor.solve(sums.right);
-      const auto least = std::min_element(coefficients.begin(), coefficients.begin() + x.size);
-      if (*least >= 0) break;
-      free[static_cast<std::size_t>(least - coefficients.begin())] = false;
+      int least = 0;  // by what each part adds on average
+      for (int a = 1; a < size; ++a)
+        if (coefficients[a] * sums.matrix[0][a] < coefficients[least] * sums.matrix[0][least]) least = a;
+      if (coefficients[least] >= 0) break;
+      free[static_cast<std::size_t>(least)] = false;
     }
     for (std::size_t i = 0; i < variance.size(); ++i)
-      variance[i] = std::max(0.01 * mean, x.value(i, coefficients));
+      variance[i] = std::max(0.01 * mean, value(x, i, coefficients));
   }
   double sum = 0;
   for (double each : variance) sum += each / n;
@@ -254,68 +338,53 @@ std::vector<double> scale_of(std::span<const double> square, std::span<const dou
   return variance;
 }
 
-}  // namespace
-
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
-                             double resolution) {
-  EstimateNoise result;
-  result.size = size;
-  SquareMatrix matrix{};
-  for (std::size_t i = 0; i < noise.samples; ++i) {
-    const double* row = jacobian.data() + i * static_cast<std::size_t>(size);
-    for (int a = 0; a < size; ++a)
-      for (int b = 0; b <= a; ++b) matrix[a][b] += row[a] * row[b];
-  }
-  for (int a = 0; a < size; ++a)
-    for (int b = 0; b < a; ++b) matrix[b][a] = matrix[a][b];
-  const SquareMatrix inverse_matrix = inverse(matrix, size);
+                             double resolution, const std::optional<Quantities>& quantities) {
+  const SquareMatrix matrix = normal_matrix(jacobian, size), inverse_matrix = inverse(matrix, size);
   const auto n = static_cast<double>(noise.samples);
-  const double k = size;
   if (!std::isfinite(inverse_matrix[0][0])) {
-    result.covariance = inverse_matrix;
-    result.degrees.fill(1);
-    result.independent_samples = n;
-    return result;
+    EstimateNoise unknown{.size = quantities ? quantities->count : size, .independent_samples = n};
+    for (int a = 0; a < unknown.size; ++a) unknown.covariance[a][a] = HUGE_VAL;
+    unknown.degrees.fill(1);
+    return unknown;
   }
-
-  const FilteredSums sums = Filter(noise, inverse_matrix, size)(jacobian);
+  const FilteredSums sums = filtered_sums(noise, jacobian, size, inverse_matrix, size);
   // The part of the sum of squares that the fit took away: the trace of H times the covariance.
   double taken = 0;
   for (int a = 0; a < size; ++a)
     for (int b = 0; b < size; ++b) taken += matrix[a][b] * sums.all[b][a];
-  const double variance =
-      std::max(noise.sum_of_squares / std::max({1.0, n / (k + 1), n - taken}), resolution * resolution / 12);
-  Parameters widening{};
-  double mean_widening = 0;
-  for (int a = 0; a < size; ++a) {
-    const double factor = sums.all[a][a] / sums.alone[a][a];
-    widening[a] = std::clamp(factor, 1.0, n) / factor;
-    mean_widening += std::clamp(factor, 1.0, n) / k;
-    std::vector<double> slope(sums.gradient.size());
-    for (std::size_t l = 0; l < slope.size(); ++l)
-      slope[l] = sums.gradient[l][a] * noise.correlation.innovation / sums.all[a][a];
-    const double known = 2 / noise.correlation.log_variance(slope, n);
-    result.degrees[a] = std::min(n / std::clamp(factor, 1.0, n), known) * std::max(0.0, 1 - k / n);
-  }
-  for (int a = 0; a < size; ++a)
+  const double variance = std::max(noise.sum_of_squares / std::max({1.0, n / (size + 1), n - taken}),
+                                   resolution * resolution / 12);
+  if (!quantities) return said_of(sums, size, noise, variance, size);
+  SquareMatrix to_quantities{};
+  for (int a = 0; a < quantities->count; ++a)
     for (int b = 0; b < size; ++b)
-      result.covariance[a][b] = variance * sums.all[a][b] * std::sqrt(widening[a] * widening[b]);
-  result.independent_samples = n / mean_widening;
-  return result;
+      for (int c = 0; c < size; ++c)
+        to_quantities[a][b] += quantities->derivatives[a][c] * inverse_matrix[c][b];
+  return said_of(filtered_sums(noise, jacobian, size, to_quantities, quantities->count), quantities->count,
+                 noise, variance, size);
 }
 
 Noise find_noise(std::span<const double> t, std::span<const double> r, std::span<const double> motion) {
-  Noise noise;
-  noise.grid = find_grid(t);
-  noise.samples = r.size();
-  std::vector<double> square(r.size());
-  for (std::size_t i = 0; i < r.size(); ++i) noise.sum_of_squares += square[i] = r[i] * r[i];
+  const SampleGrid grid = find_grid(t);
+  return find_noise(grid, r, motion, autocorrelations(r, grid, first_lags(r.size())));
+}
 
-  noise.scale = scale_of(square, motion, noise.grid);
-  std::vector<double> standardised(r.begin(), r.end());
-  for (std::size_t i = 0; i < noise.scale.size(); ++i) standardised[i] /= noise.scale[i];
-  noise.correlation = autoregression_of(
-      standardised, autocorrelations(standardised, noise.grid, first_lags(r.size())), noise.grid);
+Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,
+                 const std::vector<double>& rho) {
+  Noise noise;
+  noise.grid = grid;
+  noise.samples = r.size();
+  for (double each : r) noise.sum_of_squares += each * each;
+  noise.scale = noise_scale(grid, r, motion);
+  if (noise.scale.empty()) {
+    noise.correlation = correlation_of(r, rho, grid);
+  } else {
+    std::vector<double> standardised(r.begin(), r.end());
+    for (std::size_t i = 0; i < standardised.size(); ++i) standardised[i] /= noise.scale[i];
+    noise.correlation =
+        correlation_of(standardised, autocorrelations(standardised, grid, first_lags(r.size())), grid);
+  }
   return noise;
 }
 

@@ -8,6 +8,7 @@
 // lives at.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,10 +29,18 @@ struct Noise {
   bool is_plain() const { return scale.empty() && correlation.coefficients.empty(); }
 };
 
-/// Times [s], residuals, and the motion that was fitted, each of the same length. Noise is taken for one that
-/// changes with the motion, s_i² = a + b x_i² + c v_i² (a sensor's gain, timing that is off), none of the
-/// three negative, only where residuals of one variance would look so in one record of a hundred.
+/// The standard deviation of each sample's noise over the mean one (rms), from residuals and the motion that
+/// was fitted: s_i² = a + b x_i² + c v_i² (a sensor's gain, timing that is off), none of the three negative.
+/// Empty, all alike, unless residuals of one variance would look so in one record of a hundred only.
+std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> r,
+                                std::span<const double> motion);
+
+/// Times [s], residuals, and the motion that was fitted, each of the same length.
 Noise find_noise(std::span<const double> t, std::span<const double> r, std::span<const double> motion);
+
+/// The same, given find_grid(t) and autocorrelations(r, grid, first_lags(r.size())).
+Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,
+                 const std::vector<double>& rho);
 
 /// What a fit's estimates have from the noise.
 struct EstimateNoise {
@@ -41,10 +50,17 @@ struct EstimateNoise {
   double independent_samples = 0;  ///< as many as white noise would leave the same variance on average
 };
 
-/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters. No
-/// correlation makes a variance smaller than samples on their own would have it. `resolution` is the rounding
-/// step of the values, 0 if unknown. Infinite where the Jacobian is singular.
+/// What follows from a fit's parameters: a row of derivatives for each quantity.
+struct Quantities {
+  int count = 0;
+  SquareMatrix derivatives{};
+};
+
+/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters; told
+/// of these, or of the quantities if given. No correlation makes a variance smaller than samples on their own
+/// would have it. `resolution` is the rounding step of the values, 0 if unknown. Variances are infinite where
+/// the Jacobian is singular.
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
-                             double resolution = 0);
+                             double resolution = 0, const std::optional<Quantities>& quantities = {});
 
 }  // namespace cromer

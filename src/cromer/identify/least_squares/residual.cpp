@@ -85,7 +85,7 @@ std::vector<double> pairs(const SampleGrid& grid, std::size_t lags) {
   return products(placed(std::vector<double>(grid.place.size(), 1.0), grid), lags);
 }
 
-// The highest order that samples with gaps can tell: where every fourth sample still has so many neighbours
+// The highest order that samples with gaps can tell: where every second sample still has so many neighbours
 // before it. Autocorrelations at several lags, each from other samples, do not go together well enough.
 std::size_t longest_memory(const SampleGrid& grid) {
   if (!grid.has_gaps()) return std::numeric_limits<std::size_t>::max();
@@ -97,7 +97,7 @@ std::size_t longest_memory(const SampleGrid& grid) {
     ++before[run];
   }
   std::size_t order = before.size(), with = 0;
-  while (order > 1 && 4 * (with += before[order - 1]) < grid.place.size()) --order;
+  while (order > 1 && 2 * (with += before[order - 1]) < grid.place.size()) --order;
   return std::max<std::size_t>(1, order - 1);
 }
 
@@ -202,7 +202,8 @@ Correlation correlation(std::span<const double> r, const std::vector<double>& rh
   return {factor, std::min(n / factor, 2 / model.log_variance(phase_step, n))};
 }
 
-Correlation correlation(std::span<const double> t, std::span<const double> r, double angular_frequency) {
+Correlation correlation_in_time(std::span<const double> t, std::span<const double> r,
+                                double angular_frequency) {
   const SampleGrid grid = find_grid(t);
   const std::vector<double> rho = autocorrelations(r, grid, first_lags(r.size()));
   const double phase_step = angular_frequency * grid.step;

@@ -51,7 +51,8 @@ struct Correlation {
 Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step);
 
 /// The same of samples at the times t [s], which may have gaps, at an angular frequency [rad/s].
-Correlation correlation(std::span<const double> t, std::span<const double> r, double angular_frequency);
+Correlation correlation_in_time(std::span<const double> t, std::span<const double> r,
+                                double angular_frequency);
 
 /// As many lags as white residuals need.
 std::size_t first_lags(std::size_t samples);

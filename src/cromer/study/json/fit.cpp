@@ -130,10 +130,10 @@ Json covariance(const LawFit& fit) {
 Json modes(const std::vector<Mode>& found) {
   Json list = Json::array();
   for (const Mode& mode : found)
-    list.push_back({{"angular_frequency", mode.angular_frequency.value},
-                    {"angular_frequency_standard_error", mode.angular_frequency.standard_error},
-                    {"decay_rate", mode.decay_rate.value},
-                    {"decay_rate_standard_error", mode.decay_rate.standard_error},
+    list.push_back({{"angular_frequency", mode.angular_frequency().value},
+                    {"angular_frequency_standard_error", mode.angular_frequency().standard_error},
+                    {"decay_rate", mode.decay_rate().value},
+                    {"decay_rate_standard_error", mode.decay_rate().standard_error},
                     {"amplitude", mode.amplitude},
                     {"amplitude_standard_error", mode.amplitude_error}});
   return list;

@@ -45,8 +45,8 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
 
 std::string said(const Mode& mode) {
   return fmt::format("{:.6g} ± {:.1g} Hz (amplitude {:.3g}, decay rate {:.2g} ± {:.1g} 1/s)",
-                     mode.angular_frequency.value / two_pi, mode.angular_frequency.standard_error / two_pi,
-                     mode.amplitude, mode.decay_rate.value, mode.decay_rate.standard_error);
+                     mode.angular_frequency().value / two_pi, mode.angular_frequency().standard_error / two_pi,
+                     mode.amplitude, mode.decay_rate().value, mode.decay_rate().standard_error);
 }
 
 // Of a motion in which neither line decays.

@@ -1,0 +1,241 @@
+#include "cromer/identify/least_squares/noise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+#include "cromer/identify/least_squares/residual.h"
+#include "cromer/identify/least_squares/uncertainty.h"
+
+namespace cromer {
+namespace {
+
+// A decaying oscillation, its parameters' derivatives a linear model: frequency, decay, equilibrium, both
+// phases.
+constexpr int size = 5;
+constexpr double w = 6, step = 0.02;
+
+struct Model {
+  std::vector<double> t, x, v, jacobian;
+};
+
+Model model(std::size_t n, const std::function<bool(std::size_t)>& missing) {
+  Model result;
+  const double g = 1.5 / (step * static_cast<double>(n));
+  for (std::size_t i = 0; i < n; ++i) {
+    if (missing(i)) continue;
+    const double t = step * static_cast<double>(i), decay = std::exp(-g * t);
+    const double x = decay * std::cos(w * t + 0.5), v = -w * decay * std::sin(w * t + 0.5);
+    result.t.push_back(t);
+    result.x.push_back(x);
+    result.v.push_back(v);
+    const double row[] = {t * v / w, -t * x, 1, decay * std::cos(w * t), decay * std::sin(w * t)};
+    result.jacobian.insert(result.jacobian.end(), std::begin(row), std::end(row));
+  }
+  return result;
+}
+
+bool none(std::size_t) { return false; }
+bool half(std::size_t i) { return (i > 150 && i < 350) || (i > 450 && i < 600) || (i > 750 && i < 900); }
+
+// The noise of a sample, given that of an AR(1) process of unit variance, displacement, velocity and a
+// deviate.
+using MakeNoise = std::function<double(double ar, double x, double v, double deviate)>;
+
+struct Coverage {
+  double covered[size]{}, stated[size]{}, scatter[size]{};
+  double plain = 0;
+};
+
+Coverage coverage(std::size_t n, double memory, const std::function<bool(std::size_t)>& missing,
+                  const MakeNoise& make, int trials) {
+  Coverage result;
+  const Model m = model(n, missing);
+  for (int trial = 0; trial < trials; ++trial) {
+    std::mt19937_64 engine(static_cast<unsigned>(trial));
+    std::normal_distribution<double> normal;
+    std::vector<double> noise;
+    double ar = normal(engine);
+    for (std::size_t i = 0; i < n; ++i) {
+      ar = memory * ar + std::sqrt(1 - memory * memory) * normal(engine);
+      const double deviate = normal(engine);
+      if (!missing(i)) noise.push_back(make(ar, m.x[noise.size()], m.v[noise.size()], deviate));
+    }
+    NormalEquations sums;
+    for (std::size_t i = 0; i < noise.size(); ++i)
+      for (int a = 0; a < size; ++a) {
+        const double* row = m.jacobian.data() + i * size;
+        sums.right[a] += row[a] * noise[i];
+        for (int b = 0; b < size; ++b) sums.matrix[a][b] += row[a] * row[b];
+      }
+    const Parameters p = ScaledCholesky(sums.matrix, size, 0, all_free).solve(sums.right);
+    std::vector<double> r = noise, motion = m.x;
+    for (std::size_t i = 0; i < r.size(); ++i)
+      for (int a = 0; a < size; ++a) r[i] -= m.jacobian[i * size + static_cast<std::size_t>(a)] * p[a];
+    for (std::size_t i = 0; i < r.size(); ++i) motion[i] += noise[i] - r[i];
+    const Noise found = find_noise(m.t, r, motion);
+    const EstimateNoise estimate = estimate_noise(m.jacobian, size, found);
+    result.plain += static_cast<double>(found.is_plain()) / trials;
+    for (int a = 0; a < size; ++a) {
+      const double error = std::sqrt(estimate.covariance[a][a]);
+      result.covered[a] +=
+          (std::abs(p[a]) < student_95(estimate.degrees[a]) * error) / static_cast<double>(trials);
+      result.stated[a] += estimate.covariance[a][a] / trials;
+      result.scatter[a] += p[a] * p[a] / trials;
+    }
+  }
+  return result;
+}
+
+// 1200 trials: a standard deviation of 0.6 % of the coverage.
+void expect_covered(const Coverage& result) {
+  for (int a = 0; a < size; ++a) {
+    EXPECT_GT(result.covered[a], 0.93) << a;
+    EXPECT_LT(result.covered[a], 0.97) << a;
+    EXPECT_NEAR(std::sqrt(result.stated[a] / result.scatter[a]), 1, 0.09) << a;
+  }
+}
+
+constexpr double sigma = 0.02;
+
+TEST(Noise, IntervalsHoldUnderWhiteNoise) {
+  const auto white = [](double, double, double, double deviate) { return sigma * deviate; };
+  for (const std::size_t n : {60u, 1000u}) expect_covered(coverage(n, 0, none, white, 1200));
+}
+
+TEST(Noise, IntervalsHoldUnderCorrelatedNoise) {
+  const auto correlated = [](double ar, double, double, double) { return sigma * ar; };
+  for (const double memory : {0.5, 0.9, 0.97}) expect_covered(coverage(1000, memory, none, correlated, 1200));
+}
+
+TEST(Noise, IntervalsHoldUnderCorrelatedNoiseWithGaps) {
+  const auto correlated = [](double ar, double, double, double) { return sigma * ar; };
+  expect_covered(coverage(1000, 0.9, half, correlated, 1200));
+  // Half of each period: neighbours over a gap are not neighbours.
+  expect_covered(coverage(
+      1000, 0.9, [](std::size_t i) { return i % 50 >= 25; }, correlated, 1200));
+  std::mt19937 engine(3);
+  std::vector<bool> gone(1000);
+  for (std::size_t i = 1; i < gone.size(); ++i) gone[i] = engine() % 4 == 0;
+  expect_covered(coverage(
+      1000, 0.9, [&](std::size_t i) { return gone[i]; }, correlated, 1200));
+}
+
+TEST(Noise, IntervalsHoldUnderNoiseThatGrowsWithTheMotion) {
+  const auto with_x = [](double, double x, double, double deviate) {
+    return (0.002 + 0.05 * std::abs(x)) * deviate;
+  };
+  expect_covered(coverage(1000, 0, none, with_x, 1200));
+  // Samples taken up to some ms early or late.
+  const auto late = [](double ar, double, double v, double deviate) {
+    return 0.002 * ar + 3e-3 * v * deviate;
+  };
+  expect_covered(coverage(1000, 0, none, late, 1200));
+  const auto both = [](double ar, double x, double, double) { return (0.01 + 0.05 * std::abs(x)) * ar; };
+  expect_covered(coverage(1000, 0.9, none, both, 1200));
+}
+
+// An order that Akaike's criterion finds in white noise, in three records of ten, is mostly too weak to
+// count.
+TEST(Noise, PlainNoiseIsCalledSo) {
+  const auto white = [](double, double, double, double deviate) { return sigma * deviate; };
+  EXPECT_GT(coverage(12000, 0, none, white, 400).plain, 0.75);
+}
+
+TEST(Noise, CovarianceIsThatOfTheModel) {
+  // Against the sums over all pairs of samples, with gaps and growing noise.
+  const Model m = model(60, [](std::size_t i) { return i > 20 && i < 33; });
+  Noise noise;
+  noise.samples = m.t.size();
+  noise.grid = find_grid(m.t);
+  noise.sum_of_squares = 1;
+  noise.correlation = {{0.6, 0.2}, 1};
+  const std::vector<double> rho = [&] {
+    std::vector<double> r(100, 1.0);
+    r[1] = 0.6 / (1 - 0.2);
+    for (std::size_t l = 2; l < r.size(); ++l) r[l] = 0.6 * r[l - 1] + 0.2 * r[l - 2];
+    return r;
+  }();
+  noise.correlation.innovation = 1 - 0.6 * rho[1] - 0.2 * rho[2];
+  for (std::size_t i = 0; i < m.t.size(); ++i) noise.scale.push_back(1 + 0.5 * m.x[i]);
+  SquareMatrix matrix{}, spread{};
+  const auto n = m.t.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t a = 0; a < size; ++a)
+        for (std::size_t b = 0; b < size; ++b) {
+          const double product = m.jacobian[i * size + a] * m.jacobian[j * size + b];
+          if (i == j) matrix[a][b] += product;
+          const auto lag = static_cast<std::size_t>(std::abs(std::lround((m.t[i] - m.t[j]) / step)));
+          spread[a][b] += product * noise.scale[i] * noise.scale[j] * rho[lag];
+        }
+  const SquareMatrix inverse_matrix = inverse(matrix, size);
+  SquareMatrix expected{};
+  double taken = 0;
+  for (int a = 0; a < size; ++a)
+    for (int b = 0; b < size; ++b) {
+      for (int c = 0; c < size; ++c)
+        for (int d = 0; d < size; ++d)
+          expected[a][b] += inverse_matrix[a][c] * spread[c][d] * inverse_matrix[d][b];
+      taken += inverse_matrix[a][b] * spread[b][a];
+    }
+  const double variance = 1 / std::max(static_cast<double>(n) / (size + 1), static_cast<double>(n) - taken);
+  const EstimateNoise estimate = estimate_noise(m.jacobian, size, noise);
+  for (int a = 0; a < size; ++a)
+    for (int b = 0; b < size; ++b)
+      EXPECT_NEAR(estimate.covariance[a][b], variance * expected[a][b],
+                  1e-6 * std::sqrt(estimate.covariance[a][a] * estimate.covariance[b][b]));
+
+  Quantities quantities{.count = 2};
+  quantities.derivatives[0][2] = 1;
+  quantities.derivatives[1][0] = quantities.derivatives[1][2] = 3;
+  const EstimateNoise derived = estimate_noise(m.jacobian, size, noise, 0, quantities);
+  EXPECT_NEAR(derived.covariance[0][0], estimate.covariance[2][2], 1e-9 * estimate.covariance[2][2]);
+  EXPECT_NEAR(derived.degrees[0], estimate.degrees[2], 1e-9 * estimate.degrees[2]);
+  EXPECT_NEAR(derived.covariance[1][0], 3 * variance * (expected[0][2] + expected[2][2]),
+              1e-6 * derived.covariance[1][1]);
+}
+
+TEST(Noise, WhatTheJacobianDoesNotTellIsInfinite) {
+  const std::vector<double> t{0, 1, 2, 3, 4, 5}, r{1, -1, 1, -1, 1, -1}, motion(6, 0.0);
+  const std::vector<double> jacobian(12, 1.0);
+  const EstimateNoise estimate = estimate_noise(jacobian, 2, find_noise(t, r, motion));
+  EXPECT_TRUE(std::isinf(estimate.covariance[0][0]));
+  EXPECT_TRUE(std::isinf(estimate.covariance[1][1]));
+}
+
+TEST(Noise, CorrelationOverGapsIsThatOverTheirSteps) {
+  // Half of the samples missing, in blocks much longer than the noise's memory: its density at a line.
+  double mean = 0, mean_slow = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    std::mt19937_64 engine(static_cast<unsigned>(trial));
+    std::normal_distribution<double> normal;
+    std::vector<double> t, r;
+    double ar = normal(engine);
+    for (int i = 0; i < 8000; ++i) {
+      ar = 0.9 * ar + std::sqrt(1 - 0.81) * normal(engine);
+      if (i % 400 < 200) t.push_back(step * i), r.push_back(ar);
+    }
+    mean += correlation_in_time(t, r, 5).factor / 40;
+    mean_slow += correlation_in_time(t, r, 0).factor / 40;
+  }
+  const double density = 0.19 / (1 - 1.8 * std::cos(5 * step) + 0.81);
+  EXPECT_NEAR(mean, density, 0.06 * density);
+  EXPECT_NEAR(mean_slow, 19, 0.08 * 19);
+}
+
+TEST(Noise, TimesThatJitterAreNoGaps) {
+  std::vector<double> t;
+  for (int i = 0; i < 500; ++i) t.push_back(0.01 * std::round(2.094 * i));
+  EXPECT_FALSE(find_grid(t).has_gaps());
+  EXPECT_NEAR(find_grid(t).step, 0.02094, 2e-5);
+  for (double& each : t) each += each > 3 ? 1 : 0;
+  const SampleGrid grid = find_grid(t);
+  ASSERT_TRUE(grid.has_gaps());
+  EXPECT_NEAR(static_cast<double>(grid.place.back()), 499 + 1 / 0.02094, 1.5);
+}
+
+}  // namespace
+}  // namespace cromer
