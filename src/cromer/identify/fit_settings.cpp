@@ -27,12 +27,14 @@ FreeDecay interrupted_fit(const Law& law) {
   return fit;
 }
 
-Record first_part(const Record& record, std::size_t samples) {
+Record part_of(const Record& record, std::size_t first, std::size_t samples) {
   Record part = record;
-  part.t = record.t.first(samples);
-  part.y = record.y.first(samples);
+  part.t = record.t.subspan(first, samples);
+  part.y = record.y.subspan(first, samples);
   return part;
 }
+
+Record first_part(const Record& record, std::size_t samples) { return part_of(record, 0, samples); }
 
 Record first_periods(const Record& record, double angular_frequency) {
   const double end = record.t.front() + 8 * 2 * std::numbers::pi / angular_frequency;

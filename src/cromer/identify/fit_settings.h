@@ -26,6 +26,9 @@ auto interruptible(Model model, const Watch& watch) {
 /// Nothing of it is known: parameters halfway to the minimum would look like a result.
 FreeDecay interrupted_fit(const Law& law);
 
+/// So many samples from one on.
+Record part_of(const Record& record, std::size_t first, std::size_t samples);
+
 /// The first so many samples.
 Record first_part(const Record& record, std::size_t samples);
 

@@ -20,26 +20,27 @@ namespace cromer {
 namespace {
 
 // The viscous law in the phasor's own parameters, grown from a first part to the whole record.
-Minimum fit_phasor(const Record& record, const StartValues& start, const FreeDecayOptions& options,
+Minimum fit_phasor(const Record& record, StartValues start, const FreeDecayOptions& options,
                    const Watch& watch) {
   Minimum minimum;
-  Parameters parameters = start.phasor;
   int iterations = 0;
-  for (std::size_t samples = start.samples;; samples = std::min(record.t.size(), 8 * samples)) {
-    const Record part = first_part(record, samples);
+  for (;;) {
+    if (start.samples < record.t.size()) start = grown(record, start);
+    const Record part = part_of(record, start.first, start.samples);
     LeastSquaresOptions settings = least_squares_options(part, options);
     const double duration = part.t.back() - part.t.front();
     settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
     settings.lower[DampedPhasor::decay_rate] = 0;
-    const bool whole = samples == record.t.size();
-    if (!whole) settings.error_tolerance = 1e-2;
+    const bool whole = start.samples == record.t.size();
     const auto model = interruptible(DampedPhasor(part), watch);
     if (whole || watch.interrupted()) {
-      minimum = minimise_both(model, parameters, settings);
+      minimum = minimise_both(model, start.phasor, settings);
       break;
     }
-    const LeastSquaresSummary summary = minimise(model, parameters, settings);
-    parameters = summary.parameters;
+    settings.error_tolerance = 1e-2;
+    const LeastSquaresSummary summary = minimise(model, start.phasor, settings);
+    start.phasor = summary.parameters;
+    start.frequency_error = frequency_error(summary, start.samples);
     iterations += summary.iterations;
   }
   minimum.bounded.iterations += iterations;
