@@ -8,6 +8,20 @@
 #include <unsupported/Eigen/FFT>
 
 namespace cromer {
+namespace {
+
+// The transform of real values, whose length is a power of two. Its tables cost as much as itself: those of
+// common lengths are kept.
+void transform_real(std::vector<std::complex<double>>& transform, const std::vector<double>& values) {
+  constexpr std::size_t longest_kept = 16384;
+  thread_local Eigen::FFT<double> kept;
+  Eigen::FFT<double> own;
+  Eigen::FFT<double>& fft = values.size() <= longest_kept ? kept : own;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  fft.fwd(transform, values);
+}
+
+}  // namespace
 
 Spectrum amplitude_spectrum(std::span<const double> y, double h) {
   const std::size_t n = y.size();
@@ -28,10 +42,8 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
              phase.real() * turn.imag() + phase.imag() * turn.real()};
   }
 
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<std::complex<double>> transform;
-  fft.fwd(transform, windowed);
+  transform_real(transform, windowed);
 
   Spectrum spectrum;
   spectrum.step = 2 * std::numbers::pi / (static_cast<double>(padded) * h);

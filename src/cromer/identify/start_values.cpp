@@ -143,9 +143,10 @@ double smaller_step(std::span<const double> t) {
 
 bool is_even(std::span<const double> t) {
   const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  int off = 0;
   for (std::size_t i = 0; i < t.size(); ++i)
-    if (std::abs(t[i] - t[0] - static_cast<double>(i) * mean) > 0.5 * mean) return false;
-  return true;
+    off += std::abs(t[i] - t[0] - static_cast<double>(i) * mean) > 0.5 * mean;
+  return off == 0;
 }
 
 // The spectrum's lines, highest first. Gaps make several of one sinusoid, any of which may be the true one.
@@ -176,6 +177,7 @@ StartValues searched_part(const Record& record) {
   const std::size_t n = record.t.size();
   StartValues part;
   part.samples = std::min(n, most_samples);
+  if (is_even(record.t.first(part.samples))) return part;
   const double longest = most_steps * find_sampling(record.t.first(part.samples)).step;
   if (record.t[part.samples - 1] - record.t[0] <= longest) return part;
   part.samples = 0;
