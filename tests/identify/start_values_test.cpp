@@ -142,5 +142,51 @@ TEST(StartValues, RecordBeginsWithAFewSamplesFarAhead) {
   expect_frequency(gappy_record({.noise = 0.02}, kept, engine));
 }
 
+// A pendulum released so far that its frequency rises by half and more as it fades: no sinusoid keeps step.
+SyntheticRecord large_swing(double amplitude, double periods, double folds, unsigned seed) {
+  const double T = periods * period;
+  const MotionParameters truth{.angular_frequency = w0,
+                               .decay_rate = folds / T,
+                               .equilibrium = 0.1,
+                               .position = amplitude,
+                               .pendulum = true};
+  SyntheticRecord record{even_times(static_cast<std::size_t>(periods * 40), period / 40), {}, 0};
+  Engine engine(seed);
+  std::normal_distribution<double> normal(0, 0.005);
+  for (const double x : free_motion(truth, record.t, period / 200).x)
+    record.y.push_back(truth.equilibrium + x + normal(engine));
+  return record;
+}
+
+TEST(StartValues, PendulumFromALargeAngle) {
+  FreeDecayOptions options;
+  options.law = {.viscous = true, .pendulum = true};
+  unsigned seed = 0;
+  for (const double amplitude : {1.5, 1.8, 2.2, 2.5, 2.8})
+    for (const double periods : {10, 40, 100})
+      for (const double folds : {0.0, 0.3, 1.0, 2.0, 4.0}) {
+        SCOPED_TRACE(testing::Message() << amplitude << " rad, " << periods << " periods, fall " << folds);
+        const SyntheticRecord record = large_swing(amplitude, periods, folds, ++seed);
+        const FreeDecay fit = fit_free_decay(record.record(), options);
+        ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+        EXPECT_NEAR(fit.angular_frequency.value, w0, 5 * fit.angular_frequency.standard_error);
+        EXPECT_NEAR(fit.position.value, amplitude, 5 * fit.position.standard_error);
+        EXPECT_NEAR(fit.residual.rms, 0.005, 0.0007);
+      }
+}
+
+TEST(StartValues, PendulumFromALargeAngleIsChosen) {
+  FreeDecayOptions options;
+  options.angle = true;
+  for (const double amplitude : {1.5, 2.2, 2.8})
+    for (const double folds : {0.0, 1.0}) {
+      SCOPED_TRACE(testing::Message() << amplitude << " rad, fall " << folds);
+      const FreeDecay fit = choose_law(large_swing(amplitude, 40, folds, 9).record(), options).chosen;
+      ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+      EXPECT_TRUE(fit.law.pendulum) << to_text(fit.law);
+      EXPECT_NEAR(fit.angular_frequency.value, w0, 5 * fit.angular_frequency.standard_error);
+    }
+}
+
 }  // namespace
 }  // namespace cromer

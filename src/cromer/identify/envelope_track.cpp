@@ -4,11 +4,64 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/base/state.h"
+
 namespace cromer {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t most_in_a_window = 96;
+
+// A pendulum's swing whose fundamental has the amplitude a [rad] < 4: Jacobi's elliptic functions as series
+// in the nome q (DLMF 22.11.1, 20.2.3, 22.2.2).
+//
+//   x = sum over odd n of 8 q^(n/2)/(n (1 + q^n)) cos(n phase), signs +-+-...,  rate = 1/theta3(q)^2
+class PendulumSwing {
+ public:
+  explicit PendulumSwing(double a) : a_(std::min(a, 3.8)) {
+    s_ = a_ > 1e-6 ? (4 - std::sqrt(16 - a_ * a_)) / a_ : a_ / 8;
+    double theta = 1;
+    const double q = s_ * s_;
+    for (int n = 1; n < terms; ++n) theta += 2 * std::pow(q, n * n);
+    rate_ = 1 / (theta * theta);
+  }
+
+  /// Of its frequency to that of small swings.
+  double rate() const { return rate_; }
+
+  /// Position, and velocity over the small swings' angular frequency.
+  State<double> at(double phase) const {
+    State<double> y{0, 0};
+    for (int k = 0, n = 1; k < terms; ++k, n += 2) {
+      const double c = (k % 2 ? -1 : 1) * harmonic(n);
+      y.x += c * std::cos(n * phase);
+      y.v -= rate_ * n * c * std::sin(n * phase);
+    }
+    return y;
+  }
+
+  /// Amplitude of the linear swing of the same action, which falls as a linear one's under viscous damping.
+  double linear() const {
+    double sum = 0;
+    for (int k = 0, n = 1; k < terms; ++k, n += 2) sum += n * harmonic(n) * n * harmonic(n);
+    return std::sqrt(rate_ * sum);
+  }
+
+ private:
+  static constexpr int terms = 24;
+  double a_, s_, rate_;
+
+  double harmonic(int n) const { return 8 * std::pow(s_, n) / (n * (1 + std::pow(s_ * s_, n))); }
+};
+
+PendulumSwing swing_of_action(double linear) {
+  double low = 0, high = 3.8;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (PendulumSwing(middle).linear() < linear ? low : high) = middle;
+  }
+  return PendulumSwing(low);
+}
 
 // What is solved here has three or four unknowns at most.
 struct LinearFit {
@@ -110,7 +163,8 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
   EnvelopeTrack track;
   double w = angular_frequency, equilibria = 0;
   const double duration = std::min(record.t.back() - record.t.front(), 2 / std::max(decay_rate, 1e-300));
-  const double periods = std::clamp(w * duration / (2 * pi) / 12, 1.0, 3.0);
+  const double most_periods = std::clamp(w * duration / (2 * pi) / 12, 1.0, 3.0);
+  double periods = 1;  // for as long as noise allows: a large swing's frequency changes fast
   std::size_t first = 0;
   double last_t = 0, last_phase = 0;
   bool dies_away = false;
@@ -121,6 +175,9 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
     if (to > record.t.back()) break;
     const std::optional<Window> window = window_at(record, first, last, w, tc);
     first = last;
+    constexpr double clear = 0.03;
+    if (!window || window->error > clear * window->amplitude)
+      periods = std::min(1.25 * periods, most_periods);
     if (!window) continue;
     const bool begins = track.t.empty();
     const double scale = std::pow(w, record.derivative);
@@ -154,9 +211,12 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
 }
 
 MotionParameters motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
-  const Decay decay = decay_along(track, law);
+  EnvelopeTrack linear = track;
+  if (law.pendulum)
+    for (double& A : linear.amplitude) A = PendulumSwing(A).linear();
+  const Decay decay = decay_along(linear, law);
   const std::vector<double> time =
-      integral(track, [&](double A) { return law.pendulum ? 1 - A * A / 16 + A * A * A * A / 3072 : 1.0; });
+      integral(track, [&](double A) { return law.pendulum ? PendulumSwing(A).rate() : 1.0; });
   const std::vector<double> squares = integral(track, [](double A) { return A * A; });
   NormalEquations equations;
   equations.size = law.cubic ? 3 : 2;
@@ -177,8 +237,15 @@ MotionParameters motion_along(const EnvelopeTrack& track, const Law& law, double
   // From the first window's middle back to the first sample.
   const double back = track.t.front() - t0, A = decay.amplitude;
   const double amplitude = A + (decay.s + decay.b * A + decay.q * A * A) * back;
-  const double rate = law.pendulum ? w * (1 - A * A / 16 + A * A * A * A / 3072)
-                                   : w + (law.cubic ? fit.x[2] * amplitude * amplitude : 0);
+  if (law.pendulum) {
+    const PendulumSwing swing = swing_of_action(amplitude);
+    const double rate = 0.5 * (swing.rate() + PendulumSwing(track.amplitude.front()).rate());
+    const State<double> start = swing.at(fit.x[0] - w * rate * back);
+    motion.position = start.x;
+    motion.velocity = w * start.v - decay.b * start.x;
+    return motion;
+  }
+  const double rate = w + (law.cubic ? fit.x[2] * amplitude * amplitude : 0);
   const double phase = fit.x[0] - rate * back;
   motion.position = amplitude * std::cos(phase);
   motion.velocity = -amplitude * rate * std::sin(phase) - decay.b * motion.position;

@@ -3,8 +3,8 @@
 //
 //   dA/dt = -(s + b A + q A²),   s = 2 f/(pi w),  b the decay rate,  q = 4 (drag) w/(3 pi)
 //
-// and the phase runs as w0 + 3 k3 A²/(8 w0), a pendulum's as w0 (1 - A²/16 + A⁴/3072). Averages over a cycle:
-// N. N. Bogoliubov & Y. A. Mitropolsky, Asymptotic Methods (1961), chapter 1.
+// and the phase runs as w0 + 3 k3 A²/(8 w0). Averages over a cycle: N. N. Bogoliubov & Y. A. Mitropolsky,
+// Asymptotic Methods (1961), chapter 1. A pendulum's phase and action are exact at every amplitude.
 #pragma once
 
 #include <optional>

@@ -34,11 +34,9 @@ KnownMotion linear_motion(const Record& record, const FreeDecayOptions& options,
   constexpr double certain = 0.95;
   const KnownMotion whole{viscous.motion(), record.t.size(), viscous.decay_rate.value};
   if (viscous.explained > certain) return whole;
-  const Record beginning = first_periods(record, viscous.angular_frequency.value);
-  if (beginning.t.size() >= record.t.size()) return whole;
-  const FreeDecay first = fit_sinusoid(beginning, options, watch);
-  return {first.status == FitStatus::converged ? first.motion() : viscous.motion(), beginning.t.size(),
-          viscous.decay_rate.value};
+  const auto first = fit_first_periods(record, viscous.angular_frequency.value, options, watch);
+  if (!first) return whole;
+  return {first->fit.motion(), first->samples, viscous.decay_rate.value};
 }
 
 // From a first part to the whole record, twice as long each time.

@@ -36,8 +36,8 @@ Record part_of(const Record& record, std::size_t first, std::size_t samples) {
 
 Record first_part(const Record& record, std::size_t samples) { return part_of(record, 0, samples); }
 
-Record first_periods(const Record& record, double angular_frequency) {
-  const double end = record.t.front() + 8 * 2 * std::numbers::pi / angular_frequency;
+Record first_periods(const Record& record, double angular_frequency, double periods) {
+  const double end = record.t.front() + periods * 2 * std::numbers::pi / angular_frequency;
   const auto samples =
       static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), end) - record.t.begin());
   return first_part(

@@ -32,8 +32,8 @@ Record part_of(const Record& record, std::size_t first, std::size_t samples);
 /// The first so many samples.
 Record first_part(const Record& record, std::size_t samples);
 
-/// The first periods, as many as the frequency of a large swing stays put for.
-Record first_periods(const Record& record, double angular_frequency);
+/// The first so many periods, of at least 32 samples.
+Record first_periods(const Record& record, double angular_frequency, double periods);
 
 /// What a reason other than converged means for the user.
 void set_status(FreeDecay& fit, LeastSquaresReason reason);

@@ -138,24 +138,33 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, co
   return fit;
 }
 
+std::optional<FirstPeriods> fit_first_periods(const Record& record, double angular_frequency,
+                                              const FreeDecayOptions& options, const Watch& watch) {
+  std::optional<FirstPeriods> longest;
+  for (const double periods : {8, 6, 4, 3, 2}) {
+    const Record beginning = first_periods(record, angular_frequency, periods);
+    if (beginning.t.size() >= record.t.size()) continue;
+    FirstPeriods first{fit_sinusoid(beginning, options, watch), beginning.t.size()};
+    if (first.fit.status != FitStatus::converged) continue;
+    if (first.clear()) return first;
+    if (!longest) longest = std::move(first);
+  }
+  return longest;
+}
+
 // A swing whose frequency changes as it decays leaves a sinusoid out of step, and is an oscillation all the
 // same: its first periods show it.
 FreeDecay fit_viscous(const Record& record, const FreeDecayOptions& options, const Watch& watch) {
   FreeDecay fit = fit_sinusoid(record, options, watch);
-  if (fit.status == FitStatus::no_oscillation && fit.angular_frequency.value > 0) {
-    const Record beginning = first_periods(record, fit.angular_frequency.value);
-    constexpr double clear = 0.95;
-    if (3 * beginning.t.size() < record.t.size()) {
-      const FreeDecay first = fit_sinusoid(beginning, options, watch);
-      if (first.status == FitStatus::converged && first.explained > clear) {
-        fit.status = FitStatus::converged;
-        fit.message.clear();
-        fit.warnings.push_back(
-            fmt::format("the frequency changes along the record: one decaying sinusoid accounts for {:.0f} % "
-                        "of the variance only",
-                        100 * std::max(0.0, fit.explained)));
-      }
-    }
+  if (fit.status != FitStatus::no_oscillation || !(fit.angular_frequency.value > 0)) return fit;
+  const auto first = fit_first_periods(record, fit.angular_frequency.value, options, watch);
+  if (first && first->clear()) {
+    fit.status = FitStatus::converged;
+    fit.message.clear();
+    fit.warnings.push_back(
+        fmt::format("the frequency changes along the record: one decaying sinusoid accounts for {:.0f} % "
+                    "of the variance only",
+                    100 * std::max(0.0, fit.explained)));
   }
   return fit;
 }
