@@ -58,7 +58,7 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
 Spectrum least_squares_spectrum(std::span<const double> t, std::span<const double> y, double h) {
   const double duration = t.back() - t.front();
   std::size_t padded = 8;
-  while (static_cast<double>(padded) < duration / h + 2) padded *= 2;
+  while (static_cast<double>(padded) < 3 * duration / h + 2) padded *= 2;  // two parts far apart beat
 
   // Weights in the imaginary part, weighted values in the real one: one transform serves both.
   const auto weight_at = [&](double time) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
 constexpr std::size_t most_samples = 8192;  // of the part searched
-constexpr double most_steps = 65536;        // of its duration
+constexpr double most_steps = 32768;        // of its duration
 
 // A copy of some of a record's samples.
 struct Samples {
