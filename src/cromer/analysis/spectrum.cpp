@@ -1,12 +1,27 @@
 #include "cromer/analysis/spectrum.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
 namespace cromer {
+namespace {
+
+// The transform of real values, whose length is a power of two. Its tables cost as much as itself: those of
+// common lengths are kept.
+void transform_real(std::vector<std::complex<double>>& transform, const std::vector<double>& values) {
+  constexpr std::size_t longest_kept = 16384;
+  thread_local Eigen::FFT<double> kept;
+  Eigen::FFT<double> own;
+  Eigen::FFT<double>& fft = values.size() <= longest_kept ? kept : own;
+  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
+  fft.fwd(transform, values);
+}
+
+}  // namespace
 
 Spectrum amplitude_spectrum(std::span<const double> y, double h) {
   const std::size_t n = y.size();
@@ -27,10 +42,8 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
              phase.real() * turn.imag() + phase.imag() * turn.real()};
   }
 
-  Eigen::FFT<double> fft;
-  fft.SetFlag(Eigen::FFT<double>::HalfSpectrum);
   std::vector<std::complex<double>> transform;
-  fft.fwd(transform, windowed);
+  transform_real(transform, windowed);
 
   Spectrum spectrum;
   spectrum.step = 2 * std::numbers::pi / (static_cast<double>(padded) * h);
@@ -42,17 +55,62 @@ Spectrum amplitude_spectrum(std::span<const double> y, double h) {
   return spectrum;
 }
 
-std::optional<SpectralLine> strongest_line(const Spectrum& spectrum) {
+Spectrum least_squares_spectrum(std::span<const double> t, std::span<const double> y, double h) {
+  const double duration = t.back() - t.front();
+  std::size_t padded = 8;
+  while (static_cast<double>(padded) < 3 * duration / h + 2) padded *= 2;  // two parts far apart beat
+
+  // Weights in the imaginary part, weighted values in the real one: one transform serves both.
+  const auto weight_at = [&](double time) {
+    return 1.0001 - std::cos(2 * std::numbers::pi * (time - t.front()) / duration);
+  };
+  double sum = 0, mean = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    sum += weight_at(t[i]);
+    mean += weight_at(t[i]) * y[i];
+  }
+  mean /= sum;
+  std::vector<std::complex<double>> grid(padded), z;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const double weight = weight_at(t[i]) / sum, place = (t[i] - t.front()) / h;
+    const auto k = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(k);
+    const std::complex<double> both(weight * (y[i] - mean), weight);
+    grid[k] += (1 - share) * both;
+    grid[k + 1] += share * both;
+  }
+  Eigen::FFT<double> fft;
+  fft.fwd(z, grid);
+  const auto of_values = [&](std::size_t k) { return 0.5 * (z[k] + std::conj(z[(padded - k) % padded])); };
+  const auto of_weights = [&](std::size_t k) {
+    const std::complex<double> twice = z[k] - std::conj(z[(padded - k) % padded]);
+    return std::complex<double>(0.5 * twice.imag(), -0.5 * twice.real());
+  };
+
+  Spectrum spectrum;
+  spectrum.step = 2 * std::numbers::pi / (static_cast<double>(padded) * h);
+  spectrum.amplitude.resize(padded / 2 + 1);
+  for (std::size_t k = 1; k < spectrum.amplitude.size(); ++k) {
+    // Sums of the weighted products of cosine, sine and value, each about its mean.
+    const std::complex<double> value = of_values(k), one = of_weights(k), two = of_weights(2 * k % padded);
+    const double yc = value.real(), ys = -value.imag(), c = one.real(), s = -one.imag();
+    const double cc = 0.5 * (1 + two.real()) - c * c, ss = 0.5 * (1 - two.real()) - s * s;
+    const double cs = -0.5 * two.imag() - c * s, determinant = cc * ss - cs * cs;
+    if (!(determinant > 1e-9)) continue;  // slower than the record shows, or the highest frequency
+    const double explained = (ss * yc * yc + cc * ys * ys - 2 * cs * yc * ys) / determinant;
+    spectrum.amplitude[k] = std::sqrt(2 * std::max(0.0, explained));
+  }
+  return spectrum;
+}
+
+namespace {
+
+// The local maximum at place k, refined.
+SpectralLine line_at(const Spectrum& spectrum, std::size_t k) {
   const auto& a = spectrum.amplitude;
-  std::size_t k = 1;
-  while (k + 1 < a.size() && a[k + 1] <= a[k]) ++k;  // down the slope of the drift
-  std::size_t best = 0;
-  for (; k + 1 < a.size(); ++k)
-    if (a[k] >= a[k - 1] && a[k] >= a[k + 1] && (best == 0 || a[k] > a[best])) best = k;
-  if (best == 0 || !(a[best] > 0)) return std::nullopt;
-  SpectralLine line{static_cast<double>(best) * spectrum.step, a[best]};
-  if (a[best - 1] > 0 && a[best + 1] > 0) {
-    const double left = std::log(a[best - 1] / a[best]), right = std::log(a[best + 1] / a[best]);
+  SpectralLine line{static_cast<double>(k) * spectrum.step, a[k]};
+  if (a[k - 1] > 0 && a[k + 1] > 0) {
+    const double left = std::log(a[k - 1] / a[k]), right = std::log(a[k + 1] / a[k]);
     const double curvature = left + right;
     if (curvature < 0) {
       const double offset = 0.5 * (left - right) / curvature;
@@ -61,6 +119,30 @@ std::optional<SpectralLine> strongest_line(const Spectrum& spectrum) {
     }
   }
   return line;
+}
+
+}  // namespace
+
+std::vector<SpectralLine> strongest_lines(const Spectrum& spectrum, double share, std::size_t most) {
+  const auto& a = spectrum.amplitude;
+  std::size_t k = 1;
+  while (k + 1 < a.size() && a[k + 1] <= a[k]) ++k;  // down the slope of the drift
+  std::vector<std::size_t> maxima;
+  for (; k + 1 < a.size(); ++k)
+    if (a[k] > 0 && a[k] >= a[k - 1] && a[k] >= a[k + 1]) maxima.push_back(k);
+  most = std::min(most, maxima.size());
+  std::partial_sort(maxima.begin(), maxima.begin() + static_cast<std::ptrdiff_t>(most), maxima.end(),
+                    [&](std::size_t i, std::size_t j) { return a[i] > a[j] || (a[i] == a[j] && i < j); });
+  std::vector<SpectralLine> lines;
+  for (std::size_t i = 0; i < most && a[maxima[i]] >= share * a[maxima[0]]; ++i)
+    lines.push_back(line_at(spectrum, maxima[i]));
+  return lines;
+}
+
+std::optional<SpectralLine> strongest_line(const Spectrum& spectrum) {
+  const std::vector<SpectralLine> lines = strongest_lines(spectrum, 1, 1);
+  if (lines.empty()) return std::nullopt;
+  return lines.front();
 }
 
 }  // namespace cromer

@@ -17,6 +17,11 @@ struct Spectrum {
 /// padded with zeros to a power of two.
 Spectrum amplitude_spectrum(std::span<const double> y, double h);
 
+/// The same at any times t [s], strictly increasing, gaps or none: at each frequency the sinusoid and the
+/// mean that fit best, weighted by the Hann window (M. Zechmeister & M. Kuerster, Astron. Astrophys. 496, 577
+/// (2009)). On a grid of times h [s] apart; samples between its points are shared by the two beside them.
+Spectrum least_squares_spectrum(std::span<const double> t, std::span<const double> y, double h);
+
 struct SpectralLine {
   double angular_frequency = 0;  // [rad/s]
   double amplitude = 0;
@@ -26,5 +31,8 @@ struct SpectralLine {
 /// of the window's resolution 2 pi/(n h) for a lone undamped line, the amplitude 5 %. Drift that falls off
 /// from zero frequency is passed over. Empty where nothing rises.
 std::optional<SpectralLine> strongest_line(const Spectrum& spectrum);
+
+/// The local maxima of at least `share` of the highest, that one first; no more than `most` of them.
+std::vector<SpectralLine> strongest_lines(const Spectrum& spectrum, double share, std::size_t most);
 
 }  // namespace cromer

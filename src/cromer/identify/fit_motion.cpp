@@ -224,10 +224,9 @@ KnownMotion linear_motion(const Record& record, const LawFitOptions& options, co
   constexpr double certain = 0.95;
   const double decay_rate = viscous.decay_rate().value;
   if (viscous.explained > certain) return {viscous.motion, record.t.size(), decay_rate};
-  const Record beginning = first_periods(record, viscous.angular_frequency().value);
-  if (beginning.t.size() >= record.t.size()) return {viscous.motion, record.t.size(), decay_rate};
-  const LawFit first = fit_sinusoid(beginning, options, watch);
-  return {first.status == FitStatus::converged ? first.motion : viscous.motion, beginning.t.size(), decay_rate};
+  const auto first = fit_first_periods(record, viscous.angular_frequency().value, options, watch);
+  if (!first) return {viscous.motion, record.t.size(), decay_rate};
+  return {first->fit.motion, first->samples, decay_rate};
 }
 
 // The start of a driven motion follows most of it, or is grown from a first part, in which a frequency that is a

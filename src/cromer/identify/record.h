@@ -14,13 +14,14 @@ struct Record {
   double resolution = 0;  ///< rounding step of the values, 0 if unknown
   int derivative = 0;     ///< which of the displacement y is: 0 itself, 1 the velocity, 2 the acceleration
 
-  /// The first so many samples.
-  Record first(std::size_t samples) const {
-    Record part = *this;
-    part.t = t.first(samples);
-    part.y = y.first(samples);
-    return part;
+  /// So many samples from one on, or the first ones.
+  Record part(std::size_t from, std::size_t samples) const {
+    Record some = *this;
+    some.t = t.subspan(from, samples);
+    some.y = y.subspan(from, samples);
+    return some;
   }
+  Record first(std::size_t samples) const { return part(0, samples); }
 };
 
 /// What a recorded force did between its samples: straight lines; each value until the next, as a converter

@@ -39,8 +39,8 @@ LawFit interrupted_fit(const LawFitOptions& options) {
   return refused({FitStatus::iteration_limit, "interrupted before the fit was done"}, options);
 }
 
-Record first_periods(const Record& record, double angular_frequency) {
-  const double end = record.t.front() + 8 * 2 * std::numbers::pi / angular_frequency;
+Record first_periods(const Record& record, double angular_frequency, double periods) {
+  const double end = record.t.front() + periods * 2 * std::numbers::pi / angular_frequency;
   const auto samples =
       static_cast<std::size_t>(std::lower_bound(record.t.begin(), record.t.end(), end) - record.t.begin());
   return record.first(

@@ -29,8 +29,8 @@ auto interruptible(Model model, const Watch& watch) {
 /// Nothing of it is known: parameters halfway to the minimum would look like a result.
 LawFit interrupted_fit(const LawFitOptions& options);
 
-/// The first periods, as many as the frequency of a large swing stays put for.
-Record first_periods(const Record& record, double angular_frequency);
+/// The first so many periods, of at least 32 samples.
+Record first_periods(const Record& record, double angular_frequency, double periods);
 
 /// What a reason other than converged means for the user.
 void set_status(LawFit& fit, LeastSquaresReason reason);

@@ -19,26 +19,27 @@ namespace cromer {
 namespace {
 
 // The viscous law in the phasor's own parameters, grown from a first part to the whole record.
-Minimum fit_phasor(const Record& record, const StartValues& start, const LawFitOptions& options,
+Minimum fit_phasor(const Record& record, StartValues start, const LawFitOptions& options,
                    const Watch& watch) {
   Minimum minimum;
-  Parameters parameters = start.phasor;
   int iterations = 0;
-  for (std::size_t samples = start.samples;; samples = std::min(record.t.size(), 8 * samples)) {
-    const Record part = record.first(samples);
+  for (;;) {
+    if (start.samples < record.t.size()) start = grown(record, start);
+    const Record part = record.part(start.first, start.samples);
     LeastSquaresOptions settings = least_squares_options(part, options);
     const double duration = part.t.back() - part.t.front();
     settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
     settings.lower[DampedPhasor::decay_rate] = 0;
-    const bool whole = samples == record.t.size();
-    if (!whole) settings.error_tolerance = 1e-2;
+    const bool whole = start.samples == record.t.size();
     const auto model = interruptible(DampedPhasor(part), watch);
     if (whole || watch.interrupted()) {
-      minimum = minimise_both(model, parameters, settings);
+      minimum = minimise_both(model, start.phasor, settings);
       break;
     }
-    const LeastSquaresSummary summary = minimise(model, parameters, settings);
-    parameters = summary.parameters;
+    settings.error_tolerance = 1e-2;
+    const LeastSquaresSummary summary = minimise(model, start.phasor, settings);
+    start.phasor = summary.parameters;
+    start.frequency_error = frequency_error(summary, start.samples);
     iterations += summary.iterations;
   }
   minimum.bounded.iterations += iterations;
@@ -145,24 +146,33 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   return fit;
 }
 
+std::optional<FirstPeriods> fit_first_periods(const Record& record, double angular_frequency,
+                                              const LawFitOptions& options, const Watch& watch) {
+  std::optional<FirstPeriods> longest;
+  for (const double periods : {8, 6, 4, 3, 2}) {
+    const Record beginning = first_periods(record, angular_frequency, periods);
+    if (beginning.t.size() >= record.t.size()) continue;
+    FirstPeriods first{fit_sinusoid(beginning, options, watch), beginning.t.size()};
+    if (first.fit.status != FitStatus::converged) continue;
+    if (first.clear()) return first;
+    if (!longest) longest = std::move(first);
+  }
+  return longest;
+}
+
 // A swing whose frequency changes as it decays leaves a sinusoid out of step, and is an oscillation all the
 // same: its first periods show it.
 LawFit fit_viscous(const Record& record, const LawFitOptions& options, const Watch& watch) {
   LawFit fit = fit_sinusoid(record, options, watch);
-  if (fit.status == FitStatus::no_oscillation && fit.angular_frequency().value > 0) {
-    const Record beginning = first_periods(record, fit.angular_frequency().value);
-    constexpr double clear = 0.95;
-    if (3 * beginning.t.size() < record.t.size()) {
-      const LawFit first = fit_sinusoid(beginning, options, watch);
-      if (first.status == FitStatus::converged && first.explained > clear) {
-        fit.status = FitStatus::converged;
-        fit.message.clear();
-        fit.warnings.push_back(
-            fmt::format("the frequency changes along the record: one decaying sinusoid accounts for {:.0f} % "
-                        "of the variance only",
-                        100 * std::max(0.0, fit.explained)));
-      }
-    }
+  if (fit.status != FitStatus::no_oscillation || !(fit.angular_frequency().value > 0)) return fit;
+  const auto first = fit_first_periods(record, fit.angular_frequency().value, options, watch);
+  if (first && first->clear()) {
+    fit.status = FitStatus::converged;
+    fit.message.clear();
+    fit.warnings.push_back(
+        fmt::format("the frequency changes along the record: one decaying sinusoid accounts for {:.0f} % "
+                    "of the variance only",
+                    100 * std::max(0.0, fit.explained)));
   }
   return fit;
 }

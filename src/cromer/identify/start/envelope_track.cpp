@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cromer/analysis/cycle_average.h"
+#include "cromer/base/state.h"
 #include "cromer/model/law.h"
 
 namespace cromer {
@@ -12,6 +13,57 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::size_t most_in_a_window = 96;
+
+// A pendulum's swing whose fundamental has the amplitude a [rad] < 4: Jacobi's elliptic functions as series
+// in the nome q (DLMF 22.11.1, 20.2.3, 22.2.2).
+//
+//   x = sum over odd n of 8 q^(n/2)/(n (1 + q^n)) cos(n phase), signs +-+-...,  rate = 1/theta3(q)^2
+class PendulumSwing {
+ public:
+  explicit PendulumSwing(double a) : a_(std::min(a, 3.8)) {
+    s_ = a_ > 1e-6 ? (4 - std::sqrt(16 - a_ * a_)) / a_ : a_ / 8;
+    double theta = 1;
+    const double q = s_ * s_;
+    for (int n = 1; n < terms; ++n) theta += 2 * std::pow(q, n * n);
+    rate_ = 1 / (theta * theta);
+  }
+
+  /// Of its frequency to that of small swings.
+  double rate() const { return rate_; }
+
+  /// Position, and velocity over the small swings' angular frequency.
+  State<double> at(double phase) const {
+    State<double> y{0, 0};
+    for (int k = 0, n = 1; k < terms; ++k, n += 2) {
+      const double c = (k % 2 ? -1 : 1) * harmonic(n);
+      y.x += c * std::cos(n * phase);
+      y.v -= rate_ * n * c * std::sin(n * phase);
+    }
+    return y;
+  }
+
+  /// Amplitude of the linear swing of the same action, which falls as a linear one's under viscous damping.
+  double linear() const {
+    double sum = 0;
+    for (int k = 0, n = 1; k < terms; ++k, n += 2) sum += n * harmonic(n) * n * harmonic(n);
+    return std::sqrt(rate_ * sum);
+  }
+
+ private:
+  static constexpr int terms = 24;
+  double a_, s_, rate_;
+
+  double harmonic(int n) const { return 8 * std::pow(s_, n) / (n * (1 + std::pow(s_ * s_, n))); }
+};
+
+PendulumSwing swing_of_action(double linear) {
+  double low = 0, high = 3.8;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (PendulumSwing(middle).linear() < linear ? low : high) = middle;
+  }
+  return PendulumSwing(low);
+}
 
 struct LinearFit {
   bool ok = false;
@@ -133,7 +185,8 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
   EnvelopeTrack track;
   double w = angular_frequency, equilibria = 0;
   const double duration = std::min(record.t.back() - record.t.front(), 2 / std::max(decay_rate, 1e-300));
-  const double periods = std::clamp(w * duration / (2 * pi) / 12, 1.0, 3.0);
+  const double most_periods = std::clamp(w * duration / (2 * pi) / 12, 1.0, 3.0);
+  double periods = 1;  // for as long as noise allows: a large swing's frequency changes fast
   std::size_t first = 0;
   double last_t = 0, last_phase = 0;
   bool dies_away = false;
@@ -144,6 +197,9 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
     if (to > record.t.back()) break;
     const std::optional<Window> window = window_at(record, first, last, w, tc);
     first = last;
+    constexpr double clear = 0.03;
+    if (!window || window->error > clear * window->amplitude)
+      periods = std::min(1.25 * periods, most_periods);
     if (!window) continue;
     const bool begins = track.t.empty();
     const double scale = std::pow(w, record.derivative);
@@ -177,11 +233,14 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
 }
 
 Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
-  const std::vector<TermAlong> terms = terms_along(track, law, track.frequency);
-  const Decay decay = decay_along(track, terms);
   const bool pendulum = law.has<Pendulum>();
+  EnvelopeTrack linear = track;
+  if (pendulum)
+    for (double& A : linear.amplitude) A = PendulumSwing(A).linear();
+  const std::vector<TermAlong> terms = terms_along(linear, law, track.frequency);
+  const Decay decay = decay_along(linear, terms);
   const std::vector<double> time =
-      integral(track, [&](double A) { return pendulum ? 1 - A * A / 16 + A * A * A * A / 3072 : 1.0; });
+      integral(track, [&](double A) { return pendulum ? PendulumSwing(A).rate() : 1.0; });
   std::vector<std::size_t> shifting;
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (std::abs(terms[i].shift.back()) > 1e-9 * std::abs(terms[i].fall.back())) shifting.push_back(i);
@@ -206,7 +265,7 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
   motion.set_angular_frequency(std::hypot(w, motion.decay_rate()));
   // From the first window's middle back to the first sample, at the rates there.
   const double back = track.t.front() - t0, A = decay.amplitude;
-  double fall = 0, rate = pendulum ? w * (1 - A * A / 16 + A * A * A * A / 3072) : w;
+  double fall = 0, rate = w;
   for_each_term([&]<class T>() {
     if constexpr (!HasInnerState<T>) {
       if (!law.has<T>() || springs.has<T>()) return;
@@ -216,6 +275,14 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
     }
   });
   const double amplitude = A + fall * back;
+  if (pendulum) {
+    const PendulumSwing swing = swing_of_action(amplitude);
+    const double mean_rate = 0.5 * (swing.rate() + PendulumSwing(track.amplitude.front()).rate());
+    const State<double> start = swing.at(fit.x[0] - w * mean_rate * back);
+    motion.position = start.x;
+    motion.velocity = w * start.v - motion.decay_rate() * start.x;
+    return motion;
+  }
   const double phase = fit.x[0] - rate * back;
   motion.position = amplitude * std::cos(phase);
   motion.velocity = -amplitude * rate * std::sin(phase) - motion.decay_rate() * motion.position;

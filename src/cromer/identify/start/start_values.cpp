@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
+#include "cromer/identify/least_squares/fit_settings.h"
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/motion/sampling.h"
 
@@ -13,8 +15,8 @@ namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-constexpr std::size_t longest_transform = 8192;
-constexpr std::size_t grid_samples = 1024;
+constexpr std::size_t most_samples = 8192;  // of the part searched
+constexpr double most_steps = 32768;        // of its duration
 
 // A copy of some of a record's samples.
 struct Samples {
@@ -25,89 +27,43 @@ struct Samples {
     y.push_back(value);
   }
   Record record() const { return {t, y, 0}; }
-  double duration() const { return t.back() - t.front(); }
 };
 
-// Values on an even grid, by straight lines between the samples; a record that is even already is only
-// copied.
-Samples even_samples(const Record& record, std::size_t count, double h) {
-  Samples even;
-  const double t0 = record.t.front(), t1 = record.t[count - 1];
-  const double wanted =
-      (t1 - t0) / h + 1.0000001;  // may be beyond every whole number: one absurd time is enough
-  const bool too_many = !(wanted <= static_cast<double>(4 * longest_transform));
-  const std::size_t points = too_many ? 0 : static_cast<std::size_t>(wanted);
-  if (points == count || too_many) {
-    // Mostly gaps: the longest stretch without one, which is even enough.
-    std::size_t first = 0, last = count;
-    for (std::size_t begin = 0, i = 1; too_many && i <= count; ++i) {
-      if (i < count && record.t[i] - record.t[i - 1] <= 1.5 * h) continue;
-      if (begin == 0 || i - begin > last - first) first = begin, last = i;
-      begin = i;
-    }
-    for (std::size_t i = first; i < last; ++i) even.add(record.t[i], record.y[i]);
-    return even;
-  }
-  for (std::size_t i = 0, k = 0; k < points; ++k) {
-    const double t = t0 + static_cast<double>(k) * h;
-    while (i + 2 < count && record.t[i + 1] <= t) ++i;
-    const double share = std::clamp((t - record.t[i]) / (record.t[i + 1] - record.t[i]), 0.0, 1.0);
-    even.add(t, (1 - share) * record.y[i] + share * record.y[i + 1]);
-  }
-  return even;
+double duration_of(const Record& record) { return record.t.back() - record.t.front(); }
+
+double mean_step(const Record& record) {
+  return duration_of(record) / static_cast<double>(record.t.size() - 1);
 }
 
-// Means over groups of samples: the whole of a long record whose first part shows less than a few periods.
+// Means over groups of consecutive samples; a gap ends a group.
 Samples group_means(const Record& record, std::size_t groups) {
   Samples means;
-  const std::size_t size = (record.t.size() + groups - 1) / groups;
-  for (std::size_t i = 0; i + size <= record.t.size(); i += size) {
+  const std::size_t n = record.t.size(), size = (n + groups - 1) / groups;
+  const double longest = 2 * static_cast<double>(size) * mean_step(record);
+  for (std::size_t i = 0; i < n;) {
     double t = 0, y = 0;
-    for (std::size_t j = i; j < i + size; ++j) {
+    std::size_t j = i;
+    for (; j < std::min(n, i + size) && (j == i || record.t[j] - record.t[i] < longest); ++j) {
       t += record.t[j];
       y += record.y[j];
     }
-    means.add(t / static_cast<double>(size), y / static_cast<double>(size));
+    means.add(t / static_cast<double>(j - i), y / static_cast<double>(j - i));
+    i = j;
   }
   return means;
 }
 
-// One sample in so many, few enough for a grid search and at least eight a period.
-Samples thinned(const Samples& all, double w) {
-  const double h = all.duration() / static_cast<double>(all.t.size() - 1);
-  const auto most = static_cast<std::size_t>(std::max(1.0, two_pi / (8 * w * h)));
-  const std::size_t stride = std::min(most, std::max<std::size_t>(1, all.t.size() / grid_samples));
-  if (stride == 1) return all;
+// One sample in so many, few enough for a search and at least eight a period.
+Samples thinned(const Record& all, double w) {
+  constexpr std::size_t wanted = 1024;
+  const auto most = static_cast<std::size_t>(std::max(1.0, two_pi / (8 * w * mean_step(all))));
+  const std::size_t stride = std::min(most, std::max<std::size_t>(1, all.t.size() / wanted));
   Samples thin;
   for (std::size_t i = 0; i < all.t.size(); i += stride) thin.add(all.t[i], all.y[i]);
   return thin;
 }
 
-struct GridPoint {
-  double w = 0, g = 0, mean_square = HUGE_VAL;  // of what it leaves
-};
-
-// The decay rates worth trying: none, and from one that is hardly seen within the record to one gone within a
-// radian (most_damping 1) or less.
-GridPoint search(const Samples& samples, double duration, double w_low, double w_high, int count,
-                 double most_damping) {
-  const DampedPhasor model(samples.record());
-  GridPoint best;
-  for (int i = 0; i < count; ++i) {
-    const double w = count == 1 ? w_low : w_low + (w_high - w_low) * i / (count - 1);
-    for (double g = 0; g <= most_damping * w; g = g > 0 ? 1.8 * g : 0.1 / duration) {
-      const double rest = model.best_linear(w, g).sum_of_squares / static_cast<double>(samples.t.size());
-      if (rest < best.mean_square) best = {w, g, rest};
-    }
-  }
-  return best;
-}
-
-double step_of(const Samples& samples) {
-  return samples.duration() / static_cast<double>(samples.t.size() - 1);
-}
-
-double variation(const Samples& samples) {
+double variation(const Record& samples) {
   double mean = 0, sum = 0;
   for (double y : samples.y) mean += y;
   mean /= static_cast<double>(samples.y.size());
@@ -115,54 +71,189 @@ double variation(const Samples& samples) {
   return sum / static_cast<double>(samples.y.size());
 }
 
-// The best point of a few frequencies, for records of a few periods: a window over them would blur every
-// line.
-GridPoint search_few_periods(const Samples& samples) {
-  const double T = samples.duration();
-  const Samples thin = thinned(samples, 7 * two_pi / T);
-  return search(thin, T, 0.6 * two_pi / T, 7 * two_pi / T, 60, 10);
+// Where the samples of a part are close to one line.
+struct LineFit {
+  Parameters phasor{};
+  double mean_square = HUGE_VAL;  // of what it leaves
+  double frequency_error = 0;     // [rad/s]
+};
+
+// A frequency and a decay rate with the amplitudes that fit best, of several tried the best.
+struct GridPoint {
+  Parameters phasor{};
+  double sum_of_squares = HUGE_VAL;
+
+  void try_at(const DampedPhasor& model, double w, double g) {
+    const DampedPhasor::Linear at = model.best_linear(w, g);
+    if (at.sum_of_squares < sum_of_squares)
+      *this = {{w, g, at.equilibrium, at.cosine, at.sine}, at.sum_of_squares};
+  }
+
+  // The decay rates worth trying: none, and from one that is hardly seen within the record to one gone within
+  // a radian (most_damping 1) or less. The minimum is narrower than three to the next.
+  void try_decays(const DampedPhasor& model, double w, double duration, double most_damping) {
+    for (double g = 0; g <= most_damping * w; g = g > 0 ? 3 * g : 0.1 / duration) try_at(model, w, g);
+  }
+};
+
+// The minimum nearest to a grid point.
+LineFit refined(const Record& samples, const DampedPhasor& model, const GridPoint& point) {
+  const auto n = static_cast<double>(samples.t.size());
+  LeastSquaresOptions settings;
+  settings.iteration_limit = 12;
+  settings.error_tolerance = 0.1;
+  settings.scale = std::sqrt(n * variation(samples));
+  settings.residuals = static_cast<int>(samples.t.size());
+  settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration_of(samples);
+  settings.lower[DampedPhasor::decay_rate] = 0;
+  const LeastSquaresSummary minimum = minimise(model, point.phasor, settings);
+  return {minimum.parameters, minimum.equations.sum_of_squares / n,
+          frequency_error(minimum, samples.t.size())};
 }
 
-// The best point at the spectrum's line, if that is one: more than six periods, and a fiftieth of the
+// The best fit near one frequency.
+LineFit fit_line(const Record& part, double w) {
+  const Samples thin = thinned(part, w);
+  const Record samples = thin.record();
+  const DampedPhasor model(samples);
+  GridPoint best;
+  best.try_decays(model, w, duration_of(part), 1);
+  return refined(samples, model, best);
+}
+
+// The best fit of a few periods: a window over them would blur every line.
+LineFit search_few_periods(const Record& part) {
+  const double T = duration_of(part);
+  const Samples means = group_means(part, 256), thin = thinned(part, 7 * two_pi / T);
+  const DampedPhasor coarse(means.record());
+  GridPoint best;
+  for (double periods = 0.6; periods < 7; periods += 0.16)
+    best.try_decays(coarse, periods * two_pi / T, T, 10);
+  return refined(thin.record(), DampedPhasor(thin.record()), best);
+}
+
+// The least of the steps but for a tenth.
+double smaller_step(std::span<const double> t) {
+  std::vector<double> steps(t.size() - 1);
+  for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
+  const auto tenth = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 10);
+  std::nth_element(steps.begin(), tenth, steps.end());
+  return *tenth;
+}
+
+bool is_even(std::span<const double> t) {
+  const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
+  int off = 0;
+  for (std::size_t i = 0; i < t.size(); ++i)
+    off += std::abs(t[i] - t[0] - static_cast<double>(i) * mean) > 0.5 * mean;
+  return off == 0;
+}
+
+// The spectrum's lines, highest first. Gaps make several of one sinusoid, any of which may be the true one.
+std::vector<SpectralLine> lines_of(const Record& part) {
+  if (is_even(part.t)) return strongest_lines(amplitude_spectrum(part.y, mean_step(part)), 0.7, 4);
+  const double h = std::max(smaller_step(part.t), duration_of(part) / most_steps);
+  return strongest_lines(least_squares_spectrum(part.t, part.y, h), 0.5, 16);
+}
+
+// The best fit at the spectrum's lines, if the first is one: more than six periods, and a fiftieth of the
 // variance at least. Above a drift without an oscillation stands nothing but rounding.
-std::optional<GridPoint> search_line(const Samples& samples) {
-  const std::optional<SpectralLine> line = strongest_line(amplitude_spectrum(samples.y, step_of(samples)));
-  const double T = samples.duration();
-  if (!line || line->angular_frequency * T < 6 * two_pi) return std::nullopt;
-  const Samples thin = thinned(samples, line->angular_frequency);
-  const GridPoint best = search(thin, T, line->angular_frequency, line->angular_frequency, 1, 1);
-  if (best.mean_square > 0.98 * variation(thin)) return std::nullopt;
+std::optional<LineFit> search_lines(const Record& part) {
+  const double slowest = 6 * two_pi / duration_of(part);
+  const std::vector<SpectralLine> lines = lines_of(part);
+  if (lines.empty() || lines[0].angular_frequency < slowest) return std::nullopt;
+  LineFit best;
+  for (const SpectralLine& line : lines) {
+    if (line.angular_frequency < slowest) continue;
+    const LineFit fit = fit_line(part, line.angular_frequency);
+    if (fit.mean_square < best.mean_square) best = fit;
+  }
+  if (best.mean_square > 0.98 * variation(part)) return std::nullopt;
   return best;
+}
+
+// The first samples; where they span too long a time, those of the fullest stretch that does not.
+StartValues searched_part(const Record& record) {
+  const std::size_t n = record.t.size();
+  StartValues part;
+  part.samples = std::min(n, most_samples);
+  if (is_even(record.t.first(part.samples))) return part;
+  const double longest = most_steps * find_sampling(record.t.first(part.samples)).step;
+  if (record.t[part.samples - 1] - record.t[0] <= longest) return part;
+  part.samples = 0;
+  for (std::size_t first = 0, last = 0; first < n; ++first) {
+    while (last < n && last - first < most_samples && record.t[last] - record.t[first] <= longest) ++last;
+    if (last - first > part.samples) part.first = first, part.samples = last - first;
+  }
+  return part;
+}
+
+void set_line(StartValues& start, const LineFit& fit) {
+  start.phasor = fit.phasor;
+  start.frequency_error = fit.frequency_error;
+}
+
+// From its own first time to one that is later by dt.
+void shift(Parameters& phasor, double dt) {
+  const std::complex<double> turn = std::exp(
+      std::complex<double>(-phasor[DampedPhasor::decay_rate], phasor[DampedPhasor::angular_frequency]) * dt);
+  const double A = phasor[DampedPhasor::cosine], B = phasor[DampedPhasor::sine];
+  phasor[DampedPhasor::cosine] = A * turn.real() + B * turn.imag();
+  phasor[DampedPhasor::sine] = B * turn.real() - A * turn.imag();
 }
 
 }  // namespace
 
 std::optional<StartValues> find_start_values(const Record& record) {
-  const std::size_t n = record.t.size();
-  StartValues start;
-  start.samples = std::min(n, longest_transform);
-  Samples part = even_samples(record, start.samples, find_sampling(record.t.first(start.samples)).step);
-  std::optional<GridPoint> best = search_line(part);
-  // The line may be noise on a motion of which the first part shows few periods.
-  if (best && start.samples < n && search_few_periods(part).mean_square < best->mean_square)
-    best = std::nullopt;
-  if (!best && start.samples < n) {
-    part = group_means(record, longest_transform);
-    start.samples = n;
-    best = search_line(part);
+  StartValues start = searched_part(record);
+  const Record part = record.part(start.first, start.samples);
+  const bool whole = start.samples == record.t.size();
+  std::optional<LineFit> best = search_lines(part), few;
+  // The line may be noise on a motion of which the part shows few periods, which then accounts for more.
+  if (!best || (!whole && best->mean_square > 0.5 * variation(part))) few = search_few_periods(part);
+  if (best && few && few->mean_square < best->mean_square) best = std::nullopt;
+  if (best || whole) {
+    set_line(start, best ? *best : *few);
+  } else {
+    const Samples means = group_means(record, most_samples);
+    const std::optional<LineFit> slow = search_lines(means.record());
+    set_line(start, slow ? *slow : search_few_periods(means.record()));
+    start.first = 0;
+    start.samples = record.t.size();
+    shift(start.phasor, record.t.front() - means.t.front());
   }
-  if (!best) best = search_few_periods(part);
-  if (!std::isfinite(best->mean_square)) return std::nullopt;
-
-  // Amplitudes from the part itself, now at the record's own times.
-  const Record own{record.t.first(start.samples), record.y.first(start.samples), record.resolution};
-  const DampedPhasor::Linear linear = DampedPhasor(own).best_linear(best->w, best->g);
-  start.phasor[DampedPhasor::angular_frequency] = best->w;
-  start.phasor[DampedPhasor::decay_rate] = best->g;
-  start.phasor[DampedPhasor::equilibrium] = linear.equilibrium;
-  start.phasor[DampedPhasor::cosine] = linear.cosine;
-  start.phasor[DampedPhasor::sine] = linear.sine;
+  if (!std::isfinite(start.phasor[DampedPhasor::cosine])) return std::nullopt;
   return start;
+}
+
+double frequency_error(const LeastSquaresSummary& minimum, std::size_t samples) {
+  constexpr int unknowns = DampedPhasor::parameter_count;
+  const double degrees = std::max(1.0, static_cast<double>(samples) - unknowns);
+  const SquareMatrix scatter = inverse(minimum.equations.matrix, unknowns);
+  return std::sqrt(scatter[0][0] * minimum.equations.sum_of_squares / degrees);
+}
+
+StartValues grown(const Record& record, const StartValues& start) {
+  constexpr double widened = 4;  // noise may be correlated, and the law another
+  const std::size_t more = 7 * start.samples;
+  const std::size_t after = std::min(more, record.t.size() - start.first - start.samples);
+  StartValues next = start;
+  next.first -= std::min(start.first, more - after);
+  next.samples = std::min(start.first - next.first + start.samples + after, record.t.size());
+  const Record part = record.part(next.first, next.samples);
+  shift(next.phasor, part.t.front() - record.t[start.first]);
+  const double error = widened * start.frequency_error, T = duration_of(part);
+  const double beside = std::ceil(error * T);
+  constexpr double most = 2000;  // an absurd time cannot be reached
+  if (error * T < 0.5 || !(beside < most)) return next;
+  const double w = next.phasor[DampedPhasor::angular_frequency];
+  const Samples thin = thinned(part, w);
+  const DampedPhasor model(thin.record());
+  GridPoint best;
+  for (double i = -beside; i <= beside; ++i)
+    best.try_at(model, w + i / T, next.phasor[DampedPhasor::decay_rate]);
+  next.phasor = best.phasor;
+  return next;
 }
 
 }  // namespace cromer
