@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cromer/identify/driven_start.h"
+#include "cromer/identify/second_mode.h"
 #include "cromer/identify/sinusoidal_force.h"
 
 namespace cromer {
@@ -40,6 +41,13 @@ bool lasts(const Mode& mode, const Mode& other, double duration) {
   if (!mode.decays()) return true;
   const double g = mode.decay_rate.value;
   return g * duration < 0.1 && g < 0.05 * other.decay_rate.value;
+}
+
+// The smaller line is a harmonic of the larger.
+bool is_harmonic(const std::array<Mode, 2>& modes, double duration) {
+  const Estimate &larger = modes[0].angular_frequency, &smaller = modes[1].angular_frequency;
+  return harmonic_of(smaller.value, smaller.standard_error,
+                     {larger.value, larger.value, larger.standard_error}, duration) > 0;
 }
 
 struct Criterion {
@@ -93,6 +101,7 @@ MotionJudgement judge_motion(const Record& record, const FreeDecay& free, const 
   const auto& [one, other] = modes->modes;
   const auto shows = [](const Mode& mode) { return mode.amplitude > 4 * mode.amplitude_error; };
   const double duration = record.t.back() - record.t.front(), resolution = two_pi / duration;
+  if (!frequency_known && is_harmonic(modes->modes, duration)) return judgement;
   const bool one_lasts = lasts(one, other, duration), other_lasts = lasts(other, one, duration);
   const bool apart = std::abs(one.angular_frequency.value - other.angular_frequency.value) > 0.5 * resolution;
   if (!one_lasts && !other_lasts) {

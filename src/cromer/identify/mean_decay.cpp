@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cromer/analysis/amplitude_decay.h"
+#include "cromer/base/quantity.h"
 #include "cromer/identify/describe_fit.h"
 
 namespace cromer {
@@ -59,13 +60,8 @@ bool dampings_are_collinear(const FreeDecay& fit) {
 }
 
 std::string to_text(const MeanDecay& decay) {
-  const double error = decay.rate.standard_error;
-  const int digits =
-      error > 0 && std::isfinite(error)
-          ? std::clamp(static_cast<int>(std::floor(std::log10(std::abs(decay.rate.value) / error))) + 2, 2, 8)
-          : 4;
-  return fmt::format("decay rate {:.{}g} ± {:.1g} 1/s at the record's mean amplitude", decay.rate.value,
-                     digits, error);
+  return fmt::format("decay rate {} at the record's mean amplitude",
+                     format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s"));
 }
 
 }  // namespace cromer

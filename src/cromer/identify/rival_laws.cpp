@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cromer/base/quantity.h"
 #include "cromer/identify/mean_decay.h"
 
 namespace cromer {
@@ -37,8 +38,8 @@ bool has_other_damping(const FreeDecay& chosen, const FreeDecay& rival) {
 std::string coefficients(const FreeDecay& fit) {
   std::string text;
   const auto add = [&](const char* name, const Estimate& value) {
-    text += fmt::format("{}{} {:.3g} ± {:.1g}", text.empty() ? "" : ", ", name, value.value,
-                        value.standard_error);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
+                        format_quantity({value.value, value.standard_error}, ""));
   };
   if (fit.law.viscous) add("decay rate", fit.decay_rate);
   if (fit.drag) add("drag", *fit.drag);

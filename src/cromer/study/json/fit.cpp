@@ -195,7 +195,7 @@ Json recording_object(const FittedRecording& fitted) {
   object["observed"] = or_null(series.quantity);
   object["run"] = series.run;
   object["samples"] = fitted.samples;
-  object["used"] = series.t.size();
+  object["used"] = fitted.used();
   object["from"] = any ? Json(series.t.front()) : Json(nullptr);
   object["to"] = any ? Json(series.t.back()) : Json(nullptr);
   object["rate"] = or_null(series.rate);
