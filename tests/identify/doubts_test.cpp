@@ -8,6 +8,7 @@
 
 #include "cromer/identify/choose_law.h"
 #include "cromer/identify/departures.h"
+#include "cromer/identify/driven_fit.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {
@@ -105,6 +106,35 @@ TEST(Doubts, WanderingNoiseIsNoWrongLaw) {
     for (double& y : record.y) y += noise = 0.95 * noise + normal(engine);
     EXPECT_THAT(doubts_about(record), IsEmpty()) << seed;
   }
+}
+
+// Of a body at 6 rad/s, driven at 5, and of what else pushes it.
+std::vector<std::string> driven_doubts_about(double second, double third_harmonic, double correlation,
+                                             unsigned seed = 1) {
+  SyntheticRecord record{even_times(3000, 0.02), {}, 0};
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, 1e-4);
+  double noise = 0;
+  for (const double t : record.t) {
+    noise = correlation * noise + normal(engine);
+    record.y.push_back(0.05 * std::cos(5 * t) + 0.03 * std::exp(-0.05 * t) * std::cos(6 * t) +
+                       second * std::cos(6.8 * t) + third_harmonic * std::cos(15 * t) + noise);
+  }
+  const ForcedFit fit = choose_driven(record.record(), ForcedTerms{}, 5.0).chosen;
+  EXPECT_EQ(fit.law.status, FitStatus::converged) << fit.law.message;
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < fit.motion.size(); ++i) residuals.push_back(record.y[i] - fit.motion[i]);
+  return driven_doubts(record.record(), fit.law, residuals, 5, true, "m");
+}
+
+TEST(Doubts, WhatADrivenLawLeavesIsNamed) {
+  EXPECT_THAT(driven_doubts_about(0.01, 0, 0),
+              ElementsAre(testing::AllOf(HasSubstr("oscillates at 1.08"), HasSubstr("another drive")),
+                          HasSubstr("the law viscous does not describe this recording")));
+  EXPECT_THAT(driven_doubts_about(0, 0.002, 0), testing::Contains(HasSubstr("3 times the drive's")));
+  for (unsigned seed = 1; seed <= 5; ++seed)
+    for (const double correlation : {0.0, 0.95})
+      EXPECT_THAT(driven_doubts_about(0, 0, correlation, seed), IsEmpty()) << seed << ' ' << correlation;
 }
 
 TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
