@@ -58,7 +58,7 @@ std::string driven_at(double w) { return concat({shortest(w), " rad/s"}); }
 TEST(SaidOfRecordings, AnAmplitudeThatHardlyFallsMayBeADrives) {
   for (const double quality : {16000.0, 60000.0})
     for (const double periods : {30.0, 100.0, 300.0})
-      for (unsigned seed = 1; seed <= 3; ++seed) {
+      for (unsigned seed = 1; seed <= 1; ++seed) {
         const double w = 6, fall = periods * std::numbers::pi / quality;
         const auto bytes = recorded({.duration = periods * two_pi / w, .noise = 2e-5, .seed = seed},
                                     [&](double t) { return 0.05 * swing(t, w, w / (2 * quality)); });
