@@ -35,7 +35,7 @@ std::string heading(const FittedRecording& fitted) {
       fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, fitted.status());
   if (fitted.fit.status != FitStatus::converged) return text + ", " + fitted.fit.message + "\n";
   return text +
-         fmt::format(", {} of {} samples, {:.6g} to {:.6g} s, law {}\n", series.t.size(), fitted.samples,
+         fmt::format(", {} of {} samples, {:.6g} to {:.6g} s, law {}\n", fitted.used(), fitted.samples,
                      series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
          drive_in_words(fitted);
 }

@@ -184,5 +184,15 @@ TEST_P(ResponsePeaksBy, OfOneDoNotDependOnItsNeighbours) {
   }
 }
 
+TEST(ResponsePeaks, ByDefaultTheFastestUnitWalks) {
+  const auto a = shaking(300, 9);
+  const std::vector<LinearLaw<double>> laws{law_of(0.1, 0.05), law_of(0.7, 0.02), law_of(3, 0)};
+  const GroundMotion ground{a, 0.01};
+  const auto found = response_peaks(ground, laws, {});
+  const auto fastest = response_peaks(ground, laws, {.walk = choose_unit()->walk});
+  ASSERT_EQ(found.size(), laws.size());
+  for (std::size_t i = 0; i < laws.size(); ++i) EXPECT_EQ(found[i].overall(), fastest[i].overall()) << i;
+}
+
 }  // namespace
 }  // namespace cromer

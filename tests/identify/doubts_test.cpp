@@ -107,6 +107,33 @@ TEST(Doubts, WanderingNoiseIsNoWrongLaw) {
   }
 }
 
+// Of a body at 6 rad/s, driven at 5, and of what else pushes it.
+std::vector<std::string> driven_doubts_about(double second, double third_harmonic, double correlation,
+                                             unsigned seed = 1) {
+  SyntheticRecord record{even_times(3000, 0.02), {}, 0};
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, 1e-4);
+  double noise = 0;
+  for (const double t : record.t) {
+    noise = correlation * noise + normal(engine);
+    record.y.push_back(0.05 * std::cos(5 * t) + 0.03 * std::exp(-0.05 * t) * std::cos(6 * t) +
+                       second * std::cos(6.8 * t) + third_harmonic * std::cos(15 * t) + noise);
+  }
+  const LawFit fit = fit_law(record.record(), {.drive = Drive::harmonic(), .drive_frequency = 5.0});
+  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
+  return driven_doubts(record.record(), fit, residuals_of(fit, record.record()), 5, true, "m");
+}
+
+TEST(Doubts, WhatADrivenLawLeavesIsNamed) {
+  EXPECT_THAT(driven_doubts_about(0.01, 0, 0),
+              ElementsAre(testing::AllOf(HasSubstr("oscillates at 1.08"), HasSubstr("another drive")),
+                          HasSubstr("the law viscous does not describe this recording")));
+  EXPECT_THAT(driven_doubts_about(0, 0.002, 0), testing::Contains(HasSubstr("3 times the drive's")));
+  for (unsigned seed = 1; seed <= 5; ++seed)
+    for (const double correlation : {0.0, 0.95})
+      EXPECT_THAT(driven_doubts_about(0, 0, correlation, seed), IsEmpty()) << seed << ' ' << correlation;
+}
+
 TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
   LawFit fit;
   fit.residual = {.rms = 1, .normality = 0, .autocorrelation = 0.99, .white = false};

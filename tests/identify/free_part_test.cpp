@@ -146,5 +146,35 @@ TEST(FreePart, BeatsAreNotADriveThatStops) {
       }
 }
 
+TEST(LostMotion, OneThatFreezesOrJumpsAway) {
+  for (const double lost : {20.0, 20.4, 20.9, 33.0})
+    for (const double level : {-2.0, 0.3, 0.9, 5.0}) {
+      auto record = recorded(60, 0.003, [&](double t) { return decay(t) * std::cos(6 * t); });
+      const auto first = static_cast<std::size_t>(lost * 50);
+      const double frozen = record.y[first - 1];
+      for (const double value : {level, frozen}) {
+        for (std::size_t i = first; i < record.y.size(); ++i) record.y[i] = value;
+        const auto found = find_lost_motion(record.record());
+        ASSERT_TRUE(found.has_value()) << lost << ' ' << value;
+        EXPECT_NEAR(static_cast<double>(found->seen), static_cast<double>(first), 1.5);
+        EXPECT_EQ(found->value, value);
+        EXPECT_GT(found->share, 0.99);
+      }
+    }
+}
+
+TEST(LostMotion, NoneWhereItIsSeenToTheEnd) {
+  for (const double noise : {0.0, 0.003})
+    for (const double rate : {0.02, 0.3}) {
+      auto record = recorded(60, noise, [&](double t) { return decay(t, rate) * std::cos(6 * t); });
+      EXPECT_FALSE(find_lost_motion(record.record())) << noise << ' ' << rate;
+      for (const double resolution : {0.001, 0.1, 1.0}) {
+        for (double& y : record.y) y = resolution * std::round(y / resolution);
+        record.resolution = resolution;
+        EXPECT_FALSE(find_lost_motion(record.record())) << noise << ' ' << rate << ' ' << resolution;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace cromer

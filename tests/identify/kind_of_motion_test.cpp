@@ -46,5 +46,17 @@ TEST(KindOfMotion, DampingTellsTwoModesFromADrive) {
   }
 }
 
+TEST(KindOfMotion, AHarmonicIsNoModeUnlessTheDriveIsKnown) {
+  for (const int multiple : {2, 3})
+    for (const double g : {0.0, 0.01}) {
+      SyntheticRecord record = viscous_record(
+          {.w0 = 8, .g = g, .equilibrium = 0, .position = 0.03, .velocity = 0}, even_times(1500, 0.02), 3e-4);
+      for (const double t : record.t)
+        record.y[static_cast<std::size_t>(std::lround(t / 0.02))] +=
+            0.005 * std::exp(-multiple * g * t) * std::cos(multiple * std::sqrt(64 - g * g) * t);
+      EXPECT_EQ(judged(record).kind, MotionKind::free) << multiple << ' ' << g;
+    }
+}
+
 }  // namespace
 }  // namespace cromer

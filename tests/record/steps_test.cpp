@@ -72,5 +72,60 @@ TEST(Steps, OneLateSampleIsNoGap) {
   EXPECT_TRUE(describe_steps(std::vector<double>{1}).gaps.empty());
 }
 
+/// To the nearest multiple of `to`.
+std::vector<double> rounded_to(std::vector<double> t, double to) {
+  for (double& at : t) at = std::nearbyint(at / to) * to;
+  return t;
+}
+
+TEST(Steps, RoundedTimesHaveNoGaps) {
+  for (const double rate : {30.0, 48.0, 59.94, 60.0, 70.0, 83.0, 96.7, 100.0, 117.0, 190.0})
+    for (const double part : {0.05, 0.2, 1 / 3.0, 0.5, 0.6, 0.8})
+      for (const double start : {0.0, 0.3}) {
+        std::vector<double> t = times(2000, 1 / rate);
+        for (double& at : t) at += start / rate;
+        const Steps steps = describe_steps(rounded_to(t, part / rate));
+        EXPECT_TRUE(steps.gaps.empty()) << steps.gaps.size() << " gaps, " << rate << ' ' << part;
+        EXPECT_NEAR(steps.rate, rate, 1e-3 * rate) << part;
+      }
+}
+
+TEST(Steps, AGapAmongRoundedTimesIsOne) {
+  for (const double to : {0.002, 0.005, 0.008, 0.01}) {
+    std::vector<double> t = times(2000, 1 / 70.0);
+    t.erase(t.begin() + 500, t.begin() + 505);
+    const Steps steps = describe_steps(rounded_to(t, to));
+    ASSERT_EQ(steps.gaps.size(), 1u) << to;
+    EXPECT_NEAR(steps.gaps[0].t, 499 / 70.0, to);
+    EXPECT_NEAR(steps.gaps[0].length, 6 / 70.0, to);
+  }
+}
+
+TEST(Steps, WhatWasEvenBeforeItWasRoundedIsMadeEven) {
+  for (const double rate : {60.0, 70.0, 96.7})
+    for (const double part : {0.13, 0.3, 0.51, 0.8}) {
+      const std::vector<double> even = times(1500, 1 / rate);
+      const auto clock = even_clock(rounded_to(even, part / rate));
+      ASSERT_TRUE(clock) << rate << ' ' << part;
+      EXPECT_NEAR(clock->rounding, part / rate, 1e-4 * part / rate);
+      for (const std::size_t i : {0u, 700u, 1499u}) EXPECT_NEAR(clock->t[i], even[i], 0.1 * part / rate);
+    }
+  // With samples missing.
+  std::vector<double> t = times(1500, 1 / 70.0);
+  t.erase(t.begin() + 400, t.begin() + 431);
+  const auto clock = even_clock(rounded_to(t, 0.005));
+  ASSERT_TRUE(clock);
+  for (std::size_t i = 0; i < t.size(); ++i) ASSERT_NEAR(clock->t[i], t[i], 5e-4) << i;
+}
+
+TEST(Steps, JitterIsNotMadeEven) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    EXPECT_FALSE(even_clock(rounded_to(jittered(times(1500, 1 / 70.0), 0.002, true, seed), 0.005)));
+    EXPECT_FALSE(even_clock(jittered(times(1500, 1 / 70.0), 0.001, false, seed)));
+  }
+  EXPECT_FALSE(even_clock(times(1500, 0.01)));  // they are even
+  EXPECT_FALSE(even_clock(std::vector<double>{0, 1, 2.5}));
+}
+
 }  // namespace
 }  // namespace cromer::dialects

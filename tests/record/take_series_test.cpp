@@ -13,6 +13,7 @@
 namespace cromer {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -78,6 +79,23 @@ TEST(TakeSeries, UnknownUnitsAndNamesAreSaid) {
   const Series s = series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n");
   EXPECT_EQ(s.column, "column 2");
   EXPECT_THAT(s.warnings, Contains(HasSubstr("no column is known to be a position")));
+}
+
+TEST(TakeSeries, AFrequencyIsNoMotion) {
+  for (const char* name :
+       {"Frequency (Hz)", "f (Hz)", "Frequenz", "frequenza (kHz)", "Drive frequency (rad/s)"})
+    EXPECT_EQ(series(concat({"Time (s),", name, ",Signal\n0,5,1\n1,5,2\n2,5,3\n"})).column, "Signal") << name;
+  EXPECT_EQ(series("Time (s),Frequency (Hz),x (m)\n0,5,1\n1,5,2\n2,5,3\n").column, "x (m)");
+  EXPECT_THAT(refusal("Time (s),Frequency (Hz)\n0,5\n1,6\n2,5\n"),
+              AllOf(HasSubstr("no motion"), HasSubstr("--column \"Frequency\"")));
+  // Who names it has the numbers of the file.
+  const Series named = series("Time (s),Frequency (kHz)\n0,5\n1,6\n2,5\n", "Frequency");
+  EXPECT_THAT(named.y,
+              ElementsAre(testing::DoubleEq(5000), testing::DoubleEq(6000), testing::DoubleEq(5000)));
+  EXPECT_EQ(unit_of(named), "Hz");
+  EXPECT_THAT(named.warnings, Contains(HasSubstr("holds a frequency, which is no motion")));
+  EXPECT_THAT(series("Time (s),Frequency (rad/s)\n0,6.283185307179586\n1,0\n2,0\n", "Frequency").y[0],
+              testing::DoubleEq(1));
 }
 
 TEST(TakeSeries, SeveralAlikeAreListed) {
@@ -249,6 +267,26 @@ TEST(TakeSeries, SpikesAreListedAndStay) {
   EXPECT_NEAR(s.outliers[0].t, 7.0, 1e-12);
   EXPECT_EQ(s.y[700], s.outliers[0].value);
   EXPECT_THAT(s.warnings, Contains("2 samples stick out alone, the first in line 702"));
+}
+
+TEST(TakeSeries, RoundedTimesAreMadeEvenWhereTheyWere) {
+  std::string text = "Time (s),Position (m)\n";
+  for (int i = 0; i < 600; ++i)
+    text += concat({shortest(std::nearbyint(i / 0.6) / 100), ",", shortest(std::sin(0.1 * i)), "\n"});
+  const Series s = series(text);
+  EXPECT_EQ(s.rate, 60);
+  EXPECT_TRUE(s.gaps.empty());
+  for (std::size_t i = 0; i < 600; ++i) ASSERT_NEAR(s.t[i], static_cast<double>(i) / 60, 1e-3) << i;
+  EXPECT_THAT(s.warnings, ElementsAre(HasSubstr("the times are rounded to 0.01 s")));
+}
+
+TEST(TakeSeries, RoundingToTwoLevelsIsNotClipping) {
+  for (const double size : {0.4, 0.5, 0.7, 1.3}) {
+    const auto steps = [&](int i, double) { return 0.01 * std::nearbyint(size * std::cos(0.1 * i) + 0.3); };
+    const Series s = series(swing(3000, 60, 2, steps));
+    EXPECT_DOUBLE_EQ(s.resolution, 0.01) << size;
+    EXPECT_THAT(s.warnings, Not(Contains(HasSubstr("out of its range")))) << size;
+  }
 }
 
 TEST(TakeSeries, RoundingIsSeen) {

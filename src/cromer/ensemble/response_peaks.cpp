@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/refine_peaks.h"
 
 namespace cromer {
@@ -85,6 +86,7 @@ std::size_t substeps(double spacing, double period) {
 std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<const LinearLaw<double>> laws,
                                           const PeakSearch& search) {
   std::vector<double> samples(ground.acceleration.begin(), ground.acceleration.end());
+  const cromer_walk::Function walk_filters = search.walk ? search.walk : units_here().back().walk;
   const bool hold = ground.between == BetweenSamples::hold;
   if (hold) samples.push_back(samples.back());
 
@@ -117,7 +119,7 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
       group.add(law, watched_of(law, search.quantity), ground.spacing / static_cast<double>(most), hold,
                 samples.front());
     }
-    group.walk(walk, search.walk);
+    group.walk(walk, walk_filters);
     if (block_of_forces != walk.block) forces = largest_forces(walk);
     block_of_forces = walk.block;
     for (std::size_t i = begin; i < end; ++i)

@@ -34,7 +34,7 @@ struct PeakSearch {
   ResponseOf quantity = ResponseOf::displacement;
   bool after_the_end = true;             ///< look at the free motion after the last sample too
   bool largest_alone = true;             ///< only the largest magnitude of the whole motion needs to be right
-  cromer_walk::Function walk = nullptr;  ///< of choose_unit()
+  cromer_walk::Function walk = nullptr;  ///< of choose_unit(); none: the fastest here
 };
 
 struct ResponsePeaks {

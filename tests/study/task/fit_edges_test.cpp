@@ -45,7 +45,7 @@ TEST(FitEdges, SegmentsTooShortForAPeriodAreRefusedAtOnce) {
 TEST(FitEdges, SegmentsThatFailShareOneWarning) {
   Series still = disc();
   for (std::size_t i = 3000; i < still.y.size(); ++i) still.y[i] = 0.2;
-  const FittedRecording result = fitted(still, {.segment = 15});
+  const FittedRecording result = fitted(still, {.to = 90, .segment = 15});
   EXPECT_THAT(result.warnings,
               Contains(HasSubstr("4 of the 6 segments are left out; the first, from 30 to 45 s")));
 }

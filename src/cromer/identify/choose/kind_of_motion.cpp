@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cromer/identify/choose/criterion.h"
+#include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/identify/start/driven_start.h"
 
 namespace cromer {
@@ -29,8 +30,15 @@ std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const Law
 // times slower than the swing beside it, lasts.
 bool lasts(const Mode& mode, const Mode& other, double duration) {
   if (!mode.decays()) return true;
-  const double g = mode.decay_rate().value;
-  return g * duration < 0.1 && g < 0.05 * other.decay_rate().value;
+  const double g = mode.decay_rate.value;
+  return g * duration < 0.1 && g < 0.05 * other.decay_rate.value;
+}
+
+// The smaller line is a harmonic of the larger.
+bool is_harmonic(const std::array<Mode, 2>& modes, double duration) {
+  const Estimate &larger = modes[0].angular_frequency, &smaller = modes[1].angular_frequency;
+  return harmonic_of(smaller.value, smaller.standard_error,
+                     {larger.value, larger.value, larger.standard_error}, duration) > 0;
 }
 
 struct Criterion {
@@ -83,8 +91,9 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const auto& [one, other] = modes->modes;
   const auto shows = [](const Mode& mode) { return mode.amplitude > 4 * mode.amplitude_error; };
   const double duration = record.t.back() - record.t.front(), resolution = two_pi / duration;
+  if (!frequency_known && is_harmonic(modes->modes, duration)) return judgement;
   const bool one_lasts = lasts(one, other, duration), other_lasts = lasts(other, one, duration);
-  const bool apart = std::abs(one.angular_frequency().value - other.angular_frequency().value) > 0.5 * resolution;
+  const bool apart = std::abs(one.angular_frequency.value - other.angular_frequency.value) > 0.5 * resolution;
   if (!one_lasts && !other_lasts) {
     // Two decays at one frequency are one swing that decays in another way than its law.
     if (apart && shows(one) && shows(other) && of_modes < of_free - strong_evidence)

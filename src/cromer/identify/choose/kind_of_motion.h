@@ -9,7 +9,7 @@
 namespace cromer {
 
 enum class MotionKind {
-  free,                ///< the free law accounts for it as well as anything else
+  free,                ///< the free law accounts for it as well as anything else, harmonics aside
   driven,              ///< one line lasts and the other decays, or the driven law is not linear
   two_modes,           ///< two lines, both of which decay
   driven_or_two_modes  ///< two lines, neither of which decays: the same signal either way
@@ -24,7 +24,8 @@ struct MotionJudgement {
 /// information criterion of as many samples as the closest leaves independent. Anything but the free law must
 /// be better by more than 6 (strong evidence, see criterion.h), after the price of the search for its
 /// frequency: twice the logarithm of the number of frequencies that were searched, half the samples where the
-/// drive's was not known.
+/// drive's was not known. A smaller line at a multiple of the larger's frequency is its harmonic and no
+/// mode, unless the drive's frequency is known.
 MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known);
 

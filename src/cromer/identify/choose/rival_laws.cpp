@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cromer/base/quantity.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 
@@ -36,8 +37,8 @@ std::string coefficients(const LawFit& fit) {
     std::string name = fit.names[i];
     if (name == "equilibrium" || name == "position" || name == "velocity" || name == "angular_frequency") continue;
     std::replace(name.begin(), name.end(), '_', ' ');
-    text += fmt::format("{}{} {:.3g} ± {:.1g}", text.empty() ? "" : ", ", name, fit.estimates[i].value,
-                        fit.estimates[i].standard_error);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
+                        format_quantity({fit.estimates[i].value, fit.estimates[i].standard_error}, ""));
   }
   return text;
 }

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/diagnose/second_mode.h"
 
 namespace cromer {
 namespace {
@@ -53,46 +55,97 @@ std::string rise(const Record& record, double period, double noise) {
       middle(from), middle(to));
 }
 
+// What a drive would look like: an amplitude that hardly falls. Drives are steady to a few percent, and few
+// swings in air have a quality factor in the thousands.
+std::string steadiness(const Record& record, const LawFit& fit, double periods) {
+  constexpr double fewest = 20;  // periods
+  if (periods < fewest) return {};
+  const std::string then =
+      "the frequency is the drive's, and the stiffness that follows from it is not the spring's";
+  // The terms may be traded for each other: what falls is known of their sum.
+  const Estimate rate = mean_decay(fit, record).rate;
+  if (!(rate.low > 0))
+    return fmt::format("the swing does not die down over {:.0f} periods. If something drives it, {}", periods,
+                       then);
+  const double fall = 1 - std::exp(-rate.value * (record.t.back() - record.t.front()));
+  const double quality = fit.angular_frequency().value / (2 * rate.value);
+  if (fall > 0.1 || (fall > 0.02 && quality < 5000)) return {};
+  return fmt::format(
+      "the amplitude falls by {:.2g} % only over {:.0f} periods (quality factor {:.2g}): a drive that is not "
+      "quite steady looks the same. If something drives it, {}",
+      100 * fall, periods, quality, then);
+}
+
+// A motion of a step or two, whose decay the noise does not blur into view.
+std::string coarseness(const Record& record, const LawFit& fit, std::string_view unit) {
+  if (!(record.resolution > 0) || fit.residual.rms > 0.36 * record.resolution) return {};
+  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
+  const double levels = std::round((*high - *low) / record.resolution) + 1;
+  if (levels > 4) return {};
+  return fmt::format(
+      "the values take {:.0f} levels only, {:.3g}{}{} apart: the frequency follows from when they change, "
+      "but "
+      "amplitude and decay rate hardly show, and their uncertainties cannot be trusted; measure with a finer "
+      "resolution",
+      levels, record.resolution, unit.empty() ? "" : " ", unit);
+}
+
+// Where a period has many samples, what a wrong law leaves is smooth, and larger than the noise.
+bool exceeds_noise(const Record& record, const Residual& left, double noise, double angular_frequency) {
+  const double duration = record.t.back() - record.t.front();
+  const double samples_per_period =
+      two_pi / angular_frequency * static_cast<double>(record.t.size() - 1) / duration;
+  return samples_per_period >= 12 && left.autocorrelation > 0.5 &&
+         left.rms > std::max(2 * noise, record.resolution);
+}
+
+std::string not_described(const LawFit& fit, double noise, bool only_law) {
+  return fmt::format(
+      "{} this recording: what is left is {:.0f} times the noise from sample to sample, and the "
+      "uncertainties "
+      "cannot be trusted",
+      only_law ? fmt::format("the law {} does not describe", to_text(fit.law)) : "no law tried describes",
+      std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms)));
+}
+
 }  // namespace
 
 std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool only_law,
                                 std::string_view unit) {
   std::vector<std::string> found;
+  const auto say = [&](std::string sentence) {
+    if (!sentence.empty()) found.push_back(std::move(sentence));
+  };
   const double period = two_pi / fit.angular_frequency().value;
   const double duration = record.t.back() - record.t.front();
   const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
   const std::string rises = rise(record, period, noise);
-  if (!rises.empty()) found.push_back(rises);
-
-  // The terms may be traded for each other: what falls is known of their sum.
-  const bool falls = mean_decay(fit, record).rate.low > 0;
-  if (rises.empty() && duration >= 20 * period && !falls)
-    found.push_back(
-        fmt::format("the swing does not die down over {:.0f} periods. If something drives it, the frequency "
-                    "is the drive's, "
-                    "and the stiffness that follows from it is not the spring's",
-                    duration / period));
-
-  if (const std::string few = few_samples(record, fit.angular_frequency().value); !few.empty())
-    found.push_back(few);
-  // Where a period has many samples, what a wrong law leaves is smooth.
-  const double samples_per_period = period * static_cast<double>(record.t.size() - 1) / duration;
-  if (samples_per_period < 12 || fit.residual.autocorrelation <= 0.5 || residuals.size() != record.t.size() ||
-      fit.residual.rms <= std::max(2 * noise, record.resolution))
+  say(rises);
+  if (rises.empty()) say(steadiness(record, fit, duration / period));
+  say(few_samples(record, fit.angular_frequency().value));
+  say(coarseness(record, fit, unit));
+  if (residuals.size() != record.t.size() ||
+      !exceeds_noise(record, fit.residual, noise, fit.angular_frequency().value))
     return found;
   const bool line = leaves_a_line(record, fit, residuals);
   const std::string stop = line && rises.empty() ? sudden_stop(record, period, unit) : "";
-  const std::string zero = stop.empty() ? wandering_zero(record, residuals, unit) : "";
-  for (const std::string& named : {stop, zero})
-    if (!named.empty()) found.push_back(named);
-  if (!line) return found;
-  found.push_back(fmt::format(
-      "{} this recording: what is left is {:.0f} times the noise from sample to sample, and the "
-      "uncertainties "
-      "cannot be trusted",
-      only_law ? fmt::format("the law {} does not describe", to_text(fit.law)) : "no law tried describes",
-      std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))));
+  say(stop);
+  if (stop.empty()) say(wandering_zero(record, residuals, unit));
+  if (line) say(not_described(fit, noise, only_law));
+  return found;
+}
+
+std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
+                                       std::span<const double> residuals, double drive, bool only_law,
+                                       std::string_view unit) {
+  if (residuals.size() != record.t.size() || record.t.size() < 32) return {};
+  const double noise = noise_of(residuals);
+  const Record left{record.t, residuals, record.resolution, record.derivative};
+  std::vector<std::string> found = second_drives(left, drive, unit);
+  const double fastest = std::max(fit.angular_frequency().value, drive);
+  if (!found.empty() && exceeds_noise(record, fit.residual, noise, fastest))
+    found.push_back(not_described(fit, noise, only_law));
   return found;
 }
 

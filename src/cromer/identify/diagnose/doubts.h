@@ -1,6 +1,7 @@
 // What speaks against a fit that converged: a swing that is not free, or that no law tried describes.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +11,18 @@
 namespace cromer {
 
 /// Sentences for the user; none where nothing is suspicious. Looked for are an amplitude that rises, one that
-/// does not fall over twenty periods, what departures.h names, and residuals well above the noise from sample
-/// to sample that stand out about the swing's own frequency. `only_law`: no other law was tried. `unit` is
-/// the record's.
+/// falls by a few percent at most over twenty periods, a motion of a rounding step or two, what departures.h
+/// names, and residuals well above the noise from sample to sample that stand out about the swing's own
+/// frequency. `only_law`: no other law was tried. `unit` is the record's.
 std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool only_law = false,
                                 std::string_view unit = {});
+
+/// The same of a motion that is driven at `drive` [rad/s], or by a recorded force (0): lines that the law
+/// leaves, with what they may be, and that no law describes the recording. `residuals` are the record's,
+/// `fit` the driven law.
+std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
+                                       std::span<const double> residuals, double drive, bool only_law = false,
+                                       std::string_view unit = {});
 
 /// More terms may be worth trying: the residuals stand well above the noise from sample to sample, and out about
 /// the swing's frequency or its first harmonics.

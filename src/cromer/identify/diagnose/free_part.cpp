@@ -141,6 +141,36 @@ std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing)
                                     displaced < 0.5 * amplitude ? " and then set going" : "")};
 }
 
+// The value that the last samples have most often, to half a rounding step.
+double last_value(const Record& record) {
+  const std::size_t n = record.y.size(), few = std::max<std::size_t>(16, n / 20);
+  std::vector<double> last(record.y.end() - static_cast<std::ptrdiff_t>(few), record.y.end());
+  std::sort(last.begin(), last.end());
+  std::size_t most = 0;
+  double value = last.front();
+  for (std::size_t first = 0, i = 1; i <= last.size(); ++i) {
+    if (i < last.size() && last[i] - last[first] <= 0.5 * record.resolution) continue;
+    if (i - first > most) most = i - first, value = last[first];
+    first = i;
+  }
+  return value;
+}
+
+// Root mean square of the changes over these samples, and half of what their values span.
+struct Liveliness {
+  double change = 0, amplitude = 0;
+};
+
+Liveliness liveliness_of(std::span<const double> y) {
+  Liveliness found;
+  for (std::size_t i = 1; i < y.size(); ++i)
+    found.change += (y[i] - y[i - 1]) * (y[i] - y[i - 1]) / static_cast<double>(y.size() - 1);
+  found.change = std::sqrt(found.change);
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  found.amplitude = 0.5 * (*high - *low);
+  return found;
+}
+
 }  // namespace
 
 std::optional<FreePart> find_free_part(const Record& record) {
@@ -149,6 +179,45 @@ std::optional<FreePart> find_free_part(const Record& record) {
   if (!swing) return std::nullopt;
   if (auto part = after_the_drive(windows_of(record, swing->period), swing->period)) return part;
   return after_the_hold(record, *swing);
+}
+
+std::optional<LostMotion> find_lost_motion(const Record& record) {
+  const std::span<const double> y = record.y;
+  const std::size_t n = y.size();
+  if (n < 64) return std::nullopt;
+  LostMotion lost;
+  lost.value = last_value(record);
+  const auto stays = [&](std::size_t i) { return std::abs(y[i] - lost.value) <= 0.5 * record.resolution; };
+  // From the end back, as far as those at the value outnumber the others.
+  long score = 0, best = 0;
+  lost.seen = n;
+  for (std::size_t i = n; i-- > 0;) {
+    score += stays(i) ? 1 : -1;
+    if (score > best) best = score, lost.seen = i;
+  }
+  if (lost.seen < 32 || lost.seen + 8 > n) return std::nullopt;
+  std::size_t at_value = 0;
+  for (std::size_t i = lost.seen; i < n; ++i) at_value += stays(i);
+  lost.share = static_cast<double>(at_value) / static_cast<double>(n - lost.seen);
+  if (lost.share < 0.6) return std::nullopt;
+
+  // In full swing: what was seen last is as lively as a swing is, and where it stays is no turning point.
+  const Record seen{record.t.first(lost.seen), y.first(lost.seen), record.resolution, record.derivative};
+  const std::optional<Swing> swing = swing_of(seen);
+  if (!swing || record.t.back() - record.t[lost.seen] < swing->period) return std::nullopt;
+  const auto since = [&](double periods) {
+    const double from = seen.t.back() - periods * swing->period;
+    return static_cast<std::size_t>(std::lower_bound(seen.t.begin(), seen.t.end(), from) - seen.t.begin());
+  };
+  const std::size_t period = since(1), moment = std::min(since(1.0 / 16), lost.seen - 3);
+  if (lost.seen - period < 8) return std::nullopt;
+  const Liveliness last = liveliness_of(y.subspan(period, lost.seen - period)), all = liveliness_of(seen.y);
+  if (last.amplitude < std::max(5 * record.resolution, 0.1 * all.amplitude)) return std::nullopt;
+  const bool moving = liveliness_of(y.subspan(moment, lost.seen - moment)).change > 0.8 * last.change;
+  const bool jumps = std::abs(lost.value - seen.y.back()) > 4 * last.change;
+  const bool away = std::abs(lost.value - swing->centre) > 0.6 * last.amplitude;
+  if (!moving && !jumps && !away) return std::nullopt;
+  return lost;
 }
 
 }  // namespace cromer

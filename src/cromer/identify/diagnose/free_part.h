@@ -1,6 +1,7 @@
-// The part of a recording in which nothing drives or holds what swings.
+// The part of a recording in which nothing drives or holds what swings, and in which a sensor sees it.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -17,5 +18,16 @@ struct FreePart {
 /// amplitude rises or stays level, as a drive makes it, and from some moment on only falls. Empty where it is
 /// free from the start, or where that cannot be told: of beats, for one.
 std::optional<FreePart> find_free_part(const Record& record);
+
+struct LostMotion {
+  std::size_t seen = 0;  ///< samples that show the motion: the first ones
+  double value = 0;      ///< that most others have
+  double share = 0;      ///< of those others
+};
+
+/// Where the record stops in full swing: from one sample to the next it stays at one value for good, spikes
+/// aside, three fifths of what is left at least and for a period or more. A motion that has died down, or
+/// that friction holds, comes to rest at a turning point of its own size, and is not lost.
+std::optional<LostMotion> find_lost_motion(const Record& record);
 
 }  // namespace cromer

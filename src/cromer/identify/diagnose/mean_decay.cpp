@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cromer/analysis/cycle_average.h"
+#include "cromer/base/quantity.h"
 #include "cromer/identify/least_squares/describe_fit.h"
 
 namespace cromer {
@@ -56,13 +57,8 @@ bool dampings_are_collinear(const LawFit& fit) {
 }
 
 std::string to_text(const MeanDecay& decay) {
-  const double error = decay.rate.standard_error;
-  const int digits =
-      error > 0 && std::isfinite(error)
-          ? std::clamp(static_cast<int>(std::floor(std::log10(std::abs(decay.rate.value) / error))) + 2, 2, 8)
-          : 4;
-  return fmt::format("decay rate {:.{}g} ± {:.1g} 1/s at the record's mean amplitude", decay.rate.value,
-                     digits, error);
+  return fmt::format("decay rate {} at the record's mean amplitude",
+                     format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s"));
 }
 
 }  // namespace cromer

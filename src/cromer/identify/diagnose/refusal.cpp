@@ -32,10 +32,20 @@ Plateaus plateaus_at(std::span<const double> y, double level, double width) {
   return plateaus;
 }
 
+// How many levels, one resolution apart, the values span; 0 where they are not rounded.
+double levels_of(const Record& record) {
+  if (!(record.resolution > 0)) return 0;
+  const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
+  return std::round((*high - *low) / record.resolution) + 1;
+}
+
+// So few levels show no tops.
+constexpr double few_levels = 3;
+
 // A sinusoid of this amplitude stays within one resolution of its top for this long; flat tops stay longer,
 // and at the same value again and again.
 bool is_clipped(const Record& record, double amplitude, double w) {
-  if (!(amplitude > 0)) return false;
+  if (!(amplitude > 0) || (record.resolution > 0 && levels_of(record) <= few_levels)) return false;
   const double h = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
   const double depth = std::clamp(1 - record.resolution / amplitude, -1.0, 1.0);
   const double dwell = 2 * std::acos(depth) / w;
@@ -100,6 +110,12 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
                    fmt::format("the record holds {:.2g} periods of {:.3g} s: a fit needs at least 1.5",
                                periods, 2 * pi / w)};
   if (!stands_out) {
+    if (const double levels = levels_of(record); levels > 0 && levels <= few_levels)
+      return Refusal{
+          FitStatus::too_noisy,
+          fmt::format("the values take {:.0f} levels only, {:.3g} apart: the resolution is too coarse "
+                      "for a motion as small as this",
+                      levels, record.resolution)};
     const auto n = static_cast<double>(record.t.size());
     if (against_noise > 60 && fit.independent_samples > 0.5 * n)
       return Refusal{FitStatus::too_noisy,

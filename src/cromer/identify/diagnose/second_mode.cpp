@@ -33,16 +33,8 @@ std::vector<double> even(std::span<const double> t, const std::vector<double>& r
   return values;
 }
 
-// The swing's own frequencies, from its first amplitude to rest, as multiples of half a resolution wider.
-struct Band {
-  double low, high;
-
-  bool holds(double w, double multiple, double slack) const {
-    return w > multiple * low - slack && w < multiple * high + slack;
-  }
-};
-
-Band own_band(const LawFit& fit) {
+// The swing's own frequencies, from its first amplitude to rest.
+FrequencyBand own_band(const LawFit& fit) {
   const Motion& p = fit.motion;
   const double w0 = p.angular_frequency();
   const double w = std::sqrt(std::max(0.01 * w0 * w0, w0 * w0 - p.decay_rate() * p.decay_rate()));
@@ -53,7 +45,7 @@ Band own_band(const LawFit& fit) {
       if (p.law.has<T>() && !springs.has<T>())
         first += p.per_mass.*T::template members<double>[0] * cycle_average<T>(A, w).shift;
   });
-  return {std::min(w, std::max(first, 0.2 * w)), std::max(w, first)};
+  return {std::min(w, std::max(first, 0.2 * w)), std::max(w, first), fit.angular_frequency().standard_error};
 }
 
 double median_around(const std::vector<double>& a, std::size_t k, std::size_t reach) {
@@ -104,16 +96,6 @@ void measure(const Record& residuals, ResidualLine& line) {
   line.amplitude = std::hypot(fit.parameters[DampedPhasor::cosine], fit.parameters[DampedPhasor::sine]);
 }
 
-// Which multiple of the swing's own frequency a line is, as far as both are known; 0 where it is none.
-int harmonic_of(const ResidualLine& line, const Band& own, double own_error) {
-  constexpr int most = 15;
-  for (int multiple = 2; multiple <= most; ++multiple)
-    if (own.holds(line.angular_frequency, multiple,
-                  3 * std::hypot(line.frequency_error, multiple * own_error)))
-      return multiple;
-  return 0;
-}
-
 std::string name_of(const ResidualLine& line) {
   if (line.harmonic == 2)
     return "twice the swing's own: its second harmonic, from a spring or a sensor that is not symmetric";
@@ -135,14 +117,12 @@ double skirt_of(double duration, const LawFit& fit) {
 // The lines that stand out of a spectrum of the residuals at even times, over `duration` [s], and are not the
 // swing's own.
 std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, double duration,
-                                   const LawFit& fit) {
+                                   const FrequencyBand& own, double skirt) {
   const Spectrum spectrum = amplitude_spectrum(values, h);
   const std::vector<double>& a = spectrum.amplitude;
   double power = 0;
   for (const double value : values) power += value * value / static_cast<double>(values.size());
-  const Band own = own_band(fit);
   const double resolution = two_pi / duration;
-  const double skirt = skirt_of(duration, fit);
   const auto bins = static_cast<std::size_t>(std::max(1.0, std::round(resolution / spectrum.step)));
 
   std::vector<ResidualLine> lines;
@@ -163,21 +143,16 @@ std::vector<ResidualLine> lines_of(const std::vector<double>& values, double h, 
   return lines;
 }
 
-}  // namespace
-
-std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit) {
-  const std::size_t n = std::min(record.t.size(), most_samples);
-  if (n < 64 || fit.status != FitStatus::converged) return {};
-  const Record part = record.first(n);
-  const std::vector<double> r = motion_residuals(fit.motion, fit.drive, part, fit.step);
-  if (r.size() != n) return {};
-  const double duration = part.t.back() - part.t.front(), h = duration / static_cast<double>(n - 1);
-  std::vector<ResidualLine> lines = lines_of(even(part.t, r, h), h, duration, fit);
+// The strongest lines, three at most, that rounding has not made; `own` and its skirts are left out.
+std::vector<ResidualLine> strongest_lines(const Record& residuals, const FrequencyBand& own, double skirt) {
+  const double duration = residuals.t.back() - residuals.t.front();
+  const double h = duration / static_cast<double>(residuals.t.size() - 1);
+  const std::vector<double> r(residuals.y.begin(), residuals.y.end());
+  std::vector<ResidualLine> lines = lines_of(even(residuals.t, r, h), h, duration, own, skirt);
   std::sort(lines.begin(), lines.end(), [](const ResidualLine& one, const ResidualLine& other) {
     return one.amplitude > other.amplitude;
   });
   // The skirts of a strong line are none of their own.
-  const double skirt = skirt_of(duration, fit);
   std::vector<ResidualLine> distinct;
   for (const ResidualLine& line : lines) {
     const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const ResidualLine& stronger) {
@@ -185,14 +160,56 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
     });
     if (!near && distinct.size() < 3) distinct.push_back(line);
   }
-  for (ResidualLine& line : distinct) {
-    measure({part.t, r, 0}, line);
-    line.harmonic = harmonic_of(line, own_band(fit), fit.angular_frequency().standard_error);
-  }
+  for (ResidualLine& line : distinct) measure({residuals.t, residuals.y, 0}, line);
   // Rounding makes lines of its own.
-  const auto rounding = [&](const ResidualLine& line) { return line.amplitude < record.resolution; };
+  const auto rounding = [&](const ResidualLine& line) { return line.amplitude < residuals.resolution; };
   distinct.erase(std::remove_if(distinct.begin(), distinct.end(), rounding), distinct.end());
   return distinct;
+}
+
+}  // namespace
+
+int harmonic_of(double angular_frequency, double error, const FrequencyBand& own, double duration) {
+  constexpr int most = 15;
+  for (int multiple = 2; multiple <= most; ++multiple)
+    if (own.holds(angular_frequency, multiple,
+                  3 * std::hypot(error, multiple * own.error) + 0.1 * two_pi / duration))
+      return multiple;
+  return 0;
+}
+
+std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit) {
+  const std::size_t n = std::min(record.t.size(), most_samples);
+  if (n < 64 || fit.status != FitStatus::converged) return {};
+  const Record part = record.first(n);
+  const std::vector<double> r = motion_residuals(fit.motion, fit.drive, part, fit.step);
+  if (r.size() != n) return {};
+  const double duration = part.t.back() - part.t.front();
+  const FrequencyBand own = own_band(fit);
+  std::vector<ResidualLine> lines =
+      strongest_lines({part.t, r, record.resolution}, own, skirt_of(duration, fit));
+  for (ResidualLine& line : lines)
+    line.harmonic = harmonic_of(line.angular_frequency, line.frequency_error, own, duration);
+  return lines;
+}
+
+std::vector<std::string> second_drives(const Record& residuals, double drive, std::string_view unit) {
+  std::vector<std::string> sentences;
+  if (residuals.t.size() < 64) return sentences;
+  const Record part = residuals.first(std::min(residuals.t.size(), most_samples));
+  const double duration = part.t.back() - part.t.front();
+  constexpr FrequencyBand none{1, -HUGE_VAL};
+  for (const ResidualLine& line : strongest_lines(part, none, 4 * two_pi / duration)) {
+    const int harmonic =
+        drive > 0 ? harmonic_of(line.angular_frequency, line.frequency_error, {drive, drive}, duration) : 0;
+    sentences.push_back(fmt::format(
+        "what the law leaves oscillates at {:.5g} Hz, at first with an amplitude of {:.2g}{}{}: {}",
+        line.angular_frequency / two_pi, line.amplitude, unit.empty() ? "" : " ", unit,
+        harmonic > 0
+            ? fmt::format("{} times the drive's, as of a spring or a sensor that is not linear", harmonic)
+            : "another drive, or another swing"));
+  }
+  return sentences;
 }
 
 std::vector<std::string> second_modes(const Record& record, const LawFit& fit, std::string_view unit) {

@@ -9,13 +9,26 @@
 
 namespace cromer {
 
+/// An angular frequency that may change as the motion dies down.
+struct FrequencyBand {
+  double low = 0, high = 0;  // [rad/s]
+  double error = 0;          // [rad/s] standard error of both
+
+  bool holds(double w, double multiple, double slack) const {
+    return w > multiple * low - slack && w < multiple * high + slack;
+  }
+};
+
+/// Which multiple, 2 to 15, of a motion's own frequency another is, to three standard errors of both and a
+/// tenth of a resolution (2 pi over the record's length [s]); 0 where it is none.
+int harmonic_of(double angular_frequency, double error, const FrequencyBand& own, double duration);
+
 struct ResidualLine {
   double angular_frequency = 0;  // [rad/s]
   double frequency_error = 0;    // [rad/s] its standard error
   double amplitude = 0;          ///< at the first sample, in the unit of the record
   double decay_rate = 0;         // [1/s] roughly
-  int harmonic = 0;              ///< 2 to 15 where it is that multiple of the swing's own frequency, to three
-                                 ///< standard errors of both; else 0
+  int harmonic = 0;              ///< of the swing's own frequency, as harmonic_of says
 };
 
 /// Lines of the residuals' spectrum, the strongest first, at most three: each stands six times above its
@@ -25,5 +38,9 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
 
 /// The same as sentences for the user; `unit` is the record's.
 std::vector<std::string> second_modes(const Record& record, const LawFit& fit, std::string_view unit);
+
+/// Of what a driven law leaves: lines beside the drive, at `drive` [rad/s] where it is one frequency (else
+/// 0), and what they may be. `residuals` with their times and the record's resolution.
+std::vector<std::string> second_drives(const Record& residuals, double drive, std::string_view unit);
 
 }  // namespace cromer

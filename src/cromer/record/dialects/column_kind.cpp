@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <vector>
 
 #include "cromer/base/ascii.h"
@@ -23,6 +24,7 @@ constexpr std::array measures{
     Measure{"acceleration", "m/s²"},
     Measure{"force", "N"},
     Measure{"voltage", "V"},
+    Measure{"frequency", "Hz"},  // last: a unit alone that counts angles is an angular velocity's
 };
 
 struct Word {
@@ -31,6 +33,12 @@ struct Word {
 
 /// Words anywhere in a name; the first that is found decides, so the narrower stand first.
 constexpr std::array words{
+    Word{"frequency", "frequency"},
+    Word{"frequenza", "frequency"},
+    Word{"frequenz", "frequency"},
+    Word{"fréquence", "frequency"},
+    Word{"frecuencia", "frequency"},
+    Word{"freq", "frequency"},
     Word{"gyroscope", "angular velocity"},
     Word{"gyro", "angular velocity"},
     Word{"giroscopio", "angular velocity"},
@@ -138,7 +146,7 @@ std::string_view quantity_of_name(std::string_view name) {
   const bool angular = has("angular") || has("angolare") || has("angulaire");
   for (const Word& word : words) {
     if (!has(word.word)) continue;
-    if (!angular) return word.quantity;
+    if (!angular || word.quantity == "frequency") return word.quantity;
     if (word.quantity == "velocity") return "angular velocity";
     if (word.quantity == "position") return "angle";
     return word.quantity == "angular velocity" || word.quantity == "angle" ? word.quantity
@@ -206,7 +214,9 @@ std::string quantity_of(std::string_view name, std::string_view unit) {
   if (unit.empty()) return std::string(by_name);
   const auto known = unit_of(unit, by_name);
   if (!known) return std::string(by_name);
-  if (unit.find("Hz") != std::string_view::npos) return {};  // a frequency, not an angular velocity
+  const bool counts_angles = known->dimension == *dimension_of("Hz");
+  if (counts_angles && by_name == "frequency") return "frequency";
+  if (unit.find("Hz") != std::string_view::npos) return counts_angles ? "frequency" : "";
   for (const Measure& measure : measures)
     if (*dimension_of(measure.si_unit) == known->dimension) return std::string(measure.quantity);
   return {};
@@ -216,7 +226,9 @@ ToSi to_si(const Column& column) {
   if (column.unit.empty()) return {1, false};
   const auto unit = unit_of(column.unit, column.quantity);
   if (!unit) return {1, false};
-  return {unit->factor, true};
+  // Hz as a unit of this program counts the angle of its cycles; a column of frequencies counts cycles.
+  constexpr double cycle = 2 * std::numbers::pi;  // [rad]
+  return {column.quantity == "frequency" ? unit->factor / cycle : unit->factor, true};
 }
 
 }  // namespace cromer

@@ -8,9 +8,9 @@
 
 namespace cromer {
 
-/// time, position, angle, velocity, angular velocity, acceleration, force, voltage; or "" where neither the
-/// unit nor the name (in English, German, Italian, French or Spanish) tells. The unit decides where it is
-/// known.
+/// time, position, angle, velocity, angular velocity, acceleration, force, voltage, frequency; or "" where
+/// neither the unit nor the name (in English, German, Italian, French or Spanish) tells. The unit decides
+/// where it is known, but what is called a frequency is one in rad/s too.
 std::string quantity_of(std::string_view name, std::string_view unit);
 
 /// Whether a unit is known and measures the quantity.
@@ -27,7 +27,7 @@ struct ToSi {
 };
 ToSi to_si(const Column& column);
 
-/// The SI unit of a quantity ("m" of a position); "" if it is not one of those above.
+/// The SI unit of a quantity ("m" of a position, Hz of a frequency); "" if it is not one of those above.
 std::string_view si_unit_of(std::string_view quantity);
 
 /// Lower case, without blanks, brackets, underscores, braces, backslashes and dollars: "x_{1}" is "x1".

@@ -95,7 +95,8 @@ double rounding_step(std::span<const double> all) {
   distinct.erase(
       std::unique(distinct.begin(), distinct.end(), [&](double a, double b) { return b - a <= noise; }),
       distinct.end());
-  if (distinct.size() < 3) return 0;
+  if (distinct.size() < 2) return 0;
+  if (distinct.size() == 2) return range;  // two levels are one step
   const double decimal = decimal_step(values);
   if (static_cast<double>(distinct.size()) > 0.8 * static_cast<double>(values.size())) return decimal;
 

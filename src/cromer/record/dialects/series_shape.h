@@ -12,7 +12,8 @@ namespace cromer::dialects {
 double median(std::vector<double> values);
 
 /// The step of evenly quantised values: the smallest difference that occurs, if nearly all others are its
-/// multiples; else the last decimal place, if there are at most six. 0 where none is seen.
+/// multiples; else the last decimal place, if there are at most six. 0 where none is seen. Two values are one
+/// step apart.
 double rounding_step(std::span<const double> values);
 
 /// Samples that stick out alone: their distance from the cubic through the four neighbours is more than 12

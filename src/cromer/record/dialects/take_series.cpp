@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
@@ -44,9 +46,18 @@ Result<std::size_t> main_column(const Recording& recording, int run, std::vector
         concat({"several columns are alike: ", titles(columns, alike),
                 "; say which with --column, for instance --column \"", columns[alike.front()].name, "\""})};
   }
-  std::vector<std::size_t> left;
-  for (const std::size_t j : of_run)
-    if (columns[j].quantity != "time" && columns[j].quantity != "index") left.push_back(j);
+  constexpr std::array<std::string_view, 3> no_motions{"time", "index", "frequency"};
+  std::vector<std::size_t> left, frequencies;
+  for (const std::size_t j : of_run) {
+    if (std::find(no_motions.begin(), no_motions.end(), columns[j].quantity) == no_motions.end())
+      left.push_back(j);
+    if (columns[j].quantity == "frequency") frequencies.push_back(j);
+  }
+  if (left.empty() && !frequencies.empty())
+    return Error{concat({"there is no motion beside the time: ", titles(columns, frequencies),
+                         frequencies.size() == 1 ? " holds a frequency" : " hold frequencies",
+                         "; to fit one all the same, say it with --column, for instance --column \"",
+                         columns[frequencies.front()].name, "\""})};
   if (left.empty()) return Error{"there is no column beside the time"};
   const std::string list = titles(columns, left);
   const std::string_view first = columns[left.front()].name;
@@ -79,6 +90,12 @@ void describe_times(Series& series, double rate) {
   series.rate = rate > 0 && series.t.size() > 1 ? rate : steps.rate;
   series.jitter = rate > 0 ? 0 : steps.jitter;
   series.gaps = std::move(steps.gaps);
+  if (auto clock = dialects::even_clock(series.t); clock && rate <= 0) {
+    series.t = std::move(clock->t);
+    series.warnings.push_back(
+        concat({"the times are rounded to ", shortest(clock->rounding), " s and agree with even ones ",
+                rounded(clock->spacing, 6), " s apart, which are taken"}));
+  }
   if (series.gaps.empty()) return;
   const auto longest = std::max_element(series.gaps.begin(), series.gaps.end(),
                                         [](const Gap& a, const Gap& b) { return a.length < b.length; });
@@ -165,6 +182,10 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   series.to_si = factor;
   series.run = run;
   say_assumed_unit(value, series.warnings);
+  if (value.quantity == "frequency")
+    series.warnings.push_back(concat({"column \"", series.column,
+                                      "\" holds a frequency, which is no motion: its numbers are taken as "
+                                      "they are, in Hz"}));
 
   const auto time = dialects::time_column_of(recording.table, *chosen);
   if (!time && options.rate <= 0)

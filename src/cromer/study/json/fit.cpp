@@ -130,10 +130,10 @@ Json covariance(const LawFit& fit) {
 Json modes(const std::vector<Mode>& found) {
   Json list = Json::array();
   for (const Mode& mode : found)
-    list.push_back({{"angular_frequency", mode.angular_frequency().value},
-                    {"angular_frequency_standard_error", mode.angular_frequency().standard_error},
-                    {"decay_rate", mode.decay_rate().value},
-                    {"decay_rate_standard_error", mode.decay_rate().standard_error},
+    list.push_back({{"angular_frequency", mode.angular_frequency.value},
+                    {"angular_frequency_standard_error", mode.angular_frequency.standard_error},
+                    {"decay_rate", mode.decay_rate.value},
+                    {"decay_rate_standard_error", mode.decay_rate.standard_error},
                     {"amplitude", mode.amplitude},
                     {"amplitude_standard_error", mode.amplitude_error}});
   return list;
@@ -195,7 +195,7 @@ Json recording_object(const FittedRecording& fitted) {
   object["observed"] = or_null(series.quantity);
   object["run"] = series.run;
   object["samples"] = fitted.samples;
-  object["used"] = series.t.size();
+  object["used"] = fitted.used();
   object["from"] = any ? Json(series.t.front()) : Json(nullptr);
   object["to"] = any ? Json(series.t.back()) : Json(nullptr);
   object["rate"] = or_null(series.rate);

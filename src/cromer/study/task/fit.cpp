@@ -158,6 +158,8 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
   return nullptr;
 }
 
+std::size_t FittedRecording::used() const { return without_outliers(series).t.size(); }
+
 Result<void> check_fit_options(const FitOptions& options) {
   if (const Result<void> checked = check_options(options); !checked) return checked;
   if (const auto law = law_of(options); !law) return law.error();
@@ -189,14 +191,16 @@ Result<void> check_pauses(const Series& series) {
 
 Result<Series> samples_in_use(const Series& series, const FitOptions& options) {
   Result<Series> used = used_part(series, options);
-  if (used) set_drop_outs_aside(*used);
+  if (!used) return used;
+  if (!options.from && !options.to) leave_lost_motion(*used);
+  set_drop_outs_aside(*used);
   return used;
 }
 
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch) {
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
-  Result<Series> used = used_part(series, options);
+  Result<Series> used = samples_in_use(series, options);
   if (!used) return used.error();
   if (const Result<void> checked = check_pauses(*used); !checked) return checked.error();
 
@@ -205,7 +209,6 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.samples = series.t.size();
   result.options = options;
   result.series = std::move(*used);
-  set_drop_outs_aside(result.series);
   result.warnings = result.series.warnings;
   FittedSamples samples = without_outliers(result.series);
   if (!options.from && !options.to) {

@@ -108,6 +108,8 @@ struct FittedRecording {
   std::vector<std::string> warnings;
   bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here
 
+  /// How many samples the fit saw: those of the series that are no outliers.
+  std::size_t used() const;
   bool succeeded() const { return fit.status == FitStatus::converged; }
   std::string_view status() const { return wrong_input ? "wrong_input" : name(fit.status); }
 
@@ -120,7 +122,8 @@ Result<void> check_fit_options(const FitOptions& options);
 /// The row of a recording that could not be read: its message without the file's name before it.
 FittedRecording not_fitted(std::string_view file, int run, std::string_view message);
 
-/// The samples from --from to --to, drop-outs among their outliers. An Error where none is left.
+/// The samples from --from to --to, without those of a sensor that has lost the motion for good where neither
+/// is given, drop-outs among their outliers. An Error where none is left.
 Result<Series> samples_in_use(const Series& series, const FitOptions& options);
 
 /// A free motion: one quantity of one run, of which --from and --to choose a part. Bad input (a law that

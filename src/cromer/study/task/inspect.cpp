@@ -31,7 +31,7 @@ Result<Series> main_series(const Recording& recording, int run, const ReadOption
   const Column* main = series ? nullptr : main_column(recording, run);
   if (!main) return series;
   auto first = take_series(recording, column_title(*main), run, options);
-  if (first)
+  if (first && main->quantity != "frequency")
     first->warnings.push_back(
         "several columns may be meant: what is said of times and outliers is that of \"" +
         column_title(*main) + "\"; a fit needs --column");

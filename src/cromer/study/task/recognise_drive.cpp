@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
@@ -44,26 +45,54 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
 }
 
 std::string said(const Mode& mode) {
-  return fmt::format("{:.6g} ± {:.1g} Hz (amplitude {:.3g}, decay rate {:.2g} ± {:.1g} 1/s)",
-                     mode.angular_frequency().value / two_pi, mode.angular_frequency().standard_error / two_pi,
-                     mode.amplitude, mode.decay_rate().value, mode.decay_rate().standard_error);
+  const Estimate &w = mode.angular_frequency, &g = mode.decay_rate;
+  return fmt::format("{} (amplitude {:.3g}, decay rate {})",
+                     format_quantity({w.value / two_pi, w.standard_error / two_pi}, "Hz"), mode.amplitude,
+                     format_quantity({g.value, g.standard_error}, "1/s"));
 }
 
-// Of a motion in which neither line decays.
+// Of a motion in which neither line decays: where the drive was searched, and where it was named.
 std::string either_reading(const TwoModes& modes) {
   return fmt::format(
-      "two oscillations that do not decay, at {} and {}: a drive on a swing without damping, or two modes, "
-      "as "
-      "of coupled pendulums, are the same signal; the numbers here are those of the first reading",
+      "two oscillations that do not decay, at {} and {}: a drive on a swing without damping, two drives, or "
+      "two modes, as of coupled pendulums, are the same signal; the numbers here are those of the first "
+      "reading",
       said(modes.modes[0]), said(modes.modes[1]));
+}
+
+std::string either_reading(const TwoModes& modes, double drive) {
+  const auto& [one, other] = modes.modes;
+  const bool other_is_drive =
+      std::abs(other.angular_frequency.value - drive) < std::abs(one.angular_frequency.value - drive);
+  return fmt::format(
+      "beside the drive something oscillates at {} and does not decay: another drive, or an undamped body, "
+      "are the same signal; the numbers here are those of the second reading",
+      said(other_is_drive ? one : other));
+}
+
+std::string of_two_modes(const TwoModes& found) {
+  const double apart =
+      std::abs(found.modes[0].angular_frequency().value - found.modes[1].angular_frequency().value);
+  return fmt::format(
+      "two modes swing here, and both decay, as of coupled pendulums: {} and {}; they beat every {:.3g} s",
+      said(found.modes[0]), said(found.modes[1]), two_pi / apart);
 }
 
 void say_two_modes(FittedRecording& result, const TwoModes& found) {
   result.modes.assign(found.modes.begin(), found.modes.end());
-  result.warnings.push_back(
-      fmt::format("two modes swing here, and both decay, as of coupled pendulums: {} and {}; together they "
-                  "leave {:.3g}, and the law {:.3g}",
-                  said(found.modes[0]), said(found.modes[1]), found.residual.rms, result.fit.residual.rms));
+  if (result.parameters.empty()) {
+    result.fit.message = "no single swing: " + of_two_modes(found) +
+                         ". Let one of them swing alone, or choose another --column";
+    return;
+  }
+  result.warnings.push_back(fmt::format("{}; together they leave {:.3g}, and the law {:.3g}",
+                                        of_two_modes(found), found.residual.rms, result.fit.residual.rms));
+}
+
+// A refused fit in which a line accounts for some of the variance, and what is left is no noise.
+bool may_be_beats(const LawFit& fit) {
+  const bool refused = fit.status == FitStatus::no_oscillation || fit.status == FitStatus::too_noisy;
+  return refused && fit.explained > 0.1 && fit.residual.rms > 0 && fit.residual.autocorrelation >= structured;
 }
 
 bool is_free_law(const FitOptions& options) { return options.law.empty() || options.law == "auto"; }
@@ -73,7 +102,8 @@ bool is_free_law(const FitOptions& options) { return options.law.empty() || opti
 FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
                                 const Watch& watch) {
   const bool automatic = options.recognise_drive && is_free_law(options) && !is_driven(options);
-  if (!automatic || free.parameters.empty() || free.fit.residual.autocorrelation < structured ||
+  const bool refused = free.parameters.empty();
+  if (!automatic || (refused && !may_be_beats(free.fit)) || free.fit.residual.autocorrelation < structured ||
       watch.interrupted())
     return free;
   FitOptions same = options;
@@ -119,8 +149,11 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (!free || free->parameters.empty() || watch.interrupted()) return driven;
   if (!settled && free->fit.status != FitStatus::converged) return driven;
   const MotionJudgement judgement = judged(*free, driven, !searched);
-  if (judgement.kind == MotionKind::driven_or_two_modes && searched)
-    driven.warnings.push_back(either_reading(*judgement.modes));
+  if (judgement.kind == MotionKind::driven_or_two_modes) {
+    driven.modes.assign(judgement.modes->modes.begin(), judgement.modes->modes.end());
+    driven.warnings.push_back(searched ? either_reading(*judgement.modes)
+                                       : either_reading(*judgement.modes, **drive_of(options)));
+  }
   if (judgement.kind == MotionKind::two_modes) {
     FittedRecording& result = searched ? *free : driven;
     result.options = options;

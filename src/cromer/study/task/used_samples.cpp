@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cromer/identify/diagnose/drop_outs.h"
+#include "cromer/identify/diagnose/free_part.h"
 
 namespace cromer {
 namespace {
@@ -67,6 +68,22 @@ FittedSamples without_outliers(const Series& series) {
     kept.y.push_back(series.y[i]);
   }
   return kept;
+}
+
+void leave_lost_motion(Series& series) {
+  const auto lost = find_lost_motion({series.t, series.y, series.resolution});
+  if (!lost) return;
+  const std::size_t all = series.t.size();
+  FitOptions before;
+  before.to = series.t[lost->seen - 1];
+  const double from = series.t[lost->seen];
+  series = *used_part(series, before);
+  series.warnings.push_back(fmt::format(
+      "the sensor loses the motion at {:.6g} s: in full swing the column stays at {:.4g}{}{} from "
+      "there on, in {:.3g} % of the samples. Only what comes before, {} of {} samples, is fitted; "
+      "--from and --to choose another part",
+      from, lost->value, unit_of(series).empty() ? "" : " ", unit_of(series), 100 * lost->share, lost->seen,
+      all));
 }
 
 void set_drop_outs_aside(Series& series) {

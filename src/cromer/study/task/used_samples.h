@@ -21,6 +21,9 @@ struct FittedSamples {
 };
 FittedSamples without_outliers(const Series& series);
 
+/// Cuts off what comes after a sensor has lost the motion for good, with a warning.
+void leave_lost_motion(Series& series);
+
 /// Flat runs far outside the motion are no motion: they join the outliers, with a warning.
 void set_drop_outs_aside(Series& series);
 

@@ -78,6 +78,9 @@ no column is called {}; there are {}⇒keine Spalte heißt {}; es gibt {}
 several columns are alike: {}; …⇒mehrere Spalten gleichen einander: {}; bitte eine wählen
 several columns may be meant: what is said of times and outliers is that of {}…⇒mehrere Spalten kommen infrage: von Zeiten und Ausreißern ist die Rede in {}
 there is no column beside…⇒neben der Zeit gibt es keine Spalte
+there is no motion beside the time: {} {}; to fit one…⇒neben der Zeit gibt es keine Bewegung: {} {}; soll sie dennoch angepasst werden, bitte wählen
+holds a frequency⇒enthält eine Frequenz
+hold frequencies⇒enthalten Frequenzen
 no column is known to be a position, angle or velocity: {} is taken⇒keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: {} wird genommen
 no column is known to be a position, angle or velocity: {}; …⇒keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: {}; bitte eine wählen
 unit {} of column {} is not…⇒die Einheit {} der Spalte {} ist unbekannt: ihre Werte gelten, wie sie sind
@@ -90,6 +93,7 @@ column {}: from {} to {} is no step of time…⇒Spalte {}: von {} nach {} ist k
 column {}: the motion's tops are cut…⇒Spalte {}: die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: der Sensor war außerhalb seines Bereichs
 column {}: values like {} are too…⇒Spalte {}: Werte wie {} lassen sich nicht quadrieren; bitte in einer anderen Einheit angeben
 column {} holds {}: it is fitted…⇒die Spalte {} enthält {} und wird so angepasst
+column {} holds a frequency, which is no…⇒die Spalte {} enthält eine Frequenz, keine Bewegung: ihre Zahlen gelten, wie sie sind, in Hz
 the first column runs evenly…⇒die erste Spalte steigt gleichmäßig: sie gilt als Zeit in Sekunden
 {} runs evenly…⇒{} steigt gleichmäßig: das gilt als Zeit in Sekunden
 the line {} counts the rows: {} s is taken as their step⇒die Spalte {} zählt die Zeilen: {} s gelten als ihr Schritt
@@ -101,6 +105,7 @@ the time starts again in line {}: the file is read as {} runs⇒die Zeit beginnt
 the time runs backward…⇒die Zeit läuft rückwärts
 the time stands still:…⇒die Zeit steht still: alle ihre Werte sind gleich
 {} in the times, the longest {} s at {} s⇒{} in den Zeiten, die längste {} s bei {} s
+the times are rounded to {} s and agree with even ones {} s apart, which…⇒die Zeiten sind auf {} s gerundet und passen zu gleichmäßigen im Abstand {} s: diese gelten
 {} with a {} time left out⇒{} weggelassen: die Zeit ist {}
 repeated⇒wiederholt
 missing⇒nicht da
@@ -135,24 +140,34 @@ the law {} leaves so much…⇒das Gesetz {} lässt so viel übrig, dass die Fre
 no oscillation found: the spectrum…⇒keine Schwingung gefunden: das Spektrum hat keine Linie
 no oscillation found: the best decaying sinusoid accounts for {} % of…⇒keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {} % der Streuung, was Rauschen auch könnte; bitte mit den Griffen den Teil wählen, der schwingt, oder eine andere Spalte
 the motion's tops are cut…⇒die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: der Sensor war außerhalb seines Bereichs; bitte den späteren Teil wählen
+the values take {} levels only, {} apart: the resolution…⇒die Werte haben nur {} Stufen im Abstand {}: die Auflösung ist zu grob für eine so kleine Bewegung
+the values take {} levels only, {} apart: the frequency follows…⇒die Werte haben nur {} Stufen im Abstand {}: die Frequenz folgt daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten ist nicht zu trauen; bitte feiner messen
 this law's motion runs…⇒die Bewegung dieses Gesetzes läuft der aufgenommenen davon
 the record does not determine…⇒die Aufnahme legt dieses Gesetz nicht fest: seine Glieder lassen sich nicht trennen
 the fit has not settled after {} iterations⇒die Anpassung kommt nach {} Schritten nicht zur Ruhe
 line {}: the time jumps from {} to {} s;…⇒Zeile {}: die Zeit springt von {} auf {} s; bitte mit den Griffen eine Seite wählen
 {}: only what follows, {} of {} samples, is taken…⇒{}: nur was folgt, {} von {} Messwerten, gilt als freie Bewegung
 the motion is driven, at {} Hz: a free motion would leave {}, this leaves {};…⇒die Bewegung ist angetrieben, mit {} Hz: eine freie ließe {} übrig, diese {}; bitte mit den Griffen einen freien Teil wählen
-two oscillations that do not decay, at {} and {}:…⇒zwei Schwingungen, die nicht abklingen, mit {} und {}: ein Antrieb ohne Dämpfung und gekoppelte Pendel sehen so aus
-two modes swing here, and both decay, as of coupled pendulums: {} and {};…⇒hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {} und {}
+two oscillations that do not decay, at {} and {}:…⇒zwei Schwingungen, die nicht abklingen, mit {} und {}: ein Antrieb ohne Dämpfung, zwei Antriebe und gekoppelte Pendel sehen so aus
+beside the drive something oscillates at {} and does not decay:…⇒neben dem Antrieb schwingt etwas mit {} und klingt nicht ab: ein anderer Antrieb und ein Körper ohne Dämpfung sehen so aus; die Zahlen hier gelten für den Körper
+no single swing: {}. Let one…⇒keine einzelne Schwingung: {}. Bitte eine allein schwingen lassen oder eine andere Spalte wählen
+two modes swing here, and both decay, as of coupled pendulums: {} and {}; they beat every {} s; together…⇒hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {} und {}; sie schweben mit einer Periode von {} s
+two modes swing here, and both decay, as of coupled pendulums: {} and {}; they beat every {} s⇒hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {} und {}; sie schweben mit einer Periode von {} s
+{}; together they leave {}, and the law {}⇒{}; zusammen lassen sie {} übrig, das Gesetz {}
+{} (amplitude {}, decay rate {})⇒{} (Amplitude {}, Abklingrate {})
 --disc-diameter gives no Reynolds number…⇒zu einer angetriebenen Bewegung gibt es keine Reynolds-Zahl
 the amplitude stays level until {} s…⇒die Amplitude bleibt bis {} s gleich und fällt erst dann, wie wenn ein Antrieb endet
 it is held still until {} s and then…⇒bis {} s wird festgehalten, dann losgelassen
 it is held still until {} s⇒bis {} s wird festgehalten
+the sensor loses the motion at {} s: in full swing the column stays at {} from there on, in {} % of the samples. Only what comes before, {} of {} samples, is…⇒der Sensor verliert die Bewegung bei {} s: mitten im Schwingen bleibt die Spalte von da an bei {}, in {} % der Messwerte. Angepasst wird nur, was davor liegt, {} von {} Messwerten
 the zero drifts, by {} over…⇒der Nullpunkt wandert, um {} in der ganzen Aufnahme: bitte einen kürzeren Teil wählen
 the zero jumps by {} at {} s…⇒der Nullpunkt springt um {} bei {} s: bitte mit den Griffen eine Seite wählen
 the swing stops between {} and {} s,…⇒die Schwingung endet zwischen {} und {} s binnen einer Periode, wie von einer Hand gehalten: bitte vorher enden
 only {} samples in a period: sampled at {} Hz, a swing of {} or {} Hz would…⇒nur {} Messwerte je Periode: bei {} Hz sähe eine Schwingung von {} oder {} Hz genauso aus; schneller messen, wenn es eine davon sein kann
 the angle goes through {} turns:…⇒der Winkel durchläuft {} Umdrehungen: das Pendel überschlägt sich
 the swing does not die down over {} periods.…⇒die Schwingung klingt über {} Perioden nicht ab. Treibt sie etwas an, so sind Frequenz und Federkonstante nicht die der Feder
+the amplitude falls by {} % only over {} periods (quality factor {}): a drive…⇒die Amplitude fällt über {2} Perioden nur um {1} % (Güte {3}): ein nicht ganz gleichmäßiger Antrieb sähe genauso aus. Treibt sie etwas an, so sind Frequenz und Federkonstante nicht die der Feder
+the frequency is the drive's, and the stiffness that follows…⇒Frequenz und Federkonstante sind dann nicht die der Feder
 the law {} does not describe this recording: what is left is {} times…⇒das Gesetz {} beschreibt diese Aufnahme nicht: übrig bleibt das {}-Fache des Rauschens, und den Unsicherheiten ist nicht zu trauen
 no law tried describes this recording: what is left is {} times…⇒kein Gesetz beschreibt diese Aufnahme: übrig bleibt das {}-Fache des Rauschens, und den Unsicherheiten ist nicht zu trauen
 the amplitude rises {} between {} and {} s, and a free…⇒die Amplitude steigt zwischen {2} und {3} s ({1}), was die einer freien Schwingung nie tut: etwas treibt sie, oder zwei Bewegungen schweben. Frequenz und Federkonstante sind dann vielleicht nicht die der Feder
@@ -172,6 +187,9 @@ decay rate⇒Abklingrate
 friction⇒trockene Reibung
 drag⇒Luftwiderstand
 what the law leaves oscillates at {} Hz, at first with an amplitude of {} ({} % of…⇒was das Gesetz übrig lässt, schwingt mit {} Hz, anfangs mit einer Amplitude von {} ({} % der Schwingung): eine Oberschwingung oder eine zweite Bewegung, oder die Halterung rüttelt
+what the law leaves oscillates at {} Hz, at first with an amplitude of {}: {}⇒was das Gesetz übrig lässt, schwingt mit {} Hz, anfangs mit einer Amplitude von {}: {}
+{} times the drive's, as of a…⇒das {}-Fache des Antriebs, wie bei einer Feder oder einem Sensor, die nicht linear sind
+another drive, or another swing⇒ein anderer Antrieb oder eine andere Schwingung
 one sample lies far…at {} s,…⇒ein Messwert liegt weit von Bewegung und Nachbarn, bei {} s, und ist beiseitegelegt
 {} lie far…at {} s,…⇒{} liegen weit von Bewegung und Nachbarn, der erste bei {} s, und sind beiseitegelegt
 {} in flat runs…at {} s,…⇒{} in flachen Stücken weit außerhalb der Bewegung, das erste bei {} s, sind als Aussetzer des Sensors beiseitegelegt
