@@ -138,6 +138,13 @@ Dual<Real, N> expm1(const Dual<Real, N>& x) {
   return x.chain(expm1(x.value), exp(x.value));
 }
 
+/// To a power that is no variable; of a base of 0 >= 1.
+template <class Real, std::size_t N>
+Dual<Real, N> pow(const Dual<Real, N>& x, double exponent) {
+  using std::pow;
+  return x.chain(pow(x.value, exponent), exponent * pow(x.value, exponent - 1));
+}
+
 template <class Real, std::size_t N>
 Dual<Real, N> log(const Dual<Real, N>& x) {
   using std::log;

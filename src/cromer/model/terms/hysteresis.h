@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cromer/base/dual.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
@@ -9,13 +10,15 @@ namespace cromer {
 
 /// A force z that depends on how the motion came where it is: z' = A x' - beta |x'| |z|^(n-1) z - g x' |z|^n.
 struct Hysteresis {
-  static constexpr TermInfo info{.name = "hysteresis",
-                                 .formula = "z, z' = A x' - beta |x'| z - g x'|z|",
-                                 .meaning = "slip in joints and structures: loops of force against displacement",
-                                 .source = "R. Bouc, Proc. 4th Conf. Nonlinear Oscill. Prague, 315 (1967); Y.-K. "
-                                           "Wen, J. Eng. Mech. Div. ASCE 102, 249 (1976)",
-                                 .acts_at_rest = false,
-                                 .centred = false};
+  static constexpr TermInfo info{
+      .name = "hysteresis",
+      .formula = "z, z' = A x' - beta |x'| z - g x'|z|",
+      .meaning = "slip in joints and structures: loops of force against displacement",
+      .source =
+          "R. Bouc, Proc. 4th Conf. Nonlinear Oscill. Prague, 315 (1967); Y.-K. "
+          "Wen, J. Eng. Mech. Div. ASCE 102, 249 (1976)",
+      .acts_at_rest = false,
+      .centred = false};
   static constexpr std::array coefficients{
       CoefficientInfo{.option = "hysteresis-stiffness",
                       .parameter = "hysteresis_stiffness",
@@ -38,17 +41,19 @@ struct Hysteresis {
                       .length = -1,
                       .fitted = FittedAs::with_any_mass}};
   template <class Real>
-  static constexpr std::array members{&Oscillator<Real>::hysteresis_stiffness, &Oscillator<Real>::hysteresis_beta,
+  static constexpr std::array members{&Oscillator<Real>::hysteresis_stiffness,
+                                      &Oscillator<Real>::hysteresis_beta,
                                       &Oscillator<Real>::hysteresis_gamma};
   static constexpr bool has_inner_state = true;
 
   /// z' [N/s] at a velocity v and a force z. Duals may stand in one of the places v, z and the coefficients.
   template <class V, class Z, class A, class B, class G>
-  static auto rate(const V& v, const Z& z, const A& stiffness, const B& beta, const G& gamma, double exponent) {
+  static auto rate(const V& v, const Z& z, const A& stiffness, const B& beta, const G& gamma,
+                   double exponent) {
     using std::abs, std::pow;
     if (exponent == 1) return stiffness * v - (beta * abs(v)) * z - (gamma * v) * abs(z);
-    const auto lower = pow(abs(z), exponent - 1);
-    return stiffness * v - (beta * abs(v)) * (lower * z) - (gamma * v) * (lower * abs(z));
+    const auto power = pow(abs(z), exponent);
+    return stiffness * v - (beta * abs(v)) * (sgn(z) * power) - (gamma * v) * power;
   }
 };
 

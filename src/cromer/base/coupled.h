@@ -1,0 +1,72 @@
+// Two numbers that move together as one scalar: what lets every method carry a third state along.
+//
+// A force with memory has an inner state z with a rate of its own. State<Coupled<Real>> holds it beside the
+// velocity: v is (velocity, z), x is (position, the unused integral of z), and the system's acceleration
+// gives (acceleration, rate of z). A method that adds up accelerations to velocities then adds up rates to z
+// by the same formula, with the same stages.
+#pragma once
+
+#include <concepts>
+#include <type_traits>
+
+#include "cromer/base/dual.h"
+
+namespace cromer {
+
+/// A pair, added and multiplied by numbers component by component. As a number it counts as its first.
+template <class Real>
+struct Coupled {
+  Real first{};
+  Real second{};
+
+  constexpr Coupled() = default;
+  constexpr Coupled(const Real& a, const Real& b) : first(a), second(b) {}
+  /// The same in both: 0 above all.
+  template <class Number>
+  requires std::is_arithmetic_v<Number>
+  constexpr Coupled(Number both) : first(both), second(both) {}  // NOLINT: as numbers do
+  /// A pair of numbers as one of duals, say.
+  template <class Other>
+  requires(!std::same_as<Other, Real> &&
+           std::convertible_to<Other, Real>) constexpr explicit Coupled(const Coupled<Other>& other)
+      : first(other.first), second(other.second) {}
+
+  constexpr Coupled operator-() const { return {-first, -second}; }
+  constexpr Coupled& operator+=(const Coupled& b) { return *this = *this + b; }
+  constexpr Coupled& operator-=(const Coupled& b) { return *this = *this - b; }
+
+  friend bool operator==(const Coupled&, const Coupled&) = default;
+};
+
+template <class Number>
+inline constexpr bool is_coupled = false;
+template <class Real>
+inline constexpr bool is_coupled<Coupled<Real>> = true;
+
+template <class A, class B>
+constexpr auto operator+(const Coupled<A>& a, const Coupled<B>& b) {
+  return Coupled<std::decay_t<decltype(a.first + b.first)>>{a.first + b.first, a.second + b.second};
+}
+template <class A, class B>
+constexpr auto operator-(const Coupled<A>& a, const Coupled<B>& b) {
+  return Coupled<std::decay_t<decltype(a.first - b.first)>>{a.first - b.first, a.second - b.second};
+}
+template <class Factor, class Real>
+requires(!is_coupled<Factor>) constexpr auto operator*(const Factor& c, const Coupled<Real>& a) {
+  return Coupled<std::decay_t<decltype(c * a.first)>>{c * a.first, c * a.second};
+}
+template <class Factor, class Real>
+requires(!is_coupled<Factor>) constexpr auto operator*(const Coupled<Real>& a, const Factor& c) {
+  return Coupled<std::decay_t<decltype(a.first * c)>>{a.first * c, a.second * c};
+}
+template <class Divisor, class Real>
+requires(!is_coupled<Divisor>) constexpr auto operator/(const Coupled<Real>& a, const Divisor& c) {
+  return Coupled<std::decay_t<decltype(a.first / c)>>{a.first / c, a.second / c};
+}
+
+template <class Real>
+constexpr double value_of(const Coupled<Real>& a) {
+  return value_of(a.first);
+}
+
+}  // namespace cromer
