@@ -50,4 +50,17 @@ T resisting_force(const Oscillator<Real>& per_mass, Law present, const T& x, con
   return sum_of_forces<law, terms_of_velocity>(per_mass, present, x, v);
 }
 
+/// Of an oscillator as it is [N].
+template <class T>
+T restoring_force(const Oscillator<double>& oscillator, const T& x) {
+  return restoring_force<any_terms>(oscillator, law_of(oscillator), x);
+}
+
+/// The stiffness that small motions about x feel [N/m]: the slope of the restoring force, and that of a
+/// hysteretic one where it begins.
+inline double stiffness_at(const Oscillator<double>& oscillator, double x) {
+  return restoring_force(oscillator, Dual<double, 1>::variable(x, 0)).derivative[0] +
+         oscillator.hysteresis_stiffness;
+}
+
 }  // namespace cromer
