@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "cromer/analysis/energy_balance.h"
 #include "cromer/study/task/sweep_rows.h"
 #include "text_table.h"
 
@@ -62,12 +63,16 @@ std::string extremes(const SweepResult& result) {
 bool undamped(const SweepPlan& plan) {
   const SimulateOptions& base = plan.work->base;
   const bool swept = std::any_of(plan.swept.begin(), plan.swept.end(), [](const SweptOption& option) {
-    return option.name.find("damping") != std::string::npos ||
-           option.name.find("drag") != std::string::npos ||
-           option.name.find("friction") != std::string::npos || option.name == "quality-factor";
+    bool takes =
+        option.name == "damping-ratio" || option.name == "static-friction" || option.name == "quality-factor";
+    for_each_resistance([&]<class T>() { takes = takes || option.name == T::coefficients[0].option; });
+    return takes;
   });
-  return !swept && base.friction == 0 && base.drag == 0 && base.damping.value_or(0) == 0 &&
-         base.damping_ratio.value_or(0) == 0 && !base.quality_factor;
+  bool fixed = base.damping.value_or(0) != 0 || base.damping_ratio.value_or(0) != 0 || base.quality_factor;
+  for_each_resistance([&]<class T>() {
+    if (!std::is_same_v<T, Viscous>) fixed = fixed || base.law.*T::template members<double>[0] != 0;
+  });
+  return !swept && !fixed;
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ EnergyBalance ledger(const M& method, const Oscillator<double>& law, const Harmo
 }
 
 double largest(const EnergyBalance& b) {
-  return std::max({std::abs(b.start), std::abs(b.end), std::abs(b.drive), b.damping});
+  return std::max({std::abs(b.start), std::abs(b.end), std::abs(b.drive), b.taken_by<Viscous>()});
 }
 
 TEST(EnergyBalance, ClosesToRoundingForTheExactMotion) {
@@ -65,8 +65,8 @@ TEST(EnergyBalance, ClosesToRoundingForTheExactMotion) {
                         Case{{.mass = 1, .stiffness = -1, .damping = 0.5}, {0, 0, 0}, 5}}) {
     const EnergyBalance b = exact(c.law, c.drive, {0.4, -0.3}, c.until, quarter);
     EXPECT_LT(std::abs(b.method()), 3e-14 * largest(b)) << c.law.damping << " " << c.drive.frequency;
-    EXPECT_EQ(b.drag, 0);
-    EXPECT_EQ(b.friction, 0);
+    EXPECT_EQ(b.taken_by<Drag>(), 0);
+    EXPECT_EQ(b.taken_by<Friction>(), 0);
   }
 }
 
@@ -75,7 +75,7 @@ TEST(EnergyBalance, DampingTakesWhatTheClosedFormSays) {
   const Oscillator<double> law{.mass = 1, .stiffness = 9, .damping = 0.2};
   const EnergyBalance b = exact(law, {}, {1, 0}, 1000, quarter);
   EXPECT_EQ(b.start, 4.5);
-  EXPECT_NEAR(b.damping, 4.5, 1e-13);
+  EXPECT_NEAR(b.taken_by<Viscous>(), 4.5, 1e-13);
   EXPECT_EQ(b.drive, 0);
 }
 
@@ -108,7 +108,7 @@ TEST(EnergyBalance, SaysWhatAMethodMakesAndLoses) {
 TEST(EnergyBalance, DragAndCubicCloseWithAFineMethod) {
   const Oscillator<double> law{.mass = 1, .stiffness = 9, .damping = 0.1, .drag = 0.3, .cubic = 4};
   const EnergyBalance b = ledger<everything>(Rk4{}, law, {1, 4, 0}, {0.5, 0}, 20, 0.002);
-  EXPECT_GT(b.drag, 0.01 * b.start);
+  EXPECT_GT(b.taken_by<Drag>(), 0.01 * b.start);
   EXPECT_LT(std::abs(b.method()), 1e-9 * b.start);
 }
 
@@ -117,7 +117,7 @@ TEST(EnergyBalance, AShorterLastStepIsCounted) {
   const EnergyBalance whole = ledger(Exact{}, law, {1, 3, 0}, {0, 0}, 10, 0.001);
   const EnergyBalance cut = ledger(Exact{}, law, {1, 3, 0}, {0, 0}, 10, 0.0011);
   EXPECT_NEAR(cut.drive, whole.drive, 1e-8);
-  EXPECT_NEAR(cut.damping, whole.damping, 1e-8);
+  EXPECT_NEAR(cut.taken_by<Viscous>(), whole.taken_by<Viscous>(), 1e-8);
 }
 
 TEST(EnergyBalance, OfOneStateIsThatState) {

@@ -2,16 +2,29 @@
 #pragma once
 
 #include "cromer/base/state.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"
 
 namespace cromer {
 
-/// m v^2/2 + k x^2/2 + k3 x^4/4 [J]; negative in a double well is right.
+/// m v^2/2 and what each term stores, k x^2/2 + k3 x^4/4 + ... [J]; negative in a double well is right. What
+/// hysteresis stores is left out: it is not of x and v. `law`: the terms that may be there, as sum_of_forces
+/// takes it.
+template <Law law, class Real>
+Real energy(const Oscillator<Real>& oscillator, Law present, const State<Real>& y) {
+  Real sum = oscillator.mass * (y.v * y.v) / Real(2);
+  for_each_term([&]<class T>() {
+    if constexpr (terms_of_position.has<T>() && (law == any_terms || law.has<T>())) {
+      if (law == any_terms && !present.has<T>()) return;
+      sum = sum + T::energy(y.x, oscillator.*T::template members<Real>[0]);
+    }
+  });
+  return sum;
+}
+
 template <class Real>
-constexpr Real energy(const Oscillator<Real>& oscillator, const State<Real>& y) {
-  const Real x2 = y.x * y.x;
-  return oscillator.mass * (y.v * y.v) / Real(2) +
-         (oscillator.stiffness / Real(2) + oscillator.cubic * x2 / Real(4)) * x2;
+Real energy(const Oscillator<Real>& oscillator, const State<Real>& y) {
+  return energy<any_terms>(oscillator, law_of(oscillator), y);
 }
 
 }  // namespace cromer

@@ -24,7 +24,7 @@ class EnergyLedger {
       : force_(force), oscillator_(oscillator), step_(step) {}
 
   void operator()(double t, const State<double>& y) {
-    const Power power = power_of(force_(t), y.v);
+    const Power power = power_of(force_(t), y);
     if (count_ == 0) {
       start_ = y;
     } else {
@@ -49,7 +49,7 @@ class EnergyLedger {
   EnergyBalance balance() const {
     Power work = odd_;
     if (count_ > 1) work = work + step_ * (sum_ - 0.5 * (first_[0] + newest(0)) - end_corrections());
-    work.distance = distance_;
+    work.taken.of<Friction>() = distance_;
     return energy_balance(oscillator_, start_, last_y_, work);
   }
 

@@ -34,8 +34,9 @@ Power halved(const F& power, double a, double b, const Power& whole, const Power
   const double middle = 0.5 * (a + b);
   const Power left = gauss_panel(power, a, middle), right = gauss_panel(power, middle, b);
   const Power both = left + right, off = both - whole;
-  const bool agrees = std::abs(off.drive) <= enough.drive && std::abs(off.square) <= enough.square &&
-                      std::abs(off.distance) <= enough.distance;
+  const auto small = [&]<class T>() { return std::abs(off.taken.of<T>()) <= enough.taken.of<T>(); };
+  const bool agrees = std::abs(off.drive) <= enough.drive && small.template operator()<Viscous>() &&
+                      small.template operator()<Friction>();
   if (agrees || !(a < middle && middle < b) || --budget < 0) return both;
   return halved(power, a, middle, left, enough, budget) + halved(power, middle, b, right, enough, budget);
 }
@@ -45,15 +46,16 @@ Power halved(const F& power, double a, double b, const Power& whole, const Power
 /// the shortest period, or less.
 template <class F, class Motion>
 Power exact_work(const F& force, const Motion& state, double from, double until, double panel) {
-  const auto power = [&](double t) { return power_of(force(t), state(t).v); };
+  const auto power = [&](double t) { return power_of(force(t), state(t)); };
   const auto panels = static_cast<long long>(std::ceil((until - from) / panel));
   const auto edge = [&](long long i) {
     return from + (until - from) * (static_cast<double>(i) / static_cast<double>(panels));
   };
   Power size{};
   for (long long i = 0; i < panels; ++i) {
-    const Power part = gauss_panel(power, edge(i), edge(i + 1));
-    size = size + Power{std::abs(part.drive), part.square, part.cube, part.distance};
+    Power part = gauss_panel(power, edge(i), edge(i + 1));
+    part.drive = std::abs(part.drive);
+    size = size + part;
   }
   // A few roundings of the whole: less is noise, whatever the panel.
   const Power enough = 2e-15 * size;

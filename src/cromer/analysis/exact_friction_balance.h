@@ -32,13 +32,16 @@ double square_over_arc(const Arc& arc, const LinearLaw<double>& law, const State
   constexpr double any = std::numeric_limits<double>::infinity();
   const double longest = s > b * b ? std::numbers::pi / 2 / std::sqrt(s) : any;
   const double shortest = std::min(longest, 1 / (2 * b + std::sqrt(std::abs(s))));
-  const auto power = [&](double u) { return power_of(0, arc.propagate(0, u, y0).v); };
+  const auto power = [&](double u) { return power_of(0, arc.propagate(0, u, y0)); };
   double sum = 0;
   for (double begin = 0, end = 0; begin < until - from; begin = end) {
     end = std::min(until - from, begin + std::clamp(begin, shortest, longest));
     const Power whole = gauss_panel(power, begin, end);
     long long budget = 1000;
-    sum += halved(power, begin, end, whole, {any, 2e-15 * whole.square, any, any}, budget).square;
+    Power enough{.drive = any};
+    enough.taken.of<Viscous>() = 2e-15 * whole.taken.of<Viscous>();
+    enough.taken.of<Friction>() = any;
+    sum += halved(power, begin, end, whole, enough, budget).taken.template of<Viscous>();
   }
   return sum;
 }
@@ -63,8 +66,8 @@ requires(ExactSystem<SlidingSystem<S>, double>) EnergyBalance
     const State<double> y0 = course.y;
     StepperOf stepper(arc, exact, from, y0);
     take_fixed_steps(stepper, rows, {direction, nullptr}, course, keep_none, {}, {});
-    work.distance += std::abs(course.y.x - y0.x);
-    if (law.decay_rate > 0) work.square += square_over_arc(arc, law, y0, from, course.t);
+    work.taken.of<Friction>() += std::abs(course.y.x - y0.x);
+    if (law.decay_rate > 0) work.taken.of<Viscous>() += square_over_arc(arc, law, y0, from, course.t);
   };
   stick_and_slip(system, rows, course, slide, keep_none, {});
   return energy_balance(oscillator, start, course.y, work);

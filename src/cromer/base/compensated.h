@@ -62,4 +62,7 @@ constexpr Compensated sgn(const Compensated& x) { return Compensated((x.value > 
 
 inline Compensated abs(const Compensated& x) { return x.value < 0 ? -x : x; }
 
+inline Compensated sin(const Compensated& x) { return {std::sin(x.value), std::cos(x.value) * x.rest}; }
+inline Compensated cos(const Compensated& x) { return {std::cos(x.value), -std::sin(x.value) * x.rest}; }
+
 }  // namespace cromer

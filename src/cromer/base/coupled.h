@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "cromer/base/dual.h"
+#include "cromer/base/magnitude.h"
 
 namespace cromer {
 
@@ -35,7 +36,8 @@ struct Coupled {
   constexpr Coupled& operator+=(const Coupled& b) { return *this = *this + b; }
   constexpr Coupled& operator-=(const Coupled& b) { return *this = *this - b; }
 
-  friend bool operator==(const Coupled&, const Coupled&) = default;
+  friend constexpr bool operator==(const Coupled&, const Coupled&) = default;
+  friend constexpr bool operator<(const Coupled& a, const Coupled& b) { return a.first < b.first; }
 };
 
 template <class Number>
@@ -67,6 +69,15 @@ requires(!is_coupled<Divisor>) constexpr auto operator/(const Coupled<Real>& a, 
 template <class Real>
 constexpr double value_of(const Coupled<Real>& a) {
   return value_of(a.first);
+}
+
+/// Of each.
+template <class Real>
+constexpr Coupled<Magnitude<Real>> magnitude(const Coupled<Real>& a) {
+  return {magnitude(a.first), magnitude(a.second)};
+}
+constexpr Coupled<double> larger(const Coupled<double>& a, const Coupled<double>& b) {
+  return {larger(a.first, b.first), larger(a.second, b.second)};
 }
 
 }  // namespace cromer

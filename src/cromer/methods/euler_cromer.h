@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cromer/base/coupled.h"
 #include "cromer/methods/method.h"
 
 namespace cromer {
@@ -28,7 +29,9 @@ struct EulerCromer {
 
   template <class S, class Time, class Real>
   Trial<Real> step(const S& system, const Time& t, const Time& h, const State<Real>& y, NoMemory&) const {
-    const Real v = y.v + h * system.acceleration(t, y.x, y.v);
+    Real v = y.v + h * system.acceleration(t, y.x, y.v);
+    // An inner state moves with the new velocity too.
+    if constexpr (is_coupled<Real>) v.second = y.v.second + h * system.rate(v.first, y.v.second);
     return {.y = {y.x + h * v, v}};
   }
 };

@@ -53,12 +53,11 @@ struct GaussLegendre4 {
     const auto to_first = [&](const auto& k1, const auto& k2) { return h * (0.25 * k1 + near * k2); };
     const auto to_second = [&](const auto& k1, const auto& k2) { return h * (far * k1 + 0.25 * k2); };
 
-    using Unknown = Dual<Real, 2>;
-    const auto residual = [&](const std::array<Unknown, 2>& a) {
-      const Unknown v1 = y.v + to_first(a[0], a[1]), v2 = y.v + to_second(a[0], a[1]);
-      const Unknown x1 = y.x + to_first(v1, v2), x2 = y.x + to_second(v1, v2);
-      return std::array<Unknown, 2>{a[0] - system.acceleration(t + (0.5 - off) * h, x1, v1),
-                                    a[1] - system.acceleration(t + (0.5 + off) * h, x2, v2)};
+    const auto residual = [&](const std::array<Unknown<Real, 2>, 2>& a) {
+      const Unknown<Real, 2> v1 = y.v + to_first(a[0], a[1]), v2 = y.v + to_second(a[0], a[1]);
+      const Unknown<Real, 2> x1 = y.x + to_first(v1, v2), x2 = y.x + to_second(v1, v2);
+      return std::array<Unknown<Real, 2>, 2>{a[0] - system.acceleration(t + (0.5 - off) * h, x1, v1),
+                                             a[1] - system.acceleration(t + (0.5 + off) * h, x2, v2)};
     };
     const auto solved =
         cromer::newton(residual, memory.accelerations, {memory.scale, acceleration_rounding(y, h)}, newton);

@@ -59,7 +59,7 @@ struct GeneralizedAlpha {
     const State<Real> predicted{y.x + h * (y.v + h * ((0.5 - beta) * a)), y.v + h * ((1 - gamma) * a)};
     const auto position = [&](const auto& next) { return predicted.x + h * h * (beta * next); };
     const auto velocity = [&](const auto& next) { return predicted.v + h * (gamma * next); };
-    const auto residual = [&](const Dual<Real, 1>& next) {
+    const auto residual = [&](const Unknown<Real>& next) {
       return (1 - alpha_m) * next + alpha_m * a -
              system.acceleration(t + (1 - alpha_f) * h, (1 - alpha_f) * position(next) + alpha_f * y.x,
                                  (1 - alpha_f) * velocity(next) + alpha_f * y.v);

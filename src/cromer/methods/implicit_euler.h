@@ -42,7 +42,7 @@ struct ImplicitEuler {
   template <class S, class Time, class Real>
   Trial<Real> step(const S& system, const Time& t, const Time& h, const State<Real>& y,
                    Memory<Real>& memory) const {
-    const auto residual = [&](const Dual<Real, 1>& v) {
+    const auto residual = [&](const Unknown<Real>& v) {
       return v - y.v - h * system.acceleration(t + h, y.x + h * v, v);
     };
     // A velocity that moves x by less than its last digit changes nothing.

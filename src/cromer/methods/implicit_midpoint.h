@@ -42,8 +42,8 @@ struct ImplicitMidpoint {
   Trial<Real> step(const S& system, const Time& t, const Time& h, const State<Real>& y,
                    Memory<Real>& memory) const {
     const auto middle_velocity = [&](const auto& a) { return y.v + h / 2 * a; };
-    const auto residual = [&](const Dual<Real, 1>& a) {
-      const Dual<Real, 1> v = middle_velocity(a);
+    const auto residual = [&](const Unknown<Real>& a) {
+      const Unknown<Real> v = middle_velocity(a);
       return a - system.acceleration(t + h / 2, y.x + h / 2 * v, v);
     };
     const auto solved =

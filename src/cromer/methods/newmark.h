@@ -49,7 +49,7 @@ struct Newmark {
     const State<Real> predicted{y.x + h * (y.v + h * ((0.5 - beta) * a)), y.v + h * ((1 - gamma) * a)};
     const auto position = [&](const auto& next) { return predicted.x + h * h * (beta * next); };
     const auto velocity = [&](const auto& next) { return predicted.v + h * (gamma * next); };
-    const auto residual = [&](const Dual<Real, 1>& next) {
+    const auto residual = [&](const Unknown<Real>& next) {
       return next - system.acceleration(t + h, position(next), velocity(next));
     };
     const auto solved = cromer::newton(residual, a, {memory.scale, acceleration_rounding(y, h)}, newton);

@@ -1,9 +1,14 @@
-// Newton's iteration for the one or two unknowns of an implicit step.
+// Newton's iteration for the one or two unknowns of an implicit step; each is a pair where an inner state
+// rides along (base/coupled.h), and all are solved for together.
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
+#include <utility>
 
+#include "cromer/base/coupled.h"
 #include "cromer/base/dual.h"
 #include "cromer/base/magnitude.h"
 #include "cromer/base/state.h"
@@ -16,6 +21,18 @@ struct NewtonOptions {
 
   friend bool operator==(const NewtonOptions&, const NewtonOptions&) = default;
 };
+
+/// An unknown of an implicit step, one of `count`, with its derivatives by all of them.
+template <class Real, std::size_t count = 1>
+struct UnknownOf {
+  using Type = Dual<Real, count>;
+};
+template <class Real, std::size_t count>
+struct UnknownOf<Coupled<Real>, count> {
+  using Type = Coupled<Dual<Real, 2 * count>>;
+};
+template <class Real, std::size_t count = 1>
+using Unknown = typename UnknownOf<Real, count>::Type;
 
 /// Of a pack each lane by itself: one that has arrived stays where it is while others go on, so that it does
 /// not depend on them.
@@ -68,12 +85,78 @@ class NewtonArrival {
   Size last_ = std::numeric_limits<double>::infinity();
 };
 
+/// Solves matrix * x = x for x, by elimination with the largest pivots.
+template <class Real, std::size_t size>
+void solve_linear(std::array<std::array<Real, size>, size>& matrix, std::array<Real, size>& x) {
+  for (std::size_t i = 0; i < size; ++i) {
+    std::size_t pivot = i;
+    for (std::size_t row = i + 1; row < size; ++row)
+      if (std::abs(value_of(matrix[row][i])) > std::abs(value_of(matrix[pivot][i]))) pivot = row;
+    std::swap(matrix[i], matrix[pivot]);
+    std::swap(x[i], x[pivot]);
+    for (std::size_t row = i + 1; row < size; ++row) {
+      const Real factor = matrix[row][i] / matrix[i][i];
+      for (std::size_t k = i; k < size; ++k) matrix[row][k] = matrix[row][k] - factor * matrix[i][k];
+      x[row] = x[row] - factor * x[i];
+    }
+  }
+  for (std::size_t i = size; i-- > 0;) {
+    for (std::size_t k = i + 1; k < size; ++k) x[i] = x[i] - matrix[i][k] * x[k];
+    x[i] = x[i] / matrix[i][i];
+  }
+}
+
+/// The same for pairs. The first numbers of all and the second ones each have their own scale, and arrive on
+/// their own.
+template <std::size_t count, class Real, class Residual>
+NewtonResult<Coupled<Real>, std::array<Coupled<Real>, count>> newton_of_pairs(
+    const Residual& residual, const std::array<Coupled<Real>, count>& guess,
+    const NewtonScale<Coupled<double>>& scale, const NewtonOptions& options) {
+  constexpr std::size_t size = 2 * count;
+  using D = Dual<Real, size>;
+  NewtonArrival<double> first_arrived({scale.motion.first, scale.rounding.first}, options.tolerance);
+  NewtonArrival<double> second_arrived({scale.motion.second, scale.rounding.second}, options.tolerance);
+  std::array<Coupled<Real>, count> u = guess;
+  bool first_done = false, second_done = false;
+  for (int i = 1; i <= options.iteration_limit; ++i) {
+    std::array<Coupled<D>, count> variables;
+    for (std::size_t k = 0; k < count; ++k)
+      variables[k] = {D::variable(u[k].first, 2 * k), D::variable(u[k].second, 2 * k + 1)};
+    const std::array<Coupled<D>, count> r = residual(variables);
+    std::array<std::array<Real, size>, size> jacobian;
+    std::array<Real, size> update;
+    for (std::size_t k = 0; k < count; ++k) {
+      jacobian[2 * k] = r[k].first.derivative;
+      jacobian[2 * k + 1] = r[k].second.derivative;
+      update[2 * k] = r[k].first.value;
+      update[2 * k + 1] = r[k].second.value;
+    }
+    solve_linear(jacobian, update);
+    Coupled<double> moved, root;
+    bool finite = true;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Coupled<Real> change{update[2 * k], update[2 * k + 1]};
+      u[k] = u[k] - change;
+      moved = larger(moved, magnitude(change));
+      root = larger(root, magnitude(u[k]));
+      finite = finite && std::isfinite(value_of(change.first)) && std::isfinite(value_of(change.second));
+    }
+    // A comparison with NaN must not pass for a small update.
+    if (!finite) continue;
+    first_done = first_arrived(moved.first, root.first, first_done);
+    second_done = second_arrived(moved.second, root.second, second_done);
+    if (first_done && second_done) return {u, i, true};
+  }
+  return {u, options.iteration_limit, false};
+}
+
 /// A root of residual(u), from the guess; the residual is called with a Dual, so that its derivative is
 /// exact.
 template <class Real, class Residual>
-[[gnu::always_inline]] inline NewtonResult<Real> newton(const Residual& residual, const Real& guess,
-                                                        const NewtonScale<Magnitude<Real>>& scale,
-                                                        const NewtonOptions& options) {
+requires(!is_coupled<Real>)
+    [[gnu::always_inline]] inline NewtonResult<Real> newton(const Residual& residual, const Real& guess,
+                                                            const NewtonScale<Magnitude<Real>>& scale,
+                                                            const NewtonOptions& options) {
   NewtonArrival<Magnitude<Real>> arrived(scale, options.tolerance);
   Real u = guess;
   Truth<Real> done = false;
@@ -87,9 +170,25 @@ template <class Real, class Residual>
   return {u, options.iteration_limit, done};
 }
 
+template <class Real, class Residual>
+NewtonResult<Coupled<Real>> newton(const Residual& residual, const Coupled<Real>& guess,
+                                   const NewtonScale<Coupled<double>>& scale, const NewtonOptions& options) {
+  const auto solved = newton_of_pairs([&](const auto& u) { return std::array{residual(u[0])}; },
+                                      std::array{guess}, scale, options);
+  return {solved.root[0], solved.iterations, solved.converged};
+}
+
+template <class Real, class Residual>
+NewtonResult<Coupled<Real>, std::array<Coupled<Real>, 2>> newton(const Residual& residual,
+                                                                 const std::array<Coupled<Real>, 2>& guess,
+                                                                 const NewtonScale<Coupled<double>>& scale,
+                                                                 const NewtonOptions& options) {
+  return newton_of_pairs(residual, guess, scale, options);
+}
+
 /// The same for two unknowns: residual takes and gives an array of two; sizes are those of the larger.
 template <class Real, class Residual>
-[[gnu::always_inline]] inline NewtonResult<Real, std::array<Real, 2>> newton(
+requires(!is_coupled<Real>) [[gnu::always_inline]] inline NewtonResult<Real, std::array<Real, 2>> newton(
     const Residual& residual, const std::array<Real, 2>& guess, const NewtonScale<Magnitude<Real>>& scale,
     const NewtonOptions& options) {
   using Unknown = Dual<Real, 2>;

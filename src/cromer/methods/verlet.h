@@ -48,8 +48,8 @@ struct Verlet {
       return {.y = {x, y.v + h / 2 * (a + memory.acceleration)}};
     }
     if constexpr (depends_on_velocity<S>()) {
-      const auto residual = [&](const Dual<Real, 1>& v) {
-        return v - y.v - h / 2 * (a + system.acceleration(t + h, Dual<Real, 1>(x), v));
+      const auto residual = [&](const Unknown<Real>& v) {
+        return v - y.v - h / 2 * (a + system.acceleration(t + h, Unknown<Real>(x), v));
       };
       // A velocity that moves x by less than its last digit changes nothing.
       const Magnitude<Real> rounding =

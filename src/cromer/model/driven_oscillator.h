@@ -158,7 +158,7 @@ HarmonicForce<Real> force_of(const HarmonicDrive<Real>& drive, const Real& mass)
 /// f.operator()<law>() with the compiled law of the terms present.
 template <class F>
 decltype(auto) with_compiled_law(Law present, F&& f) {
-  return [&]<std::size_t... i>(std::index_sequence<i...>) -> decltype(auto) {
+  return [&]<std::size_t... i>(std::index_sequence<i...>)->decltype(auto) {
     using Returned = decltype(f.template operator()<any_terms>());
     const Law wanted = compiled_law(present);
     if constexpr (std::is_void_v<Returned>) {
@@ -166,11 +166,13 @@ decltype(auto) with_compiled_law(Law present, F&& f) {
         f.template operator()<any_terms>();
     } else {
       Returned returned{};
-      if (!((wanted == compiled_laws[i] && (returned = f.template operator()<compiled_laws[i]>(), true)) || ...))
+      if (!((wanted == compiled_laws[i] && (returned = f.template operator()<compiled_laws[i]>(), true)) ||
+            ...))
         returned = f.template operator()<any_terms>();
       return returned;
     }
-  }(std::make_index_sequence<std::size(compiled_laws)>{});
+  }
+  (std::make_index_sequence<std::size(compiled_laws)>{});
 }
 
 /// Calls f with the smooth law that has the terms with a coefficient other than zero, and returns what it
@@ -182,9 +184,10 @@ decltype(auto) with_smooth_terms(const Oscillator<Real>& oscillator, const Harmo
   if constexpr (!each_set_of_terms) {
     return std::forward<F>(f)(AnyTerms(per_mass, driven ? force : HarmonicForce<Real>{}));
   } else {
-    return with_compiled_law(law_of(oscillator).without(law_with<Friction>), [&]<Law law>() -> decltype(auto) {
-      return f(DrivenOscillator<Real, Terms{.drive = driven, .law = law}>(per_mass, force));
-    });
+    return with_compiled_law(
+        law_of(oscillator).without(law_with<Friction>), [&]<Law law>() -> decltype(auto) {
+          return f(DrivenOscillator<Real, Terms{.drive = driven, .law = law}>(per_mass, force));
+        });
   }
 }
 

@@ -56,8 +56,8 @@ inline constexpr Law dampings = law_where([](const TermInfo& info) { return info
 /// The linear law: the one with a closed form.
 inline constexpr Law linear_terms = law_with<Spring, Viscous>;
 /// Terms whose force is a smooth function of position and velocity.
-inline constexpr Law smooth_terms = law_where([](const TermInfo&) { return true; })
-                                        .without(law_with<Friction, Hysteresis>);
+inline constexpr Law smooth_terms =
+    law_where([](const TermInfo&) { return true; }).without(law_with<Friction, Hysteresis>);
 
 /// The law of these names, "viscous+drag", with a linear spring, or with a pendulum in its place. For laws
 /// written in code: a name that is no term's is passed over (identify/law.h reads what a person typed).
@@ -103,9 +103,13 @@ constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& oscillator) {
   per_mass.mass = Real(1);
   per_mass.static_friction = oscillator.static_friction / oscillator.mass;
   for_each_term([&]<class T>() {
-    for (std::size_t i = 0; i < coefficients_of<T>; ++i)
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
+      const auto member = T::template members<Real>[i];
       if (T::coefficients[i].fitted != FittedAs::with_any_mass)
-        per_mass.*T::template members<Real>[i] = oscillator.*T::template members<Real>[i] / oscillator.mass;
+        per_mass.*member = oscillator.*member / oscillator.mass;
+      else if constexpr (HasInnerState<T>)
+        per_mass.*member = oscillator.*member * T::shape_per_mass(oscillator);
+    }
   });
   return per_mass;
 }

@@ -7,8 +7,8 @@
 
 namespace cromer {
 
-/// A law whose terms are told at run time: one type for all of them, where one for each set costs more than it
-/// saves.
+/// A law whose terms are told at run time: one type for all of them, where one for each set costs more than
+/// it saves.
 inline constexpr Law any_terms{std::uint32_t{1} << 31};
 
 /// Terms whose force at rest is that of the position, and the others that are smooth: of the velocity too.
@@ -19,13 +19,13 @@ inline constexpr Law terms_of_velocity = smooth_terms.without(terms_of_position)
 /// Whether the force of a law may depend on the velocity.
 constexpr bool has_resistance(Law law) { return law == any_terms || law.shares(terms_of_velocity); }
 
-/// The sum over those of the law's terms that are among `which` [m/s^2] with coefficients per unit mass, in the
-/// order of the registry. With any_terms those that are `present`: absent terms are stepped over, so that the
-/// sum is the same to the bit (of a zero the sign may differ).
+/// The sum over those of the law's terms that are among `which` [m/s^2] with coefficients per unit mass, in
+/// the order of the registry. With any_terms those that are `present`: absent terms are stepped over, so that
+/// the sum is the same to the bit (of a zero the sign may differ).
 template <Law law, Law which, class Real, class T>
 T sum_of_forces(const Oscillator<Real>& per_mass, [[maybe_unused]] Law present, const T& x, const T& v) {
   constexpr Law summed = law == any_terms ? which : Law{law.terms & which.terms};
-  T sum;
+  T sum(0);
   bool first = true;
   for_each_term([&]<class Term>() {
     if constexpr (summed.has<Term>()) {
@@ -35,7 +35,7 @@ T sum_of_forces(const Oscillator<Real>& per_mass, [[maybe_unused]] Law present, 
       first = false;
     }
   });
-  return first ? T(0) : sum;
+  return sum;
 }
 
 /// Of the terms of the position.
@@ -48,6 +48,19 @@ T restoring_force(const Oscillator<Real>& per_mass, Law present, const T& x) {
 template <Law law, class Real, class T>
 T resisting_force(const Oscillator<Real>& per_mass, Law present, const T& x, const T& v) {
   return sum_of_forces<law, terms_of_velocity>(per_mass, present, x, v);
+}
+
+/// Of an oscillator as it is [N].
+template <class T>
+T restoring_force(const Oscillator<double>& oscillator, const T& x) {
+  return restoring_force<any_terms>(oscillator, law_of(oscillator), x);
+}
+
+/// The stiffness that small motions about x feel [N/m]: the slope of the restoring force, and that of a
+/// hysteretic one where it begins.
+inline double stiffness_at(const Oscillator<double>& oscillator, double x) {
+  return restoring_force(oscillator, Dual<double, 1>::variable(x, 0)).derivative[0] +
+         oscillator.hysteresis_stiffness;
 }
 
 }  // namespace cromer

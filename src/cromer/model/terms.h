@@ -34,12 +34,9 @@ constexpr bool is_linear(Terms terms) { return linear_terms.contains(terms.law);
 
 /// The smooth laws with code of their own: a measured choice. Every other one shares the code of any_terms,
 /// which asks for each term whether it is there.
-inline constexpr Law compiled_laws[] = {law_of("spring"),
-                                        law_of("viscous"),
-                                        law_of("viscous+drag"),
-                                        law_of("cubic"),
-                                        law_of("viscous+cubic"),
-                                        law_of("viscous+drag+cubic")};
+inline constexpr Law compiled_laws[] = {law_of("spring"),        law_of("viscous"),
+                                        law_of("viscous+drag"),  law_of("cubic"),
+                                        law_of("viscous+cubic"), law_of("viscous+drag+cubic")};
 
 /// The smallest compiled law that has every term of the given one; any_terms where none has.
 constexpr Law compiled_law(Law law) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "cromer/base/coarse_power.h"
+#include "cromer/base/coupled.h"
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
@@ -31,6 +32,7 @@ class MotionScale {
   void include(const State<Real>& y) {
     x_ = std::max(x_, std::abs(value_of(y.x)));
     v_ = std::max(v_, std::abs(value_of(y.v)));
+    if constexpr (is_coupled<Real>) inner_ = std::max(inner_, std::abs(value_of(y.v.second)));
   }
 
   /// The larger of both relative errors of a step of length h to y, over the tolerance: at most 1 is good. An
@@ -41,15 +43,22 @@ class MotionScale {
     const double x = std::max(x_, std::abs(value_of(trial.y.x)));
     const double v = std::max(v_, std::abs(value_of(trial.y.v)));
     const double x_error = std::abs(value_of(trial.error.x)), v_error = std::abs(value_of(trial.error.v));
-    if (x_error == 0 && v_error == 0) return 0;
+    double inner = 0;
+    if constexpr (is_coupled<Real>) {
+      // Of an inner state, by its own largest value: its law has corners that x and v hardly show.
+      const double error = std::abs(value_of(trial.error.v.second));
+      if (error != 0) inner = error / (tolerance * std::max(inner_, std::abs(value_of(trial.y.v.second))));
+    }
+    if (x_error == 0 && v_error == 0) return inner;
     const double way = v * h;  // both are compared as lengths
-    return std::max(x_error / (tolerance * std::max(x, unseen * way)),
-                    v_error * h / (tolerance * std::max(way, unseen * x)));
+    return std::max({x_error / (tolerance * std::max(x, unseen * way)),
+                     v_error * h / (tolerance * std::max(way, unseen * x)), inner});
   }
 
  private:
   static constexpr double unseen = 1e-3;
   double x_ = 0, v_ = 0;  // [m], [m/s]
+  double inner_ = 0;      // in its own unit
 };
 
 /// Proportional-integral control: K. Gustafsson, ACM Trans. Math. Softw. 17, 533 (1991), with the constants

@@ -93,7 +93,7 @@ TEST(Accuracy, AShakingBaseIsTheForceThatItMakes) {
 
 TEST(Accuracy, DuffingIsMeasuredAgainstAFineReference) {
   SimulateOptions options;
-  options.cubic = 1;
+  options.law.cubic = 1;
   options.damping = 0.05;
   options.position = 1;
   options.until = 50;

@@ -80,7 +80,7 @@ TEST(Compensated, IsRefusedWhereNothingAddsUp) {
   EXPECT_THAT(refusal({.method = {"dormand-prince"}, .compensated = true}),
               AllOf(StartsWith("--compensated: dormand-prince"), HasSubstr("euler-cromer")));
   EXPECT_THAT(refusal({.method = {"exact"}, .compensated = true}), StartsWith("--compensated: exact"));
-  EXPECT_THAT(refusal({.friction = 0.1, .compensated = true}),
+  EXPECT_THAT(refusal({.law = {.friction = 0.1}, .compensated = true}),
               AllOf(StartsWith("--compensated"), HasSubstr("0.1 N")));
   EXPECT_THAT(refusal({.drive = "step", .drive_amplitude = 1, .compensated = true}),
               AllOf(StartsWith("--compensated: under step"), HasSubstr("leave one of them out")));
@@ -91,7 +91,7 @@ TEST(Compensated, IsRefusedWhereNothingAddsUp) {
 TEST(Compensated, GoesWithAccuracy) {
   // Its reference run is by dormand-prince.
   const auto found =
-      run({.stiffness = 9, .cubic = 2, .method = {"rk4"}, .accuracy = 1e-4, .compensated = true});
+      run({.stiffness = 9, .law = {.cubic = 2}, .method = {"rk4"}, .accuracy = 1e-4, .compensated = true});
   EXPECT_TRUE(found.accuracy);
   EXPECT_EQ(found.outcome.status, Status::reached_end);
 }

@@ -58,15 +58,15 @@ TEST(EventOption, ARunReportsItsEventsAndStopsWhenAsked) {
 }
 
 TEST(EventOption, FrictionNeedsNoSmallerStaticFriction) {
-  const auto refused = simulate({.friction = 0.2, .static_friction = 0.1});
+  const auto refused = simulate({.law = {.friction = 0.2}, .static_friction = 0.1});
   ASSERT_FALSE(refused.ok());
   EXPECT_THAT(refused.error().message,
               HasSubstr("--static-friction: it must be at least --friction (0.2 N)"));
-  const auto held = simulate({.friction = 0.1, .static_friction = 1.1, .method = {"rk4", "exact"}});
+  const auto held = simulate({.law = {.friction = 0.1}, .static_friction = 1.1, .method = {"rk4", "exact"}});
   ASSERT_TRUE(held.ok());
   for (const SimulatedRun& run : held->runs) EXPECT_EQ(run.outcome.y, (State<double>{1, 0}));
   const auto driven =
-      simulate({.friction = 0.1, .drive_amplitude = 1, .drive_frequency = {2}, .method = {"exact"}});
+      simulate({.law = {.friction = 0.1}, .drive_amplitude = 1, .drive_frequency = {2}, .method = {"exact"}});
   ASSERT_FALSE(driven.ok());
   EXPECT_THAT(driven.error().message, HasSubstr("friction"));
   EXPECT_THAT(driven.error().message, HasSubstr("drive"));

@@ -36,7 +36,7 @@ TEST(LocalErrors, of_higher_order_methods_are_steeper) {
 
 TEST(LocalErrors, need_a_closed_form_and_a_period) {
   auto dragged = spring({"euler-cromer"});
-  dragged.simulate.drag = 0.02;
+  dragged.simulate.law.drag = 0.02;
   EXPECT_NE(local_errors(dragged).error().message.find("--drag"), std::string::npos);
   auto free = spring({"euler-cromer"});
   free.simulate.stiffness = 0;

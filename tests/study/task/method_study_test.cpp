@@ -52,9 +52,9 @@ TEST(MethodMap, ShowsAnAdaptiveMethodAtTheStepsItMightChoose) {
 
 TEST(MethodMap, RefusesWhatHasNoOneFrequency) {
   MethodMapOptions options;
-  options.simulate.cubic = 1;
+  options.simulate.law.cubic = 1;
   EXPECT_FALSE(method_map(options).ok());
-  options.simulate.cubic = 0;
+  options.simulate.law.cubic = 0;
   options.simulate.damping = 5;
   EXPECT_FALSE(method_map(options).ok());
 }

@@ -113,7 +113,7 @@ TEST(Resonance, says_what_prevents_it) {
   undamped.simulate.damping = 0;
   EXPECT_NE(resonance(undamped).error().message.find("--damping"), std::string::npos);
   auto dragged = options({"euler-cromer"});
-  dragged.simulate.drag = 0.1;
+  dragged.simulate.law.drag = 0.1;
   EXPECT_NE(resonance(dragged).error().message.find("--drag"), std::string::npos);
   auto pulsed = options({"euler-cromer"});
   pulsed.simulate.drive = "step";

@@ -81,7 +81,7 @@ std::vector<std::string> warnings(SimulateOptions options, double step) {
 
 TEST(RunEffect, AHardeningSpringIsWarnedOfWhereTheMotionBegins) {
   // At 1 m the stiffness is 9 + 3 * 1000 N/m: Verlet is stable up to 2/sqrt(3009) s.
-  const SimulateOptions stiff{.stiffness = 9, .cubic = 1000, .position = 1, .method = {"verlet"}};
+  const SimulateOptions stiff{.stiffness = 9, .law = {.cubic = 1000}, .position = 1, .method = {"verlet"}};
   EXPECT_THAT(
       warnings(stiff, 0.05),
       Contains(HasSubstr("stability limit of verlet for motions as wide as at the start under this law, "
@@ -121,33 +121,33 @@ TEST(RunEffect, EveryMethodIsWarnedOfAtItsLimit) {
 TEST(RunEffect, LawsThatAreNotLinearAreWarnedOfBySmallMotions) {
   const auto limit = HasSubstr("stability limit of verlet for small motions under this law, 0.333333 s");
   SimulateOptions law{.stiffness = 36, .method = {"verlet"}};
-  law.friction = 0.1;
+  law.law.friction = 0.1;
   EXPECT_THAT(warnings(law, 0.34), Contains(limit));
   EXPECT_THAT(warnings(law, 0.33), IsEmpty());
-  law.friction = 0;
-  law.cubic = 0.1;
+  law.law.friction = 0;
+  law.law.cubic = 0.1;
   EXPECT_THAT(warnings(law, 0.34), Contains(limit));
   EXPECT_THAT(warnings(law, 0.33), IsEmpty());
-  law.drag = 0.1;
+  law.law.drag = 0.1;
   EXPECT_THAT(warnings(law, 0.34), Contains(limit));
   // At the bottom of a double well k = -18 N/m counts twice.
-  EXPECT_THAT(warnings({.stiffness = -18, .cubic = 1, .method = {"verlet"}}, 0.34), Contains(limit));
+  EXPECT_THAT(warnings({.stiffness = -18, .law = {.cubic = 1}, .method = {"verlet"}}, 0.34), Contains(limit));
   // Friction outweighs what forward Euler adds to small swings, if the step is short; cubic stiffness does
   // not.
-  law = {.friction = 0.1, .method = {"forward-euler"}};
+  law = {.law = {.friction = 0.1}, .method = {"forward-euler"}};
   EXPECT_THAT(warnings(law, 0.001), IsEmpty());
-  law = {.cubic = 0.1, .method = {"forward-euler"}};
+  law = {.law = {.cubic = 0.1}, .method = {"forward-euler"}};
   EXPECT_THAT(warnings(law, 0.001), Contains(HasSubstr("forward-euler is unstable for small motions")));
 }
 
 TEST(RunEffect, NonlinearLawsHaveNone) {
-  EXPECT_FALSE(simulated({.drag = 0.1, .step = 0.01, .until = 0.1}).runs[0].effect);
-  EXPECT_FALSE(simulated({.cubic = 1, .step = 0.01, .until = 0.1}).runs[0].effect);
+  EXPECT_FALSE(simulated({.law = {.drag = 0.1}, .step = 0.01, .until = 0.1}).runs[0].effect);
+  EXPECT_FALSE(simulated({.law = {.cubic = 1}, .step = 0.01, .until = 0.1}).runs[0].effect);
 }
 
 TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
-  const auto result =
-      simulated({.drag = 0.2, .method = {"implicit-euler", "dormand-prince"}, .step = 0.03, .until = 120});
+  const auto result = simulated(
+      {.law = {.drag = 0.2}, .method = {"implicit-euler", "dormand-prince"}, .step = 0.03, .until = 120});
   const std::string lossy = effect_in_words(result.runs[0]), exact = effect_in_words(result.runs[1]);
   EXPECT_THAT(exact, HasSubstr("swung at 0.9994"));
   EXPECT_THAT(exact, HasSubstr("the method itself nothing"));
@@ -156,7 +156,8 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   const auto& balance = *result.runs[0].energy_balance;
   EXPECT_LT(balance.method(), -0.1 * balance.start);
   EXPECT_THAT(lossy, HasSubstr("the method itself 2"));
-  const auto spring = simulated({.cubic = 1, .method = {"euler-cromer", "rk4"}, .step = 0.02, .until = 60});
+  const auto spring =
+      simulated({.law = {.cubic = 1}, .method = {"euler-cromer", "rk4"}, .step = 0.02, .until = 60});
   EXPECT_THAT(effect_in_words(spring.runs[1]), HasSubstr("m to each side; kept its 0.75 J"));
   EXPECT_THAT(effect_in_words(spring.runs[0]), HasSubstr("which comes and goes"));
   const auto driven = simulated({.damping = 0.1,

@@ -78,13 +78,13 @@ TEST(RunEnergy, ImplicitEulerLosesWhatNobodyAskedFor) {
 
 TEST(RunEnergy, FrictionTakesItsForceTimesThePath) {
   SimulateOptions options;
-  options.friction = 0.05;
+  options.law.friction = 0.05;
   options.position = 1;
   options.method = {"rk4"};
   const auto balance = run_of(options).energy_balance;
   ASSERT_TRUE(balance);
   // Half cycles of 1.9, 1.7, ... 0.1 m: it stops at the middle.
-  EXPECT_NEAR(balance->friction, 0.5, 1e-3);
+  EXPECT_NEAR(balance->taken_by<Friction>(), 0.5, 1e-3);
   EXPECT_NEAR(balance->method(), 0, 1e-3);
 }
 
@@ -92,7 +92,7 @@ TEST(RunEnergy, FrictionTakesItsForceTimesThePath) {
 SimulateOptions rubbing() {
   SimulateOptions options;
   options.stiffness = 9;
-  options.friction = 0.05;
+  options.law.friction = 0.05;
   options.position = 1;
   options.method = {"exact"};
   return options;
@@ -100,7 +100,8 @@ SimulateOptions rubbing() {
 
 /// What the method seems to have made, over the largest energy.
 double left_over(const EnergyBalance& b) {
-  return std::abs(b.method()) / std::max({b.start, std::abs(b.end), b.damping + b.friction});
+  return std::abs(b.method()) /
+         std::max({b.start, std::abs(b.end), b.taken_by<Viscous>() + b.taken_by<Friction>()});
 }
 
 TEST(RunEnergy, ClosesToRoundingForExactWithFriction) {
@@ -121,7 +122,7 @@ TEST(RunEnergy, ClosesToRoundingForExactWithFriction) {
         SimulateOptions options = rubbing();
         options.stiffness = c.stiffness;
         options.damping = c.damping;
-        options.friction = c.friction;
+        options.law.friction = c.friction;
         options.static_friction = c.static_friction;
         options.velocity = c.velocity;
         options.until = until;
@@ -132,7 +133,7 @@ TEST(RunEnergy, ClosesToRoundingForExactWithFriction) {
         EXPECT_LT(left_over(b), 1e-14) << c.name << ' ' << until << ' ' << step;
         EXPECT_NEAR(b.end, energy(run.oscillator, run.outcome.y), 1e-14 * std::abs(b.start));
         EXPECT_EQ(b.drive, 0);
-        EXPECT_EQ(b.drag, 0);
+        EXPECT_EQ(b.taken_by<Drag>(), 0);
       }
   }
 }
@@ -140,11 +141,11 @@ TEST(RunEnergy, ClosesToRoundingForExactWithFriction) {
 TEST(RunEnergy, FrictionTakesTheEnergyBetweenTheStops) {
   // Stops at 1, -0.9, 0.8, ... m: f/k = 0.05 m of it either way, the last at 0 or where friction holds.
   SimulateOptions options = rubbing();
-  options.friction = 0.45;
+  options.law.friction = 0.45;
   options.until = 3.5 * std::acos(-1) / 3;  // three half periods, and half of the fourth
   const EnergyBalance b = *run_of(options).energy_balance;
-  EXPECT_NEAR(b.friction, 0.45 * (1.9 + 1.7 + 1.5 + 0.65), 1e-14);
-  EXPECT_EQ(b.damping, 0);
+  EXPECT_NEAR(b.taken_by<Friction>(), 0.45 * (1.9 + 1.7 + 1.5 + 0.65), 1e-14);
+  EXPECT_EQ(b.taken_by<Viscous>(), 0);
 }
 
 TEST(RunEnergy, WhatSticksAtOnceTakesNothing) {
@@ -153,7 +154,7 @@ TEST(RunEnergy, WhatSticksAtOnceTakesNothing) {
   options.until = 100;
   const EnergyBalance b = *run_of(options).energy_balance;
   EXPECT_EQ(b.end, b.start);
-  EXPECT_EQ(b.friction, 0);
+  EXPECT_EQ(b.taken_by<Friction>(), 0);
   EXPECT_EQ(b.method(), 0);
 }
 
@@ -161,14 +162,14 @@ TEST(RunEnergy, ClosesOverManyArcs) {
   // It still moves after 4775 stops. Each arc shrinks the swing by the same factor, rounded the same way: a
   // rounding of the energy each.
   SimulateOptions options = rubbing();
-  options.friction = 1e-4;
+  options.law.friction = 1e-4;
   options.damping = 1e-5;
   options.until = 5000;
   options.step = 1;
   const EnergyBalance b = *run_of(options).energy_balance;
   EXPECT_GT(b.end, 0.5);
-  EXPECT_GT(b.friction, 0.1);
-  EXPECT_GT(b.damping, 0.01);
+  EXPECT_GT(b.taken_by<Friction>(), 0.1);
+  EXPECT_GT(b.taken_by<Viscous>(), 0.01);
   EXPECT_LT(left_over(b), 4775 * 2e-16);
 }
 

@@ -67,9 +67,9 @@ TEST(ModifiedEnergy, IsSaidOnlyWhereItIsConserved) {
     return !run(options).modified_energy;
   };
   EXPECT_TRUE(without([](auto& o) { o.damping = 0.1; }));
-  EXPECT_TRUE(without([](auto& o) { o.drag = 0.1; }));
-  EXPECT_TRUE(without([](auto& o) { o.cubic = 1; }));
-  EXPECT_TRUE(without([](auto& o) { o.friction = 0.1; }));
+  EXPECT_TRUE(without([](auto& o) { o.law.drag = 0.1; }));
+  EXPECT_TRUE(without([](auto& o) { o.law.cubic = 1; }));
+  EXPECT_TRUE(without([](auto& o) { o.law.friction = 0.1; }));
   EXPECT_TRUE(without([](auto& o) { o.drive_amplitude = 1, o.drive_frequency = {3}; }));
   EXPECT_TRUE(without([](auto& o) { o.drive = "step", o.drive_amplitude = 1; }));
   EXPECT_TRUE(without([](auto& o) { o.method = {"rk4"}; }));

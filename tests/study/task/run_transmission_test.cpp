@@ -101,9 +101,9 @@ TEST(RunTransmission, ThereIsNoneWhereNothingSettlesOrShakes) {
   EXPECT_TRUE(undamped.runs[2].transmission->simulated);
   EXPECT_FALSE(undamped.runs[2].transmission->error());
   options.method = {"rk4"};
-  options.drag = 0.1;
+  options.law.drag = 0.1;
   EXPECT_FALSE(simulated(options).runs[0].transmission) << "not linear";
-  options.drag = 0;
+  options.law.drag = 0;
   options.drive_frequency = {0};
   EXPECT_FALSE(simulated(options).runs[0].transmission) << "a constant force";
 }

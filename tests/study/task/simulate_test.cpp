@@ -89,7 +89,7 @@ TEST(Simulate, RefusesWhatHasNoMeaning) {
   EXPECT_THAT(refusal({.damping = -1}), HasSubstr("--damping"));
   EXPECT_THAT(refusal({.step = -0.1}), HasSubstr("--step"));
   EXPECT_THAT(refusal({.method = {"rk5"}}), HasSubstr("rk4"));
-  EXPECT_THAT(refusal({.drag = 1, .method = {"exact"}}), HasSubstr("drag (1 kg/m)"));
+  EXPECT_THAT(refusal({.law = {.drag = 1}, .method = {"exact"}}), HasSubstr("drag (1 kg/m)"));
   EXPECT_THAT(refusal({.stiffness = -1, .damping_ratio = 0.1}), HasSubstr("--damping-ratio"));
   EXPECT_THAT(refusal({.stiffness = 0}), HasSubstr("no natural period"));
   EXPECT_THAT(refusal({.position = 1e200}), HasSubstr("--position"));
@@ -105,7 +105,7 @@ TEST(Simulate, ADoubleWellHasThePeriodOfItsBottom) {
   // k = -1, k3 = 1: wells at x = +-1 with stiffness 2.
   EXPECT_DOUBLE_EQ(natural_period({.stiffness = -1, .cubic = 1}), two_pi / std::sqrt(2));
   EXPECT_EQ(natural_period({.stiffness = -1}), 0);
-  const auto result = simulated({.stiffness = -1, .cubic = 1, .position = 1.001, .method = {"rk4"}});
+  const auto result = simulated({.stiffness = -1, .law = {.cubic = 1}, .position = 1.001, .method = {"rk4"}});
   const auto& x = result.runs.front().trajectory.x;
   EXPECT_NEAR(x[200], x[0], 1e-6);
 }
@@ -129,7 +129,7 @@ TEST(Simulate, WarnsOfWhatHasNoEffect) {
     return all;
   };
   EXPECT_EQ(warnings({}), "");
-  EXPECT_EQ(warnings({.friction = 0.1}), "");
+  EXPECT_EQ(warnings({.law = {.friction = 0.1}}), "");
   EXPECT_THAT(warnings({.method = {"rk4"}, .tolerance = 1e-9}), HasSubstr("no effect on rk4"));
   EXPECT_EQ(warnings({.method = {"implicit-euler"}, .tolerance = 1e-9}), "");
   EXPECT_THAT(warnings({.drive_frequency = {3}}), HasSubstr("--drive-amplitude"));

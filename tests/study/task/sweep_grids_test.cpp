@@ -38,7 +38,7 @@ TEST(SweepGrids, TheMethodsOwnSettingsTakeGrids) {
   std::set<double> ends;
   for (std::size_t at = 0; at < result.rows.size(); at += 5) {
     const double* row = &result.rows[at];
-    SimulateOptions one{.cubic = 0.3, .position = row[2]};
+    SimulateOptions one{.law = {.cubic = 0.3}, .position = row[2]};
     one.method = {"newmark"};
     one.beta = row[0];
     one.gamma = row[1];
@@ -193,7 +193,7 @@ TEST(SweepGrids, ARunToItsEndMayHaveNoDrive) {
     options.measure = {"final"};
     EXPECT_EQ(refusal(options), "not refused") << amplitudes;
     EXPECT_THAT(swept(options).plan.warnings, IsEmpty()) << amplitudes;
-    options.simulate.friction = 0.1;
+    options.simulate.law.friction = 0.1;
     EXPECT_EQ(refusal(options), "not refused") << amplitudes << ", rubbing";
   }
 }

@@ -89,7 +89,7 @@ TEST(Sweep, RunsToAnEndAsSimulateDoes) {
                                                     "peak (m)", "x (m)", "v (m/s)", "energy (J)", "status"));
   for (std::size_t at = 0; at < result.rows.size(); at += 7) {
     const double* row = &result.rows[at];
-    SimulateOptions one{.stiffness = row[0], .damping = 0.2, .cubic = 0.5, .position = row[1]};
+    SimulateOptions one{.stiffness = row[0], .damping = 0.2, .law = {.cubic = 0.5}, .position = row[1]};
     one.method = {"rk4"};
     one.step = 0.01;
     one.until = row[2];
@@ -113,7 +113,7 @@ TEST(Sweep, MeasuresTheSettledMotionOfANonlinearLaw) {
   for (std::size_t at = 0; at < result.rows.size(); at += 5) {
     const double* row = &result.rows[at];
     const double period = 2 * std::numbers::pi / row[0];
-    SimulateOptions one{.damping = 0.1, .cubic = 0.3, .drive_amplitude = 0.5};
+    SimulateOptions one{.damping = 0.1, .law = {.cubic = 0.3}, .drive_amplitude = 0.5};
     one.drive_frequency = {row[0]};
     one.method = {"rk4"};
     one.step = std::min(period, 2 * std::numbers::pi) / 200;
@@ -153,7 +153,7 @@ TEST(Sweep, AveragesOverWholeCycles) {
   for (std::size_t at = 0; at < result.rows.size(); at += 4) {
     const double* row = &result.rows[at];
     const double period = 2 * std::numbers::pi / row[0];
-    SimulateOptions one{.stiffness = -1, .damping = 0.2, .cubic = 1};
+    SimulateOptions one{.stiffness = -1, .damping = 0.2, .law = {.cubic = 1}};
     one.position = 1;
     one.drive_amplitude = 0.1;
     one.drive_frequency = {row[0]};

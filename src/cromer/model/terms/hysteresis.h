@@ -46,6 +46,14 @@ struct Hysteresis {
                                       &Oscillator<Real>::hysteresis_gamma};
   static constexpr bool has_inner_state = true;
 
+  /// What beta and gamma are multiplied by where z is a force per unit mass.
+  template <class Real>
+  static Real shape_per_mass(const Oscillator<Real>& oscillator) {
+    using std::pow;
+    const double exponent = value_of(oscillator.hysteresis_exponent);
+    return exponent == 1 ? Real(1) : Real(pow(oscillator.mass, exponent - 1));
+  }
+
   /// z' [N/s] at a velocity v and a force z. Duals may stand in one of the places v, z and the coefficients.
   template <class V, class Z, class A, class B, class G>
   static auto rate(const V& v, const Z& z, const A& stiffness, const B& beta, const G& gamma,

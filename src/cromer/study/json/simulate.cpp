@@ -10,10 +10,21 @@
 namespace cromer {
 namespace {
 
+/// "static-friction" as "static_friction".
+std::string key_of(std::string_view option) {
+  std::string key(option);
+  std::replace(key.begin(), key.end(), '-', '_');
+  return key;
+}
+
 Json parameters(const SimulatedRun& run, const SimulateOptions& options) {
   const auto& law = run.oscillator;
-  Json all = {{"mass", law.mass}, {"stiffness", law.stiffness}, {"damping", law.damping},
-              {"drag", law.drag}, {"friction", law.friction},   {"cubic", law.cubic}};
+  Json all = {{"mass", law.mass}};
+  for_each_term([&]<class T>() {
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i)
+      all[key_of(T::coefficients[i].option)] = law.*T::template members<double>[i];
+  });
+  all["hysteresis_exponent"] = law.hysteresis_exponent;
   all["static_friction"] = std::max(law.friction, law.static_friction);
   add_drive(all, run, options);
   all["position"] = run.start.x;
@@ -38,9 +49,11 @@ Json accuracy(const Accuracy& found) {
 }
 
 Json energy_balance(const EnergyBalance& balance) {
-  return {{"start", balance.start},     {"end", balance.end},   {"drive", balance.drive},
-          {"damping", balance.damping}, {"drag", balance.drag}, {"friction", balance.friction},
-          {"method", balance.method()}};
+  Json all = {{"start", balance.start}, {"end", balance.end}, {"drive", balance.drive}};
+  for_each_resistance(
+      [&]<class T>() { all[key_of(T::coefficients[0].option)] = balance.template taken_by<T>(); });
+  all["method"] = balance.method();
+  return all;
 }
 
 Json modified_energy(const ModifiedEnergy& found) {

@@ -1,7 +1,7 @@
 #include "cromer/study/task/accuracy.h"
 
-#include "cromer/model/linear_quantities.h"
 #include <fmt/format.h>
+#include "cromer/model/linear_quantities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +132,7 @@ Accuracy compared(const SimulateOptions& options, const SimulatedRun& run, doubl
   if (reference) {
     if (!swing || swing->half_cycles != reference->half_cycles) return failed;
     found.frequency_error = std::abs(swing->angular_frequency / reference->angular_frequency - 1);
-    const bool damped = run.oscillator.damping > 0 || run.oscillator.drag > 0 || run.oscillator.friction > 0;
+    const bool damped = law_of(run.oscillator).shares(terms_of_velocity.with(law_with<Friction, Hysteresis>));
     if (damped) found.decay_error = std::abs(swing->decay_rate / reference->decay_rate - 1);
     found.amplitude_error = std::abs(swing->last_amplitude / reference->last_amplitude - 1);
     return found;

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "cromer/model/law.h"
 
 namespace cromer {
 
@@ -31,8 +34,13 @@ Result<void> check_loss_factor(const SweepOptions& options, const SweepWork& wor
         "--loss-factor is said of the settled motion of a linear law, in closed form; leave --{} out",
         other)};
   };
-  for (const std::string_view other : {"damping", "damping-ratio", "quality-factor", "cubic", "drag",
-                                       "friction", "static-friction", "until"}) {
+  std::vector<std::string_view> others{"damping", "damping-ratio", "quality-factor", "static-friction",
+                                       "until"};
+  for_each_term([&]<class T>() {
+    if constexpr (!linear_terms.has<T>())
+      for (const CoefficientInfo& each : T::coefficients) others.push_back(each.option);
+  });
+  for (const std::string_view other : others) {
     const auto typed = options.values.find(other);
     if (typed != options.values.end() && !typed->second.empty()) return refuse(other);
   }

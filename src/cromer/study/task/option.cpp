@@ -24,6 +24,8 @@ bool in_range(Range range, double value) {
       return value > 0;
     case Range::not_negative:
       return value >= 0;
+    case Range::at_least_one:
+      return value >= 1;
     case Range::fraction:
       return value >= 0 && value <= 1;
     case Range::tolerance:
@@ -173,6 +175,8 @@ std::string_view constraint(Range range) {
       return "be positive";
     case Range::not_negative:
       return "not be negative";
+    case Range::at_least_one:
+      return "be at least 1";
     case Range::fraction:
       return "lie between 0 and 1";
     case Range::tolerance:

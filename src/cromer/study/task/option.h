@@ -21,7 +21,16 @@ struct SweepOptions;
 struct SpectrumOptions;
 
 /// What a value must satisfy.
-enum class Range { any, positive, not_negative, fraction, tolerance, accuracy, air_temperature };
+enum class Range {
+  any,
+  positive,
+  not_negative,
+  at_least_one,
+  fraction,
+  tolerance,
+  accuracy,
+  air_temperature
+};
 
 /// The constraint in words, to follow "it must": "be positive"; empty for any.
 std::string_view constraint(Range range);

@@ -1,12 +1,65 @@
 #include <algorithm>
+#include <array>
+#include <string>
+#include <type_traits>
 
+#include "cromer/model/terms/all.h"
+#include "cromer/model/terms/coefficient_unit.h"
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/simulate.h"
 
 namespace cromer {
 
+namespace {
+
+/// "Law of motion: m x'' = F(t) - k x - c x' ...", each term as its header writes it; the rate of an inner
+/// state, which stands behind a comma, at the end.
+std::string law_in_words() {
+  std::string sum = "Law of motion: m x'' = F(t)", rates;
+  for (const TermInfo& term : term_infos) {
+    const std::size_t comma = term.formula.find(", ");
+    sum.append(" - ").append(term.formula.substr(0, comma));
+    if (comma != std::string_view::npos) rates.append("; ").append(term.formula.substr(comma + 2));
+  }
+  return sum + rates;
+}
+
+/// The coefficients of the law's terms, each an option.
+std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {
+  std::vector<Option> options;
+  for_each_term([&]<class T>() {
+    static const auto units = [] {
+      std::array<std::string, coefficients_of<T>> all;
+      for (std::size_t i = 0; i < all.size(); ++i) all[i] = unit_of(T::coefficients[i]);
+      return all;
+    }();
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
+      const CoefficientInfo& info = T::coefficients[i];
+      const auto member = T::template members<double>[i];
+      Option::Target target = &(o.law.*member);
+      // What has other names as well is told apart from what is not given.
+      if (member == &Oscillator<double>::stiffness) target = &o.stiffness;
+      if (member == &Oscillator<double>::damping) target = &o.damping;
+      options.push_back({info.option, target, units[i],
+                         info.may_be_negative ? Range::any : Range::not_negative, info.meaning,
+                         member == &Oscillator<double>::stiffness ? "1 N/m" : "0", group});
+    }
+    if constexpr (std::is_same_v<T, Friction>)
+      options.push_back({"static-friction", &o.static_friction, "N", Range::not_negative,
+                         "most that dry friction holds at rest, at least --friction", "as --friction",
+                         group});
+    if constexpr (std::is_same_v<T, Hysteresis>)
+      options.push_back({"hysteresis-exponent", &o.law.hysteresis_exponent, "", Range::at_least_one,
+                         "how sharply it gives way, n of beta |x'| |z|^(n-1) z + g x' |z|^n", "1", group});
+  });
+  return options;
+}
+
+}  // namespace
+
 std::vector<Option> options_of(SimulateOptions& o) {
-  constexpr std::string_view law = "Law of motion: m x'' = F(t) - k x - k3 x^3 - c x' - d x'|x'| - f sgn(x')";
+  static const std::string words = law_in_words();
+  const std::string_view law = words;
   constexpr std::string_view start = "Start";
   constexpr std::string_view drive = "Drive F(t): harmonic, F cos(w t + phi), or another";
   constexpr std::string_view recorded = "Recorded drive";
@@ -14,14 +67,6 @@ std::vector<Option> options_of(SimulateOptions& o) {
   constexpr std::string_view sensor = "Simulated motion sensor: -o then writes what a logger would";
   std::vector<Option> options{
       {"mass", &o.mass, "kg", Range::positive, "mass m", "1 kg", law},
-      {"stiffness", &o.stiffness, "N/m", Range::any,
-       "spring constant k; negative with a cubic is a double well", "1 N/m", law},
-      {"damping", &o.damping, "kg/s", Range::not_negative, "viscous damping c", "0", law},
-      {"drag", &o.drag, "kg/m", Range::not_negative, "quadratic drag d", "0", law},
-      {"friction", &o.friction, "N", Range::not_negative, "dry friction f while it slides", "0", law},
-      {"static-friction", &o.static_friction, "N", Range::not_negative,
-       "most that dry friction holds at rest, at least --friction", "as --friction", law},
-      {"cubic", &o.cubic, "N/m^3", Range::any, "cubic stiffness k3", "0", law},
       {"natural-frequency", &o.natural_frequency, "rad/s", Range::positive,
        "in place of stiffness: k = m w0^2", "", law},
       {"damping-ratio", &o.damping_ratio, "", Range::not_negative,
@@ -104,6 +149,8 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"seed", &o.sensor.seed, "", Range::any,
        "of the noise; the same seed gives the same samples everywhere", "1", sensor, &o.sensor.used},
   };
+  const auto terms = coefficients(o, law);
+  options.insert(options.begin() + 1, terms.begin(), terms.end());
   const auto after_recorded = std::find_if(options.begin(), options.end(),
                                            [&](const Option& each) { return each.group == integration; });
   const auto reading = options_of(o.read);

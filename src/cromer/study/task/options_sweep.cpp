@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "cromer/model/terms/all.h"
 #include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/sweep.h"
@@ -10,14 +11,9 @@
 namespace cromer {
 namespace {
 
-/// What a sweep takes of simulate: a grid, or as it is.
+/// What a sweep takes of simulate: a grid, as the terms' coefficients do, or as it is.
 constexpr std::string_view with_grid[] = {"mass",
-                                          "stiffness",
-                                          "damping",
-                                          "drag",
-                                          "friction",
                                           "static-friction",
-                                          "cubic",
                                           "natural-frequency",
                                           "damping-ratio",
                                           "quality-factor",
@@ -71,11 +67,28 @@ bool is_in(const std::string_view (&names)[n], std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
+/// Whether the option is a coefficient of a term with an inner state, or of one without.
+template <bool with_inner_state>
+bool is_coefficient(std::string_view name) {
+  bool found = with_inner_state && name == "hysteresis-exponent";
+  for_each_term([&]<class T>() {
+    if constexpr (HasInnerState<T> == with_inner_state)
+      for (const CoefficientInfo& each : T::coefficients) found = found || each.option == name;
+  });
+  return found;
+}
+
 }  // namespace
 
 std::string sweep_refusal(std::string_view option, std::string_view text) {
   for (const LeftOut& each : left_out)
     if (each.name == option) return fmt::format("--{}: {}", option, each.why);
+  if (is_coefficient<true>(option))
+    return fmt::format(
+        "--{}: a sweep steps position and velocity alone, not a force with memory; run it with simulate, "
+        "once "
+        "for each value",
+        option);
   const bool of_all = option == "settle" || option == "threads";
   if (of_all && text.find_first_of(",:") != std::string_view::npos)
     return fmt::format("--{}: \"{}\" looks like a grid, and this is one number for all points{}", option,
@@ -87,7 +100,7 @@ std::vector<Option> options_of(SweepOptions& o) {
   constexpr std::string_view sweep = "Sweep";
   std::vector<Option> options;
   for (Option option : point_options(o.simulate)) {
-    if (is_in(with_grid, option.name)) {
+    if (is_in(with_grid, option.name) || is_coefficient<false>(option.name)) {
       option.target = &o.values[option.name];
       options.push_back(option);
     } else if (is_in(as_it_is, option.name)) {

@@ -72,10 +72,18 @@ std::string either_reading(const TwoModes& modes, double drive) {
 
 std::string of_two_modes(const TwoModes& found) {
   const double apart =
-      std::abs(found.modes[0].angular_frequency().value - found.modes[1].angular_frequency().value);
+      std::abs(found.modes[0].angular_frequency.value - found.modes[1].angular_frequency.value);
   return fmt::format(
       "two modes swing here, and both decay, as of coupled pendulums: {} and {}; they beat every {:.3g} s",
       said(found.modes[0]), said(found.modes[1]), two_pi / apart);
+}
+
+// Which of two readings it is, no record can tell.
+void leave_undetermined(FittedRecording& result, const TwoModes& found, std::string readings) {
+  result.modes.assign(found.modes.begin(), found.modes.end());
+  result.fit.status = FitStatus::undetermined;
+  result.fit.message = "the record has two readings: " + readings;
+  result.warnings.push_back(std::move(readings));
 }
 
 void say_two_modes(FittedRecording& result, const TwoModes& found) {
@@ -122,8 +130,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
   driven->options = options;
   if (undecided) {
-    driven->modes.assign(judgement.modes->modes.begin(), judgement.modes->modes.end());
-    driven->warnings.push_back(either_reading(*judgement.modes));
+    leave_undetermined(*driven, *judgement.modes, either_reading(*judgement.modes));
   } else {
     driven->warnings.push_back(fmt::format(
         "the motion is driven, at {:.6g} Hz: a free motion would leave {:.3g}, this leaves {:.3g}; say "
@@ -150,9 +157,10 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (!settled && free->fit.status != FitStatus::converged) return driven;
   const MotionJudgement judgement = judged(*free, driven, !searched);
   if (judgement.kind == MotionKind::driven_or_two_modes) {
-    driven.modes.assign(judgement.modes->modes.begin(), judgement.modes->modes.end());
-    driven.warnings.push_back(searched ? either_reading(*judgement.modes)
-                                       : either_reading(*judgement.modes, **drive_of(options)));
+    leave_undetermined(driven, *judgement.modes,
+                       searched ? either_reading(*judgement.modes)
+                                : either_reading(*judgement.modes, **drive_of(options)));
+    return driven;
   }
   if (judgement.kind == MotionKind::two_modes) {
     FittedRecording& result = searched ? *free : driven;

@@ -1,7 +1,7 @@
 #include "cromer/study/task/resonance.h"
 
-#include "cromer/model/linear_quantities.h"
 #include <fmt/format.h>
+#include "cromer/model/linear_quantities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +42,7 @@ Result<void> check(const ResonanceOptions& options, const Oscillator<double>& la
 }
 
 /// The damping ratios to draw, each as options of `simulate`.
-Result<std::vector<SimulateOptions>> dampings(const ResonanceOptions& options) {
+Result<std::vector<SimulateOptions>> each_damping(const ResonanceOptions& options) {
   const SimulateOptions& given = options.simulate;
   if (options.damping_ratio.empty()) return std::vector{given};
   if (given.damping || given.damping_ratio || given.quality_factor)
@@ -122,8 +122,7 @@ Result<Point> settle(const SimulateOptions& options, const SimulatedRun& at_w, c
 
 void add(ResonanceCurve& curve, const SimulateOptions& options, const SimulatedRun& at_w,
          const Point& point) {
-  const double w = at_w.drive.frequency,
-               natural = natural_frequency(at_w.oscillator);
+  const double w = at_w.drive.frequency, natural = natural_frequency(at_w.oscillator);
   const double sent = sent_amplitude(options, at_w), ratio = w / natural;
   const std::string_view drive = drive_name(options);
   // An unbalance's own measure, m_u e/m, is F/(m w^2).
@@ -154,7 +153,7 @@ std::string warning_of(const ResonanceCurve& curve) {
 }  // namespace
 
 Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& watch) {
-  const auto laws = dampings(options);
+  const auto laws = each_damping(options);
   if (!laws) return laws.error();
   ResonanceResult result;
   result.of_motion = sends_motion(options.simulate);
@@ -169,8 +168,7 @@ Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& 
     const double work = static_cast<double>(laws->size() * runs->size());
     for (SimulatedRun at_w : *runs) {
       const Oscillator<double>& o = at_w.oscillator;
-      ResonanceCurve curve{.method = at_w.method,
-                           .damping_ratio = damping_ratio(o)};
+      ResonanceCurve curve{.method = at_w.method, .damping_ratio = damping_ratio(o)};
       for (long long i = 0; i < options.points; ++i) {
         if (watch.interrupted()) return Error{"interrupted"};
         const double share = static_cast<double>(i) / static_cast<double>(options.points - 1);

@@ -1,7 +1,7 @@
 #include "cromer/study/task/run_effect.h"
 
-#include "cromer/model/linear_quantities.h"
 #include <fmt/format.h>
+#include "cromer/model/linear_quantities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,9 +49,7 @@ std::string energy_in_words(const EnergyBalance& balance, bool symplectic) {
           fmt::format("{}{} {:.3g} %", takers.empty() ? "" : ", ",
                       takers.empty() ? std::string(what) + " took" : std::string(what), 100 * part / there);
   };
-  add("damping", balance.damping);
-  add("drag", balance.drag);
-  add("friction", balance.friction);
+  for_each_resistance([&]<class T>() { add(T::coefficients[0].option, balance.taken_by<T>()); });
   if (takers.empty()) return balance.drive == 0 ? kept_energy_in_words(balance, symplectic) : "";
   const double made = balance.method() / there;
   const std::string method = std::abs(made) < nothing_to_speak_of ? "nothing"
@@ -69,7 +67,7 @@ std::string joined(const std::string& first, const std::string& second) {
 
 std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
   const Oscillator<double>& law = run.oscillator;
-  if (law.drag != 0 || law.friction != 0 || law.static_friction != 0 || law.cubic != 0) return std::nullopt;
+  if (!linear_terms.contains(law_of(law))) return std::nullopt;
   return method_effect(run.method, run.settings, linear_law(run.oscillator, run.drive), run.step, false);
 }
 
@@ -81,8 +79,9 @@ std::string step_warning(const SimulatedRun& run) {
   const double period = natural_period(o);
   if (!(period > 0)) return "";
   const double w = 2 * std::numbers::pi / period;
-  // What drag and friction take may outweigh a growth that only vanishes with the step.
-  const bool braked = o.drag > 0 || o.friction > 0 || o.static_friction > 0;
+  // What drag, friction and their like take may outweigh a growth that only vanishes with the step.
+  const bool braked =
+      law_of(o).shares(terms_of_velocity.with(law_with<Friction, Hysteresis>).without(law_with<Viscous>));
   const auto warning = [&](double stiffness, std::string_view motions) -> std::string {
     const LinearLaw<double> tangent{.decay_rate = decay_rate(o), .stiffness = stiffness};
     const auto effect = method_effect(run.method, run.settings, tangent, run.step, false);
@@ -90,7 +89,7 @@ std::string step_warning(const SimulatedRun& run) {
     return instability_warning(run.method, *effect, run.step, motions);
   };
   if (auto small = warning(w * w, "small motions"); !small.empty()) return small;
-  const double there = (o.stiffness + 3 * o.cubic * run.start.x * run.start.x) / o.mass;
+  const double there = stiffness_at(o, run.start.x) / o.mass;
   return there > w * w ? warning(there, "motions as wide as at the start") : "";
 }
 

@@ -1,12 +1,12 @@
 #include "cromer/study/task/run_energy.h"
 
-#include "cromer/model/linear_quantities.h"
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <type_traits>
 #include <variant>
 #include <vector>
+#include "cromer/model/linear_quantities.h"
 
 #include "cromer/analysis/energy_ledger.h"
 #include "cromer/analysis/exact_energy_balance.h"
@@ -75,9 +75,7 @@ std::optional<EnergyBalance> from_stretches(const SimulatedRun& run, const F& fo
     if (first == 0) sum.start = part.start;
     sum.end = part.end;
     sum.drive += part.drive;
-    sum.damping += part.damping;
-    sum.drag += part.drag;
-    sum.friction += part.friction;
+    for_each_resistance([&]<class R>() { sum.taken.of<R>() += part.taken.of<R>(); });
     first = last;
   }
   return sum;
@@ -125,7 +123,10 @@ EnergyBalance from_arcs(const SimulatedRun& run) {
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
   const double period = shortest_period(run);
   const bool closed = run.method == "exact";
-  const bool rubs = run.oscillator.friction > 0 || run.oscillator.static_friction > 0;
+  const Law law = law_of(run.oscillator);
+  const bool rubs = law.has<Friction>();
+  // The states do not tell what a hysteretic force was.
+  if (law.has<Hysteresis>()) return std::nullopt;
   if (!dense_enough(run, period, closed ? 0 : 20)) return std::nullopt;
   if (closed && rubs) return from_arcs(run);
   const double spacing = spacing_of(run.trajectory);
@@ -155,7 +156,7 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {
   const bool driven = run.general || run.drive.amplitude > 0;
   const Oscillator<double>& o = run.oscillator;
-  if (driven || (o.cubic == 0 && o.drag == 0 && o.friction == 0)) return std::nullopt;
+  if (driven || linear_terms.contains(law_of(o))) return std::nullopt;
   if (!dense_enough(run, natural_period(o), 8)) return std::nullopt;
   return measure_oscillator(run.trajectory);
 }

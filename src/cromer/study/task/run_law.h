@@ -28,7 +28,7 @@ struct LawRun {
   Interval interval{};
   State<double> start{};
   StepControl control;
-  EventLog* events = nullptr;  ///< watched for and found; nullptr: none
+  EventLog* events = nullptr;  ///< watched for and found, without hysteresis; nullptr: none
   bool compensated = false;    ///< states in compensated sums: without friction and events, by a method that
                                ///< takes_compensated_sums
 };

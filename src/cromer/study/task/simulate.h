@@ -40,10 +40,8 @@ struct SimulateOptions {
   std::optional<double> stiffness{};          // [N/m] any sign; 1 by default
   std::optional<double> damping{};            // [kg/s] >= 0; 0 by default
   double loss_factor = 0;                     // >= 0; of sweeps alone, not an option of simulate
-  double drag = 0;                            // [kg/m] >= 0
-  double friction = 0;                        // [N] >= 0
+  Oscillator<double> law{};                   ///< its other terms' coefficients, and no more, are looked at
   std::optional<double> static_friction{};    // [N] >= friction, which it is by default
-  double cubic = 0;                           // [N/m^3] any sign
   std::optional<double> natural_frequency{};  // [rad/s] > 0, in place of stiffness
   std::optional<double> damping_ratio{};      // >= 0, in place of damping
   std::optional<double> quality_factor{};     // > 0, in place of damping

@@ -9,7 +9,9 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/base/bytes.h"
 #include "cromer/methods/all.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/terms.h"
+#include "cromer/model/terms/coefficient_unit.h"
 #include "cromer/run/step_control.h"
 #include "cromer/run/steps.h"
 #include "cromer/study/task/drive_setup.h"
@@ -35,9 +37,9 @@ Result<void> check_ranges(SimulateOptions options) {
 Result<void> check_alternatives(const SimulateOptions& o) {
   if (o.stiffness && o.natural_frequency)
     return Error{"--stiffness and --natural-frequency both set the spring; give one of them"};
-  if (o.static_friction && *o.static_friction < o.friction)
+  if (o.static_friction && *o.static_friction < o.law.friction)
     return Error{fmt::format("--static-friction: it must be at least --friction ({} N), not {} N",
-                             shortest(o.friction), shortest(*o.static_friction))};
+                             shortest(o.law.friction), shortest(*o.static_friction))};
   if (o.damping.has_value() + o.damping_ratio.has_value() + o.quality_factor.has_value() > 1)
     return Error{"--damping, --damping-ratio and --quality-factor all set the damping; give one of them"};
   if (o.step && o.accuracy) return Error{"--step and --accuracy both set the step; give one of them"};
@@ -50,6 +52,23 @@ Result<void> check_start(const SimulatedRun& run) {
   return Error{
       fmt::format("--position: the energy at the start (x = {} m, v = {} m/s) is beyond the largest number",
                   shortest(run.start.x), shortest(run.start.v))};
+}
+
+/// Where a body that x = 0 pushes away comes to rest [m]: the first such place on either side, looked for
+/// over twenty decades; 0 where there is none.
+double bottom_of_well(const Oscillator<double>& oscillator) {
+  constexpr double nearest = 1e-10, farthest = 1e10;
+  for (const double side : {1.0, -1.0}) {
+    const auto pulls_back = [&](double x) { return restoring_force(oscillator, side * x) * side >= 0; };
+    double from = nearest;
+    while (from < farthest && !pulls_back(2 * from)) from *= 2;
+    if (!(from < farthest) || pulls_back(from)) continue;
+    double to = 2 * from;
+    for (double middle = (from + to) / 2; from < middle && middle < to; middle = (from + to) / 2)
+      (pulls_back(middle) ? to : from) = middle;
+    return side * to;
+  }
+  return 0;
 }
 
 /// Fills step and until of one run.
@@ -65,14 +84,7 @@ Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
     run.until = o.until.value_or(drive_end(run));
     return {};
   }
-  if (!(default_step(natural, drive) > 0) && !(o.step && o.until))
-    return Error{
-        fmt::format("this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic "
-                    "drive: give {}",
-                    shortest(run.oscillator.stiffness), shortest(run.oscillator.cubic),
-                    o.step    ? "--until"
-                    : o.until ? "--step"
-                              : "--step and --until")};
+  if (!(default_step(natural, drive) > 0) && !(o.step && o.until)) return no_period(run.oscillator, o);
   run.step = o.step.value_or(default_step(natural, drive));
   run.until = o.until.value_or(std::max(default_end(natural, drive), drive_end(run)));
   return {};
@@ -89,12 +101,30 @@ Result<void> check_exact(const SimulatedRun& run) {
         "out or choose another method, for instance dormand-prince",
         shortest(law.friction))};
   }
-  const double value = term == "cubic" ? law.cubic : law.drag;
-  const std::string_view unit = term == "cubic" ? "N/m^3" : "kg/m";
+  std::string value;
+  for_each_term([&]<class T>() {
+    if (T::info.name == term)
+      value =
+          fmt::format("{} {}", shortest(law.*T::template members<double>[0]), unit_of(T::coefficients[0]));
+  });
   return Error{fmt::format(
-      "--method exact: there is no closed form with {} ({} {}); leave it out or choose another method, "
+      "--method exact: there is no closed form with {} ({}); leave it out or choose another method, "
       "for instance rk4 with a short step",
-      term, shortest(value), unit)};
+      term, value)};
+}
+
+/// What the states that carry an inner state along are not made for.
+Result<void> check_hysteresis(const SimulateOptions& o, const SimulatedRun& run) {
+  const Law law = law_of(run.oscillator);
+  if (!law.has<Hysteresis>()) return {};
+  const auto refuse = [](std::string_view other) {
+    return Error{
+        fmt::format("--hysteresis-stiffness and --{} are not for one run; leave one of them out", other)};
+  };
+  if (law.has<Friction>()) return refuse(o.law.friction != 0 ? "friction" : "static-friction");
+  if (o.compensated) return refuse("compensated");
+  if (!o.event.empty()) return refuse("event");
+  return {};
 }
 
 /// Compensated sums are for states that grow by increments, in steps that nothing cuts short.
@@ -107,7 +137,7 @@ Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run
         run.method,
         is_adaptive(run.method) ? "chooses its own steps, whose errors are larger than those of the sums"
                                 : "adds nothing up, it takes each state from the closed form")};
-  if (run.oscillator.friction != 0 || run.oscillator.static_friction != 0)
+  if (law_of(run.oscillator).has<Friction>())
     return Error{
         fmt::format("--compensated: with --friction ({} N) steps end where the mass stops; leave one of them "
                     "out",
@@ -182,13 +212,12 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   if (!std::isfinite(k) || !std::isfinite(c))
     return Error{
         "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
-  return Oscillator<double>{.mass = m,
-                            .stiffness = k,
-                            .damping = c,
-                            .drag = o.drag,
-                            .friction = o.friction,
-                            .cubic = o.cubic,
-                            .static_friction = o.static_friction.value_or(0)};
+  Oscillator<double> oscillator = o.law;
+  oscillator.mass = m;
+  oscillator.stiffness = k;
+  oscillator.damping = c;
+  oscillator.static_friction = o.static_friction.value_or(0);
+  return oscillator;
 }
 
 MethodSettings settings_of(const SimulateOptions& o, std::string_view method) {
@@ -214,11 +243,24 @@ double default_step(double natural, double drive) {
 double default_end(double natural, double drive) { return default_periods * (natural > 0 ? natural : drive); }
 
 double natural_period(const Oscillator<double>& oscillator) {
-  const double k = oscillator.stiffness;
-  if (k > 0) return two_pi * std::sqrt(oscillator.mass / k);
-  // At the bottom of a well, x^2 = -k/k3, the stiffness is k + 3 k3 x^2.
-  if (k < 0 && oscillator.cubic > 0) return two_pi * std::sqrt(oscillator.mass / (-2 * k));
-  return 0;
+  const double k = stiffness_at(oscillator, 0);
+  if (k == 0) return 0;
+  const double there = k > 0 ? k : stiffness_at(oscillator, bottom_of_well(oscillator));
+  return there > 0 ? two_pi * std::sqrt(oscillator.mass / there) : 0;
+}
+
+Error no_period(const Oscillator<double>& oscillator, const SimulateOptions& o) {
+  std::string terms;
+  for_each_term([&]<class T>() {
+    const double value = oscillator.*T::template members<double>[0];
+    if (std::is_same_v<T, Spring> || (terms_of_position.has<T>() && value != 0))
+      terms += fmt::format("{}{} {} {}", terms.empty() ? "" : ", ", T::coefficients[0].option,
+                           shortest(value), unit_of(T::coefficients[0]));
+  });
+  return Error{fmt::format("this law has no natural period ({}) and no periodic drive: give {}", terms,
+                           o.step    ? "--until"
+                           : o.until ? "--step"
+                                     : "--step and --until")};
 }
 
 Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
@@ -253,6 +295,7 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
       if (auto good = set_times(options, run); !good) return good.error();
       if (auto good = end_drive(options, run); !good) return good.error();
       if (auto good = check_exact(run); !good) return good.error();
+      if (auto good = check_hysteresis(options, run); !good) return good.error();
       if (auto good = check_compensated(options, run); !good) return good.error();
       runs.push_back(std::move(run));
     }

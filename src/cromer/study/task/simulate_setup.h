@@ -40,4 +40,7 @@ double default_end(double natural_period, double drive_period);
 /// there is none.
 double natural_period(const Oscillator<double>& oscillator);
 
+/// What to say where it is 0 and no period of the drive is there to choose a step by.
+Error no_period(const Oscillator<double>& oscillator, const SimulateOptions& options);
+
 }  // namespace cromer

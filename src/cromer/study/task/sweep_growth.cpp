@@ -1,15 +1,14 @@
 #include "cromer/study/task/sweep_growth.h"
 
-#include "cromer/model/linear_quantities.h"
 #include <cmath>
+#include "cromer/model/linear_quantities.h"
 
 #include "cromer/methods/all.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer {
 
-LinearLaw<double> linear_law(const Point& point) {
-  return linear_law(point.oscillator, point.drive);
-}
+LinearLaw<double> linear_law(const Point& point) { return linear_law(point.oscillator, point.drive); }
 
 std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings& settings,
                                      const Point& point) {
@@ -33,7 +32,7 @@ void name_status(const SweepWork& work, const MethodSettings& settings, const Po
     result.status = PointStatus::unstable;
     return;
   }
-  if (o.damping != 0 || o.drag != 0 || work.settling.dropped || !has_numbers(result.status)) return;
+  if (law_of(o).shares(terms_of_velocity) || work.settling.dropped || !has_numbers(result.status)) return;
   // Of a law that is not linear the decay of small motions.
   const double rate = o.stiffness > 0 ? own_decay_rate(work, settings, point).value_or(0) : 0;
   const bool decayed = rate * result.end_time > -std::log(work.settling.tolerance);

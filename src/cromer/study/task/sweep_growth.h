@@ -6,13 +6,14 @@
 
 #include "cromer/analysis/effective_oscillator.h"
 #include "cromer/ensemble/point.h"
+#include "cromer/model/law.h"
 #include "cromer/study/task/sweep_rows.h"
 
 namespace cromer {
 
-/// Neither cubic stiffness nor drag (a Point has no friction).
+/// No terms but spring and damper.
 inline bool is_linear(const Oscillator<double>& oscillator) {
-  return oscillator.cubic == 0 && oscillator.drag == 0;
+  return linear_terms.contains(law_of(oscillator));
 }
 
 /// Per unit mass, with its drive.

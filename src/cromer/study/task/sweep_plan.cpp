@@ -6,6 +6,7 @@
 
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/methods/all.h"
+#include "cromer/model/law.h"
 #include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/simulate_setup.h"
@@ -126,9 +127,13 @@ bool has_term(const SweepWork& work, double value, std::initializer_list<std::st
 Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
   const SimulateOptions& o = work.base;
   const MethodInfo& info = *find_method(work.method);
-  const bool rubs = has_term(work, o.friction, {"friction"}) ||
-                    has_term(work, o.static_friction.value_or(0), {"static-friction"});
-  const bool linear = !rubs && !has_term(work, o.cubic, {"cubic"}) && !has_term(work, o.drag, {"drag"});
+  Law law;
+  for_each_term([&]<class T>() {
+    if (has_term(work, o.law.*T::template members<double>[0], { T::coefficients[0].option }))
+      law = law.with(law_with<T>);
+  });
+  if (has_term(work, o.static_friction.value_or(0), {"static-friction"})) law = law.with(law_with<Friction>);
+  const bool rubs = law.has<Friction>(), linear = linear_terms.contains(law);
   const bool to_end = work.runs_to_end();
   for (const Measure* measure : work.measures)
     if (to_end && measure->of_settled_motion)

@@ -31,13 +31,7 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   result.point.step = options.step.value_or(default_step(natural, period));
   result.loss_factor = options.loss_factor;
   result.until = options.until.value_or(default_end(natural, period));
-  if (!(result.point.step > 0) || !(result.until > 0))
-    return Error{fmt::format(
-        "this law has no natural period (stiffness {} N/m, cubic {} N/m^3) and no periodic drive: give {}",
-        shortest(oscillator->stiffness), shortest(oscillator->cubic),
-        options.step    ? "--until"
-        : options.until ? "--step"
-                        : "--step and --until")};
+  if (!(result.point.step > 0) || !(result.until > 0)) return no_period(*oscillator, options);
   return result;
 }
 

@@ -37,13 +37,11 @@ Outcome run_terms(const LawRun& run, AnyForce force, KeepEvery& keep, const Watc
 
 template <bool driven>
 Outcome run_under(const LawRun& run, AnyForce force, KeepEvery& keep, const Watch& watch) {
-  const Oscillator<double>& o = run.oscillator;
-  if (o.drag != 0 || (o.damping != 0 && o.cubic != 0))
-    return run_terms<Terms{.drive = driven, .law = law_of("viscous+drag+cubic")}>(run, force, keep,
-                                                                                           watch);
-  if (o.damping != 0) return run_terms<Terms{.drive = driven, .law = law_of("viscous")}>(run, force, keep, watch);
-  if (o.cubic != 0) return run_terms<Terms{.drive = driven, .law = law_of("cubic")}>(run, force, keep, watch);
-  return run_terms<Terms{.drive = driven}>(run, force, keep, watch);
+  const Law present = law_of(run.oscillator);
+  if (present == law_of("spring")) return run_terms<Terms{.drive = driven}>(run, force, keep, watch);
+  if (linear_terms.contains(present))
+    return run_terms<Terms{.drive = driven, .law = linear_terms}>(run, force, keep, watch);
+  return run_terms<Terms{.drive = driven, .law = any_terms}>(run, force, keep, watch);
 }
 
 }  // namespace

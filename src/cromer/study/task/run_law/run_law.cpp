@@ -9,6 +9,7 @@ namespace cromer {
 
 Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   if (run.compensated) return run_compensated(run, keep, watch);
+  if (law_of(run.oscillator).has<Hysteresis>()) return run_hysteresis(run, keep, watch);
   if (run.general)
     return std::visit([&](const auto& drive) { return run_driven(run, drive, keep, watch); }, *run.general);
   const Terms present = terms_of(run.oscillator, run.drive);

@@ -11,6 +11,7 @@ Outcome run_free(const LawRun& run, KeepEvery& keep, const Watch& watch);
 Outcome run_harmonic(const LawRun& run, KeepEvery& keep, const Watch& watch);
 Outcome run_friction(const LawRun& run, KeepEvery& keep, const Watch& watch);
 Outcome run_compensated(const LawRun& run, KeepEvery& keep, const Watch& watch);
+Outcome run_hysteresis(const LawRun& run, KeepEvery& keep, const Watch& watch);
 Outcome run_driven(const LawRun& run, const PulseDrive<double>& drive, KeepEvery& keep, const Watch& watch);
 Outcome run_driven(const LawRun& run, const ChirpDrive<double>& drive, KeepEvery& keep, const Watch& watch);
 Outcome run_driven(const LawRun& run, const SampledDrive& drive, KeepEvery& keep, const Watch& watch);
