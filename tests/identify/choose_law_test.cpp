@@ -9,7 +9,7 @@ namespace cromer {
 namespace {
 
 TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
-  const Motion truth{.angular_frequency = 8.849,
+  const FreeSwing truth{.angular_frequency = 8.849,
                                .decay_rate = 0.002,
                                .drag = 0.1,
                                .equilibrium = 0.2,
@@ -25,11 +25,11 @@ TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
   EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
   EXPECT_EQ(to_text(fit.law), "viscous+drag");
   EXPECT_EQ(choice.candidates.size(), 14u);
-  EXPECT_NEAR(fit.drag->value, 0.1, 4 * fit.drag->standard_error);
+  EXPECT_NEAR(fit["drag"].value, 0.1, 4 * fit["drag"].standard_error);
   EXPECT_NEAR(fit.decay_rate().value, 0.002, 4 * fit.decay_rate().standard_error);
   EXPECT_THAT(fit.warnings, testing::Contains(testing::HasSubstr("one in 10 up to 399.99 s")));
   // The uncertainties are those of all samples, half of the candidate's.
-  EXPECT_LT(fit.drag->standard_error, 0.6 * choice.candidates[1].drag->standard_error);
+  EXPECT_LT(fit["drag"].standard_error, 0.6 * choice.candidates[1]["drag"].standard_error);
 }
 
 }  // namespace

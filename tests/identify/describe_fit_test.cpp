@@ -23,7 +23,7 @@ TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
     EXPECT_EQ(fit.status, FitStatus::iteration_limit);
     EXPECT_THAT(fit.message, testing::HasSubstr("does not determine"));
     for (const Estimate& estimate :
-         {fit.angular_frequency, fit.decay_rate, fit.equilibrium, fit.position, fit.velocity})
+         {fit.angular_frequency(), fit.decay_rate, fit.equilibrium, fit.position, fit.velocity})
       EXPECT_TRUE(std::isinf(estimate.standard_error));
   }
 }
@@ -45,7 +45,7 @@ TEST(DescribeFit, FewerSamplesThanParametersSayNothingOfThem) {
   // A fit wants three samples more than there are parameters, and this law has seven.
   const SyntheticRecord record = viscous_record({}, even_times(9, 0.1));
   const LawFit fit =
-      fit_law(record.record(), {.law = {.viscous = true, .drag = true, .cubic = true}});
+      fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
   EXPECT_EQ(fit.status, FitStatus::too_short);
   EXPECT_THAT(fit.message, testing::HasSubstr("9 samples are too few"));
 }

@@ -87,7 +87,7 @@ TEST(Doubts, NameWhatTheDataShow) {
 }
 
 TEST(Departures, APendulumThatTurnsOver) {
-  const Motion over{
+  const FreeSwing over{
       .angular_frequency = 3, .decay_rate = 0.1, .position = 0.1, .velocity = 9, .pendulum = true};
   SyntheticRecord record{even_times(2000, 0.02), {}, 0};
   record.y = free_motion(over, record.t, 1e-3).x;

@@ -103,7 +103,7 @@ TEST(LawFit, ScattersAsLittleAsCanBeAndSaysSo) {
     scatter_w += std::pow(fit.angular_frequency().value - truth.w0, 2) / trials;
     stated += fit.decay_rate().standard_error / trials;
     covered_g += covers(fit.decay_rate, truth.g);
-    covered_w += covers(fit.angular_frequency, truth.w0);
+    covered_w += covers(fit.angular_frequency(), truth.w0);
     covered_x += covers(fit.position, truth.position);
     covered_E += covers(fit.equilibrium, truth.equilibrium);
   }

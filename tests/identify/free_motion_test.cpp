@@ -12,7 +12,7 @@
 namespace cromer {
 namespace {
 
-constexpr Motion disc{.angular_frequency = 8.849,
+const FreeSwing disc{.angular_frequency = 8.849,
                                 .decay_rate = 0.0018,
                                 .drag = 0.0939,
                                 .cubic = 0,
@@ -20,7 +20,7 @@ constexpr Motion disc{.angular_frequency = 8.849,
                                 .position = 0.036,
                                 .velocity = 0};
 
-SyntheticRecord motion_record(const Motion& motion, const std::vector<double>& t, double noise,
+SyntheticRecord motion_record(const FreeSwing& motion, const std::vector<double>& t, double noise,
                               double resolution = 0, unsigned seed = 1) {
   SyntheticRecord record{t, free_motion(motion, t, 5e-4).x, resolution};
   std::mt19937_64 engine(seed);
@@ -35,7 +35,7 @@ SyntheticRecord motion_record(const Motion& motion, const std::vector<double>& t
 TEST(FreeMotion, IsTheClosedFormWithoutDragAndCubic) {
   const Truth truth;
   const std::vector<double> t = even_times(3000, 0.01);
-  const Motion motion{.angular_frequency = truth.w0,
+  const FreeSwing motion{.angular_frequency = truth.w0,
                                 .decay_rate = truth.g,
                                 .position = truth.position,
                                 .velocity = truth.velocity};
@@ -47,7 +47,7 @@ TEST(FreeMotion, IsTheClosedFormWithoutDragAndCubic) {
 TEST(FreeMotion, DragAloneLosesAmplitudeAsTheTurningPointsSay) {
   // From turning point to turning point (1 + 2 q x) e^{-2 q x} is conserved, x the displacement towards the
   // side it comes from: the energy equation of x'' + q x'|x'| + w² x = 0 integrated over half a swing.
-  const Motion motion{.angular_frequency = 3, .drag = 2, .position = 0.5};
+  const FreeSwing motion{.angular_frequency = 3, .drag = 2, .position = 0.5};
   double t = 0;
   const Trajectory run = free_motion(motion, even_times(4000, 5e-4), 5e-4);
   std::size_t i = 10;
@@ -72,17 +72,17 @@ TEST(FreeMotion, StepKeepsTheMotionWithinItsError) {
 }
 
 TEST(FreeMotion, DerivativesAreThoseOfSmallChanges) {
-  const Law law{.viscous = true, .drag = true, .cubic = true};
-  Motion motion = disc;
+  const Law law = law_of("viscous+drag+cubic");
+  FreeSwing motion = disc;
   motion.cubic = 500;
   const FittedParameters fitted = fitted_parameters(law);
-  const auto velocity = [&](const Motion& m) {
+  const auto velocity = [&](const FreeSwing& m) {
     return free_motion(m, std::vector<double>{0, 3.3}, 1e-3).v[1];
   };
   const VelocityGradient gradient = velocity_gradient(law, motion, 3.3, 1e-3);
   EXPECT_NEAR(gradient.velocity, velocity(motion), 1e-14);
   for (int i = 0; i < fitted.count; ++i) {
-    Motion up = motion, down = motion;
+    FreeSwing up = motion, down = motion;
     const double step = 1e-5 * std::max(1e-2, std::abs(motion.*fitted.member[i]));
     up.*fitted.member[i] += step;
     down.*fitted.member[i] -= step;
@@ -92,33 +92,33 @@ TEST(FreeMotion, DerivativesAreThoseOfSmallChanges) {
 }
 
 TEST(FreeMotion, RecoversDragAndCubicWithoutNoise) {
-  Motion motion = disc;
+  FreeSwing motion = disc;
   motion.cubic = -600;
   const SyntheticRecord record = motion_record(motion, even_times(3000, 0.01), 0);
   const LawFit fit =
-      fit_law(record.record(), {.law = {.viscous = true, .drag = true, .cubic = true}});
+      fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   EXPECT_NEAR(fit.angular_frequency().value, motion.angular_frequency, 1e-8);
   EXPECT_NEAR(fit.decay_rate().value, motion.decay_rate, 1e-8);
-  EXPECT_NEAR(fit.drag->value, motion.drag, 1e-7);
-  EXPECT_NEAR(fit.cubic->value, motion.cubic, 1e-4);
+  EXPECT_NEAR(fit["drag"].value, motion.drag, 1e-7);
+  EXPECT_NEAR(fit["cubic"].value, motion.cubic, 1e-4);
   EXPECT_NEAR(fit.position().value, motion.position, 1e-9);
 }
 
 TEST(FreeMotion, RecoversAPendulumsLargeSwings) {
   // Released at 1.5 rad the frequency changes by a sixth along the record: no single sinusoid keeps count of
   // the periods.
-  const Motion motion{
+  const FreeSwing motion{
       .angular_frequency = 4, .decay_rate = 0.03, .cubic = -16.0 / 6, .position = 1.2};
   const SyntheticRecord record = motion_record(motion, even_times(4000, 0.02), 1e-3);
-  const LawFit fit = fit_law(record.record(), {.law = {.viscous = true, .cubic = true}});
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+cubic")});
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   EXPECT_NEAR(fit.residual.rms, 1e-3, 1e-4);
-  EXPECT_NEAR(fit.cubic->value, motion.cubic, 5 * fit.cubic->standard_error);
+  EXPECT_NEAR(fit["cubic"].value, motion.cubic, 5 * fit["cubic"].standard_error);
 }
 
 TEST(FreeMotion, ASwingOutOfStepWithEverySinusoidIsStillAnOscillation) {
-  const Motion motion{
+  const FreeSwing motion{
       .angular_frequency = 4, .decay_rate = 0.01, .cubic = -16.0 / 6, .position = 1.4};
   const SyntheticRecord record = motion_record(motion, even_times(8000, 0.02), 1e-3);
   const LawChoice choice = choose_law(record.record(), {});
@@ -130,12 +130,12 @@ TEST(FreeMotion, ASwingOutOfStepWithEverySinusoidIsStillAnOscillation) {
 }
 
 TEST(ChooseLaw, TakesTheTermsThatAreThere) {
-  Motion drag = disc, viscous = disc, damped = disc, cubic = disc, all = disc;
+  FreeSwing drag = disc, viscous = disc, damped = disc, cubic = disc, all = disc;
   drag.decay_rate = 0;
   viscous.drag = cubic.drag = 0;
   viscous.decay_rate = damped.decay_rate = cubic.decay_rate = all.decay_rate = 0.02;
   cubic.cubic = all.cubic = 3000;
-  const std::pair<Motion, const char*> cases[] = {{viscous, "viscous"},
+  const std::pair<FreeSwing, const char*> cases[] = {{viscous, "viscous"},
                                                             {drag, "drag"},
                                                             {damped, "viscous+drag"},
                                                             {cubic, "viscous+cubic"},
@@ -157,8 +157,8 @@ TEST(ChooseLaw, DragIntervalsHold) {
   constexpr int trials = 60;
   for (unsigned seed = 1; seed <= trials; ++seed) {
     const SyntheticRecord record = motion_record(disc, even_times(2000, 0.01), 3e-4, 1e-4, seed);
-    const LawFit fit = fit_law(record.record(), {.law = {.viscous = true, .drag = true}});
-    covered += fit.drag->low <= disc.drag && disc.drag <= fit.drag->high;
+    const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag")});
+    covered += fit["drag"].low <= disc.drag && disc.drag <= fit["drag"].high;
   }
   EXPECT_GE(covered, 52);
 }

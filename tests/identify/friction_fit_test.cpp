@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-SyntheticRecord noisy(const Motion& motion, const std::vector<double>& t, double noise,
+SyntheticRecord noisy(const FreeSwing& motion, const std::vector<double>& t, double noise,
                       unsigned seed = 1) {
   SyntheticRecord record{t, free_motion(motion, t, 5e-4).x, 0};
   std::mt19937_64 engine(seed);
@@ -27,7 +27,7 @@ TEST(FrictionFit, HalfWavesAboutBothBalancePoints) {
   // x'' = -w0² x - f sgn x': the amplitude about ±f/w0² falls by 2 f/w0² in each half period, and the mass
   // stays where |x| <= f/w0² at a turn. With f/w0² = 0.01 it turns at 0.055, -0.035, 0.015, 0.005.
   const double w0 = 6, shift = 0.01;
-  const Motion motion{
+  const FreeSwing motion{
       .angular_frequency = w0, .friction = shift * w0 * w0, .position = 0.055, .velocity = 0};
   const std::vector<double> t = even_times(400, 0.01);
   const Trajectory run = free_motion(motion, t, 2e-3);
@@ -40,8 +40,8 @@ TEST(FrictionFit, HalfWavesAboutBothBalancePoints) {
 }
 
 TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
-  const Law law{.viscous = true, .drag = true, .friction = true, .cubic = true};
-  const Motion motion{.angular_frequency = 6,
+  const Law law = law_of("viscous+drag+friction+cubic");
+  const FreeSwing motion{.angular_frequency = 6,
                                 .decay_rate = 0.05,
                                 .drag = 0.3,
                                 .friction = 0.15,
@@ -56,13 +56,13 @@ TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
   std::vector<double> zeros(t.size());
   const Record record{t, zeros, 0};
   const NormalEquations equations = motion_equations(law, pack(fitted, motion), record, 1e-3);
-  const auto half_sum = [&](const Motion& m) {
+  const auto half_sum = [&](const FreeSwing& m) {
     double sum = 0;
     for (const double r : motion_residuals(m, record, 1e-3)) sum += 0.5 * r * r;
     return sum;
   };
   for (int i = 0; i < fitted.count; ++i) {
-    Motion up = motion, down = motion;
+    FreeSwing up = motion, down = motion;
     const double step = 1e-6 * std::max(1e-1, std::abs(motion.*fitted.member[i]));
     up.*fitted.member[i] += step;
     down.*fitted.member[i] -= step;
@@ -72,7 +72,7 @@ TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
 }
 
 TEST(FrictionFit, RecoversEverySumWithoutNoise) {
-  const Motion all{.angular_frequency = 6,
+  const FreeSwing all{.angular_frequency = 6,
                              .decay_rate = 0.03,
                              .drag = 0.2,
                              .friction = 0.04,
@@ -83,38 +83,38 @@ TEST(FrictionFit, RecoversEverySumWithoutNoise) {
   for (const char* text : {"friction", "viscous+friction", "drag+friction", "friction+cubic",
                            "viscous+drag+friction", "viscous+drag+friction+cubic"}) {
     const Law law = *parse_law(text);
-    Motion motion = all;
+    FreeSwing motion = all;
     if (!law.viscous) motion.decay_rate = 0;
     if (!law.drag) motion.drag = 0;
     if (!law.cubic) motion.cubic = 0;
     const SyntheticRecord record = noisy(motion, even_times(2000, 0.01), 0);
     const LawFit fit = fit_law(record.record(), {.law = law});
     ASSERT_EQ(fit.status, FitStatus::converged) << text << ": " << fit.message;
-    EXPECT_NEAR(fit.friction->value, motion.friction, 1e-6) << text;
+    EXPECT_NEAR(fit["friction"].value, motion.friction, 1e-6) << text;
     EXPECT_NEAR(fit.angular_frequency().value, motion.angular_frequency, 1e-6) << text;
     EXPECT_NEAR(fit.decay_rate().value, motion.decay_rate, 1e-6) << text;
-    EXPECT_NEAR(fit.drag ? fit.drag->value : 0, motion.drag, 1e-5) << text;
+    EXPECT_NEAR(fit["drag"].value, motion.drag, 1e-5) << text;
   }
 }
 
 TEST(FrictionFit, ARecordThatComesToRestIsFittedToItsEnd) {
-  const Motion motion{
+  const FreeSwing motion{
       .angular_frequency = 6, .decay_rate = 0.02, .friction = 0.15, .equilibrium = 0.3, .position = 0.08};
   const std::vector<double> t = even_times(2000, 0.01);
   ASSERT_EQ(free_motion(motion, even_times(1200, 0.01), 1e-3).v.back(), 0);
   int covered = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const SyntheticRecord record = noisy(motion, t, 1e-3, seed);
-    const LawFit fit = fit_law(record.record(), {.law = {.viscous = true, .friction = true}});
+    const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+friction")});
     ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
     EXPECT_NEAR(fit.residual.rms, 1e-3, 1e-4);
-    covered += fit.friction->low <= 0.15 && 0.15 <= fit.friction->high;
+    covered += fit["friction"].low <= 0.15 && 0.15 <= fit["friction"].high;
   }
   EXPECT_GE(covered, 34);
 }
 
 TEST(FrictionFit, IsChosenWhereItIsThere) {
-  Motion motion{.angular_frequency = 6, .friction = 0.03, .equilibrium = 0.3, .position = 0.08};
+  FreeSwing motion{.angular_frequency = 6, .friction = 0.03, .equilibrium = 0.3, .position = 0.08};
   for (const char* law : {"friction", "viscous+friction"}) {
     int right = 0;
     for (unsigned seed = 1; seed <= 4; ++seed)
@@ -127,22 +127,22 @@ TEST(FrictionFit, IsChosenWhereItIsThere) {
 }
 
 TEST(Bounds, CoefficientsAreNeverNegativeAndIntervalsSayWhereTheyAreCut) {
-  Motion motion{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.3, .position = 0.08};
+  FreeSwing motion{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.3, .position = 0.08};
   int on_bound = 0, covered = 0;
   constexpr int trials = 30;
   for (unsigned seed = 1; seed <= trials; ++seed) {
     const SyntheticRecord record = noisy(motion, even_times(1000, 0.01), 1e-3, seed);
-    const LawFit fit = fit_law(record.record(), {.law = {.viscous = true, .friction = true}});
-    EXPECT_GE(fit.friction->value, 0);
-    EXPECT_GE(fit.friction->low, 0);
+    const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+friction")});
+    EXPECT_GE(fit["friction"].value, 0);
+    EXPECT_GE(fit["friction"].low, 0);
     EXPECT_LE(fit.decay_rate().low, fit.decay_rate().value);
     EXPECT_GE(fit.decay_rate().high, fit.decay_rate().value);
-    EXPECT_GE(fit.friction->high, fit.friction->value);
+    EXPECT_GE(fit["friction"].high, fit["friction"].value);
     covered += fit.decay_rate().low <= 0.05 && 0.05 <= fit.decay_rate().high;
-    on_bound += fit.friction->value <= 0;
+    on_bound += fit["friction"].value <= 0;
     bool said = false;
     for (const std::string& warning : fit.warnings) said = said || warning.find("bound 0") != warning.npos;
-    EXPECT_EQ(said, fit.friction->low <= 0) << seed;
+    EXPECT_EQ(said, fit["friction"].low <= 0) << seed;
   }
   // Without friction its best value is negative half of the time.
   EXPECT_GE(on_bound, 5);

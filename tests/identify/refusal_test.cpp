@@ -64,7 +64,7 @@ TEST(Refusal, MotionWithoutReturn) {
 TEST(Refusal, ALawThatLeavesTheFrequencyUnknown) {
   const SyntheticRecord record =
       viscous_record({.w0 = 8.168, .position = 0.05, .velocity = 0}, even_times(3000, 0.01), 5e-4);
-  const LawFit fit = fit_law(record.record(), {.law = {.viscous = false, .cubic = true}});
+  const LawFit fit = fit_law(record.record(), {.law = law_of("cubic")});
   EXPECT_TRUE(fit.status == FitStatus::too_noisy || fit.angular_frequency().standard_error < 0.05 * 8.168)
       << fit.angular_frequency().standard_error;
   EXPECT_NE(fit.status, FitStatus::converged);
@@ -97,7 +97,7 @@ TEST(Refusal, ALineFarBelowTheNoise) {
 
 TEST(Refusal, HoldsForEveryLaw) {
   const SyntheticRecord noise = noise_record(2000, 0.5, 3);
-  EXPECT_EQ(fit_law(noise.record(), {.law = {.viscous = true, .drag = true}}).status,
+  EXPECT_EQ(fit_law(noise.record(), {.law = law_of("viscous+drag")}).status,
             FitStatus::no_oscillation);
   EXPECT_EQ(choose_law(noise.record(), {}).chosen.status, FitStatus::no_oscillation);
 }

@@ -14,7 +14,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-SyntheticRecord record_of(const Motion& truth, std::size_t n, double h, double noise,
+SyntheticRecord record_of(const FreeSwing& truth, std::size_t n, double h, double noise,
                           unsigned seed) {
   SyntheticRecord record{even_times(n, h), {}, 0};
   std::mt19937_64 engine(seed);
@@ -26,7 +26,7 @@ SyntheticRecord record_of(const Motion& truth, std::size_t n, double h, double n
 // Viscous damping and drag over so short a time that each could be the other: the coefficients are off by
 // many of their errors, and what the record does know holds.
 TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
-  const Motion truth{
+  const FreeSwing truth{
       .angular_frequency = 8.944, .decay_rate = 0.01, .drag = 0.15, .position = 0.05};
   int said = 0, simple = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
@@ -46,7 +46,7 @@ TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
 }
 
 TEST(RivalLaws, OfAsManyTermsTheClearlyLowestWins) {
-  const Motion truth{.angular_frequency = 8.944, .drag = 0.3, .position = 0.05};
+  const FreeSwing truth{.angular_frequency = 8.944, .drag = 0.3, .position = 0.05};
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const LawChoice choice = choose_law(record_of(truth, 500, 0.02, 1e-3, seed).record(), {});
     for (const LawFit& other : choice.candidates)
@@ -57,7 +57,7 @@ TEST(RivalLaws, OfAsManyTermsTheClearlyLowestWins) {
 }
 
 TEST(RivalLaws, NoneWhereTheRecordTells) {
-  const Motion truth{.angular_frequency = 8.944, .decay_rate = 0.02, .drag = 0.5, .position = 0.05};
+  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0.02, .drag = 0.5, .position = 0.05};
   const LawChoice choice = choose_law(record_of(truth, 12000, 0.02, 2e-4, 1).record(), {});
   EXPECT_EQ(to_text(choice.chosen.law), "viscous+drag");
   EXPECT_THAT(choice.chosen.warnings, Not(Contains(HasSubstr("cannot tell"))));
@@ -66,7 +66,7 @@ TEST(RivalLaws, NoneWhereTheRecordTells) {
 TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
   const SyntheticRecord record =
       viscous_record({.w0 = 9.09, .g = 0.005, .position = 0.03, .velocity = 0}, even_times(2001, 0.01), 3e-4);
-  const LawFit fit = fit_law(record.record(), {.law = {.viscous = true, .drag = true}});
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag")});
   ASSERT_EQ(fit.status, FitStatus::converged);
   EXPECT_TRUE(dampings_are_collinear(fit));
   const MeanDecay decay = mean_decay(fit, record.record());

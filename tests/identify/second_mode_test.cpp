@@ -31,7 +31,7 @@ TEST(SecondMode, NoneInWhiteNoise) {
 TEST(SecondMode, NoneWhereTheLawIsWrongButTheSwingIsOne) {
   // Drag and a cubic spring seen by the viscous law: what is left lies about the swing's own line, and at
   // its third harmonic at most.
-  const Motion motion{.angular_frequency = 8.849, .drag = 0.5, .cubic = 3000, .position = 0.036};
+  const FreeSwing motion{.angular_frequency = 8.849, .drag = 0.5, .cubic = 3000, .position = 0.036};
   SyntheticRecord record{even_times(4000, 0.01), {}, 0};
   record.y = free_motion(motion, record.t, 1e-3).x;
   const LawFit fit = fit_law(record.record(), {.law = {}});

@@ -145,7 +145,7 @@ TEST(StartValues, RecordBeginsWithAFewSamplesFarAhead) {
 // A pendulum released so far that its frequency rises by half and more as it fades: no sinusoid keeps step.
 SyntheticRecord large_swing(double amplitude, double periods, double folds, unsigned seed) {
   const double T = periods * period;
-  const Motion truth{.angular_frequency = w0,
+  const FreeSwing truth{.angular_frequency = w0,
                                .decay_rate = folds / T,
                                .equilibrium = 0.1,
                                .position = amplitude,
@@ -160,7 +160,7 @@ SyntheticRecord large_swing(double amplitude, double periods, double folds, unsi
 
 TEST(StartValues, PendulumFromALargeAngle) {
   LawFitOptions options;
-  options.law = {.viscous = true, .pendulum = true};
+  options.law = law_of("viscous+pendulum");
   unsigned seed = 0;
   for (const double amplitude : {1.5, 1.8, 2.2, 2.5, 2.8})
     for (const double periods : {10, 40, 100})
