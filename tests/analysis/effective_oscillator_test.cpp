@@ -22,7 +22,7 @@
 namespace cromer {
 namespace {
 
-LinearLaw<double> law_of(double w0, double zeta) { return {.decay_rate = zeta * w0, .stiffness = w0 * w0}; }
+LinearLaw<double> linear(double w0, double zeta) { return {.decay_rate = zeta * w0, .stiffness = w0 * w0}; }
 
 EffectiveOscillator effective(std::string_view name, const LinearLaw<double>& law, double h) {
   return visit_method(name, {}, [&](const auto& method) { return effective_oscillator(method, law, h); });
@@ -30,7 +30,7 @@ EffectiveOscillator effective(std::string_view name, const LinearLaw<double>& la
 
 std::optional<double> limit(std::string_view name, double w0, double zeta) {
   return visit_method(name, {},
-                      [&](const auto& method) { return stability_limit(method, law_of(w0, zeta)); });
+                      [&](const auto& method) { return stability_limit(method, linear(w0, zeta)); });
 }
 
 TEST(EffectiveOscillator, MeetsThePublishedValues) {
@@ -40,7 +40,7 @@ TEST(EffectiveOscillator, MeetsThePublishedValues) {
     ASSERT_NE(find_method(name), nullptr) << name;
     const double w0 = problems::number(entry, "w0"), zeta = problems::number(entry, "zeta");
     const double h = problems::number(entry, "step");
-    const auto found = effective(name, law_of(w0, zeta), h);
+    const auto found = effective(name, linear(w0, zeta), h);
     const std::string where = entry.dump();
     const double radius = problems::number(entry, "spectral_radius");
     EXPECT_NEAR(found.spectral_radius, radius, 1e-12 * radius) << where;
@@ -90,7 +90,7 @@ TEST(EffectiveOscillator, EigenvaluesAreTheStabilityFunctionsOfTheTextbooks) {
     for (const double zeta : {0.0, 0.02, 0.6})
       for (const double wh : {0.03, 0.3, 1.1, 2.5}) {
         const Z expected = function(wh * Z(-zeta, std::sqrt(1 - zeta * zeta)));
-        const auto z = effective(name, law_of(6, zeta), wh / 6).eigenvalues.front();
+        const auto z = effective(name, linear(6, zeta), wh / 6).eigenvalues.front();
         EXPECT_NEAR(z.re, expected.real(), 1e-13 * std::abs(expected)) << name << ' ' << zeta << ' ' << wh;
         EXPECT_NEAR(z.im, std::abs(expected.imag()), 1e-13 * std::abs(expected))
             << name << ' ' << zeta << ' ' << wh;
@@ -109,16 +109,16 @@ TEST(EffectiveOscillator, Yoshida4IsThreeVerlets) {
       product = {c * a + u * d, c * b + u * e, c * d - s * a, c * e - s * b};
     }
     const double angle = std::acos((product[0] + product[3]) / 2);
-    EXPECT_NEAR(*effective("yoshida4", law_of(6, 0), wh / 6).angular_frequency, 6 / wh * angle, 1e-11) << wh;
+    EXPECT_NEAR(*effective("yoshida4", linear(6, 0), wh / 6).angular_frequency, 6 / wh * angle, 1e-11) << wh;
   }
 }
 
 TEST(EffectiveOscillator, GeneralizedAlphaDampsLongStepsByItsRhoInf) {
   for (const double rho_inf : {0.0, 0.3, 0.8, 1.0}) {
     const GeneralizedAlpha method{.newton = {}, .rho_inf = rho_inf};
-    const auto far = effective_oscillator(method, law_of(6, 0), 1e6);
+    const auto far = effective_oscillator(method, linear(6, 0), 1e6);
     EXPECT_NEAR(far.spectral_radius, rho_inf, 2e-3) << rho_inf;
-    EXPECT_NEAR(*effective_oscillator(method, law_of(6, 0), 1e-3).angular_frequency, 6, 1e-4) << rho_inf;
+    EXPECT_NEAR(*effective_oscillator(method, linear(6, 0), 1e-3).angular_frequency, 6, 1e-4) << rho_inf;
   }
 }
 
@@ -143,16 +143,16 @@ TEST(EffectiveOscillator, SaysWhatTheTheorySays) {
 TEST(EffectiveOscillator, CriticalDampingDoesNotSwing) {
   // One double eigenvalue, whose rounding must not pass for an oscillation; Euler-Cromer's own is no longer
   // critical.
-  const LinearLaw<double> law = law_of(3, 1);
+  const LinearLaw<double> law = linear(3, 1);
   for (const double h : {0.003, 0.1, 0.37})
     for (const char* method :
          {"implicit-euler", "implicit-midpoint", "newmark", "heun", "rk4", "gauss-legendre4", "exact"})
       EXPECT_FALSE(effective(method, law, h).angular_frequency) << method << ' ' << h;
-  EXPECT_TRUE(effective("implicit-euler", law_of(3, 1 - 1e-9), 0.1).angular_frequency);
+  EXPECT_TRUE(effective("implicit-euler", linear(3, 1 - 1e-9), 0.1).angular_frequency);
 }
 
 TEST(EffectiveOscillator, ExactIsItsOwn) {
-  const auto found = effective("exact", law_of(6, 0.1), 0.02);
+  const auto found = effective("exact", linear(6, 0.1), 0.02);
   EXPECT_NEAR(*found.decay_rate, 0.6, 1e-12);
   EXPECT_NEAR(*found.angular_frequency, 6 * std::sqrt(0.99), 1e-12);
   EXPECT_NEAR(*found.energy_factor(), std::exp(-4 * std::numbers::pi * 0.1 / std::sqrt(0.99)), 1e-12);
@@ -161,8 +161,8 @@ TEST(EffectiveOscillator, ExactIsItsOwn) {
 TEST(EffectiveOscillator, TheMotionIsThatOfTheEffectiveOne) {
   // Three states of a run of any oscillating map satisfy x2 = 2 rho cos(theta) x1 - rho^2 x0.
   const double h = 0.05;
-  const LinearLaw<double> law = law_of(9, 0.05);
-  const DrivenOscillator<double, Terms{.law = law_of("viscous")}> system({1, 81, 0.9, 0, 0, 0}, {});
+  const LinearLaw<double> law = linear(9, 0.05);
+  const DrivenOscillator<double, Terms{.law = linear_terms}> system({1, 81, 0.9, 0, 0, 0}, {});
   for_each_method({}, [&](const auto& method) {
     if (method.info.error_order > 0) return;
     const auto found = effective_oscillator(method, law, h);
@@ -200,7 +200,7 @@ TEST(EffectiveOscillator, WhatClaimsAStabilityIsStableAtAnyStepAndNothingElseIs)
           for (const double zeta : {0.0, 1e-6, 0.01, 0.1, 0.5, 0.99, 1.0, 1.01, 2.0, 5.0, 10.0}) {
             const double wh = part * std::pow(10, decade);
             if (wh > 1e4) continue;
-            const double radius = effective_oscillator(method, law_of(6, zeta), wh / 6).spectral_radius;
+            const double radius = effective_oscillator(method, linear(6, zeta), wh / 6).spectral_radius;
             // A map with entries of the size of w h rounds by as much.
             bounded = bounded && radius <= 1 + 1e-12 + 1e-15 * wh;
             most = std::max(most, radius);
@@ -213,7 +213,7 @@ TEST(EffectiveOscillator, WhatClaimsAStabilityIsStableAtAnyStepAndNothingElseIs)
 
 TEST(EffectiveOscillator, StepsJustBelowTheLimitAreStableAndJustAboveAreNot) {
   for (const double zeta : {0.0, 0.01, 0.05, 0.7, 1.0, 3.0}) {
-    const LinearLaw<double> law = law_of(6, zeta);
+    const LinearLaw<double> law = linear(6, zeta);
     for_each_method({}, [&](const auto& method) {
       if (method.info.error_order > 0) return;
       const auto most = stability_limit(method, law);
@@ -227,11 +227,11 @@ TEST(EffectiveOscillator, StepsJustBelowTheLimitAreStableAndJustAboveAreNot) {
 
 TEST(EffectiveOscillator, ADrivenRunSettlesWhereItSays) {
   const double h = 0.05, W = 4;
-  LinearLaw<double> law = law_of(6, 0.1);
+  LinearLaw<double> law = linear(6, 0.1);
   law.drive_amplitude = 1.5;
   law.drive_frequency = W;
-  const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}> system({1, 36, 1.2, 0, 0, 0},
-                                                                               {1.5, W, 0});
+  const DrivenOscillator<double, Terms{.drive = true, .law = linear_terms}> system({1, 36, 1.2, 0, 0, 0},
+                                                                                   {1.5, W, 0});
   for_each_method({}, [&](const auto& method) {
     if (method.info.error_order > 0) return;
     const auto found = effective_oscillator(method, law, h);
@@ -248,7 +248,7 @@ TEST(EffectiveOscillator, ADrivenRunSettlesWhereItSays) {
 }
 
 TEST(EffectiveOscillator, WhatNeverSettlesHasNoSteadyState) {
-  LinearLaw<double> law = law_of(6, 0);
+  LinearLaw<double> law = linear(6, 0);
   law.drive_amplitude = 1;
   law.drive_frequency = 4;
   EXPECT_FALSE(effective("euler-cromer", law, 0.01).steady_state);

@@ -23,44 +23,54 @@ namespace {
 using cromer_group::Group;
 using cromer_group::Order;
 
-struct Law {
+struct Case {
   const char* name;
   Oscillator<double> oscillator;  // of mass 1
   double drive = 0;               // [m/s^2]
 };
 
+/// Small enough for the spring to lead, whichever they are.
+Oscillator<double> every_smooth_term() {
+  Oscillator<double> o{.stiffness = 1};
+  for_each_term([&]<class T>() {
+    if (smooth_terms.without(law_with<Spring>).has<T>()) o.*T::template members<double>[0] = 0.1;
+  });
+  return o;
+}
+
 /// Damped enough for forward Euler.
-const Law laws[] = {
+const Case laws[] = {
     {"linear", {.stiffness = 1, .damping = 0.05}},
     {"cubic", {.stiffness = 1, .damping = 0.1, .cubic = 0.4}},
     {"drag", {.stiffness = 1, .damping = 0.1, .drag = 0.1, .cubic = 0.4}},
     {"linear_driven", {.stiffness = 1, .damping = 0.05}, 0.3},
     {"cubic_driven", {.stiffness = 1, .damping = 0.2, .cubic = 0.1}, 0.3},
     {"drag_driven", {.stiffness = 1, .damping = 0.2, .drag = 0.1, .cubic = 0.1}, 0.3},
+    {"any", every_smooth_term()},
+    {"any_driven", every_smooth_term(), 0.3},
+    {"van_der_pol", {.stiffness = 1, .damping = 0.1, .van_der_pol = 0.4}},
 };
 
 /// Every member a little different.
 double nearby(double value, int i) { return value * (1 + 0.01 * i); }
 
-Oscillator<double> oscillator_of(const Law& law, int i) {
+Oscillator<double> oscillator_of(const Case& law, int i) {
   Oscillator<double> o = law.oscillator;
   o.stiffness = nearby(o.stiffness, i);
   o.damping = nearby(o.damping, i);
   return o;
 }
-HarmonicDrive<double> drive_of(const Law& law, int i) { return {law.drive, nearby(0.4, 3 * i), 0.1 * i}; }
+HarmonicDrive<double> drive_of(const Case& law, int i) { return {law.drive, nearby(0.4, 3 * i), 0.1 * i}; }
 State<double> start_of(int i) { return {nearby(1, i), 0.02 * i}; }
 double step_of(int i) { return nearby(0.02, i); }
 
-std::unique_ptr<Group> group_of(const Law& law) {
+std::unique_ptr<Group> group_of(const Case& law) {
   auto group = std::make_unique<Group>();
   for (int i = 0; i < cromer_group::size; ++i) {
     const Oscillator<double> o = oscillator_of(law, i);
     const HarmonicDrive<double> drive = drive_of(law, i);
-    group->stiffness.of[i] = o.stiffness;
-    group->damping.of[i] = o.damping;
-    group->drag.of[i] = o.drag;
-    group->cubic.of[i] = o.cubic;
+    for_each_term(
+        [&]<class T>() { group->coefficients[place_of_term<T>].of[i] = o.*T::template members<double>[0]; });
     group->drive_amplitude.of[i] = drive.amplitude;
     group->drive_frequency.of[i] = drive.frequency;
     group->drive_phase.of[i] = drive.phase;
@@ -68,11 +78,12 @@ std::unique_ptr<Group> group_of(const Law& law) {
     group->x.of[i] = start_of(i).x;
     group->v.of[i] = start_of(i).v;
   }
-  group->terms = {law.drive != 0, true, law.oscillator.drag != 0, law.oscillator.cubic != 0};
+  group->driven = law.drive != 0;
+  group->law = law_of(law.oscillator).terms;
   return group;
 }
 
-Trajectory scalar_run(const Law& law, int i, std::string_view method, long long steps) {
+Trajectory scalar_run(const Case& law, int i, std::string_view method, long long steps) {
   const Interval interval{0, static_cast<double>(steps) * step_of(i)};
   KeepEvery keep(1, count_steps(interval, step_of(i)));
   run_law({.oscillator = oscillator_of(law, i),
@@ -95,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(Units, OfUnit, testing::ValuesIn(units_here()),
 
 TEST_P(OfUnit, LanesAgreeWithTheScalarRun) {
   constexpr long long steps = 10000;
-  for (const Law& law : laws)
+  for (const Case& law : laws)
     for (std::size_t m = 0; m < method_infos.size(); ++m) {
       const MethodInfo& info = method_infos[m];
       if (info.order == 0 || info.error_order > 0) continue;
@@ -116,7 +127,7 @@ TEST_P(OfUnit, LanesAgreeWithTheScalarRun) {
 }
 
 TEST_P(OfUnit, ARunCutInPiecesIsTheSameToTheBit) {
-  for (const Law& law : laws)
+  for (const Case& law : laws)
     for (std::size_t m = 0; m < method_infos.size(); ++m) {
       auto whole = group_of(law), cut = group_of(law);
       if (!GetParam().advance(*whole, order_of(m, 1000))) continue;
@@ -138,13 +149,16 @@ TEST_P(OfUnit, AMemberDoesNotDependOnItsNeighbours) {
 
 TEST_P(OfUnit, AMemberDoesNotDependOnItsPlace) {
   // The packs of a group are compiled one after the other, and roundings may be the compiler's choice.
-  for (const Law& law : laws)
+  for (const Case& law : laws)
     for (std::size_t m = 0; m < method_infos.size(); ++m) {
       auto group = group_of(law);
-      for (cromer_group::Numbers* all :
-           {&group->stiffness, &group->damping, &group->drag, &group->cubic, &group->drive_amplitude,
-            &group->drive_frequency, &group->drive_phase, &group->step, &group->x, &group->v})
-        std::fill(std::begin(all->of), std::end(all->of), all->of[3]);
+      const auto like_the_third = [](cromer_group::Numbers& all) {
+        std::fill(std::begin(all.of), std::end(all.of), all.of[3]);
+      };
+      for (cromer_group::Numbers& coefficient : group->coefficients) like_the_third(coefficient);
+      for (cromer_group::Numbers* all : {&group->drive_amplitude, &group->drive_frequency,
+                                         &group->drive_phase, &group->step, &group->x, &group->v})
+        like_the_third(*all);
       if (!GetParam().advance(*group, order_of(m, 500))) continue;
       for (int i = 1; i < cromer_group::size; ++i) {
         EXPECT_EQ(group->x.of[i], group->x.of[0]) << law.name << ' ' << method_names[m] << ' ' << i;
@@ -155,7 +169,7 @@ TEST_P(OfUnit, AMemberDoesNotDependOnItsPlace) {
 
 TEST_P(OfUnit, SumsGiveAmplitudePhaseAndEnergyOfTheSteadyState) {
   // With the exact weights of a motion that is known: the sums are those of its samples.
-  const Law& law = laws[3];
+  const Case& law = laws[3];
   auto group = group_of(law);
   const std::size_t euler_cromer = 1;
   constexpr long long steps = 4000;

@@ -10,16 +10,17 @@
 
 namespace cromer {
 
+static_assert(term_count <= cromer_group::most_terms);
+
 void fill_group(std::span<const Point> points, cromer_group::Group& group) {
   assert(!points.empty() && points.size() <= static_cast<std::size_t>(cromer_group::size));
   group = {};
   for (int i = 0; i < cromer_group::size; ++i) {
     const Point& point = points[std::min<std::size_t>(i, points.size() - 1)];
     const Oscillator<double> per_mass = divided_by_mass(point.oscillator);
-    group.stiffness.of[i] = per_mass.stiffness;
-    group.damping.of[i] = per_mass.damping;
-    group.drag.of[i] = per_mass.drag;
-    group.cubic.of[i] = per_mass.cubic;
+    for_each_term([&]<class T>() {
+      group.coefficients[place_of_term<T>].of[i] = per_mass.*T::template members<double>[0];
+    });
     const HarmonicForce<double> force = force_of(point.drive, point.oscillator.mass);
     group.drive_amplitude.of[i] = force.amplitude;
     group.drive_frequency.of[i] = force.frequency;
@@ -28,11 +29,9 @@ void fill_group(std::span<const Point> points, cromer_group::Group& group) {
     group.x.of[i] = point.start.x;
     group.v.of[i] = point.start.v;
     const Terms terms = terms_of(point.oscillator, point.drive);
-    assert(!terms.law.has<Friction>());
-    group.terms.drive |= terms.drive;
-    group.terms.damping |= terms.law.has<Viscous>();
-    group.terms.drag |= terms.law.has<Drag>();
-    group.terms.cubic |= terms.law.has<Cubic>();
+    assert(smooth_terms.contains(terms.law));
+    group.driven |= terms.drive;
+    group.law |= terms.law.terms;
   }
 }
 

@@ -20,17 +20,16 @@ struct Sums {
   Numbers energy;  // per unit mass [m^2/s^2]
 };
 
-/// The terms that any oscillator of the group has.
-struct Terms {
-  bool drive, damping, drag, cubic;
-};
+/// Most terms a law can have.
+inline constexpr int most_terms = 16;
 
 struct Group {
   // Fixed: the law per unit mass, the drive per unit mass, and each oscillator's step [s].
-  Numbers stiffness, damping, drag, cubic;
+  Numbers coefficients[most_terms];  ///< of each term, at its place in the registry of terms
   Numbers drive_amplitude, drive_frequency, drive_phase;
   Numbers step;
-  Terms terms;
+  unsigned law;  ///< the terms that any oscillator of the group has: bit i, the i-th of the registry
+  bool driven;   ///< any of them
 
   // Where they stand: x [m], v [m/s] and what the method carries from step to step.
   Numbers x, v;

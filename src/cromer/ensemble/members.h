@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <iterator>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -24,12 +25,12 @@
 namespace cromer {
 
 /// Sums of one pack over the states it has left.
-template <class Real>
+template <class Real, Law law>
 struct PackSums {
   Real x = 0.0, c = 0.0, s = 0.0, cc = 0.0, cs = 0.0, ss = 0.0, xc = 0.0, xs = 0.0, xx = 0.0, energy = 0.0;
 
-  void add(double weight, const Oscillator<Real>& law, const State<Real>& y, const Real& cosine,
-           const Real& sine) {
+  void add(double weight, const Oscillator<Real>& per_mass, Law present, const State<Real>& y,
+           const Real& cosine, const Real& sine) {
     const Real wx = weight * y.x, wc = weight * cosine, ws = weight * sine;
     x += wx;
     c += wc;
@@ -40,7 +41,7 @@ struct PackSums {
     xc += wx * cosine;
     xs += wx * sine;
     xx += wx * y.x;
-    energy += weight * cromer::energy(law, y);
+    energy += weight * cromer::energy<law>(per_mass, present, y);
   }
 
   void add_to(cromer_group::Sums& sums, std::size_t first) const {
@@ -82,16 +83,18 @@ struct Member {
   using Phasor = std::conditional_t<terms.drive && measured, SteppedPhasor<Real>, NoSteppedForce>;
   using System = DrivenOscillator<Real, terms, typename Drive::Type>;
   using Memory = typename M::template Memory<Real>;
+  using Present = std::conditional_t<terms.law == any_terms, Law, NoLaw>;
   struct NoSums {};
 
   Real h;
   Oscillator<Real> law;  // per unit mass
+  [[no_unique_address]] Present present;
   System system;
   Phasor phasor;
   Real x, v, peak;
   Truth<Real> converged;
   Memory memory;
-  std::conditional_t<measured, PackSums<Real>, NoSums> sums{};
+  std::conditional_t<measured, PackSums<Real, terms.law>, NoSums> sums{};
 
   /// Those from `first` on.
   [[gnu::always_inline]] static Member from(const cromer_group::Group& group, std::size_t first,
@@ -100,16 +103,17 @@ struct Member {
     const Real step = load(group.step);
     const HarmonicForce<Real> drive{load(group.drive_amplitude), load(group.drive_frequency),
                                     load(group.drive_phase)};
-    const Oscillator<Real> per_mass{.mass = 1.0,
-                                    .stiffness = load(group.stiffness),
-                                    .damping = load(group.damping),
-                                    .drag = load(group.drag),
-                                    .friction = 0.0,
-                                    .cubic = load(group.cubic),
-                                    .static_friction = 0.0};
+    Oscillator<Real> per_mass;
+    for_each_term([&]<class T>() {
+      if constexpr (smooth_terms.has<T>() && (terms.law == any_terms || terms.law.template has<T>()))
+        per_mass.*T::template members<Real>[0] = load(group.coefficients[place_of_term<T>]);
+    });
+    Present present{};
+    if constexpr (terms.law == any_terms) present = Law{group.law};
     Member m{.h = step,
              .law = per_mass,
-             .system = System(per_mass, Drive::of(drive, step, method)),
+             .present = present,
+             .system = System(per_mass, Drive::of(drive, step, method), present),
              .phasor = Phasor(drive, step),
              .x = load(group.x),
              .v = load(group.v),
@@ -117,7 +121,7 @@ struct Member {
              .converged = load(group.failed) <= 0.0,
              .memory = {}};
     if (group.steps == 0) {
-      const DrivenOscillator<Real, terms> at_any_time(per_mass, drive);
+      const DrivenOscillator<Real, terms> at_any_time(per_mass, drive, present);
       m.memory = method.start(at_any_time, Real(0.0), State<Real>{m.x, m.v});
     } else if constexpr (!std::is_empty_v<Memory>) {
       std::array<Real, carried> numbers;
@@ -158,9 +162,9 @@ struct Member {
   [[gnu::always_inline]] void step(const M& method, double n, [[maybe_unused]] double weight) {
     if constexpr (measured) {
       if constexpr (terms.drive)
-        sums.add(weight, law, {x, v}, phasor.cosine, phasor.sine);
+        sums.add(weight, law, present, {x, v}, phasor.cosine, phasor.sine);
       else
-        sums.add(weight, law, {x, v}, 0.0, 0.0);
+        sums.add(weight, law, present, {x, v}, 0.0, 0.0);
     }
     const State<Real> y{x, v};
     const auto trial = method.step(system, StepTime<Real>{n * h}, StepTime<Real>{h, 1}, y, memory);
@@ -227,23 +231,31 @@ void advance_members(cromer_group::Group& group, std::size_t first, const M& met
 template <class Real, class M, Terms terms, bool measured>
 void advance_all(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   constexpr std::size_t packs = cromer_group::size / Real::size;
-  constexpr std::size_t together = std::min<std::size_t>(packs, 4);
+  // The general law has much to do for each pack, and its code would be four times as long.
+  constexpr std::size_t together = terms.law == any_terms ? 1 : std::min<std::size_t>(packs, 4);
   for (std::size_t first = 0; first < cromer_group::size; first += together * Real::size)
     advance_members<together, Real, M, terms, measured>(group, first, method, order);
 }
 
-/// With the terms that the group has; drag brings the cubic term along.
+/// The laws that the kernel has code of their own for, which every unit multiplies by methods and drives: a
+/// measured choice. Every other one shares the code of any_terms.
+inline constexpr Law kernel_laws[] = {law_of("viscous"), law_of("viscous+cubic"),
+                                      law_of("viscous+drag+cubic")};
+
+/// With the terms that the group has; the general law is always driven, if by nothing.
 template <class Real, class M, bool measured>
 void advance_with_terms(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
-  const auto driven = [&]<bool drive>() {
-    constexpr Terms linear{.drive = drive, .law = law_of("viscous")};
-    constexpr Terms duffing{.drive = drive, .law = law_of("viscous+cubic")};
-    constexpr Terms whole{.drive = drive, .law = law_of("viscous+drag+cubic")};
-    if (group.terms.drag) return advance_all<Real, M, whole, measured>(group, method, order);
-    if (group.terms.cubic) return advance_all<Real, M, duffing, measured>(group, method, order);
-    advance_all<Real, M, linear, measured>(group, method, order);
+  const auto by_law = [&]<Law law>() {
+    if (!law.contains(Law{group.law})) return false;
+    group.driven ? advance_all<Real, M, Terms{.drive = true, .law = law}, measured>(group, method, order)
+                 : advance_all<Real, M, Terms{.drive = false, .law = law}, measured>(group, method, order);
+    return true;
   };
-  group.terms.drive ? driven.template operator()<true>() : driven.template operator()<false>();
+  const bool known = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    return (by_law.template operator()<kernel_laws[i]>() || ...);
+  }
+  (std::make_index_sequence<std::size(kernel_laws)>{});
+  if (!known) advance_all<Real, M, Terms{.drive = true, .law = any_terms}, measured>(group, method, order);
   group.steps += static_cast<double>(order.steps);
   group.lanes = Real::size;
 }

@@ -49,6 +49,11 @@ class DrivenOscillator {
     if constexpr (terms.law == any_terms) present_ = law_of(per_mass);
   }
 
+  /// The same where the terms that any_terms stand for are known: coefficients may be packs of numbers.
+  template <class Present>
+  DrivenOscillator(const Oscillator<Real>& per_mass, const Force& force, const Present& present)
+      : law_(per_mass), force_(force), present_(present) {}
+
   static constexpr bool depends_on_velocity = has_resistance(terms.law);
   static constexpr bool depends_on_time = terms.drive;
 
