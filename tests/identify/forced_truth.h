@@ -3,10 +3,11 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
 #include <vector>
 
-#include "cromer/identify/forced_fit.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "cromer/methods/dormand_prince.h"
 
 namespace cromer {
@@ -47,17 +48,29 @@ struct ForcedSynthetic {
   double spacing = 0;
   int derivative = 0;
 
-  ForcedRecord record() const {
-    return {.force = force,
-            .spacing = spacing,
-            .first = 0,
-            .t = t,
-            .y = y,
-            .fitted = y.size(),
-            .resolution = 0,
-            .derivative = derivative};
-  }
+  Record record() const { return {t, y, 0, derivative}; }
+  ForceRecord recorded(ForceBetween between) const { return {force, 0, spacing, between}; }
 };
+
+/// One law under one reading of the force.
+inline LawFit fit_forced(const ForcedSynthetic& record, const Law& law, ForceBetween between) {
+  return fit_law(record.record(), {.law = law, .drive = Drive::recorded(record.recorded(between))});
+}
+
+/// What is not given is chosen.
+inline LawChoice choose_forced(const ForcedSynthetic& record, std::optional<Law> law,
+                               std::optional<ForceBetween> between) {
+  return choose_law(record.record(), {.drive = Drive::recorded(record.recorded(ForceBetween::linear))}, {},
+                    {law, between});
+}
+
+/// The same of a harmonic drive, whose frequency may be known.
+inline LawFit fit_driven(const Record& record, const Law& law, std::optional<double> drive) {
+  return fit_law(record, {.law = law, .drive = Drive::harmonic(), .drive_frequency = drive});
+}
+inline LawChoice choose_driven(const Record& record, std::optional<Law> law, std::optional<double> drive) {
+  return choose_law(record, {.drive = Drive::harmonic(), .drive_frequency = drive}, {}, {law, {}});
+}
 
 /// Samples of the motion, or of that derivative of it; `force` acts and is recorded. The integration starts
 /// anew at each sample and ends a hair before the next, so that a force may jump there.

@@ -102,10 +102,10 @@ TEST(LawFit, ScattersAsLittleAsCanBeAndSaysSo) {
     scatter_g += std::pow(fit.decay_rate().value - truth.g, 2) / trials;
     scatter_w += std::pow(fit.angular_frequency().value - truth.w0, 2) / trials;
     stated += fit.decay_rate().standard_error / trials;
-    covered_g += covers(fit.decay_rate, truth.g);
+    covered_g += covers(fit.decay_rate(), truth.g);
     covered_w += covers(fit.angular_frequency(), truth.w0);
-    covered_x += covers(fit.position, truth.position);
-    covered_E += covers(fit.equilibrium, truth.equilibrium);
+    covered_x += covers(fit.position(), truth.position);
+    covered_E += covers(fit.equilibrium(), truth.equilibrium);
   }
   EXPECT_NEAR(bound / truth.g, 0.0037, 0.0001);            // theory.md: 0.37 % after 20 s
   EXPECT_NEAR(std::sqrt(scatter_g), bound, 0.12 * bound);  // sampling error of 400 fits: 3.5 %

@@ -73,21 +73,22 @@ TEST(FreeMotion, StepKeepsTheMotionWithinItsError) {
 
 TEST(FreeMotion, DerivativesAreThoseOfSmallChanges) {
   const Law law = law_of("viscous+drag+cubic");
-  FreeSwing motion = disc;
-  motion.cubic = 500;
-  const FittedParameters fitted = fitted_parameters(law);
-  const auto velocity = [&](const FreeSwing& m) {
+  FreeSwing swing = disc;
+  swing.cubic = 500;
+  const Motion motion = swing;
+  const FittedParameters fitted = fitted_parameters(law, DriveKind::none, {}, motion);
+  const auto velocity = [&](const Motion& m) {
     return free_motion(m, std::vector<double>{0, 3.3}, 1e-3).v[1];
   };
-  const VelocityGradient gradient = velocity_gradient(law, motion, 3.3, 1e-3);
+  const VelocityGradient gradient = velocity_gradient(fitted, motion, 3.3, 1e-3);
   EXPECT_NEAR(gradient.velocity, velocity(motion), 1e-14);
   for (int i = 0; i < fitted.count; ++i) {
-    FreeSwing up = motion, down = motion;
-    const double step = 1e-5 * std::max(1e-2, std::abs(motion.*fitted.member[i]));
-    up.*fitted.member[i] += step;
-    down.*fitted.member[i] -= step;
+    Motion up = motion, down = motion;
+    const double value = fitted.of[i].of(motion), step = 1e-5 * std::max(1e-2, std::abs(value));
+    fitted.of[i].set(up, value + step);
+    fitted.of[i].set(down, value - step);
     const double slope = (velocity(up) - velocity(down)) / (2 * step);
-    EXPECT_NEAR(gradient.derivative[i], slope, 1e-6 * (std::abs(slope) + 1e-4)) << fitted.name[i];
+    EXPECT_NEAR(gradient.derivative[i], slope, 1e-6 * (std::abs(slope) + 1e-4)) << fitted.of[i].name;
   }
 }
 

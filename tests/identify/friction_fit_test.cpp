@@ -41,33 +41,33 @@ TEST(FrictionFit, HalfWavesAboutBothBalancePoints) {
 
 TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
   const Law law = law_of("viscous+drag+friction+cubic");
-  const FreeSwing motion{.angular_frequency = 6,
+  const Motion motion = FreeSwing{.angular_frequency = 6,
                                 .decay_rate = 0.05,
                                 .drag = 0.3,
                                 .friction = 0.15,
                                 .cubic = -300,
                                 .position = 0.08,
                                 .velocity = 0.02};
-  const FittedParameters fitted = fitted_parameters(law);
+  const FittedParameters fitted = fitted_parameters(law, DriveKind::none, {}, motion);
   const std::vector<double> t = even_times(1200, 0.01);
   ASSERT_EQ(free_motion(motion, t, 1e-3).v.back(), 0);  // at rest before the end
   // Normal equations of the record "its own motion with zeros": their right side is the sum over samples of
   // the derivative times the motion, which differences of that sum confirm.
   std::vector<double> zeros(t.size());
   const Record record{t, zeros, 0};
-  const NormalEquations equations = motion_equations(law, pack(fitted, motion), record, 1e-3);
-  const auto half_sum = [&](const FreeSwing& m) {
+  const NormalEquations equations = motion_equations(fitted, fitted.pack(motion), {}, record, 1e-3);
+  const auto half_sum = [&](const Motion& m) {
     double sum = 0;
-    for (const double r : motion_residuals(m, record, 1e-3)) sum += 0.5 * r * r;
+    for (const double r : motion_residuals(m, {}, record, 1e-3)) sum += 0.5 * r * r;
     return sum;
   };
   for (int i = 0; i < fitted.count; ++i) {
-    FreeSwing up = motion, down = motion;
-    const double step = 1e-6 * std::max(1e-1, std::abs(motion.*fitted.member[i]));
-    up.*fitted.member[i] += step;
-    down.*fitted.member[i] -= step;
+    Motion up = motion, down = motion;
+    const double value = fitted.of[i].of(motion), step = 1e-6 * std::max(1e-1, std::abs(value));
+    fitted.of[i].set(up, value + step);
+    fitted.of[i].set(down, value - step);
     const double slope = (half_sum(up) - half_sum(down)) / (2 * step);
-    EXPECT_NEAR(-equations.right[i], slope, 1e-5 * std::abs(slope) + 1e-9) << fitted.name[i];
+    EXPECT_NEAR(-equations.right[i], slope, 1e-5 * std::abs(slope) + 1e-9) << fitted.of[i].name;
   }
 }
 
@@ -84,9 +84,9 @@ TEST(FrictionFit, RecoversEverySumWithoutNoise) {
                            "viscous+drag+friction", "viscous+drag+friction+cubic"}) {
     const Law law = *parse_law(text);
     FreeSwing motion = all;
-    if (!law.viscous) motion.decay_rate = 0;
-    if (!law.drag) motion.drag = 0;
-    if (!law.cubic) motion.cubic = 0;
+    if (!law.has<Viscous>()) motion.decay_rate = 0;
+    if (!law.has<Drag>()) motion.drag = 0;
+    if (!law.has<Cubic>()) motion.cubic = 0;
     const SyntheticRecord record = noisy(motion, even_times(2000, 0.01), 0);
     const LawFit fit = fit_law(record.record(), {.law = law});
     ASSERT_EQ(fit.status, FitStatus::converged) << text << ": " << fit.message;

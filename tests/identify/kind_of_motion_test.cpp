@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "cromer/identify/driven_fit.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {
@@ -22,7 +22,7 @@ SyntheticRecord two_lines(double g, double f, double apart, unsigned seed) {
 
 MotionJudgement judged(const SyntheticRecord& record) {
   const LawFit free = fit_law(record.record(), {});
-  return judge_motion(record.record(), free, choose_driven(record.record(), {}, {}).chosen, false);
+  return judge_motion(record.record(), free, choose_law(record.record(), {.drive = Drive::harmonic()}).chosen, false);
 }
 
 TEST(KindOfMotion, AFreeSwingIsNotDriven) {
@@ -38,7 +38,7 @@ TEST(KindOfMotion, DampingTellsTwoModesFromADrive) {
     const MotionJudgement coupled = judged(two_lines(0.01, 0.01, apart, 1));
     ASSERT_EQ(coupled.kind, MotionKind::two_modes) << apart;
     for (const Mode& mode : coupled.modes->modes) {
-      EXPECT_NEAR(mode.decay_rate().value, 0.01, 4 * mode.decay_rate().standard_error);
+      EXPECT_NEAR(mode.decay_rate.value, 0.01, 4 * mode.decay_rate.standard_error);
       EXPECT_NEAR(mode.amplitude, 0.03, 4 * mode.amplitude_error);
     }
     EXPECT_EQ(judged(two_lines(0.01, 0, apart, 2)).kind, MotionKind::driven) << apart;

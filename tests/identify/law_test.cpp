@@ -12,12 +12,14 @@ TEST(Law, ReadsAnySumInAnyOrder) {
     EXPECT_EQ(to_text(*law), "viscous+drag+cubic");
   }
   EXPECT_EQ(to_text(*parse_law("drag")), "drag");
-  EXPECT_FALSE(parse_law("drag")->viscous);
+  EXPECT_FALSE(parse_law("drag")->has<Viscous>());
 }
 
 TEST(Law, WritesWhatItReads) {
-  for (int bits = 1; bits < 32; ++bits) {
-    const Law law{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0};
+  for (std::uint32_t set = 2; set < 1U << term_count; set += 2) {
+    Law law{set};
+    if (!law.shares(springs)) law = law.with(law_with<Spring>);
+    if (to_text(law).empty()) continue;
     ASSERT_TRUE(parse_law(to_text(law)).ok());
     EXPECT_EQ(*parse_law(to_text(law)), law);
   }

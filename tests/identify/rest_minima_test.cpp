@@ -64,7 +64,10 @@ TEST(RestMinima, EqualMinimaCountEqually) {
   fit.law = law_of("friction");
   const FittedParameters fitted = fitted_parameters(fit.law);
   const auto n = static_cast<std::size_t>(fitted.count);
-  fit.friction = Estimate{.value = 20};
+  fit.names.clear();
+  for (int i = 0; i < fitted.count; ++i) fit.names.emplace_back(fitted.of[i].name);
+  fit.estimates.assign(n, {});
+  fit.find("friction")->value = 20;
   LeastSquaresSummary one, other;
   one.equations.size = fitted.count;
   one.equations.sum_of_squares = 1000;
@@ -75,7 +78,7 @@ TEST(RestMinima, EqualMinimaCountEqually) {
   fit.covariance.assign(n * n, 0);
   for (std::size_t i = 0; i < n; ++i) fit.covariance[i * n + i] = 1;
   fit.independent_samples = 1e6;
-  spread_over(fit, {one, other});
+  spread_over(fit, fitted, {one, other});
   // Two normal distributions ten deviations apart: a twentieth of each lies outside, at 1.645 deviations.
   EXPECT_NEAR(fit["friction"].low, 20 - 1.645, 1e-3);
   EXPECT_NEAR(fit["friction"].high, 30 + 1.645, 1e-3);

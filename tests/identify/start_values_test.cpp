@@ -183,7 +183,7 @@ TEST(StartValues, PendulumFromALargeAngleIsChosen) {
       SCOPED_TRACE(testing::Message() << amplitude << " rad, fall " << folds);
       const LawFit fit = choose_law(large_swing(amplitude, 40, folds, 9).record(), options).chosen;
       ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
-      EXPECT_TRUE(fit.law.pendulum) << to_text(fit.law);
+      EXPECT_TRUE(fit.law.has<Pendulum>()) << to_text(fit.law);
       EXPECT_NEAR(fit.angular_frequency().value, w0, 5 * fit.angular_frequency().standard_error);
     }
 }
