@@ -10,6 +10,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
 #include "tests/study/task/disc_recording.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer {
 namespace {
@@ -210,7 +211,7 @@ TEST(CompareTask, AStepTooLongForTheMethodIsNoWordOnTheLaw) {
 
 TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
   // The amplitude falls by 4 f/w² a cycle: it rests after 8 of them, 10 s.
-  const Motion cart{
+  const FreeSwing cart{
       .angular_frequency = 5, .decay_rate = 0.01, .friction = 0.08, .equilibrium = 0, .position = 0.1};
   const Series series = recording_of(cart, 30, 3e-4, "position");
   CompareOptions options;
@@ -231,7 +232,7 @@ TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
 }
 
 TEST(CompareTask, APendulumIsSimulatedAsOne) {
-  const Motion pendulum{
+  const FreeSwing pendulum{
       .angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
   CompareOptions options;
   options.fit.law = "viscous+pendulum";

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "cromer/identify/motion/motion_model.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer {
 namespace {
@@ -19,12 +20,18 @@ constexpr double w0 = 3, A = 0.4;
 
 Estimate certain(double value) { return make_estimate(value, 0, 2); }
 
+void set(LawFit& fit, const char* name, const Estimate& estimate) {
+  fit.names.emplace_back(name);
+  fit.estimates.push_back(estimate);
+  fit.covariance.assign(fit.names.size() * fit.names.size(), 0);
+}
+
 /// Released at rest at A.
 LawFit released(double decay_rate) {
   LawFit fit;
-  fit.angular_frequency = certain(w0);
-  fit.decay_rate = certain(decay_rate);
-  fit.position = certain(A);
+  set(fit, "angular_frequency", certain(w0));
+  set(fit, "decay_rate", certain(decay_rate));
+  set(fit, "position", certain(A));
   fit.student = 2;
   return fit;
 }
@@ -67,12 +74,14 @@ TEST(DerivedQuantities, OfTheViscousLawAreTheTextbooks) {
 
 TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
   LawFit drag = released(0);
-  drag.drag = certain(0.05);
+  drag.law = law_of("viscous+drag");
+  set(drag, "drag", certain(0.05));
   // Drag takes 8 d w^2 A^3/3 in a cycle, viscous damping 2 pi zeta w^2 A^2.
   EXPECT_NEAR(value(drag, "damping_ratio"), 4 * 0.05 * A / (3 * pi), 1e-15);
   EXPECT_NEAR(value(drag, "frequency"), w0 / (2 * pi), 1e-14);
   LawFit friction = released(0);
-  friction.friction = certain(0.02);
+  friction.law = law_of("viscous+friction");
+  set(friction, "friction", certain(0.02));
   // Friction takes 4 f A.
   EXPECT_NEAR(value(friction, "damping_ratio"), 4 * 0.02 * A / (2 * pi * w0 * w0 * A * A), 1e-15);
   EXPECT_NEAR(value(friction, "quality_factor"), pi * w0 * w0 * A / (4 * 0.02), 1e-10);
@@ -82,17 +91,23 @@ TEST(DerivedQuantities, AreThoseOfTheMotionIntegrated) {
   // Damping so small that the amplitude hardly changes over the cycle that is looked at.
   for (const bool pendulum : {false, true}) {
     LawFit fit = released(1e-5);
-    fit.law.pendulum = pendulum;
-    fit.drag = certain(2e-5);
-    fit.friction = certain(2e-6);
-    fit.cubic = certain(pendulum ? 0.0 : -1.5);
-    Motion law = fit.motion();
+    fit.law = law_of(pendulum ? "viscous+drag+friction+pendulum" : "viscous+drag+friction+cubic");
+    set(fit, "drag", certain(2e-5));
+    set(fit, "friction", certain(2e-6));
+    if (!pendulum) set(fit, "cubic", certain(-1.5));
+    FreeSwing law{.angular_frequency = w0,
+                  .decay_rate = 1e-5,
+                  .drag = 2e-5,
+                  .friction = 2e-6,
+                  .cubic = pendulum ? 0 : -1.5,
+                  .position = A,
+                  .pendulum = pendulum};
     const double measured = rate_by_integration(law, value(fit, "period"));
     // The rate is that of a harmonic swing; the springs' curvature changes what is lost by some of k3
     // A^2/w0^2 = 3 %.
     EXPECT_NEAR(value(fit, "logarithmic_decrement") / value(fit, "period") / measured, 1, 0.03) << pendulum;
-    fit.cubic = certain(0);
-    fit.law.pendulum = law.pendulum = false;
+    fit.law = law_of("viscous+drag+friction");
+    law.pendulum = false;
     law.cubic = 0;
     EXPECT_NEAR(value(fit, "logarithmic_decrement") / value(fit, "period") /
                     rate_by_integration(law, value(fit, "period")),
@@ -102,13 +117,11 @@ TEST(DerivedQuantities, AreThoseOfTheMotionIntegrated) {
 
 TEST(DerivedQuantities, PropagateTheWholeCovariance) {
   LawFit fit = released(0.05);
-  fit.law = {.viscous = true, .drag = true, .friction = true, .cubic = true};
-  fit.drag = certain(0.3);
-  fit.friction = certain(0.01);
-  fit.cubic = certain(-2);
-  fit.velocity = certain(0.5);
-  fit.names = {"angular_frequency", "decay_rate", "drag",    "friction", "cubic",
-               "equilibrium",       "position",   "velocity"};
+  fit.law = law_of("viscous+drag+friction+cubic");
+  set(fit, "drag", certain(0.3));
+  set(fit, "friction", certain(0.01));
+  set(fit, "cubic", certain(-2));
+  set(fit, "velocity", certain(0.5));
   const std::size_t n = fit.names.size();
   // A covariance with correlations: L L^T.
   std::vector<double> L(n * n, 0.0);
@@ -120,10 +133,7 @@ TEST(DerivedQuantities, PropagateTheWholeCovariance) {
       for (std::size_t k = 0; k < n; ++k) fit.covariance[i * n + j] += L[i * n + k] * L[j * n + k];
   const auto moved = [&](std::size_t i, double by) {
     LawFit other = fit;
-    Estimate* const all[] = {&other.angular_frequency, &other.decay_rate, &*other.drag,
-                             &*other.friction,         &*other.cubic,     &other.equilibrium,
-                             &other.position,          &other.velocity};
-    all[i]->value += by;
+    other.estimates[i].value += by;
     return other;
   };
   for (const NamedEstimate& number : derived_quantities(fit, "m", 0)) {
@@ -139,16 +149,19 @@ TEST(DerivedQuantities, PropagateTheWholeCovariance) {
 }
 
 TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
-  ForcedFit fit;
-  fit.law = released(0.05);
-  fit.law.drag = certain(0.3);
-  for (int i = 0; i < 1000; ++i) fit.states.x.push_back(7 + 0.2 * std::sin(2 * pi * i / 100));
-  const std::vector<NamedEstimate> list = derived_quantities(fit, "m", 0);
+  LawFit fit = released(0.05);
+  fit.drive = Drive::harmonic();
+  fit.law = law_of("viscous+drag");
+  fit.motion.set_angular_frequency(w0);
+  set(fit, "drag", certain(0.3));
+  std::vector<double> x;
+  for (int i = 0; i < 1000; ++i) x.push_back(7 + 0.2 * std::sin(2 * pi * i / 100));
+  const std::vector<NamedEstimate> list = derived_quantities(fit, "m", 0, x);
   ASSERT_EQ(list.back().name, "at_amplitude");
   EXPECT_NEAR(list.back().estimate.value, 0.2, 1e-12);
   EXPECT_NEAR(list[2].estimate.value, (0.05 + 4 * 0.3 * w0 / (3 * pi) * 0.2) / w0, 1e-12);
-  fit.law.decay_rate = certain(4);  // overdamped
-  EXPECT_EQ(derived_quantities(fit, "m", 0).size(), 3u);
+  fit.motion.set_decay_rate(4);  // overdamped
+  EXPECT_EQ(derived_quantities(fit, "m", 0, x).size(), 3u);
 }
 
 }  // namespace

@@ -59,7 +59,7 @@ TEST(MeasuredLaws, APendulumOnFilm) {
 TEST(MeasuredLaws, APendulumOnAnEncoderIsAPendulum) {
   const auto result = fitted("pendulum-plain/encoder_comma_space.csv", {});
   SKIP_WITHOUT_FIT(result);
-  EXPECT_TRUE(result->fit.law.pendulum);
+  EXPECT_TRUE(result->fit.law.has<Pendulum>());
   EXPECT_LT(result->fit.residual.rms, 0.03);  // 0.43 with one exponential
 }
 

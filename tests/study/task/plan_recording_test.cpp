@@ -96,7 +96,7 @@ TEST(PlanRecording, HoldsForDragToo) {
   double square = 0;
   for (const unsigned seed : {6u, 7u, 8u, 9u}) {
     const FittedRecording then = fitted(disc_recording(seed, first.plan->duration), "", "viscous+drag");
-    square += std::pow(then.fit.drag->standard_error / then.fit.drag->value, 2) / 4;
+    square += std::pow(then.fit["drag"].standard_error / then.fit["drag"].value, 2) / 4;
   }
   EXPECT_NEAR(std::sqrt(square) / 0.005, 1, 0.1);
 }

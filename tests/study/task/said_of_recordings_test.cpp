@@ -177,7 +177,7 @@ TEST(SaidOfRecordings, BeatsAreNamed) {
               return 0.2 + 0.05 * (swing(t, two_pi * 0.7085, g) + part * swing(t, two_pi * 0.73, g, seed));
             }));
         ASSERT_EQ(fit.modes.size(), 2u) << seed << ' ' << part << ' ' << g << ": " << fit.fit.message;
-        double low = fit.modes[0].angular_frequency().value, high = fit.modes[1].angular_frequency().value;
+        double low = fit.modes[0].angular_frequency.value, high = fit.modes[1].angular_frequency.value;
         if (low > high) std::swap(low, high);
         EXPECT_NEAR(low / two_pi, 0.7085, 5e-4);
         EXPECT_NEAR(high / two_pi, 0.73, 5e-4);

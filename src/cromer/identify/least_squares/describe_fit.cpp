@@ -66,7 +66,7 @@ Inverse inverse_of(const SquareMatrix& normal, const FittedParameters& fitted) {
 }
 
 // The parameters that people read, with their derivatives by the fitted ones.
-struct Quantities {
+struct ReadParameters {
   std::vector<std::string> names;
   std::vector<double> values;
   std::vector<Parameters> derivatives;
@@ -80,8 +80,8 @@ struct Quantities {
   }
 };
 
-Quantities quantities_of(const FittedParameters& fitted, const Parameters& p, DriveKind drive, int derivative) {
-  Quantities list;
+ReadParameters read_parameters(const FittedParameters& fitted, const Parameters& p, DriveKind drive, int derivative) {
+  ReadParameters list;
   const int cosine = fitted.place_of("drive_cosine");
   const Motion motion = fitted.unpack(p);
   const auto held = [&](std::string_view name, double value) {
@@ -227,14 +227,16 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   const std::span<const double> residuals = minimum.residuals;
   fit.motion = fitted.unpack(minimum.parameters);
   fit.fitted = fitted.count;
-  fit.residual = describe_residual(residuals, autocorrelations(residuals, first_lags(residuals.size())));
+  const SampleGrid grid = find_grid(record.t);
+  const std::vector<double> rho = autocorrelations(residuals, grid, first_lags(residuals.size()));
+  fit.residual = describe_residual(residuals, rho);
   const auto n = static_cast<double>(residuals.size());
   const double norm = centred_norm(record.y);
   fit.explained = 1 - fit.residual.rms * fit.residual.rms * n / (norm * norm);
 
   std::vector<double> motion(residuals.size());
   for (std::size_t i = 0; i < motion.size(); ++i) motion[i] = record.y[i] - residuals[i];
-  const Noise noise = find_noise(record.t, residuals, motion);
+  const Noise noise = find_noise(grid, residuals, motion, rho);
   const double w = std::max(fit.motion.angular_frequency(), fit.motion.drive_frequency);
   fit.independent_samples = n / std::clamp(noise.correlation.density(w * noise.grid.step), 1.0, n);
   const double k = fitted.count;
@@ -243,7 +245,7 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
 
   const Inverse inverse = inverse_of(minimum.matrix, fitted);
   const Known known = known_of(fit, record, minimum, inverse, noise);
-  const Quantities quantities = quantities_of(fitted, minimum.parameters, fit.drive.kind, record.derivative);
+  const ReadParameters quantities = read_parameters(fitted, minimum.parameters, fit.drive.kind, record.derivative);
   const std::size_t count = quantities.names.size();
   fit.names = quantities.names;
   fit.estimates.clear();

@@ -148,10 +148,11 @@ class Filter {
 
 FilteredSums filtered_sums(const Noise& noise, std::span<const double> jacobian, int parameters,
                            const SquareMatrix& to_estimates, int estimates) {
-  static_assert(max_parameters <= 12);
+  static_assert(max_parameters <= 20);
   if (estimates <= 4) return Filter<4>(noise)(noise, jacobian, parameters, to_estimates, estimates);
   if (estimates <= 8) return Filter<8>(noise)(noise, jacobian, parameters, to_estimates, estimates);
-  return Filter<12>(noise)(noise, jacobian, parameters, to_estimates, estimates);
+  if (estimates <= 12) return Filter<12>(noise)(noise, jacobian, parameters, to_estimates, estimates);
+  return Filter<20>(noise)(noise, jacobian, parameters, to_estimates, estimates);
 }
 
 // JᵀJ.
