@@ -131,6 +131,13 @@ FreeDecay fit_sinusoid(const Record& record, const FreeDecayOptions& options, co
   set_intervals(fit, motion_of_phasor(minimum.free.parameters, record.derivative), record);
   fit.step = motion_step(motion.angular_frequency, record.t.back() - record.t.front(), 1e-9);
   set_status(fit, minimum.bounded.reason);
+  // Twice the logarithm of the likelihoods' ratio: one in four hundred by chance.
+  constexpr double as_good = 12;
+  if (start->rival > 0 && start->rival_excess * fit.independent_samples < as_good)
+    fit.warnings.push_back(fmt::format(
+        "{:.5g} rad/s fits nearly as well as {:.5g} rad/s: how many periods passed in the gaps is "
+        "not certain",
+        start->rival, motion.angular_frequency));
   if (const auto refusal = refuse_fit(record, fit)) {
     fit.status = refusal->status;
     fit.message = refusal->message;
