@@ -139,6 +139,13 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   };
   describe_fit(fit, record, described);
   set_status(fit, minimum.bounded.reason);
+  // Twice the logarithm of the likelihoods' ratio: one in four hundred by chance.
+  constexpr double as_good = 12;
+  if (start->rival > 0 && start->rival_excess * fit.independent_samples < as_good)
+    fit.warnings.push_back(fmt::format(
+        "{:.5g} rad/s fits nearly as well as {:.5g} rad/s: how many periods passed in the gaps is "
+        "not certain",
+        start->rival, motion.angular_frequency));
   if (const auto refusal = refuse_fit(record, fit)) {
     fit.status = refusal->status;
     fit.message = refusal->message;

@@ -76,6 +76,7 @@ struct LineFit {
   Parameters phasor{};
   double mean_square = HUGE_VAL;  // of what it leaves
   double frequency_error = 0;     // [rad/s]
+  double rival = 0, rival_excess = 0;
 };
 
 // A frequency and a decay rate with the amplitudes that fit best, of several tried the best.
@@ -159,16 +160,27 @@ std::vector<SpectralLine> lines_of(const Record& part) {
 // The best fit at the spectrum's lines, if the first is one: more than six periods, and a fiftieth of the
 // variance at least. Above a drift without an oscillation stands nothing but rounding.
 std::optional<LineFit> search_lines(const Record& part) {
-  const double slowest = 6 * two_pi / duration_of(part);
+  const double duration = duration_of(part), slowest = 6 * two_pi / duration;
   const std::vector<SpectralLine> lines = lines_of(part);
   if (lines.empty() || lines[0].angular_frequency < slowest) return std::nullopt;
-  LineFit best;
-  for (const SpectralLine& line : lines) {
-    if (line.angular_frequency < slowest) continue;
-    const LineFit fit = fit_line(part, line.angular_frequency);
-    if (fit.mean_square < best.mean_square) best = fit;
-  }
+  std::vector<LineFit> fits;
+  for (const SpectralLine& line : lines)
+    if (line.angular_frequency >= slowest) fits.push_back(fit_line(part, line.angular_frequency));
+  const auto leaves_less = [](const LineFit& a, const LineFit& b) { return a.mean_square < b.mean_square; };
+  LineFit best = *std::min_element(fits.begin(), fits.end(), leaves_less);
   if (best.mean_square > 0.98 * variation(part)) return std::nullopt;
+  // What has run to the same minimum is none.
+  const auto same = [&](const LineFit& fit) {
+    return std::abs(fit.phasor[DampedPhasor::angular_frequency] -
+                    best.phasor[DampedPhasor::angular_frequency]) *
+               duration <
+           0.5 * two_pi;
+  };
+  fits.erase(std::remove_if(fits.begin(), fits.end(), same), fits.end());
+  if (fits.empty()) return best;
+  const LineFit next = *std::min_element(fits.begin(), fits.end(), leaves_less);
+  best.rival = next.phasor[DampedPhasor::angular_frequency];
+  best.rival_excess = next.mean_square / best.mean_square - 1;
   return best;
 }
 
@@ -191,6 +203,8 @@ StartValues searched_part(const Record& record) {
 void set_line(StartValues& start, const LineFit& fit) {
   start.phasor = fit.phasor;
   start.frequency_error = fit.frequency_error;
+  start.rival = fit.rival;
+  start.rival_excess = fit.rival_excess;
 }
 
 // From its own first time to one that is later by dt.

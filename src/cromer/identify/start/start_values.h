@@ -15,6 +15,8 @@ struct StartValues {
   std::size_t first = 0;       ///< sample of the record at which the part begins
   std::size_t samples = 0;     ///< in the part
   double frequency_error = 0;  // [rad/s] standard error, had the part white noise
+  double rival = 0;            // [rad/s] the line that leaves least but for this one; 0 without another
+  double rival_excess = 0;     ///< what it leaves more, of what this one leaves
 };
 
 /// The lines of the spectrum, each fitted with its decay to the samples at their own times: the one that
