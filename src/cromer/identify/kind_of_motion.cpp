@@ -94,7 +94,7 @@ MotionJudgement judge_motion(const Record& record, const FreeDecay& free, const 
   if (std::min(of_driven, of_modes) > of_free - strong) return judgement;
 
   const bool linear = !driven.law.law.drag && !driven.law.law.cubic;
-  if (!modes || (drives && !linear && of_driven < of_modes)) {
+  if (!modes || (drives && !linear && of_driven < of_modes - strong)) {
     if (of_driven < of_free - strong) judgement.kind = MotionKind::driven;
     return judgement;
   }
@@ -109,9 +109,12 @@ MotionJudgement judge_motion(const Record& record, const FreeDecay& free, const 
     if (apart && shows(one) && shows(other) && of_modes < of_free - strong)
       judgement.kind = MotionKind::two_modes;
   } else if (drives && of_driven < of_free - strong) {
-    const bool neither = one_lasts && other_lasts;
-    judgement.kind = neither && shows(one) && shows(other) && linear ? MotionKind::driven_or_two_modes
-                                                                     : MotionKind::driven;
+    // A drive that was searched is told by its line: it lasts, and the swing's own surely decays faster.
+    const Estimate &g = one.decay_rate, &f = other.decay_rate;
+    const bool alike = std::abs(g.value - f.value) < 2 * std::hypot(g.standard_error, f.standard_error);
+    const bool open = (one_lasts && other_lasts) || (alike && !frequency_known);
+    judgement.kind =
+        open && shows(one) && shows(other) ? MotionKind::driven_or_two_modes : MotionKind::driven;
   }
   return judgement;
 }
