@@ -124,7 +124,7 @@ TEST(StartValues, TwoPartsFarApart) {
 
 // In strong noise the count of cycles between two parts may be lost, but not silently.
 TEST(StartValues, AnotherFrequencyThatFitsAsWellIsNamed) {
-  const auto names_another = [](const FreeDecay& fit) {
+  const auto names_another = [](const LawFit& fit) {
     return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& warning) {
       return warning.find("fits nearly as well") != std::string::npos;
     });
@@ -136,13 +136,13 @@ TEST(StartValues, AnotherFrequencyThatFitsAsWellIsNamed) {
     std::vector<bool> kept(6000, true);
     std::fill(kept.begin() + 200, kept.begin() + 5800, false);
     const SyntheticRecord noisy = gappy_record({.noise = 0.5}, kept, engine);
-    const FreeDecay fit = fit_free_decay(noisy.record(), {});
+    const LawFit fit = fit_law(noisy.record(), {});
     if (fit.status != FitStatus::converged) continue;
     const bool right = std::abs(fit.angular_frequency.value - w0) < 5 * fit.angular_frequency.standard_error;
     named += names_another(fit);
     EXPECT_TRUE(right || names_another(fit)) << fit.angular_frequency.value;
     const SyntheticRecord clear = gappy_record({.noise = 0.02}, kept, engine);
-    EXPECT_FALSE(names_another(fit_free_decay(clear.record(), {})));
+    EXPECT_FALSE(names_another(fit_law(clear.record(), {})));
   }
   EXPECT_GT(named, 5);
 }

@@ -57,15 +57,14 @@ std::string driven_at(double w) { return concat({shortest(w), " rad/s"}); }
 // A generator that runs down a little looks like a swing with a very high quality factor.
 TEST(SaidOfRecordings, AnAmplitudeThatHardlyFallsMayBeADrives) {
   for (const double quality : {16000.0, 60000.0})
-    for (const double periods : {30.0, 100.0, 300.0})
-      for (unsigned seed = 1; seed <= 1; ++seed) {
-        const double w = 6, fall = periods * std::numbers::pi / quality;
-        const auto bytes = recorded({.duration = periods * two_pi / w, .noise = 2e-5, .seed = seed},
-                                    [&](double t) { return 0.05 * swing(t, w, w / (2 * quality)); });
-        EXPECT_THAT(fitted(bytes).warnings,
-                    Contains(HasSubstr("If something drives it, the frequency is the drive's")))
-            << quality << ' ' << fall;
-      }
+    for (const double periods : {30.0, 100.0, 300.0}) {
+      const double w = 6, fall = periods * std::numbers::pi / quality;
+      const auto bytes = recorded({.duration = periods * two_pi / w, .noise = 2e-5},
+                                  [&](double t) { return 0.05 * swing(t, w, w / (2 * quality)); });
+      EXPECT_THAT(fitted(bytes).warnings,
+                  Contains(HasSubstr("If something drives it, the frequency is the drive's")))
+          << quality << ' ' << fall;
+    }
   // Good swings in air are not doubted.
   for (const double quality : {30.0, 300.0, 1500.0})
     EXPECT_THAT(fitted(recorded({.duration = 60}, [&](double t) { return 0.05 * swing(t, 6, 3 / quality); }))
@@ -117,7 +116,7 @@ TEST(SaidOfRecordings, AMotionThatComesToRestIsNotLost) {
 }
 
 TEST(SaidOfRecordings, CoarseRoundingIsCalledThat) {
-  for (unsigned seed = 1; seed <= 6; ++seed)
+  for (unsigned seed = 1; seed <= 4; ++seed)
     for (const double size : {0.3, 0.6, 0.8}) {
       const double offset = 0.01 * std::fmod(0.3819660113 * seed, 1.0);
       const FittedRecording fit =
@@ -153,13 +152,14 @@ TEST(SaidOfRecordings, TimesRoundedToHalfTheirSpacingMakeNoGapsAndNoModes) {
 
 TEST(SaidOfRecordings, HarmonicsAreNoModes) {
   // A sensor that is not linear: sin² makes the second, sin³ the third harmonic.
-  for (unsigned seed = 1; seed <= 4; ++seed)
-    for (const double g : {0.002, 0.005, 0.02})
+  for (unsigned seed = 1; seed <= 2; ++seed)
+    for (const double g : {0.005, 0.02})
       for (const auto& [second, third] : {std::pair{0.03, 0.03}, {0.05, 0.0}, {0.0, 0.05}, {0.02, 0.01}}) {
-        const FittedRecording fit = fitted(recorded({.noise = 1e-4, .seed = seed}, [&](double t) {
-          const double u = swing(t, 6, g);
-          return 0.2 + 0.05 * (u + second * u * u + third * u * u * u);
-        }));
+        const FittedRecording fit =
+            fitted(recorded({.noise = 1e-4, .seed = seed}, [&, second = second, third = third](double t) {
+              const double u = swing(t, 6, g);
+              return 0.2 + 0.05 * (u + second * u * u + third * u * u * u);
+            }));
         EXPECT_THAT(fit.modes, IsEmpty()) << g << ' ' << second << ' ' << third;
         EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("two modes"))))
             << g << ' ' << second << ' ' << third;
@@ -173,7 +173,7 @@ TEST(SaidOfRecordings, BeatsAreNamed) {
       for (const auto& [g, duration] :
            {std::pair{0.01, 120.0}, {0.02, 60.0}, {0.003, 240.0}, {0.005, 50.0}}) {
         const FittedRecording fit =
-            fitted(recorded({.duration = duration, .rate = 20, .seed = seed}, [&](double t) {
+            fitted(recorded({.duration = duration, .rate = 20, .seed = seed}, [&, g = g](double t) {
               return 0.2 + 0.05 * (swing(t, two_pi * 0.7085, g) + part * swing(t, two_pi * 0.73, g, seed));
             }));
         ASSERT_EQ(fit.modes.size(), 2u) << seed << ' ' << part << ' ' << g << ": " << fit.fit.message;

@@ -84,7 +84,7 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   if (std::min(of_driven, of_modes) > of_free - strong_evidence) return judgement;
 
   const bool linear = linear_terms.contains(driven.law);
-  if (!modes || (drives && !linear && of_driven < of_modes)) {
+  if (!modes || (drives && !linear && of_driven < of_modes - strong_evidence)) {
     if (of_driven < of_free - strong_evidence) judgement.kind = MotionKind::driven;
     return judgement;
   }
@@ -99,9 +99,12 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
     if (apart && shows(one) && shows(other) && of_modes < of_free - strong_evidence)
       judgement.kind = MotionKind::two_modes;
   } else if (drives && of_driven < of_free - strong_evidence) {
-    const bool neither = one_lasts && other_lasts;
-    judgement.kind = neither && shows(one) && shows(other) && linear ? MotionKind::driven_or_two_modes
-                                                                     : MotionKind::driven;
+    // A drive that was searched is told by its line: it lasts, and the swing's own surely decays faster.
+    const Estimate &g = one.decay_rate, &f = other.decay_rate;
+    const bool alike = std::abs(g.value - f.value) < 2 * std::hypot(g.standard_error, f.standard_error);
+    const bool open = (one_lasts && other_lasts) || (alike && !frequency_known);
+    judgement.kind =
+        open && shows(one) && shows(other) ? MotionKind::driven_or_two_modes : MotionKind::driven;
   }
   return judgement;
 }

@@ -12,7 +12,7 @@ enum class MotionKind {
   free,                ///< the free law accounts for it as well as anything else, harmonics aside
   driven,              ///< one line lasts and the other decays, or the driven law is not linear
   two_modes,           ///< two lines, both of which decay
-  driven_or_two_modes  ///< two lines, neither of which decays: the same signal either way
+  driven_or_two_modes  ///< two lines, neither of which surely decays faster: the same signal either way
 };
 
 struct MotionJudgement {

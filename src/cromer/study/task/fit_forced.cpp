@@ -27,8 +27,8 @@ bool is_outlier(const Series& series, std::size_t i) {
 }
 
 // What both kinds of driven fits say.
-void describe(FittedRecording& result, LawChoice&& choice, const std::vector<double>& t, std::string_view force_unit,
-              bool has_force_column) {
+void describe(FittedRecording& result, LawChoice&& choice, const Record& record, const std::vector<double>& t,
+              std::string_view force_unit, bool has_force_column) {
   result.fit = std::move(choice.chosen);
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const LawFit& candidate : choice.candidates)
@@ -63,6 +63,9 @@ void describe(FittedRecording& result, LawChoice&& choice, const std::vector<dou
     if (options.monte_carlo)
       result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed);
   }
+  const bool only_law = !(options.law.empty() || options.law == "auto");
+  for (std::string& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency, only_law, unit))
+    result.warnings.push_back(std::move(doubt));
   if (fit.law.shares(springs) && fit.motion.decay_rate() >= fit.motion.angular_frequency())
     result.warnings.emplace_back("the law is overdamped: it has no frequency and no period of its own");
   if (fit.explained < 0.9 && fit.residual.autocorrelation > 0.5)
@@ -139,7 +142,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   std::vector<double> of_series;
   for (const double at : result.series.t)
     of_series.push_back(grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
-  describe(result, std::move(choice), of_series, si_unit_of(force.quantity), true);
+  describe(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity), true);
   result.between_samples = name(result.fit.drive.force.between);
   say_unused(result);
   std::vector<double> law_motion;
@@ -192,7 +195,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;
   const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
-  describe(result, choose_law(record, settings, watch, {*law, {}}), series.t, "", false);
+  describe(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false);
   say_unused(result);
   const LawFit& fit = result.fit;
   if (!result.driven) return result;

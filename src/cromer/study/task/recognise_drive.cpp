@@ -54,7 +54,8 @@ std::string said(const Mode& mode) {
 // Of a motion in which neither line decays: where the drive was searched, and where it was named.
 std::string either_reading(const TwoModes& modes) {
   return fmt::format(
-      "two oscillations that do not decay, at {} and {}: a drive on a swing without damping, two drives, or "
+      "two oscillations whose decay hardly shows, at {} and {}: a drive on a swing without damping, two "
+      "drives, or "
       "two modes, as of coupled pendulums, are the same signal; the numbers here are those of the first "
       "reading",
       said(modes.modes[0]), said(modes.modes[1]));

@@ -148,7 +148,7 @@ the fit has not settled after {} iterations⇒die Anpassung kommt nach {} Schrit
 line {}: the time jumps from {} to {} s;…⇒Zeile {}: die Zeit springt von {} auf {} s; bitte mit den Griffen eine Seite wählen
 {}: only what follows, {} of {} samples, is taken…⇒{}: nur was folgt, {} von {} Messwerten, gilt als freie Bewegung
 the motion is driven, at {} Hz: a free motion would leave {}, this leaves {};…⇒die Bewegung ist angetrieben, mit {} Hz: eine freie ließe {} übrig, diese {}; bitte mit den Griffen einen freien Teil wählen
-two oscillations that do not decay, at {} and {}:…⇒zwei Schwingungen, die nicht abklingen, mit {} und {}: ein Antrieb ohne Dämpfung, zwei Antriebe und gekoppelte Pendel sehen so aus
+two oscillations whose decay hardly shows, at {} and {}:…⇒zwei Schwingungen, deren Abklingen sich kaum zeigt, mit {} und {}: ein Antrieb ohne Dämpfung, zwei Antriebe und gekoppelte Pendel sehen so aus
 beside the drive something oscillates at {} and does not decay:…⇒neben dem Antrieb schwingt etwas mit {} und klingt nicht ab: ein anderer Antrieb und ein Körper ohne Dämpfung sehen so aus; die Zahlen hier gelten für den Körper
 no single swing: {}. Let one…⇒keine einzelne Schwingung: {}. Bitte eine allein schwingen lassen oder eine andere Spalte wählen
 two modes swing here, and both decay, as of coupled pendulums: {} and {}; they beat every {} s; together…⇒hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {} und {}; sie schweben mit einer Periode von {} s
