@@ -138,9 +138,9 @@ TEST(StartValues, AnotherFrequencyThatFitsAsWellIsNamed) {
     const SyntheticRecord noisy = gappy_record({.noise = 0.5}, kept, engine);
     const LawFit fit = fit_law(noisy.record(), {});
     if (fit.status != FitStatus::converged) continue;
-    const bool right = std::abs(fit.angular_frequency.value - w0) < 5 * fit.angular_frequency.standard_error;
+    const bool right = std::abs(fit.angular_frequency().value - w0) < 5 * fit.angular_frequency().standard_error;
     named += names_another(fit);
-    EXPECT_TRUE(right || names_another(fit)) << fit.angular_frequency.value;
+    EXPECT_TRUE(right || names_another(fit)) << fit.angular_frequency().value;
     const SyntheticRecord clear = gappy_record({.noise = 0.02}, kept, engine);
     EXPECT_FALSE(names_another(fit_law(clear.record(), {})));
   }

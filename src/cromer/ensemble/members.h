@@ -29,7 +29,7 @@ template <class Real, Law law>
 struct PackSums {
   Real x = 0.0, c = 0.0, s = 0.0, cc = 0.0, cs = 0.0, ss = 0.0, xc = 0.0, xs = 0.0, xx = 0.0, energy = 0.0;
 
-  void add(double weight, const Oscillator<Real>& per_mass, Law present, const State<Real>& y,
+  void add(double weight, const Coefficients<law, Real>& per_mass, Law present, const State<Real>& y,
            const Real& cosine, const Real& sine) {
     const Real wx = weight * y.x, wc = weight * cosine, ws = weight * sine;
     x += wx;
@@ -41,7 +41,7 @@ struct PackSums {
     xc += wx * cosine;
     xs += wx * sine;
     xx += wx * y.x;
-    energy += weight * cromer::energy<law>(per_mass, present, y);
+    energy += weight * cromer::energy<law>(Real(1.0), per_mass, present, y);
   }
 
   void add_to(cromer_group::Sums& sums, std::size_t first) const {
@@ -87,7 +87,7 @@ struct Member {
   struct NoSums {};
 
   Real h;
-  Oscillator<Real> law;  // per unit mass
+  Coefficients<terms.law, Real> law;  // per unit mass
   [[no_unique_address]] Present present;
   System system;
   Phasor phasor;
@@ -103,10 +103,10 @@ struct Member {
     const Real step = load(group.step);
     const HarmonicForce<Real> drive{load(group.drive_amplitude), load(group.drive_frequency),
                                     load(group.drive_phase)};
-    Oscillator<Real> per_mass;
+    Coefficients<terms.law, Real> per_mass;
     for_each_term([&]<class T>() {
-      if constexpr (smooth_terms.has<T>() && (terms.law == any_terms || terms.law.template has<T>()))
-        per_mass.*T::template members<Real>[0] = load(group.coefficients[place_of_term<T>]);
+      if constexpr (Coefficients<terms.law, Real>::terms.template has<T>())
+        per_mass.template of<T>() = load(group.coefficients[place_of_term<T>]);
     });
     Present present{};
     if constexpr (terms.law == any_terms) present = Law{group.law};

@@ -51,7 +51,7 @@ class DrivenOscillator {
 
   /// The same where the terms that any_terms stand for are known: coefficients may be packs of numbers.
   template <class Present>
-  DrivenOscillator(const Oscillator<Real>& per_mass, const Force& force, const Present& present)
+  DrivenOscillator(const Coefficients<terms.law, Real>& per_mass, const Force& force, const Present& present)
       : law_(per_mass), force_(force), present_(present) {}
 
   static constexpr bool depends_on_velocity = has_resistance(terms.law);
@@ -80,7 +80,8 @@ class DrivenOscillator {
   /// The state at t of the motion through y0 at t0.
   State<Real> propagate(const Real& t0, const Real& t, const State<Real>& y0) const
       requires(is_linear(terms) && HasClosedForm<Force, Real>) {
-    const LinearLaw<Real> linear{.decay_rate = law_.damping / Real(2), .stiffness = law_.stiffness};
+    const LinearLaw<Real> linear{.decay_rate = law_.template of<Viscous>() / Real(2),
+                                 .stiffness = law_.template of<Spring>()};
     return force_.propagate(linear, t0, t, y0);
   }
 
@@ -120,18 +121,20 @@ class DrivenOscillator {
 
   /// The linear law without its drive.
   LinearLaw<Real> free_law() const requires(is_linear(terms) && !terms.drive) {
-    return {.decay_rate = law_.damping / Real(2), .stiffness = law_.stiffness};
+    return {.decay_rate = law_.template of<Viscous>() / Real(2), .stiffness = law_.template of<Spring>()};
   }
 
   /// The same law for times `spacing` [s] apart, its drive from a table: move_to(first) makes the next
   /// `block` spacings ready.
   auto on_grid(double spacing) const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
-    return DrivenOscillator<Real, terms, TabulatedForce<Real>>(law_, TabulatedForce<Real>(force_, spacing));
+    return DrivenOscillator<Real, terms, TabulatedForce<Real>>(law_, TabulatedForce<Real>(force_, spacing),
+                                                               present_);
   }
   /// The same law for one step after another, its drive made ready for the step's nodes: move_to(t, h).
   template <class Nodes>
   auto on_nodes() const requires(terms.drive&& std::is_same_v<Force, HarmonicForce<Real>>) {
-    return DrivenOscillator<Real, terms, NodeForce<Real, Nodes>>(law_, NodeForce<Real, Nodes>(force_));
+    return DrivenOscillator<Real, terms, NodeForce<Real, Nodes>>(law_, NodeForce<Real, Nodes>(force_),
+                                                                 present_);
   }
   void move_to(double t, double h) requires at_nodes { force_.move_to(t, h); }
 
@@ -149,7 +152,7 @@ class DrivenOscillator {
     return resisting_force<terms.law>(law_, present_, x, v);
   }
 
-  Oscillator<Real> law_;  // per unit mass; its mass is not used
+  Coefficients<terms.law, Real> law_;  // per unit mass
   Force force_;
   [[no_unique_address]] std::conditional_t<terms.law == any_terms, Law, NoLaw> present_{};
 };

@@ -1,6 +1,9 @@
 // The forces of a law's terms, summed: written here alone, whoever chooses among the terms when.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "cromer/base/dual.h"
 #include "cromer/model/law.h"
 #include "cromer/model/oscillator.h"
@@ -19,18 +22,63 @@ inline constexpr Law terms_of_velocity = smooth_terms.without(terms_of_position)
 /// Whether the force of a law may depend on the velocity.
 constexpr bool has_resistance(Law law) { return law == any_terms || law.shares(terms_of_velocity); }
 
+/// The coefficients of a law's smooth terms, and no more: what a loop carries must fit into registers. With
+/// any_terms all of them.
+template <Law law, class Real>
+class Coefficients {
+ public:
+  static constexpr Law terms = law == any_terms ? smooth_terms : Law{law.terms & smooth_terms.terms};
+
+  Coefficients() = default;
+  explicit Coefficients(const Oscillator<Real>& oscillator) {
+    for_each_term([&]<class T>() {
+      if constexpr (terms.has<T>()) numbers_[place<T>] = oscillator.*T::template members<Real>[0];
+    });
+  }
+
+  template <class T>
+  Real& of() {
+    return numbers_[place<T>];
+  }
+  /// 0 of a term that is not among them.
+  template <class T>
+  decltype(auto) of() const {
+    if constexpr (terms.has<T>())
+      return (numbers_[place<T>]);
+    else
+      return Real(0);
+  }
+
+ private:
+  template <class T>
+  static constexpr std::size_t place =
+      static_cast<std::size_t>(Law{terms.terms & (law_with<T>.terms - 1)}.size());
+
+  std::array<Real, static_cast<std::size_t>(terms.size())> numbers_{};
+};
+
+template <class T, class Real>
+const Real& coefficient_of(const Oscillator<Real>& oscillator) {
+  return oscillator.*T::template members<Real>[0];
+}
+template <class T, Law law, class Real>
+decltype(auto) coefficient_of(const Coefficients<law, Real>& coefficients) {
+  return coefficients.template of<T>();
+}
+
 /// The sum over those of the law's terms that are among `which` [m/s^2] with coefficients per unit mass, in
 /// the order of the registry. With any_terms those that are `present`: absent terms are stepped over, so that
 /// the sum is the same to the bit (of a zero the sign may differ).
-template <Law law, Law which, class Real, class T>
-T sum_of_forces(const Oscillator<Real>& per_mass, [[maybe_unused]] Law present, const T& x, const T& v) {
+/// per_mass: an Oscillator or Coefficients.
+template <Law law, Law which, class Source, class T>
+T sum_of_forces(const Source& per_mass, [[maybe_unused]] Law present, const T& x, const T& v) {
   constexpr Law summed = law == any_terms ? which : Law{law.terms & which.terms};
   T sum(0);
   bool first = true;
   for_each_term([&]<class Term>() {
     if constexpr (summed.has<Term>()) {
       if (law == any_terms && !present.has<Term>()) return;
-      const T force = Term::force(x, v, per_mass.*Term::template members<Real>[0]);
+      const T force = Term::force(x, v, coefficient_of<Term>(per_mass));
       sum = first ? force : T(sum + force);
       first = false;
     }
@@ -39,14 +87,14 @@ T sum_of_forces(const Oscillator<Real>& per_mass, [[maybe_unused]] Law present, 
 }
 
 /// Of the terms of the position.
-template <Law law, class Real, class T>
-T restoring_force(const Oscillator<Real>& per_mass, Law present, const T& x) {
+template <Law law, class Source, class T>
+T restoring_force(const Source& per_mass, Law present, const T& x) {
   return sum_of_forces<law, terms_of_position>(per_mass, present, x, x);
 }
 
 /// Of the terms of the velocity.
-template <Law law, class Real, class T>
-T resisting_force(const Oscillator<Real>& per_mass, Law present, const T& x, const T& v) {
+template <Law law, class Source, class T>
+T resisting_force(const Source& per_mass, Law present, const T& x, const T& v) {
   return sum_of_forces<law, terms_of_velocity>(per_mass, present, x, v);
 }
 

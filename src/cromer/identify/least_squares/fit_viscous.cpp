@@ -145,7 +145,7 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
     fit.warnings.push_back(fmt::format(
         "{:.5g} rad/s fits nearly as well as {:.5g} rad/s: how many periods passed in the gaps is "
         "not certain",
-        start->rival, motion.angular_frequency));
+        start->rival, motion.angular_frequency()));
   if (const auto refusal = refuse_fit(record, fit)) {
     fit.status = refusal->status;
     fit.message = refusal->message;
