@@ -116,7 +116,7 @@ std::vector<double> free_values(const FittedRecording& fitted, const std::vector
                          : fitted.series.quantity.find("acceleration") != std::string::npos ? 2
                                                                                             : 0;
   std::vector<double> values =
-      motion_residuals(fitted.fit.motion(), {t, zeros, 0, derivative}, fitted.fit.step);
+      motion_residuals(fitted.fit.motion, {}, {t, zeros, 0, derivative}, fitted.fit.step);
   for (double& value : values) value = -value - fitted.fit.equilibrium().value;
   values.resize(t.size(), none);
   return values;

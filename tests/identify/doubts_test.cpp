@@ -58,7 +58,7 @@ TEST(Doubts, FrictionIsNotDescribedByTheViscousLaw) {
     const double amplitude = std::max(0.0, 0.05 - (2 * half + 1) * shift);
     record.y.push_back(side * shift + amplitude * std::cos(w0 * t) + normal(engine));
   }
-  const LawFit viscous = fit_law(record.record(), {.law = {}});
+  const LawFit viscous = fit_law(record.record(), {.law = law_of("viscous")});
   EXPECT_THAT(doubts(record.record(), viscous), testing::Contains(HasSubstr("no law tried describes")));
   EXPECT_THAT(doubts(record.record(), viscous, true),
               testing::Contains(HasSubstr("the law viscous does not describe this recording")));

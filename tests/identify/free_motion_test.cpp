@@ -146,7 +146,7 @@ TEST(ChooseLaw, TakesTheTermsThatAreThere) {
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const SyntheticRecord record = motion_record(motion, even_times(3000, 0.01), 3e-4, 1e-4, seed);
       const LawChoice choice = choose_law(record.record(), {});
-      EXPECT_EQ(choice.candidates.size(), 14u);
+      EXPECT_EQ(choice.candidates.size(), 21u);
       right += to_text(choice.chosen.law) == law;
     }
     EXPECT_GE(right, 7) << law;

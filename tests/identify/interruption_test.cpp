@@ -34,7 +34,7 @@ TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
     EXPECT_EQ(choice.candidates.size(), static_cast<std::size_t>(after));
     EXPECT_NEAR(choice.chosen.angular_frequency().value, 8.849, 1e-3);
     // What is missing is named, what was compared is not.
-    EXPECT_THAT(choice.chosen.message, testing::EndsWith("drag+friction+cubic, viscous+drag+friction+cubic"));
+    EXPECT_THAT(choice.chosen.message, testing::EndsWith("drag+friction+odd-quadratic, viscous+drag+friction+odd-quadratic"));
     EXPECT_EQ(choice.chosen.message.find("not compared yet are viscous+drag,") != std::string::npos,
               after == 1);
   }

@@ -72,7 +72,7 @@ TEST(Observed, TheUncertaintiesAreThoseOfTheDisplacement) {
   motion.drag = motion.friction = motion.cubic = 0;
   const SyntheticRecord made = derivative_record(motion, 1, 5e-3);
   const Record record{made.t, made.y, 0, 1};
-  const LawFit closed = fit_law(record, {.law = {}});
+  const LawFit closed = fit_law(record, {.law = law_of("viscous")});
   LawFit general = fit_law(record, {.law = law_of("viscous+cubic")});
   EXPECT_NEAR(closed.decay_rate().standard_error, general.decay_rate().standard_error,
               0.05 * closed.decay_rate().standard_error);

@@ -17,7 +17,7 @@ std::vector<ResidualLine> lines_beside(const Other& other, std::vector<std::stri
                                        unsigned seed = 1) {
   SyntheticRecord record = viscous_record({.g = 0.02, .velocity = 0}, even_times(4000, 0.01), 3e-4, 0, seed);
   for (std::size_t i = 0; i < record.t.size(); ++i) record.y[i] += other(record.t[i]);
-  const LawFit fit = fit_law(record.record(), {.law = {}});
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
   EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
   if (sentences) *sentences = second_modes(record.record(), fit, "m");
   return residual_lines(record.record(), fit);
@@ -34,7 +34,7 @@ TEST(SecondMode, NoneWhereTheLawIsWrongButTheSwingIsOne) {
   const FreeSwing motion{.angular_frequency = 8.849, .drag = 0.5, .cubic = 3000, .position = 0.036};
   SyntheticRecord record{even_times(4000, 0.01), {}, 0};
   record.y = free_motion(motion, record.t, 1e-3).x;
-  const LawFit fit = fit_law(record.record(), {.law = {}});
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
   for (const ResidualLine& line : residual_lines(record.record(), fit)) EXPECT_EQ(line.harmonic, 3);
 }
 

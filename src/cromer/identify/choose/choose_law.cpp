@@ -70,16 +70,19 @@ std::vector<Law> free_candidates(bool angle) {
   return laws;
 }
 
-// Terms that may be added one by one, or together where one alone says little.
-std::vector<Law> additions(DriveKind drive) {
-  std::vector<Law> list;
-  if (drive != DriveKind::none)
-    list = {law_with<Drag>, law_with<Friction>, law_with<Cubic>, law_with<OddQuadratic>};
-  for (const Law& more : {law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<Quintic>, law_with<VanDerPol>,
-                          law_with<Hysteresis>})
-    list.push_back(more);
-  return list;
+// Of a driven motion: what is met often, each by itself and with others.
+std::vector<Law> driven_candidates(const Law& linear) {
+  std::vector<Law> laws;
+  for (const Law& shape : {Law{}, law_with<Cubic>, law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<OddQuadratic>})
+    for (const Law& damping : {Law{}, law_with<Drag>, law_with<Friction>})
+      if (linear.shares(springs) || shape == Law{}) laws.push_back(linear.with(shape).with(damping));
+  return laws;
 }
+
+// What may be added where something is left.
+constexpr Law additions[] = {law_with<Drag>,           law_with<Friction>, law_with<Cubic>,
+                             law_with<OddQuadratic>,   law_with<Quadratic>, law_with<Quadratic, Cubic>,
+                             law_with<Quintic>,        law_with<VanDerPol>, law_with<Hysteresis>};
 
 bool has_values(const LawFit& fit) {
   return fit.has_values() && (fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit);
@@ -114,17 +117,14 @@ class Choosing {
       try_law(laws[i], beginning.known(laws[i], record_));
     }
     settle();
-    if (!watch_.interrupted() && something_is_left(record_, candidates_[best_])) {
-      add_terms(beginning, additions(DriveKind::none));
-      settle();
-    }
+    add_terms(beginning);
     LawChoice choice = chosen(laws);
     if (const std::string rivals = rival_laws(record_, candidates_, best_); !rivals.empty())
       choice.chosen.warnings.push_back(rivals);
     return choice;
   }
 
-  // Terms one by one from the linear law; under a recorded force from one with a bent spring, and without it.
+  // From the linear law; under a recorded force from one with a bent spring.
   LawChoice among_driven() {
     LawFitOptions leading = options_;
     const Law linear = Law{options_.law.terms & springs.terms}.with(law_with<Viscous>);
@@ -140,16 +140,16 @@ class Choosing {
       add(beginning.linear, true);
       return alone();
     }
-    if (leading.law != linear) {
-      try_law(linear, beginning.known(linear, record_));
-      add(beginning.linear, true);
-      for (const Law& bent : {linear.with(law_with<Cubic>), linear.with(law_with<Quadratic>)})
-        try_law(bent, beginning.known(bent, record_));
-    } else {
-      add(beginning.linear, true);
+    if (leading.law != linear) try_law(linear, beginning.known(linear, record_));
+    add(beginning.linear, true);
+    const std::vector<Law> laws = driven_candidates(linear);
+    for (std::size_t i = 0; i < laws.size() && !watch_.interrupted(); ++i) {
+      try_law(laws[i], beginning.known(laws[i], record_));
+      if (watch_.progress)
+        watch_.progress(0.15 + 0.85 * static_cast<double>(i + 1) / static_cast<double>(laws.size()));
     }
-    add_terms(beginning, additions(options_.drive.kind));
     settle();
+    add_terms(beginning);
     return chosen({});
   }
 
@@ -176,13 +176,12 @@ class Choosing {
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
 
-  // The best law with each addition, as long as one of them is chosen.
-  void add_terms(const Beginning& beginning, const std::vector<Law>& more) {
-    for (std::size_t round = 0; round < 4 && !watch_.interrupted(); ++round) {
-      best_ = choose_candidate(candidates_, record_.resolution);
+  // The best law with each addition, as long as something is left and one of them is chosen.
+  void add_terms(const Beginning& beginning) {
+    for (int round = 0; round < 2 && !watch_.interrupted(); ++round) {
       const LawFit base = candidates_[best_];
-      if (!base.has_values()) return;
-      for (const Law& addition : more) {
+      if (!something_is_left(record_, base)) return;
+      for (const Law& addition : additions) {
         if (base.law.contains(addition)) continue;
         const Law law = base.law.with(addition);
         KnownMotion known = beginning.known(law, record_);
@@ -193,10 +192,9 @@ class Choosing {
         }
         try_law(law, known);
       }
-      const std::size_t next = choose_candidate(candidates_, record_.resolution);
-      if (next == best_) return;
-      best_ = next;
-      if (options_.drive.kind == DriveKind::none && !something_is_left(record_, candidates_[best_])) return;
+      const std::size_t before = best_;
+      settle();
+      if (best_ == before) return;
     }
   }
 

@@ -151,8 +151,9 @@ std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
 
 bool something_is_left(const Record& record, const LawFit& fit) {
   const std::vector<double> residuals = residuals_of(fit, record);
-  if (residuals.size() < 64 || !fit.find("angular_frequency")) return false;
+  if (residuals.size() < 64) return false;
   if (fit.residual.rms <= std::max(1.3 * noise_of(residuals), record.resolution)) return false;
+  if (fit.drive.kind == DriveKind::recorded || !fit.find("angular_frequency")) return !fit.residual.white;
   for (int multiple = 1; multiple <= 3; ++multiple)
     if (leaves_a_line(record, fit, residuals, multiple)) return true;
   return false;

@@ -93,7 +93,7 @@ ReadParameters read_parameters(const FittedParameters& fitted, const Parameters&
       if (drive == DriveKind::recorded && derivative == 0) held("force_offset", motion.force_offset);
       if (motion.law.shares(springs)) held("equilibrium", motion.equilibrium);
     }
-    if (i == cosine || i == cosine + 1) continue;
+    if (cosine >= 0 && (i == cosine || i == cosine + 1)) continue;
     Parameters unit{};
     unit[i] = 1;
     list.add(fitted.of[i].name, p[i], unit, i);

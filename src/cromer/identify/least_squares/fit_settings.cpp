@@ -25,8 +25,6 @@ HeldParameters held_parameters(const Record& record, const Law& law, DriveKind d
   // Of velocities and accelerations the place of rest is not seen: the equilibrium is the sensor's offset.
   if (record.derivative > 0) return {.force_offset = true};
   if (!law.shares(springs)) return {.equilibrium = true};
-  constexpr Law centred = law_where([](const TermInfo& info) { return info.centred; });
-  if (law.shares(centred) && !law.has<Quadratic>()) return {};
   // The instrument's zero lies amid the motion: within a tenth of its rms of the mean.
   const auto n = static_cast<double>(record.y.size());
   double mean = 0;
