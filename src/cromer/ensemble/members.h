@@ -192,8 +192,9 @@ template <class Members, class F>
 }
 
 /// `count` packs side by side, so that each has something to do while others wait for their last operation.
+/// A function of its own for each law: inlined into one, they grow so large that steps stay calls.
 template <std::size_t count, class Real, class M, Terms terms, bool measured>
-void advance_members(cromer_group::Group& group, std::size_t first, const M& method,
+[[gnu::noinline]] void advance_members(cromer_group::Group& group, std::size_t first, const M& method,
                      const cromer_group::Order& order) {
   using One = Member<Real, M, terms, measured>;
   auto members = [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {

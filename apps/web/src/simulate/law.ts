@@ -1,8 +1,9 @@
 // What the page itself knows of the law; its numbers come from the core.
 import type { LinearPart } from '../core/types'
 import type { SimulateState } from './state'
+import { allZero, terms } from './terms'
 
-export const isLinear = (s: SimulateState): boolean => s.drag === 0 && s.friction === 0 && s.cubic === 0
+export const isLinear = (s: SimulateState): boolean => allZero(s, terms)
 /** The closed form, or what stands in where there is none. */
 export const referenceOf = (s: SimulateState): string => (isLinear(s) ? 'exact' : 'dormand-prince')
 /** [s]; one where nothing swings. */

@@ -1,6 +1,7 @@
 // The state as options of `cromer simulate`: for the core, for a command line, for a study file.
 import { isLinear, referenceOf } from './law'
 import type { SimulateState } from './state'
+import { terms } from './terms'
 
 const mostKept = 20_000
 
@@ -11,9 +12,7 @@ function lawOptions(s: SimulateState): Option[] {
   const options: Option[] = [['mass', String(s.mass)], ['stiffness', String(s.stiffness)]]
   const some = (name: string, value: number) => value !== 0 && options.push([name, String(value)])
   some('damping', s.damping)
-  some('drag', s.drag)
-  some('friction', s.friction)
-  some('cubic', s.cubic)
+  for (const { key, option } of terms) some(option, s[key])
   if (s.driveAmplitude !== 0) options.push(['drive-amplitude', String(s.driveAmplitude)], ['drive-frequency', String(s.driveFrequency)])
   options.push(['position', String(s.position)])
   some('velocity', s.velocity)
@@ -56,8 +55,8 @@ export function commandLine(s: SimulateState): string {
 }
 
 const units: Record<string, string> = {
-  mass: 'kg', stiffness: 'N/m', damping: 'kg/s', drag: 'kg/m', friction: 'N', cubic: 'N/m^3', 'drive-amplitude': 'N',
-  'drive-frequency': 'rad/s', position: 'm', velocity: 'm/s',
+  mass: 'kg', stiffness: 'N/m', damping: 'kg/s', 'drive-amplitude': 'N', 'drive-frequency': 'rad/s', position: 'm', velocity: 'm/s',
+  ...Object.fromEntries(terms.map(({ option, typed }) => [option, typed])),
 }
 
 /** A study file for `cromer report`: the same runs and a figure of them. */

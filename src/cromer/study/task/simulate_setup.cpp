@@ -117,6 +117,8 @@ Result<void> check_exact(const SimulatedRun& run) {
 Result<void> check_hysteresis(const SimulateOptions& o, const SimulatedRun& run) {
   const Law law = law_of(run.oscillator);
   if (!law.has<Hysteresis>()) return {};
+  if (!each_set_of_terms)
+    return Error{"--hysteresis-stiffness: the page does not run a force with memory; take cromer simulate"};
   const auto refuse = [](std::string_view other) {
     return Error{
         fmt::format("--hysteresis-stiffness and --{} are not for one run; leave one of them out", other)};
