@@ -28,27 +28,15 @@ std::vector<Motion> motions(const Oscillator<double>& oscillator, const Law& law
     // The times of a record of this condition; its noise does not matter here.
     const SimulatedRecord record = simulate_record(waveform, condition, 1);
     const NormalEquations equations =
-        motion_equations(law, record.truth.packed(fitted), record.record(), waveform.step);
+        motion_equations(fitted, record.truth.packed(fitted), {}, record.record(), waveform.step);
     const SquareMatrix covariance = inverse(equations.matrix, fitted.count);
     for (int j = 0; j < fitted.count; ++j)
       result[i].bound[j] =
           effective_noise(condition,
-                          fitted.name[j] == std::string_view("equilibrium") ? 0 : natural_frequency) *
+                          fitted.of[j].name == std::string_view("equilibrium") ? 0 : natural_frequency) *
           std::sqrt(covariance[j][j]);
   }
   return result;
-}
-
-const Estimate* estimate_of(const LawFit& fit, std::string_view name) {
-  if (name == "angular_frequency") return &fit.angular_frequency;
-  if (name == "decay_rate") return &fit.decay_rate;
-  if (name == "drag") return fit.drag ? &*fit.drag : nullptr;
-  if (name == "friction") return fit.friction ? &*fit.friction : nullptr;
-  if (name == "cubic") return fit.cubic ? &*fit.cubic : nullptr;
-  if (name == "equilibrium") return &fit.equilibrium;
-  if (name == "position") return &fit.position;
-  if (name == "velocity") return &fit.velocity;
-  return nullptr;
 }
 
 // One fit held against the truth.
@@ -66,14 +54,12 @@ Verdict judge(const LawFit& fit, const Truth& truth, const FittedParameters& fit
   verdict.converged = fit.status == FitStatus::converged;
   if (!verdict.converged) return verdict;
   for (int i = 0; i < fitted.count; ++i) {
-    const Estimate* estimate = estimate_of(fit, fitted.name[i]);
+    const Estimate* estimate = fit.find(fitted.of[i].name);
     if (!estimate) continue;
-    const double value = truth.of(fitted.name[i]);
+    const double value = truth.of(fitted.of[i].name);
     verdict.of[i] = {estimate->low <= value && value <= estimate->high, (estimate->value - value) / bound[i],
                      estimate->standard_error / bound[i]};
-    const std::string_view name = fitted.name[i];
-    const bool bounded = name == "decay_rate" || name == "drag" || name == "friction";
-    verdict.on_bound |= bounded && estimate->value <= 0;
+    verdict.on_bound |= !fitted.of[i].may_be_negative && estimate->value <= 0;
   }
   return verdict;
 }
@@ -86,7 +72,7 @@ Oscillator<double> weakened(const TrueLaw& truth, const Law& law, const Conditio
   for (int round = 0; round < 3; ++round) {
     const std::vector<Motion> all = motions(oscillator, law, condition);
     for (int i = 0; i < fitted.count; ++i) {
-      const std::string_view name = fitted.name[i];
+      const std::string_view name = fitted.of[i].name;
       double* coefficient = name == "drag"       ? &oscillator.drag
                             : name == "cubic"    ? &oscillator.cubic
                             : name == "friction" ? &oscillator.friction
@@ -100,10 +86,7 @@ Oscillator<double> weakened(const TrueLaw& truth, const Law& law, const Conditio
   return oscillator;
 }
 
-bool lacks(const Law& law, const Law& wanted) {
-  return (wanted.viscous && !law.viscous) || (wanted.drag && !law.drag) || (wanted.cubic && !law.cubic) ||
-         (wanted.friction && !law.friction);
-}
+bool lacks(const Law& law, const Law& wanted) { return !law.contains(wanted); }
 
 }  // namespace
 
@@ -144,7 +127,7 @@ Tally calibrate(const TrueLaw& truth, const Condition& condition, std::size_t re
   tally.on_bound /= count;
   for (int i = 0; i < fitted.count; ++i) {
     ParameterTally& parameter = tally.parameters[static_cast<std::size_t>(i)];
-    parameter.name = fitted.name[i];
+    parameter.name = fitted.of[i].name;
     parameter.coverage /= count;
     parameter.scatter = std::sqrt(parameter.scatter / count);
     parameter.stated = std::sqrt(parameter.stated / count);
@@ -168,7 +151,7 @@ Choices choose(const TrueLaw& truth, const Condition& condition, double strength
   Choices choices{truth.law, condition.name, records, HUGE_VAL};
   const FittedParameters fitted = fitted_parameters(law);
   for (int i = 0; i < fitted.count; ++i) {
-    const std::string_view name = fitted.name[i];
+    const std::string_view name = fitted.of[i].name;
     if (name != "decay_rate" && name != "drag" && name != "friction" && name != "cubic") continue;
     double mean = 0;
     for (const Motion& motion : all)

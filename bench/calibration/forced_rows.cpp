@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "cromer/identify/driven_fit.h"
+#include "cromer/identify/choose/choose_law.h"
 #include "cromer/methods/dormand_prince.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/sensor.h"
@@ -108,7 +108,8 @@ Motion driven_motion(double spacing, double friction, SplitMix64& random) {
 }
 
 // What is true, by the name that a fit gives it.
-double truth_of(std::string_view name, const Motion& motion, double equilibrium) {
+double truth_of(std::string_view name, const ForcedRow& row, const Motion& motion, double equilibrium) {
+  if (name == "friction") return row.friction;
   if (name == "angular_frequency") return natural_frequency;
   if (name == "decay_rate") return decay_rate;
   if (name == "equilibrium") return equilibrium;
@@ -121,31 +122,20 @@ double truth_of(std::string_view name, const Motion& motion, double equilibrium)
   return std::nan("");
 }
 
-// This is all that knows how forced fits are called, and how their estimates.
 constexpr const char* names_recorded[] = {"angular_frequency", "decay_rate", "position", "velocity",
                                           "force_gain"};
-constexpr const char* names_driven[] = {"angular_frequency", "decay_rate", "equilibrium",
-                                        "position",          "velocity",   "drive_frequency",
-                                        "drive_amplitude",   "drive_phase"};
+constexpr const char* names_driven[] = {"angular_frequency", "decay_rate",      "equilibrium",
+                                        "position",          "velocity",        "drive_frequency",
+                                        "drive_amplitude",   "drive_phase",     "friction"};
 
-ForcedFit fitted(const ForcedRow& row, const Motion& motion, const std::vector<double>& y) {
-  if (!row.recorded) return fit_driven({motion.t, y, 0}, {}, drive_frequency);
-  const ForcedRecord record{
-      .force = motion.force, .spacing = row.spacing, .first = 0, .t = motion.t, .y = y, .fitted = y.size()};
-  return choose_forced(record, ForcedTerms{}, {}).chosen;
-}
-
-std::optional<Estimate> estimate_of(const ForcedFit& fit, std::string_view name) {
-  if (name == "angular_frequency") return fit.law.angular_frequency;
-  if (name == "decay_rate") return fit.law.decay_rate;
-  if (name == "equilibrium") return fit.law.equilibrium;
-  if (name == "position") return fit.law.position;
-  if (name == "velocity") return fit.law.velocity;
-  if (name == "force_gain") return fit.force_gain;
-  if (name == "drive_frequency") return fit.drive_frequency;
-  if (name == "drive_amplitude") return fit.drive_amplitude;
-  if (name == "drive_phase") return fit.drive_phase;
-  return std::nullopt;
+LawFit fitted(const ForcedRow& row, const Motion& motion, const std::vector<double>& y) {
+  const Record record{motion.t, y};
+  if (!row.recorded)
+    return fit_law(record, {.law = law_of(row.friction > 0 ? "viscous+friction" : "viscous"),
+                            .drive = Drive::harmonic(),
+                            .drive_frequency = drive_frequency});
+  const ForceRecord force{motion.force, 0, row.spacing};
+  return choose_law(record, {.drive = Drive::recorded(force)}, {}, {law_of("viscous"), {}}).chosen;
 }
 
 struct Verdict {
@@ -182,12 +172,12 @@ Tally calibrate(const ForcedRow& row, std::size_t records, const Progress& progr
       y.push_back(equilibrium + x + disturbance);
       disturbance = memory * disturbance + innovation * normal.next();
     }
-    const ForcedFit fit = fitted(row, motion, y);
-    verdicts[i].converged = fit.law.status == FitStatus::converged;
+    const LawFit fit = fitted(row, motion, y);
+    verdicts[i].converged = fit.status == FitStatus::converged;
     if (!verdicts[i].converged) return;
     for (std::size_t j = 0; j < names.size(); ++j)
-      if (const auto estimate = estimate_of(fit, names[j])) {
-        double error = estimate->value - truth_of(names[j], motion, equilibrium);
+      if (const Estimate* estimate = fit.find(names[j])) {
+        double error = estimate->value - truth_of(names[j], row, motion, equilibrium);
         if (names[j] == "drive_phase") error = std::remainder(error, 2 * std::numbers::pi);
         const bool covered =
             estimate->low <= estimate->value - error && estimate->value - error <= estimate->high;

@@ -53,7 +53,7 @@ struct Truth {
 
   Parameters packed(const FittedParameters& fitted) const {
     Parameters parameters{};
-    for (int i = 0; i < fitted.count; ++i) parameters[i] = of(fitted.name[i]);
+    for (int i = 0; i < fitted.count; ++i) parameters[i] = of(fitted.of[i].name);
     return parameters;
   }
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cromer/identify/law_fit.h"
+#include "tests/identify/free_swing.h"
 
 namespace cromer {
 
@@ -15,31 +16,6 @@ struct SyntheticRecord {
 
   Record record() const { return {t, y, resolution}; }
 };
-
-/// A free motion by its parameters; terms that are 0 are not in its law, but for the viscous one.
-struct FreeSwing {
-  double angular_frequency = 0, decay_rate = 0, drag = 0, friction = 0, cubic = 0;
-  double equilibrium = 0, position = 0, velocity = 0;
-  bool pendulum = false;
-
-  operator Motion() const {  // NOLINT: the same motion
-    Motion motion{.equilibrium = equilibrium, .position = position, .velocity = velocity};
-    motion.per_mass.drag = drag;
-    motion.per_mass.friction = friction;
-    motion.per_mass.cubic = cubic;
-    if (pendulum) motion.law = law_of("viscous+pendulum");
-    motion.set_angular_frequency(angular_frequency);
-    motion.set_decay_rate(decay_rate);
-    motion.law = motion.law.with(law_of(motion.per_mass));
-    if (pendulum) motion.law = motion.law.without(law_with<Spring>);
-    return motion;
-  }
-};
-
-/// Displacements and velocities at times t, in steps of at most h.
-inline Trajectory free_motion(const Motion& motion, std::span<const double> t, double h) {
-  return motion_states(motion, {}, t, h);
-}
 
 struct Truth {
   double w0 = 8.849, g = 0.03, equilibrium = 0.2, position = 0.036, velocity = 0.01;

@@ -10,7 +10,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
 #include "tests/study/task/disc_recording.h"
-#include "tests/identify/synthetic.h"
+#include "tests/identify/free_swing.h"
 
 namespace cromer {
 namespace {

@@ -171,7 +171,8 @@ std::optional<FirstPeriods> fit_first_periods(const Record& record, double angul
 // same: its first periods show it.
 LawFit fit_viscous(const Record& record, const LawFitOptions& options, const Watch& watch) {
   LawFit fit = fit_sinusoid(record, options, watch);
-  if (fit.status != FitStatus::no_oscillation || !(fit.angular_frequency().value > 0)) return fit;
+  const bool refused = fit.status == FitStatus::no_oscillation || fit.status == FitStatus::too_noisy;
+  if (!refused || !(fit.angular_frequency().value > 0)) return fit;
   const auto first = fit_first_periods(record, fit.angular_frequency().value, options, watch);
   if (first && first->clear()) {
     fit.status = FitStatus::converged;

@@ -1,0 +1,35 @@
+// Free motions by the numbers that people give them.
+#pragma once
+
+#include <span>
+
+#include "cromer/identify/motion/motion_model.h"
+
+namespace cromer {
+
+/// A free motion by its parameters; terms that are 0 are not in its law, but for the viscous one.
+struct FreeSwing {
+  double angular_frequency = 0, decay_rate = 0, drag = 0, friction = 0, cubic = 0;
+  double equilibrium = 0, position = 0, velocity = 0;
+  bool pendulum = false;
+
+  operator Motion() const {  // NOLINT: the same motion
+    Motion motion{.equilibrium = equilibrium, .position = position, .velocity = velocity};
+    motion.per_mass.drag = drag;
+    motion.per_mass.friction = friction;
+    motion.per_mass.cubic = cubic;
+    if (pendulum) motion.law = law_of("viscous+pendulum");
+    motion.set_angular_frequency(angular_frequency);
+    motion.set_decay_rate(decay_rate);
+    motion.law = motion.law.with(law_of(motion.per_mass));
+    if (pendulum) motion.law = motion.law.without(law_with<Spring>);
+    return motion;
+  }
+};
+
+/// Displacements and velocities at times t, in steps of at most h.
+inline Trajectory free_motion(const Motion& motion, std::span<const double> t, double h) {
+  return motion_states(motion, {}, t, h);
+}
+
+}  // namespace cromer
