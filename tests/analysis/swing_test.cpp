@@ -68,18 +68,16 @@ TEST(Swing, OfACubicSpringIsTheEllipticIntegral) {
 
 TEST(Swing, IsWhatAnIntegrationOfItsMotionGives) {
   const auto agrees = [](const Swing<double>& swing, double x) {
-    const Springs springs{.k = swing.pendulum ? 0 : swing.stiffness,
-                          .k2 = swing.quadratic,
-                          .k3 = swing.cubic,
-                          .pendulum = swing.pendulum ? swing.stiffness : 0};
+    const Oscillator<double>& o = swing.per_mass;
+    const Springs springs{.k = o.stiffness, .k2 = o.quadratic, .k3 = o.cubic, .pendulum = o.pendulum};
     const State<double> half = half_period_and_place(springs, x, 1e-4);
     const double to_each_side = std::abs(x - half.x) / 2;
     EXPECT_NEAR(swing.angular_frequency(to_each_side), pi / half.v, 1e-9) << x;
   };
-  agrees({.stiffness = 4, .cubic = -1.5}, 1.2);
-  agrees({.stiffness = 4, .quadratic = 1.5, .cubic = 1}, 0.9);
-  agrees({.stiffness = 4, .quadratic = -1.5}, 0.7);
-  agrees({.stiffness = 4, .cubic = 0.7, .pendulum = true}, 1.4);
+  agrees({{.stiffness = 4, .cubic = -1.5}}, 1.2);
+  agrees({{.stiffness = 4, .cubic = 1, .quadratic = 1.5}}, 0.9);
+  agrees({{.stiffness = 4, .quadratic = -1.5}}, 0.7);
+  agrees({{.stiffness = 0, .cubic = 0.7, .pendulum = 4}}, 1.4);
 }
 
 TEST(Swing, GoesAsFarAsItsEnergyReaches) {
@@ -89,8 +87,8 @@ TEST(Swing, GoesAsFarAsItsEnergyReaches) {
         Swing<double>{{.stiffness = 0, .cubic = 2, .pendulum = 4}}}) {
     const double x = 0.4, v = 1.1, A = swing.amplitude(x, v);
     const auto potential = [&](double at) {
-      return (swing.pendulum ? swing.stiffness * (1 - std::cos(at)) : 0.5 * swing.stiffness * at * at) +
-             0.25 * swing.cubic * std::pow(at, 4);
+      const Oscillator<double>& o = swing.per_mass;
+      return o.pendulum * (1 - std::cos(at)) + 0.5 * o.stiffness * at * at + 0.25 * o.cubic * std::pow(at, 4);
     };
     EXPECT_NEAR(potential(A), potential(x) + 0.5 * v * v, 1e-13);
   }
@@ -103,7 +101,7 @@ TEST(Swing, HasNoFrequencyWhereItDoesNotComeBack) {
 
 TEST(Swing, KnowsItsDerivatives) {
   using D = Dual<double, 3>;
-  const Swing<D> swing{{.stiffness = D::variable(4, .cubic = D::variable(-0.5}};
+  const Swing<D> swing{{.stiffness = D::variable(4, 0), .cubic = D::variable(-0.5, 1)}};
   const D w = swing.angular_frequency(D::variable(1, 2));
   const auto value = [](double k, double cubic, double a) {
     return Swing<double>{{.stiffness = k, .cubic = cubic}}.angular_frequency(a);

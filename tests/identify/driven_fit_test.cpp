@@ -4,6 +4,8 @@
 #include <complex>
 #include <random>
 
+#include "cromer/model/driven_oscillator.h"
+#include "cromer/run/solve.h"
 #include "tests/identify/forced_truth.h"
 
 namespace cromer {
@@ -164,6 +166,43 @@ TEST(DrivenFit, VelocitiesAndAccelerationsAreFittedAsThat) {
       count(fit.velocity(), truth.velocity);
     }
     EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 4 * std::sqrt(0.05 * 0.95 / all)) << derivative;
+  }
+}
+
+// A steady motion of a few rounding steps: rounding makes harmonics, and none of them is a body.
+TEST(DrivenFit, AHarmonicOfTheRoundingIsNoBody) {
+  for (const double amplitude : {0.0065, 0.012, 0.02})
+    for (const double w : {5.07, 3.3}) {
+      Driven record;
+      record.resolution = 0.01;
+      for (int i = 0; i < 4000; ++i) {
+        record.t.push_back(0.01 * i);
+        record.y.push_back(0.01 * std::round(amplitude * std::cos(w * record.t.back() + 0.4) / 0.01));
+      }
+      const LawFit fit = fit_driven(record.record(), law_of("viscous"), w);
+      EXPECT_NE(fit.status, FitStatus::converged)
+          << amplitude << ' ' << w << ": w0 " << fit.angular_frequency().value << " ± "
+          << fit.angular_frequency().standard_error << ", decay " << fit.decay_rate().value;
+    }
+}
+
+TEST(DrivenFit, DryFrictionIsToldFromDamping) {
+  const Oscillator<double> body{.mass = 1, .stiffness = 36, .damping = 0.2, .friction = 0.4};
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    KeepEvery keep(10, count_steps({0, 60}, 0.002));
+    with_dry_friction(body, HarmonicDrive<double>{1.5, 5.2, 0.3}, [&](const auto& system) {
+      return solve(system, DormandPrince{}, Interval{0, 60}, State<double>{0.1, 0}, {0.002, 1e-10}, keep);
+    });
+    const Trajectory motion = keep.take();
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, 2e-4);
+    std::vector<double> y = motion.x;
+    for (double& each : y) each += normal(engine);
+    const LawFit fit = fit_driven({motion.t, y}, law_of("viscous+friction"), 5.2);
+    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    EXPECT_NEAR(fit["decay_rate"].value, 0.1, 4.5 * fit["decay_rate"].standard_error);
+    EXPECT_NEAR(fit["friction"].value, 0.4, 4.5 * fit["friction"].standard_error);
+    EXPECT_NEAR(fit["angular_frequency"].value, 6, 4.5 * fit["angular_frequency"].standard_error);
   }
 }
 

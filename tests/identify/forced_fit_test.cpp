@@ -250,5 +250,24 @@ TEST(ForcedFit, ACurvedSpringShowsInAccelerations) {
   }
 }
 
+// At resonance and steady, gain and damping can be traded for each other: only their ratio shows.
+TEST(ForcedFit, WhatTheRecordDoesNotDetermineIsNamed) {
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> normal;
+  for (const double noise : {0.0, 1e-4, 1e-3}) {
+    ForcedSynthetic record;
+    record.spacing = 0.02;
+    for (int i = 0; i < 2000; ++i) {
+      const double t = 0.02 * i;
+      record.t.push_back(t);
+      record.force.push_back(std::cos(6 * t));
+      record.y.push_back(std::sin(6 * t) / 6 + noise * normal(engine));
+    }
+    const LawFit fit = fit_forced(record, linear, ForceBetween::band_limited);
+    EXPECT_EQ(fit.status, FitStatus::undetermined) << noise << ": " << fit.message;
+    EXPECT_THAT(fit.message, testing::AllOf(testing::HasSubstr("force_gain"), testing::HasSubstr("decay_rate"))) << noise;
+  }
+}
+
 }  // namespace
 }  // namespace cromer

@@ -2,10 +2,17 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "cromer/identify/motion/motion_model.h"
 
 namespace cromer {
+
+inline std::vector<double> even_times(std::size_t n, double h) {
+  std::vector<double> t(n);
+  for (std::size_t i = 0; i < n; ++i) t[i] = static_cast<double>(i) * h;
+  return t;
+}
 
 /// A free motion by its parameters; terms that are 0 are not in its law, but for the viscous one.
 struct FreeSwing {

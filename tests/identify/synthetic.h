@@ -21,12 +21,6 @@ struct Truth {
   double w0 = 8.849, g = 0.03, equilibrium = 0.2, position = 0.036, velocity = 0.01;
 };
 
-inline std::vector<double> even_times(std::size_t n, double h) {
-  std::vector<double> t(n);
-  for (std::size_t i = 0; i < n; ++i) t[i] = static_cast<double>(i) * h;
-  return t;
-}
-
 /// The closed form at times t, with normal noise, rounded to the resolution.
 inline SyntheticRecord viscous_record(const Truth& truth, const std::vector<double>& t, double noise = 0,
                                       double resolution = 0, unsigned seed = 1) {

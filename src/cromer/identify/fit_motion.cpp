@@ -398,10 +398,11 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   describe_fit(fit, record, described);
   spread_over(fit, fitted, minima);
   set_status(fit, minimum.bounded.reason);
-  if (const auto refusal = refuse_frequency(fit); refusal && fit.status == FitStatus::converged) {
-    fit.status = refusal->status;
-    fit.message = refusal->message;
-  }
+  for (const auto& refuse : {refuse_frequency, refuse_harmonic})
+    if (const auto refusal = refuse(fit); refusal && fit.status == FitStatus::converged) {
+      fit.status = refusal->status;
+      fit.message = refusal->message;
+    }
   refuse_what_explains_too_little(fit);
   return fit;
 }

@@ -183,7 +183,10 @@ class Choosing {
       if (!something_is_left(record_, base)) return;
       for (const Law& addition : additions) {
         if (base.law.contains(addition)) continue;
-        const Law law = base.law.with(addition);
+        // A hysteretic force damps by itself, and bends the spring: it stands in the place of all else.
+        const Law law = addition.has<Hysteresis>()
+                            ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
+                            : base.law.with(addition);
         KnownMotion known = beginning.known(law, record_);
         if (options_.drive.kind != DriveKind::none || law.has<Hysteresis>() || round > 0) {
           known.motion = base.motion;

@@ -143,6 +143,18 @@ std::string explains_too_little(const LawFit& fit) {
              : fmt::format("a decaying and a steady oscillation account for {:.1f} % of the variance only", share);
 }
 
+std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
+  const Estimate *w = fit.find("angular_frequency"), *drive = fit.find("drive_frequency"), *g = fit.find("decay_rate");
+  if (!w || !drive || !g || g->low > 0) return std::nullopt;
+  const double multiple = std::round(w->value / drive->value);
+  const double error = 4 * std::hypot(w->standard_error, multiple * drive->standard_error) + 1e-4 * w->value;
+  if (multiple < 2 || std::abs(w->value - multiple * drive->value) > error) return std::nullopt;
+  return Refusal{FitStatus::no_oscillation,
+                 fmt::format("a steady oscillation at {:.6g} Hz and its harmonic of order {:.0f}, which does not decay: "
+                             "rounding or a bent sensor makes such a line, and no swing of the body's own is seen",
+                             drive->value / (2 * pi), multiple)};
+}
+
 std::optional<Refusal> refuse_frequency(const LawFit& fit) {
   if (!fit.find("angular_frequency")) return std::nullopt;
   const Estimate w = fit.angular_frequency();

@@ -15,8 +15,9 @@
 namespace cromer {
 namespace {
 
-// Beyond so many samples correlation is known without their Jacobian.
-constexpr std::size_t most_filtered = 1'000'000;
+// Beyond so many samples correlation is known without their Jacobian, and beyond such an order it is a wrong law
+// that correlates.
+constexpr std::size_t most_filtered = 1'000'000, highest_order = 64;
 
 // The inverse of the normal matrix where the record determines it, and which parameters it does not.
 struct Inverse {
@@ -126,7 +127,8 @@ Known known_of(const LawFit& fit, const Record& record, const DescribedMinimum& 
   const double k = fitted.count;
   Known known;
   std::vector<double> jacobian;
-  if (minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered)
+  if (minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered &&
+      noise.correlation.coefficients.size() <= highest_order)
     jacobian = minimum.jacobian();
   if (!jacobian.empty()) {
     const EstimateNoise estimates = estimate_noise(jacobian, fitted.count, noise, record.resolution);

@@ -25,6 +25,7 @@ inline constexpr Law free_laws[] = {law_of("viscous"),
                                     law_of("viscous+drag+friction"),
                                     law_of("viscous+drag+friction+cubic"),
                                     law_of("viscous+drag+friction+odd-quadratic"),
+                                    law_of("viscous+hysteresis"),
                                     every_smooth_law,
                                     every_law_that_rubs,
                                     every_law};

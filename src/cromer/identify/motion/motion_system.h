@@ -69,6 +69,7 @@ class MotionSystem {
       : motion_(&motion), drive_(&drive), direction_(direction) {}
 
   MotionSystem sliding(int direction) const { return {*motion_, *drive_, direction}; }
+  const typename Code::Drive& drive() const { return *drive_; }
 
   /// [unit/s^2] at s [s] from the first sample.
   Number acceleration(double s, const Number& position, const Number& velocity) const {

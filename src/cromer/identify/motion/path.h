@@ -204,15 +204,27 @@ class Path {
       begin(t, 0);
       return h;
     }
+    // The moment is looked for without derivatives.
+    const PlainSystem plain = PlainSystem(motion_, system_.drive()).sliding(direction_);
+    const auto started = Stepper<PlainSystem, Method>::start(plain, t, plain_state(before.to));
     const auto velocity = [&](double by) {
-      Step trial = before;
-      Steps::step(system_, t, by, trial);
+      auto trial = started;
+      Stepper<PlainSystem, Method>::step(plain, t, by, trial);
       return seen(trial.to.v).value;
     };
     h = std::clamp(find_root(velocity, 0, v, h, end), 1e-12 * h, h);
     last_ = before;
     Steps::step(system_, t, h, last_);
     return h;
+  }
+
+  using PlainSystem = MotionSystem<MotionCode<Code::law, typename Code::Drive, false>>;
+  static State<typename PlainSystem::Real> plain_state(const State<Real>& y) {
+    State<typename PlainSystem::Real> plain{};
+    seen(plain.x).value = seen(y.x).value;
+    seen(plain.v).value = seen(y.v).value;
+    if constexpr (Code::hysteretic) plain.v.second.value = y.v.second.value;
+    return plain;
   }
 
   // The velocity vanishes.
