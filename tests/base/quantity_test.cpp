@@ -62,6 +62,10 @@ TEST(ParseQuantity, PrefixesAndComposites) {
   expect("3 kg m/s^2", "N", 3);
   expect("3 kg·m·s⁻²", "N", 3);
   expect("3 kg*m/s²", "N", 3);
+  expect("3 kg/(m^2 s)", "kg/(m^2 s)", 3);
+  expect("3 g/(cm² s)", "kg/(m^2 s)", 30);
+  expect("3 kg/m^2/s", "kg/(m^2 s)", 3);
+  expect("3 kg/(s/m) 1/s", "N", 3);
   expect("3 kg m s-2", "N", 3);
   expect("4 N/m3", "N/m^3", 4);
   expect("0.01 1/s", "1/s", 0.01);

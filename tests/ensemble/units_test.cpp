@@ -33,7 +33,7 @@ struct Case {
 Oscillator<double> every_smooth_term() {
   Oscillator<double> o{.stiffness = 1};
   for_each_term([&]<class T>() {
-    if (smooth_terms.without(law_with<Spring>).has<T>()) o.*T::template members<double>[0] = 0.1;
+    if (smooth_terms.without(law_with<Spring>).template has<T>()) o.*T::template members<double>[0] = 0.1;
   });
   return o;
 }
@@ -202,7 +202,7 @@ TEST_P(OfUnit, TellsWhichLanesFoundNoSolution) {
   const std::size_t implicit_euler = 2;
   auto group = group_of(laws[1]);
   group->step.of[3] = 1e9;  // a cubic far beyond the limit of iterations
-  group->cubic.of[3] = -1e9;
+  group->coefficients[place_of_term<Cubic>].of[3] = -1e9;
   group->x.of[3] = 1e6;
   GetParam().advance(*group, order_of(implicit_euler, 20));
   EXPECT_NE(group->failed.of[3], 0);

@@ -151,8 +151,8 @@ std::optional<int> take_power(Reader& reader) {
 }
 
 bool ends_symbol(std::string_view rest) {
-  constexpr std::array<std::string_view, 11> ends{" ",      "\t",     "/",      "*",      "^",     "-",
-                                                  "\u00b7", "\u22c5", "\u00a0", "\u207b", "\u2212"};
+  constexpr std::array<std::string_view, 12> ends{")", " ",      "\t",     "/",      "*",      "^",
+                                                  "-", "\u00b7", "\u22c5", "\u00a0", "\u207b", "\u2212"};
   for (const std::string_view end : ends)
     if (rest.starts_with(end)) return true;
   for (const std::string_view digit : superscripts)
@@ -197,9 +197,16 @@ Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
   if (reader.rest == "°C" || reader.rest == "degC") return Unit{1, zero_celsius, {.kelvin = 1}};
 
   Unit unit;
-  int sign = 1;
+  // What stands in brackets is divided by as a whole: "kg/(m^2 s)".
+  int sign = 1, outside = 1;
+  bool in_brackets = false;
   bool wanted = !reader.rest.empty();
   while (wanted) {
+    if (sign < 0 && !in_brackets && reader.take("(")) {
+      in_brackets = true;
+      outside = -1;
+      reader.skip_blanks();
+    }
     const std::string_view name = take_symbol(reader);
     const auto symbol = find_symbol(name);
     if (!symbol) return unknown(name.empty() ? text : name);
@@ -209,12 +216,18 @@ Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
     for (int i = 0; i < std::abs(*power); ++i)
       unit.factor = sign * *power > 0 ? unit.factor * symbol->factor : unit.factor / symbol->factor;
     reader.skip_blanks();
+    if (in_brackets && reader.take(")")) {
+      in_brackets = false;
+      outside = 1;
+      reader.skip_blanks();
+    }
     if (reader.rest.empty()) break;
-    sign = reader.take("/") ? -1 : 1;
-    if (sign == 1 && !reader.take("*") && !reader.take("\u00b7")) reader.take("\u22c5");
+    const bool divided = reader.take("/");
+    sign = divided ? -outside : outside;
+    if (!divided && !reader.take("*") && !reader.take("\u00b7")) reader.take("\u22c5");
     reader.skip_blanks();
   }
-  if (!(unit.factor > 0) || !std::isfinite(unit.factor)) return unknown(text);
+  if (in_brackets || !(unit.factor > 0) || !std::isfinite(unit.factor)) return unknown(text);
   return unit;
 }
 

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include "cromer/base/dual.h"
 #include "cromer/model/law.h"
@@ -57,6 +59,16 @@ class Coefficients {
   std::array<Real, static_cast<std::size_t>(terms.size())> numbers_{};
 };
 
+/// The places of its terms in the registry.
+template <Law law>
+inline constexpr auto places_of = [] {
+  std::array<std::size_t, static_cast<std::size_t>(law.size())> places{};
+  std::size_t found = 0;
+  for (std::size_t i = 0; i < term_count; ++i)
+    if (law.has(i)) places[found++] = i;
+  return places;
+}();
+
 template <class T, class Real>
 const Real& coefficient_of(const Oscillator<Real>& oscillator) {
   return oscillator.*T::template members<Real>[0];
@@ -72,18 +84,30 @@ decltype(auto) coefficient_of(const Coefficients<law, Real>& coefficients) {
 /// per_mass: an Oscillator or Coefficients.
 template <Law law, Law which, class Source, class T>
 T sum_of_forces(const Source& per_mass, [[maybe_unused]] Law present, const T& x, const T& v) {
-  constexpr Law summed = law == any_terms ? which : Law{law.terms & which.terms};
-  T sum(0);
-  bool first = true;
-  for_each_term([&]<class Term>() {
-    if constexpr (summed.has<Term>()) {
-      if (law == any_terms && !present.has<Term>()) return;
-      const T force = Term::force(x, v, coefficient_of<Term>(per_mass));
-      sum = first ? force : T(sum + force);
-      first = false;
+  const auto force_of = [&]<class Term>() -> T { return Term::force(x, v, coefficient_of<Term>(per_mass)); };
+  if constexpr (law == any_terms) {
+    T sum(0);
+    bool first = true;
+    for_each_term([&]<class Term>() {
+      if constexpr (which.has<Term>()) {
+        if (!present.has<Term>()) return;
+        const T force = force_of.template operator()<Term>();
+        sum = first ? force : T(sum + force);
+        first = false;
+      }
+    });
+    return sum;
+  } else {
+    // One expression: a sum that is added to costs implicit methods a fourth of their speed.
+    return [&]<std::size_t... i>(std::index_sequence<i...>)->T {
+      constexpr auto places = places_of<Law{law.terms & which.terms}>;
+      if constexpr (sizeof...(i) == 0)
+        return T(0);
+      else
+        return (... + force_of.template operator()<std::tuple_element_t<places[i], AllTerms>>());
     }
-  });
-  return sum;
+    (std::make_index_sequence<places_of<Law{law.terms & which.terms}>.size()>{});
+  }
 }
 
 /// Of the terms of the position.

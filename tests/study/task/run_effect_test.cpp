@@ -161,7 +161,7 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   EXPECT_THAT(effect_in_words(spring.runs[1]), HasSubstr("m to each side; kept its 0.75 J"));
   EXPECT_THAT(effect_in_words(spring.runs[0]), HasSubstr("which comes and goes"));
   const auto driven = simulated({.damping = 0.1,
-                                 .cubic = 1,
+                                 .law = {.cubic = 1},
                                  .drive_amplitude = 1,
                                  .drive_frequency = {1.2},
                                  .method = {"implicit-euler"},

@@ -115,10 +115,9 @@ TEST(Simulate, SaysWhenARunDivergedAndEndsFinite) {
   const auto& only = result.runs.front();
   EXPECT_FALSE(result.ok());
   EXPECT_EQ(only.outcome.status, Status::not_finite);
-  // The energy doubles each step, E = 2^(n-1); what it is computed from, 2 E, ends at the largest double,
-  // 2^1024.
-  EXPECT_EQ(only.outcome.step, 1023);
-  EXPECT_THAT(only.message, HasSubstr("diverged: not finite after t = 1023 s (step 1023)"));
+  // The energy doubles each step, E = 2^(n-1); doubles end below 2^1024.
+  EXPECT_EQ(only.outcome.step, 1024);
+  EXPECT_THAT(only.message, HasSubstr("diverged: not finite after t = 1024 s (step 1024)"));
   EXPECT_EQ(only.trajectory.t.back(), only.outcome.t);
 }
 

@@ -286,7 +286,7 @@ TEST(Sweep, RubbingMassesAreRunOneByOne) {
   for (const std::size_t i : {0u, 1u}) {
     const double f = i ? 0.2 : 0.05;
     EXPECT_NEAR(result.rows[i * 5 + 1], 1, 1e-12);
-    SimulateOptions one{.friction = f, .position = 1};
+    SimulateOptions one{.law = {.friction = f}, .position = 1};
     one.method = {"exact"};
     one.step = 0.01;
     one.until = 12;
