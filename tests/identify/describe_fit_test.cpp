@@ -1,4 +1,4 @@
-#include "cromer/identify/least_squares/describe_fit.h"
+#include "cromer/identify/describe_fit.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Records of motions that friction brings to rest: the number of half swings before it is found, and where it
 // cannot be found the intervals say so.
-#include "cromer/identify/least_squares/rest_minima.h"
+#include "cromer/identify/rest_minima.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cromer/identify/diagnose/refusal.h"
-#include "cromer/identify/least_squares/describe_fit.h"
-#include "cromer/identify/least_squares/fit_settings.h"
-#include "cromer/identify/least_squares/fit_viscous.h"
-#include "cromer/identify/least_squares/rest_minima.h"
+#include "cromer/identify/describe_fit.h"
+#include "cromer/identify/fit_settings.h"
+#include "cromer/identify/fit_viscous.h"
+#include "cromer/identify/rest_minima.h"
 #include "cromer/identify/least_squares/rounding_bias.h"
 #include "cromer/identify/start/driven_start.h"
 #include "cromer/identify/start/forced_start.h"

@@ -7,8 +7,8 @@
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_motion.h"
-#include "cromer/identify/least_squares/fit_settings.h"
-#include "cromer/identify/least_squares/fit_viscous.h"
+#include "cromer/identify/fit_settings.h"
+#include "cromer/identify/fit_viscous.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
 namespace cromer {

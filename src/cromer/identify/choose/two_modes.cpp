@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "cromer/identify/least_squares/describe_fit.h"
+#include "cromer/identify/describe_fit.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer {

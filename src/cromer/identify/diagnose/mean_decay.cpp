@@ -8,7 +8,7 @@
 
 #include "cromer/analysis/cycle_average.h"
 #include "cromer/base/quantity.h"
-#include "cromer/identify/least_squares/describe_fit.h"
+#include "cromer/identify/describe_fit.h"
 
 namespace cromer {
 namespace {

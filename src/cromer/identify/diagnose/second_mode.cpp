@@ -10,8 +10,8 @@
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/median.h"
 #include "cromer/identify/motion/damped_phasor.h"
-#include "cromer/identify/least_squares/describe_fit.h"
-#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/describe_fit.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/identify/motion/sampling.h"
+#include "cromer/identify/least_squares/sampling.h"
 
 namespace cromer {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/record.h"
-#include "cromer/identify/motion/sampling.h"
+#include "cromer/identify/least_squares/sampling.h"
 
 namespace cromer {
 

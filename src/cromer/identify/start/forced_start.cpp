@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
-#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/start/driven_start.h"
 
 namespace cromer {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
-#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/motion/damped_phasor.h"
-#include "cromer/identify/motion/sampling.h"
+#include "cromer/identify/least_squares/sampling.h"
 
 namespace cromer {
 namespace {

@@ -1,4 +1,4 @@
-#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/fit_settings.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "cromer/identify/diagnose/refusal.h"
-#include "cromer/identify/least_squares/describe_fit.h"
+#include "cromer/identify/describe_fit.h"
 
 namespace cromer {
 

@@ -1,4 +1,4 @@
-#include "cromer/identify/motion/sampling.h"
+#include "cromer/identify/least_squares/sampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cromer/identify/least_squares/rest_minima.h"
+#include "cromer/identify/rest_minima.h"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/law_fit.h"
 
 namespace cromer {

@@ -1,4 +1,4 @@
-#include "cromer/identify/least_squares/fit_viscous.h"
+#include "cromer/identify/fit_viscous.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/motion/damped_phasor.h"
-#include "cromer/identify/least_squares/describe_fit.h"
-#include "cromer/identify/least_squares/fit_settings.h"
+#include "cromer/identify/describe_fit.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/least_squares/rounding_bias.h"
 #include "cromer/identify/start/start_values.h"
