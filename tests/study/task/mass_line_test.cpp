@@ -16,7 +16,8 @@ FittedRecording fitted(double w, double error) {
   FittedRecording result;
   result.file = "lab.csv";
   result.fit.student = 1.96;
-  result.fit.angular_frequency = make_estimate(w, error, 1.96);
+  result.fit.names = {"angular_frequency"};
+  result.fit.estimates = {make_estimate(w, error, 1.96)};
   return result;
 }
 
