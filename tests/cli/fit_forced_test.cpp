@@ -78,7 +78,7 @@ TEST(FitForced, FindsTheSimulatedLaw) {
   EXPECT_NEAR(json["residual"]["rms"].get<double>(), 1e-4, 7e-6);    // four standard errors of 1600 samples
   EXPECT_NEAR(json["held_out"]["rms"].get<double>(), 1e-4, 1.4e-5);  // of 400
   EXPECT_EQ(json["held_out"]["samples"], 400);
-  EXPECT_EQ(json["candidates"].size(), 6u);
+  EXPECT_EQ(json["candidates"].size(), 17u);
   EXPECT_TRUE(folder.has("fit.svg"));
 }
 

@@ -25,19 +25,29 @@ struct CycleAverage {
 };
 
 /// Of a term with a coefficient of 1 per unit mass, at amplitude A > 0 and w > 0 [rad/s]: Gauss's rule in each
-/// quarter of the cycle, where no force jumps or bends; to 1e-12.
+/// quarter of the cycle, where no force jumps or bends; to 1e-12. Exactly 0 where the quarters cancel.
 template <class Term, class Real>
 CycleAverage<Real> cycle_average(const Real& A, const Real& w) {
+  using std::abs;
   CycleAverage<Real> average;
+  Real falls = 0, shifts = 0;  // without signs
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double from = quarter * std::numbers::pi / 2, to = from + std::numbers::pi / 2;
     const auto force = [&](double theta) {
       return Term::force(Real(std::cos(theta) * A), Real(-std::sin(theta) * (A * w)), Real(1.0));
     };
-    average.fall -= mean_over(from, to, [&](double theta) { return Real(std::sin(theta) * force(theta)); }) / (4.0 * w);
-    average.shift +=
+    const Real fall =
+        mean_over(from, to, [&](double theta) { return Real(std::sin(theta) * force(theta)); }) / (4.0 * w);
+    const Real shift =
         mean_over(from, to, [&](double theta) { return Real(std::cos(theta) * force(theta)); }) / (4.0 * (A * w));
+    average.fall -= fall;
+    falls += abs(fall);
+    average.shift += shift;
+    shifts += abs(shift);
   }
+  constexpr double rounding = 1e-13;
+  if (abs(average.fall) <= rounding * falls) average.fall = 0;
+  if (abs(average.shift) <= rounding * shifts) average.shift = 0;
   return average;
 }
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -256,9 +258,16 @@ TEST(FitTask, TheFullDiscNeedsDragAndASofteningSpring) {
   options.column = "position";
   const auto result = fit(bytes_of(path), path, options);
   ASSERT_TRUE(result.ok()) << result.error().message;
-  EXPECT_EQ(to_text(result->front().fit.law), "viscous+drag+cubic");
-  const double rms[] = {2.76e-3, 2.38e-3, 0, 0.88e-3};
-  for (std::size_t i : {0u, 1u, 3u}) EXPECT_NEAR(result->front().candidates[i].rms, rms[i], 0.01e-3);
+  EXPECT_EQ(to_text(result->front().fit.law), "viscous+drag+odd-quadratic");
+  const std::map<std::string, double> rms{
+      {"viscous", 2.76e-3}, {"viscous+drag", 2.38e-3}, {"viscous+drag+cubic", 0.88e-3}};
+  std::size_t found = 0;
+  for (const auto& candidate : result->front().candidates)
+    if (const auto known = rms.find(to_text(candidate.law)); known != rms.end()) {
+      ++found;
+      EXPECT_NEAR(candidate.rms, known->second, 0.01e-3) << known->first;
+    }
+  EXPECT_EQ(found, rms.size());
 }
 
 TEST(FitTask, APendulumOnFilmDecaysAsItsAuthorsSay) {

@@ -153,7 +153,7 @@ Decay decay_along(const EnvelopeTrack& track, const std::vector<TermAlong>& term
   Decay best;
   std::vector<std::size_t> damping;
   for (std::size_t i = 0; i < terms.size(); ++i)
-    if (std::abs(terms[i].fall.back()) > 1e-9 * std::abs(terms[i].shift.back())) damping.push_back(i);
+    if (terms[i].fall.back() != 0) damping.push_back(i);
   for (unsigned subset = 0; subset < 1U << damping.size(); ++subset) {
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < damping.size(); ++i)
@@ -243,7 +243,7 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
       integral(track, [&](double A) { return pendulum ? PendulumSwing(A).rate() : 1.0; });
   std::vector<std::size_t> shifting;
   for (std::size_t i = 0; i < terms.size(); ++i)
-    if (std::abs(terms[i].shift.back()) > 1e-9 * std::abs(terms[i].fall.back())) shifting.push_back(i);
+    if (terms[i].shift.back() != 0) shifting.push_back(i);
   NormalEquations equations;
   equations.size = 2 + static_cast<int>(shifting.size());
   for (std::size_t k = 0; k < track.t.size(); ++k) {
