@@ -43,7 +43,7 @@ std::string force(const Time& time) {
 void write_forces(const Folder& folder) {
   folder.write("short.csv", force([](int i) { return 0.01 * i; }));
   folder.write("gap.csv", force([](int i) { return i == 20 || i == 21 ? -1 : 0.01 * i; }));
-  folder.write("jitter.csv", force([](int i) { return 0.01 * i + (i % 3 == 1 ? 0.002 : 0); }));
+  folder.write("jitter.csv", force([](int i) { return 0.01 * i + (i % 3 == 1 ? 0.0035 : 0); }));
   folder.write("chirped.csv", force([](int i) { return 0.01 * i * (1 + 0.002 * i); }));
 }
 
@@ -90,7 +90,7 @@ const BadRun bad_runs[] = {
     {"drive_with_jitter",
      {{"drive_file", "jitter.csv"}},
      2,
-     "jitter.csv: line 3: the times are not evenly spaced (0.012 s where 0.01 s is expected"},
+     "jitter.csv: line 3: the times are not evenly spaced (0.0135 s where 0.01 s is expected"},
     {"drive_with_growing_spacing", {{"drive_file", "chirped.csv"}}, 2, "the times are not evenly spaced"},
     {"static_below_kinetic",
      {{"friction", "2"}, {"static_friction", "1.5"}},

@@ -23,8 +23,8 @@ Motion with_terms_of(const Law& law) {
   set(&Oscillator<double>::drag, 0.03, law.has<Drag>());
   set(&Oscillator<double>::friction, 0.15, law.has<Friction>());
   set(&Oscillator<double>::cubic, 3, law.has<Cubic>());
-  set(&Oscillator<double>::quadratic, 4, law.has<Quadratic>());
-  set(&Oscillator<double>::odd_quadratic, -4, law.has<OddQuadratic>());
+  set(&Oscillator<double>::quadratic, 2, law.has<Quadratic>());
+  set(&Oscillator<double>::odd_quadratic, -3, law.has<OddQuadratic>());
   set(&Oscillator<double>::quintic, 3, law.has<Quintic>());
   set(&Oscillator<double>::van_der_pol, 0.1, law.has<VanDerPol>());
   set(&Oscillator<double>::hysteresis_stiffness, 12, law.has<Hysteresis>());
@@ -52,7 +52,7 @@ void expect_found(const Law& law, Kind kind) {
     motion.drive_frequency = 4.7;
   } else if (kind == Kind::recorded) {
     drive = Drive::recorded({force, 0, 0.02, ForceBetween::linear});
-    motion.force_gain = 9;
+    motion.force_gain = 5;
   }
   std::vector<double> y = observed_motion(motion, drive, t, 0, 0.002);
   ASSERT_EQ(y.size(), t.size());

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "cromer/analysis/cycle_average.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
@@ -64,6 +65,12 @@ class Problem {
   const FittedParameters& fitted_;
   const Watch& watch_;
 };
+
+// That of a sine as strong as the record, as a displacement.
+double amplitude_of(const Record& record, double w) {
+  return std::sqrt(2 / static_cast<double>(record.y.size())) * centred_norm(record.y) /
+         std::pow(std::max(1e-300, w), record.derivative);
+}
 
 // From a first part to the whole record, twice as long each time.
 Parameters grow(const Problem& problem, const KnownMotion& known, double h) {
@@ -131,7 +138,9 @@ class StepLength {
   // The method's error may move a parameter by a twentieth of its standard error.
   double fine(const LeastSquaresSummary& at, double samples, double h) const {
     const double n = static_cast<double>(problem_.record().t.size());
-    const double rms = std::sqrt(at.equations.sum_of_squares / samples);
+    constexpr double least = 1e-6;  // of the motion: no record is better
+    const double rms = std::max(std::sqrt(at.equations.sum_of_squares / samples),
+                                least * centred_norm(problem_.record().y) / std::sqrt(n));
     if (!recorded()) return motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
     // A standard error moves the motion by one residual's rms in all.
     for (int halvings = 0; halvings < 6; ++halvings, h /= 2) {
@@ -231,12 +240,12 @@ KnownMotion linear_motion(const Record& record, const LawFitOptions& options, co
 
 // The start of a driven motion follows most of it, or is grown from a first part, in which a frequency that is a
 // little off has no time to lose step.
-KnownMotion known_driven(const Record& record, const LawFitOptions& options, const Motion& start) {
+KnownMotion known_driven(const Record& record, const Drive& drive, const Motion& start) {
   KnownMotion known{start, record.t.size(), 0};
-  if (options.drive.kind != DriveKind::recorded) return known;
-  const double spacing = options.drive.force.spacing, w0 = start.angular_frequency();
+  if (drive.kind != DriveKind::recorded) return known;
+  const double spacing = drive.force.spacing, w0 = start.angular_frequency();
   const double h = w0 > 0 ? std::min(spacing, 0.5 / w0) : spacing;
-  const std::vector<double> r = motion_residuals(start, options.drive, record, h);
+  const std::vector<double> r = motion_residuals(start, drive, record, h);
   double squares = 0;
   for (const double each : r) squares += each * each;
   constexpr double followed = 0.3;  // of the motion's squares
@@ -303,6 +312,15 @@ KnownMotion Beginning::known(const Law& law, const Record& record) const {
       for (const auto member : T::template members<double>) result.motion.per_mass.*member = 0;
   });
   if (law.shares(springs)) result.motion.set_angular_frequency(w0);
+  const double cubic = known_motion.motion.per_mass.cubic;
+  if (cubic != 0 && !law.has<Cubic>()) {
+    const double amplitude = amplitude_of(record, w0), shift = cubic * cycle_average<Cubic>(amplitude, w0).shift;
+    if (law.has<OddQuadratic>())
+      result.motion.per_mass.odd_quadratic = shift / cycle_average<OddQuadratic>(amplitude, w0).shift;
+    else if (law.has<Quintic>())
+      result.motion.per_mass.quintic = shift / cycle_average<Quintic>(amplitude, w0).shift;
+  }
+  if (linear.drive.kind == DriveKind::recorded) return known_driven(record, linear.drive, result.motion);
   if (track) {
     result.motion = motion_along(*track, law, record.t.front());
     // Where it comes to rest depends on how many half swings there are: the swing itself must tell that
@@ -322,10 +340,14 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
                                      beginning.known_motion.decay_rate);
     return beginning;
   }
-  // The linear law leads the way: it has the widest valley. A recorded force shows a bent spring from the start.
+  // The linear law leads the way: it has the widest valley. A recorded force shows a bent spring from the start:
+  // there a cubic one leads all others.
   LawFitOptions linear = options;
-  const Law leading = options.drive.kind == DriveKind::recorded ? springs.with(law_with<Quadratic, Cubic>) : springs;
+  const bool recorded = options.drive.kind == DriveKind::recorded;
+  const Law leading = recorded ? springs.with(law_with<Quadratic, Cubic>) : springs;
   linear.law = Law{options.law.terms & leading.terms}.with(law_with<Viscous>);
+  if (recorded && options.law.shares(springs) && options.law.shares(law_with<OddQuadratic, Quintic>))
+    linear.law = linear.law.with(law_with<Cubic>);
   const std::optional<Motion> start = options.drive.kind == DriveKind::harmonic
                                           ? driven_start(record, options.drive_frequency)
                                           : forced_start(record, options.drive.force, linear.law);
@@ -337,7 +359,7 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
                                options);
     return beginning;
   }
-  beginning.linear = fit_motion(record, linear, known_driven(record, linear, *start), watch);
+  beginning.linear = fit_motion(record, linear, known_driven(record, linear.drive, *start), watch);
   beginning.known_motion = {beginning.linear.motion, record.t.size(), 0};
   return beginning;
 }
@@ -354,8 +376,7 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   const Problem problem(record, options, fitted, watch);
   KnownMotion from = known;
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
-    const double amplitude = std::sqrt(2 / static_cast<double>(record.y.size())) * centred_norm(record.y) /
-                             std::pow(std::max(1e-300, known.motion.angular_frequency()), record.derivative);
+    const double amplitude = amplitude_of(record, known.motion.angular_frequency());
     from = best_of(hysteretic_starts(known.motion, options.law, amplitude), known, problem);
   }
   FoundMinimum found = find_minimum(problem, from, roughly);
