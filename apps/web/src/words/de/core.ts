@@ -143,6 +143,22 @@ the motion's tops are cut…⇒die Gipfel der Bewegung sind immer wieder beim se
 the values take {} levels only, {} apart: the resolution…⇒die Werte haben nur {} Stufen im Abstand {}: die Auflösung ist zu grob für eine so kleine Bewegung
 the values take {} levels only, {} apart: the frequency follows…⇒die Werte haben nur {} Stufen im Abstand {}: die Frequenz folgt daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten ist nicht zu trauen; bitte feiner messen
 this law's motion runs…⇒die Bewegung dieses Gesetzes läuft der aufgenommenen davon
+the laws were compared on the first {} of {} samples; the one chosen…⇒die Gesetze wurden an den ersten {} von {} Messwerten verglichen; das gewählte ist an alle angepasst
+what the force did between its samples is open: taken as {} it leaves {}, as {} {}, too little apart to tell…⇒was die Kraft zwischen ihren Messwerten tat, ist offen: als {} gelesen lässt sie {} übrig, als {} {}, zu wenig Unterschied für eine Entscheidung; die Unsicherheiten umfassen beides
+{} ({} of its standard errors away)⇒{} ({} Standardfehler entfernt)
+{} does nothing that the record shows⇒{} bewirkt nichts, was die Aufnahme zeigt
+of {} and {} only the ratio is known, {} ± {}⇒von {} und {} ist nur das Verhältnis bekannt, {} ± {}
+of {} only a combination is known⇒von {} ist nur eine Kombination bekannt
+dry friction⇒trockene Reibung
+a body without a spring does not swing: only under a recorded force…⇒ein Körper ohne Feder schwingt nicht: nur unter einer aufgenommenen Kraft lässt sich sein Gesetz finden
+a steady oscillation at {} Hz and its harmonic of order {}, which does not decay:…⇒eine gleichbleibende Schwingung bei {} Hz und ihre {}. Harmonische, die nicht abklingt: Rundung oder ein krummer Sensor macht eine solche Linie, eine eigene Schwingung des Körpers ist nicht zu sehen
+a decaying and a steady oscillation account for {} % of the variance only⇒eine abklingende und eine gleichbleibende Schwingung erklären nur {} % der Varianz
+{} rad/s fits nearly as well as {} rad/s: how many periods passed in the gaps…⇒{} rad/s passt fast so gut wie {} rad/s: wie viele Perioden in den Lücken vergingen, ist nicht sicher
+it must be 1 or more, not {}⇒das muss mindestens 1 sein, nicht {}
+1 or more⇒mindestens 1
+be at least 1⇒mindestens 1 sein
+the record has two readings: {}⇒die Aufnahme lässt sich auf zwei Arten lesen: {}
+the record does not determine this law: of {} only…⇒die Aufnahme legt dieses Gesetz nicht fest: von {} ist nur eine Kombination bekannt
 the record does not determine…⇒die Aufnahme legt dieses Gesetz nicht fest: seine Glieder lassen sich nicht trennen
 the fit has not settled after {} iterations⇒die Anpassung kommt nach {} Schritten nicht zur Ruhe
 line {}: the time jumps from {} to {} s;…⇒Zeile {}: die Zeit springt von {} auf {} s; bitte mit den Griffen eine Seite wählen
