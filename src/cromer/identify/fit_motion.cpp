@@ -251,7 +251,7 @@ KnownMotion known_driven(const Record& record, const Drive& drive, const Motion&
   constexpr double followed = 0.3;  // of the motion's squares
   const double norm = centred_norm(record.y);
   if (r.size() == record.t.size() && squares < followed * norm * norm) return known;
-  const double periods = w0 > 0 ? 20 * two_pi / w0 : 64 * spacing;
+  const double periods = w0 > 0 ? 6 * two_pi / w0 : 64 * spacing;
   known.samples = std::min(record.t.size(), static_cast<std::size_t>(std::max(periods / spacing, 64.0)));
   return known;
 }
@@ -315,7 +315,8 @@ KnownMotion Beginning::known(const Law& law, const Record& record) const {
   const double cubic = known_motion.motion.per_mass.cubic;
   if (cubic != 0 && !law.has<Cubic>()) {
     const double amplitude = amplitude_of(record, w0), shift = cubic * cycle_average<Cubic>(amplitude, w0).shift;
-    if (law.has<OddQuadratic>())
+    // What softens a spring is the lower power: the higher would let it run away.
+    if (law.has<OddQuadratic>() && (cubic < 0 || !law.has<Quintic>()))
       result.motion.per_mass.odd_quadratic = shift / cycle_average<OddQuadratic>(amplitude, w0).shift;
     else if (law.has<Quintic>())
       result.motion.per_mass.quintic = shift / cycle_average<Quintic>(amplitude, w0).shift;
