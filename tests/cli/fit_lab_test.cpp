@@ -45,6 +45,22 @@ TEST(FitLab, TellsBudgetTrialsAndPlan) {
   EXPECT_TRUE(fit["textbook"].is_null());
 }
 
+// What the arithmetic leaves of a computed motion is correlated and has a highest line, but nothing made it: no
+// drive is looked for there, nor another term.
+TEST(FitLab, ReadsAComputedMotion) {
+  const Folder folder;
+  const Finished made = folder.run({"simulate", "--mass", "0.2 kg", "--stiffness", "17 N/m", "--damping",
+                                    "0.01 kg/s", "--position", "3 cm", "--method", "exact", "--method",
+                                    "euler-cromer", "--until", "20 s", "-o", "run.csv"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  for (const char* run : {"1", "2"}) {
+    const Finished end = folder.run({"fit", "run.csv", "--run", run, "--json"});
+    ASSERT_EQ(end.status, 0) << end.err;
+    EXPECT_EQ(end.json()["law"], "viscous");
+    EXPECT_NEAR(end.json()["parameters"]["decay_rate"]["value"].get<double>(), 0.025, 1e-5);
+  }
+}
+
 TEST(FitLab, IsSaidByCompareAsWell) {
   const std::vector<std::string> asked{
       "compare",        disc,         "--mass",          "217.6 ± 0.3 g", "--monte-carlo", "2000", "--goal",

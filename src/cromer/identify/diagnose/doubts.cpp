@@ -96,7 +96,7 @@ bool exceeds_noise(const Record& record, const Residual& left, double noise, dou
   const double samples_per_period =
       two_pi / angular_frequency * static_cast<double>(record.t.size() - 1) / duration;
   return samples_per_period >= 12 && left.autocorrelation > 0.5 &&
-         left.rms > std::max(2 * noise, record.resolution);
+         left.rms > std::max(2 * noise, record.resolution) && !is_arithmetic(left.rms, record.y);
 }
 
 std::string not_described(const LawFit& fit, double noise, bool only_law) {
@@ -151,7 +151,7 @@ std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
 
 bool something_is_left(const Record& record, const LawFit& fit) {
   const std::vector<double> residuals = residuals_of(fit, record);
-  if (residuals.size() < 64) return false;
+  if (residuals.size() < 64 || is_arithmetic(fit.residual.rms, record.y)) return false;
   if (fit.residual.rms <= std::max(1.3 * noise_of(residuals), record.resolution)) return false;
   if (fit.drive.kind == DriveKind::recorded || !fit.find("angular_frequency")) return !fit.residual.white;
   for (int multiple = 1; multiple <= 3; ++multiple)

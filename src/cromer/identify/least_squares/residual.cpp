@@ -136,6 +136,11 @@ std::vector<double> autocorrelations(std::span<const double> r, const SampleGrid
 
 std::size_t first_lags(std::size_t samples) { return std::min<std::size_t>(32, samples / 2); }
 
+bool is_arithmetic(double rms, std::span<const double> y) {
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  return y.empty() || rms < 1e-9 * (*high - *low);
+}
+
 Residual describe_residual(std::span<const double> r) {
   return describe_residual(r, autocorrelations(r, first_lags(r.size())));
 }

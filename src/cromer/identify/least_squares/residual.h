@@ -22,6 +22,10 @@ Residual describe_residual(std::span<const double> r);
 /// The same, given autocorrelations(r, first_lags(r.size())).
 Residual describe_residual(std::span<const double> r, const std::vector<double>& rho);
 
+/// Residuals of this rms are what double arithmetic makes of a motion with the values `y`: no sensor sees a
+/// billionth of its motion, and nothing is learnt from them.
+bool is_arithmetic(double rms, std::span<const double> y);
+
 /// Autocorrelations of `r` (about its mean) at lags 0 to `lags` < r.size(), the biased estimate: 1 at lag 0.
 /// All 0 after it where r is constant.
 std::vector<double> autocorrelations(std::span<const double> r, std::size_t lags);

@@ -112,9 +112,9 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
                                 const Watch& watch) {
   const bool automatic = options.recognise_drive && is_free_law(options) && !is_driven(options);
   const bool refused = free.parameters.empty();
-  if (!automatic || (refused && !may_be_beats(free.fit)) || free.fit.residual.autocorrelation < structured ||
-      watch.interrupted())
-    return free;
+  const Residual& left = free.fit.residual;
+  const bool is_noise = left.autocorrelation < structured || is_arithmetic(left.rms, free.series.y);
+  if (!automatic || (refused && !may_be_beats(free.fit)) || is_noise || watch.interrupted()) return free;
   FitOptions same = options;
   same.drive_frequency = "auto";
   same.from = free.series.t.front();
