@@ -22,8 +22,8 @@ void expect_exact_derivatives(const FittedParameters& fitted, const Motion& moti
     const double slope = (motion_equations(fitted, up, drive, record, h).sum_of_squares -
                           motion_equations(fitted, down, drive, record, h).sum_of_squares) /
                          (2 * d);
-    // The bends of drag and |z| move with the parameters: of a short difference few steps see them.
-    EXPECT_NEAR(at.right[i], -0.5 * slope, 5e-4 * (1 + std::abs(slope))) << fitted.of[i].name;
+    // The bends of drag and |z| move with the parameters: a short difference sees few of them.
+    EXPECT_NEAR(at.right[i], -0.5 * slope, 3e-6 * (1 + std::abs(slope))) << fitted.of[i].name;
     EXPECT_GT(at.matrix[i][i], 0) << fitted.of[i].name;
   }
 }
