@@ -85,8 +85,6 @@ TEST(Hysteresis, MovesWithTheNewVelocityInEulerCromer) {
 }
 
 TEST(Hysteresis, LosesTheAreaOfItsLoop) {
-  // Of beta = gamma = b and n = 1, z = A/2b (1 - e^{-2b u}) after a turn at z = 0: loading from -Z to Z and
-  // back, the work of a cycle between -X and X is the closed integral of z dx.
   const Oscillator<double> law{
       .stiffness = 0, .hysteresis_stiffness = 7, .hysteresis_beta = 1.2, .hysteresis_gamma = 1.2};
   // A prescribed motion x = X sin t: the law's own rate, by quadrature.

@@ -14,7 +14,7 @@ namespace cromer {
 template <class Real>
 struct CycleDecay {
   Real angular_frequency = 1;  // [rad/s] > 0
-  Oscillator<Real> per_mass{}; ///< terms that a law lacks are 0
+  Oscillator<Real> per_mass{}; ///< terms that a law lacks are 0; hysteresis is not looked at
 
   /// -dA/dt over A [1/s] at amplitude A > 0 [unit]. It is also the viscous rate that takes as much energy in a
   /// cycle.

@@ -17,7 +17,7 @@ namespace cromer {
 
 template <class Real>
 struct Swing {
-  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; dampings are not looked at
+  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; dampings are not looked at, nor hysteresis
 
   /// [unit^2/s^2] of the springs, 0 at rest.
   Real potential(const Real& x) const {
@@ -42,7 +42,7 @@ struct Swing {
   }
 
   /// Of small swings [1/s^2].
-  Real stiffness() const { return per_mass.stiffness + per_mass.pendulum + per_mass.hysteresis_stiffness; }
+  Real stiffness() const { return per_mass.stiffness + per_mass.pendulum; }
 
   /// How far the swing goes to the right that passes x [unit] at v [unit/s]: its turning point has all of the
   /// energy. A spring that gives way before it counts as linear, a pendulum that goes over the top as one that

@@ -33,42 +33,42 @@ struct Dual {
     return x;
   }
 
-  constexpr Dual operator-() const { return chain(-value, Real(-1)); }
+  [[gnu::always_inline]] constexpr Dual operator-() const { return chain(-value, Real(-1)); }
 
-  constexpr Dual& operator+=(const Dual& b) {
+  [[gnu::always_inline]] constexpr Dual& operator+=(const Dual& b) {
     value += b.value;
     for (std::size_t i = 0; i < N; ++i) derivative[i] += b.derivative[i];
     return *this;
   }
-  constexpr Dual& operator-=(const Dual& b) {
+  [[gnu::always_inline]] constexpr Dual& operator-=(const Dual& b) {
     value -= b.value;
     for (std::size_t i = 0; i < N; ++i) derivative[i] -= b.derivative[i];
     return *this;
   }
-  constexpr Dual& operator*=(const Dual& b) {
+  [[gnu::always_inline]] constexpr Dual& operator*=(const Dual& b) {
     for (std::size_t i = 0; i < N; ++i) derivative[i] = derivative[i] * b.value + value * b.derivative[i];
     value *= b.value;
     return *this;
   }
-  constexpr Dual& operator/=(const Dual& b) {
+  [[gnu::always_inline]] constexpr Dual& operator/=(const Dual& b) {
     const Real divisor = b.value;  // b may be this number itself
     value /= divisor;
     for (std::size_t i = 0; i < N; ++i) derivative[i] = (derivative[i] - value * b.derivative[i]) / divisor;
     return *this;
   }
 
-  friend constexpr Dual operator+(Dual a, const Dual& b) { return a += b; }
-  friend constexpr Dual operator-(Dual a, const Dual& b) { return a -= b; }
-  friend constexpr Dual operator*(Dual a, const Dual& b) { return a *= b; }
+  [[gnu::always_inline]] friend constexpr Dual operator+(Dual a, const Dual& b) { return a += b; }
+  [[gnu::always_inline]] friend constexpr Dual operator-(Dual a, const Dual& b) { return a -= b; }
+  [[gnu::always_inline]] friend constexpr Dual operator*(Dual a, const Dual& b) { return a *= b; }
   // A constant's zero derivatives need no products.
-  friend constexpr Dual operator*(const Real& c, const Dual& b) { return b.chain(c * b.value, c); }
+  [[gnu::always_inline]] friend constexpr Dual operator*(const Real& c, const Dual& b) { return b.chain(c * b.value, c); }
   template <class Number>
   requires(std::is_arithmetic_v<Number> && !std::same_as<Number, Real>)  //
       friend constexpr Dual
       operator*(Number c, const Dual& b) {
     return Real(c) * b;
   }
-  friend constexpr Dual operator/(Dual a, const Dual& b) { return a /= b; }
+  [[gnu::always_inline]] friend constexpr Dual operator/(Dual a, const Dual& b) { return a /= b; }
 
   friend constexpr bool operator==(const Dual& a, const Dual& b) { return a.value == b.value; }
   friend constexpr bool operator<(const Dual& a, const Dual& b) { return a.value < b.value; }
@@ -77,7 +77,7 @@ struct Dual {
   friend constexpr bool operator>=(const Dual& a, const Dual& b) { return b <= a; }
 
   /// f(*this), given f and f' at the value.
-  constexpr Dual chain(const Real& f, const Real& slope) const {
+  [[gnu::always_inline]] constexpr Dual chain(const Real& f, const Real& slope) const {
     Dual y(f);
     for (std::size_t i = 0; i < N; ++i) y.derivative[i] = slope * derivative[i];
     return y;

@@ -190,11 +190,12 @@ void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& recor
     cut += (cut.empty() ? "" : " and the ") + what;
   }
   if (!any_unsure) return;
-  if (fit.drive.kind == DriveKind::none && dampings_are_collinear(fit)) {
+  const std::optional<MeanDecay> sum = mean_decay(fit, record);
+  if (fit.drive.kind == DriveKind::none && sum && dampings_are_collinear(fit)) {
     fit.warnings.push_back(fmt::format(
         "the damping terms of {} cannot be told apart here: their sum is known, {}, its parts are "
         "not, and the interval of the {} is cut at its bound 0",
-        to_text(fit.law), to_text(mean_decay(fit, record)), cut));
+        to_text(fit.law), to_text(*sum), cut));
     return;
   }
   for (int i = 0; i < fitted.count; ++i) {

@@ -105,6 +105,13 @@ TEST(TermsInTasks, HysteresisSaysWhatItIsNotRunWith) {
   EXPECT_THAT(refused(options), HasSubstr("--hysteresis-exponent: it must be at least 1"));
 }
 
+TEST(TermsInTasks, HysteresisWithoutItsStiffnessIsNone) {
+  SimulateOptions options = yielding;
+  options.law.hysteresis_stiffness = 0;
+  EXPECT_THAT(simulated(options).warnings,
+              testing::Contains("--hysteresis-beta has no effect without --hysteresis-stiffness"));
+}
+
 TEST(TermsInTasks, HysteresisTakesAPulseAndStays) {
   // After a pulse that made it slip the body rests where no spring alone would hold it.
   SimulateOptions options = yielding;

@@ -117,11 +117,9 @@ class Choosing {
       try_law(laws[i], beginning.known(laws[i], record_));
     }
     settle();
+    drop_terms();
     add_terms(beginning);
-    LawChoice choice = chosen(laws);
-    if (const std::string rivals = rival_laws(record_, candidates_, best_); !rivals.empty())
-      choice.chosen.warnings.push_back(rivals);
-    return choice;
+    return chosen(laws);
   }
 
   // From the linear law; under a recorded force from one with a bent spring.
@@ -149,6 +147,7 @@ class Choosing {
         watch_.progress(0.15 + 0.85 * static_cast<double>(i + 1) / static_cast<double>(laws.size()));
     }
     settle();
+    drop_terms();
     add_terms(beginning);
     return chosen({});
   }
@@ -187,18 +186,40 @@ class Choosing {
         const Law law = addition.has<Hysteresis>()
                             ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
                             : base.law.with(addition);
-        KnownMotion known = beginning.known(law, record_);
-        if (options_.drive.kind != DriveKind::none || law.has<Hysteresis>() || round > 0) {
-          known.motion = base.motion;
-          known.motion.law = law;
-          known.samples = record_.t.size();
-        }
-        try_law(law, known);
+        const bool from_base = options_.drive.kind != DriveKind::none || law.has<Hysteresis>() || round > 0;
+        try_law(law, from_base ? of_fit(base, law) : beginning.known(law, record_));
       }
       const std::size_t before = best_;
       settle();
+      drop_terms();
       if (best_ == before) return;
     }
+  }
+
+  // A law that beats the chosen one, but for terms that are not sure, is tried without each of them.
+  void drop_terms() {
+    for (bool any = true; any && !watch_.interrupted();) {
+      any = false;
+      const std::optional<std::size_t> lowest = runner_up(candidates_, best_);
+      if (!lowest || candidates_[*lowest].bic >= candidates_[best_].bic) return;
+      const LawFit better = candidates_[*lowest];
+      for (const Law& law : without_unsure_terms(better)) {
+        any = any || !tried(law);
+        try_law(law, of_fit(better, law));
+      }
+      settle();
+    }
+  }
+
+  // The motion of a fit, for a law with other terms.
+  KnownMotion of_fit(const LawFit& fit, const Law& law) const {
+    KnownMotion known{fit.motion, record_.t.size(), candidates_.front().decay_rate().value};
+    known.motion.law = law;
+    for_each_term([&]<class T>() {
+      for (const auto member : T::template members<double>)
+        if (!law.has<T>()) known.motion.per_mass.*member = 0;
+    });
+    return known;
   }
 
   // The one chosen, and what it is chosen over, as finely as the record asks for.
@@ -229,6 +250,8 @@ class Choosing {
   LawChoice chosen(const std::vector<Law>& laws) {
     LawChoice choice{candidates_[best_], candidates_};
     if (watch_.interrupted()) mark_interrupted(choice, laws);
+    if (const std::string rivals = rival_laws(record_, candidates_, best_); !rivals.empty())
+      choice.chosen.warnings.push_back(rivals);
     return choice;
   }
 

@@ -22,22 +22,27 @@ const Estimate* removable(const LawFit& fit, const TermInfo& info, Law term) {
 
 bool is_admissible(const LawFit& fit, const std::vector<LawFit>& candidates) {
   if (fit.status != FitStatus::converged) return false;
+  const std::vector<Law> simpler_laws = without_unsure_terms(fit);
+  return std::all_of(simpler_laws.begin(), simpler_laws.end(), [&](const Law& law) {
+    const auto simpler = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& other) {
+      return other.law == law && other.drive.force.between == fit.drive.force.between && other.residual.rms > 0;
+    });
+    return simpler != candidates.end() && simpler->bic >= fit.bic + strong_evidence;
+  });
+}
+
+}  // namespace
+
+std::vector<Law> without_unsure_terms(const LawFit& fit) {
+  std::vector<Law> laws;
   for (std::size_t i = 0; i < term_count; ++i) {
     const Law term{std::uint32_t{1} << i};
     if (!fit.law.shares(term)) continue;
     const Estimate* estimate = removable(fit, term_infos[i], term);
-    if (!estimate || excludes_zero(*estimate)) continue;
-    const Law without = fit.law.without(term);
-    const auto simpler = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& other) {
-      return other.law == without && other.drive.force.between == fit.drive.force.between &&
-             other.residual.rms > 0;
-    });
-    if (simpler == candidates.end() || simpler->bic < fit.bic + strong_evidence) return false;
+    if (estimate && !excludes_zero(*estimate)) laws.push_back(fit.law.without(term));
   }
-  return true;
+  return laws;
 }
-
-}  // namespace
 
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution) {
   const LawFit* closest = &candidates.front();

@@ -27,4 +27,8 @@ inline constexpr double strong_evidence = 6;
 /// come first. `candidates` is not empty and begins with the simplest law.
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0);
 
+/// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low BIC
+/// that is not admissible may be so without it.
+std::vector<Law> without_unsure_terms(const LawFit& fit);
+
 }  // namespace cromer

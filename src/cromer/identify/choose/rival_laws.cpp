@@ -47,9 +47,9 @@ std::string coefficients(const LawFit& fit) {
 
 std::string rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
   const LawFit& best = candidates[chosen];
-  if (best.status != FitStatus::converged) return {};
-  const MeanDecay decay = mean_decay(best, record);
-  if (!(decay.rate.low > 0)) return {};  // no damping is seen, whichever it be
+  if (best.status != FitStatus::converged || !best.law.shares(springs)) return {};
+  const std::optional<MeanDecay> decay = mean_decay(best, record);
+  if (!decay || !(decay->rate.low > 0)) return {};  // no damping is seen, whichever it be
   std::vector<const LawFit*> rivals;
   for (const LawFit& rival : candidates) {
     if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong_evidence) continue;
@@ -73,7 +73,7 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
       "this record cannot tell {} from {}: the uncertainties hold only if the law is right. Known whichever "
       "it "
       "is: {}",
-      to_text(best.law), list, to_text(decay));
+      to_text(best.law), list, to_text(*decay));
 }
 
 }  // namespace cromer

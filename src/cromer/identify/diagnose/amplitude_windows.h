@@ -21,7 +21,7 @@ inline std::vector<AmplitudeWindow> amplitude_windows(const Record& record, doub
   std::vector<AmplitudeWindow> windows;
   for (std::size_t first = 0; first < record.t.size();) {
     const double end = record.t[first] + length;
-    if (end > record.t.back()) break;
+    if (end > record.t.back() || !(end > record.t[first])) break;  // the latter: shorter than rounding
     double mean = 0, squares = 0;
     std::size_t last = first;
     for (; record.t[last] < end; ++last) {

@@ -116,7 +116,8 @@ std::string turning_over(const Record& record) {
                      (*high - *low) / (2 * pi), where);
 }
 
-bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals, int multiple) {
+bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals, int multiple,
+                   double times) {
   const std::size_t n = std::min<std::size_t>(residuals.size(), 20'000);
   if (n < 32) return true;
   const DampedPhasor phasor({record.t.first(n), residuals.first(n), 0, 0});
@@ -137,7 +138,7 @@ bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const doub
       if (at > 2 * resolution) beside.push_back(power(at));
     }
   if (beside.size() < 8) return true;
-  return top > 30 * upper_median(beside);
+  return top > times * upper_median(beside);
 }
 
 }  // namespace cromer

@@ -63,7 +63,9 @@ std::string steadiness(const Record& record, const LawFit& fit, double periods) 
   const std::string then =
       "the frequency is the drive's, and the stiffness that follows from it is not the spring's";
   // The terms may be traded for each other: what falls is known of their sum.
-  const Estimate rate = mean_decay(fit, record).rate;
+  const std::optional<MeanDecay> decay = mean_decay(fit, record);
+  if (!decay) return {};
+  const Estimate& rate = decay->rate;
   if (!(rate.low > 0))
     return fmt::format("the swing does not die down over {:.0f} periods. If something drives it, {}", periods,
                        then);
@@ -152,10 +154,11 @@ std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
 bool something_is_left(const Record& record, const LawFit& fit) {
   const std::vector<double> residuals = residuals_of(fit, record);
   if (residuals.size() < 64 || is_arithmetic(fit.residual.rms, record.y)) return false;
-  if (fit.residual.rms <= std::max(1.3 * noise_of(residuals), record.resolution)) return false;
+  if (fit.residual.rms <= record.resolution) return false;
   if (fit.drive.kind == DriveKind::recorded || !fit.find("angular_frequency")) return !fit.residual.white;
+  constexpr double times = 8;  // one line in 250 of noise: a fit too many does no harm
   for (int multiple = 1; multiple <= 3; ++multiple)
-    if (leaves_a_line(record, fit, residuals, multiple)) return true;
+    if (leaves_a_line(record, fit, residuals, multiple, times)) return true;
   return false;
 }
 

@@ -30,7 +30,8 @@ std::vector<std::pair<std::string_view, double>> parts_of(const LawFit& fit, dou
 
 }  // namespace
 
-MeanDecay mean_decay(const LawFit& fit, const Record& record) {
+std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record) {
+  if (fit.law.has<Hysteresis>()) return std::nullopt;
   MeanDecay decay;
   const double w = fit.motion.angular_frequency();
   decay.amplitude = centred_norm(record.y) * std::sqrt(2 / static_cast<double>(record.y.size())) /

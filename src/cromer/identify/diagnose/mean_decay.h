@@ -1,6 +1,7 @@
 // The decay rate that all damping terms of a law make together, where a record knows it best.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cromer/identify/law_fit.h"
@@ -12,8 +13,9 @@ struct MeanDecay {
   Estimate rate;         // [1/s] of the amplitude there, averaged over a cycle
 };
 
-/// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record.
-MeanDecay mean_decay(const LawFit& fit, const Record& record);
+/// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record. None of a
+/// hysteretic law, whose loops depend on how the motion came where it is.
+std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record);
 
 /// Two damping terms are traded for each other: their estimates' correlation is below -0.9.
 bool dampings_are_collinear(const LawFit& fit);

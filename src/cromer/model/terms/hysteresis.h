@@ -30,14 +30,14 @@ struct Hysteresis {
                       .parameter = "hysteresis_beta",
                       .in_si = "",
                       .symbol = "beta",
-                      .meaning = "how soon the hysteretic force gives way, beta",
+                      .meaning = "how soon the hysteretic force gives way, beta (N^(1-n)/m with an exponent n)",
                       .length = -1,
                       .fitted = FittedAs::with_any_mass},
       CoefficientInfo{.option = "hysteresis-gamma",
                       .parameter = "hysteresis_gamma",
                       .in_si = "",
                       .symbol = "g",
-                      .meaning = "what sets the shape of its loops, gamma",
+                      .meaning = "what sets the shape of its loops, gamma (N^(1-n)/m)",
                       .length = -1,
                       .fitted = FittedAs::with_any_mass}};
   template <class Real>
@@ -46,12 +46,11 @@ struct Hysteresis {
                                       &Oscillator<Real>::hysteresis_gamma};
   static constexpr bool has_inner_state = true;
 
-  /// What beta and gamma are multiplied by where z is a force per unit mass.
+  /// What beta and gamma are multiplied by where z becomes a force per unit mass.
   template <class Real>
-  static Real shape_per_mass(const Oscillator<Real>& oscillator) {
+  static Real shape_per_mass(const Real& mass, double exponent) {
     using std::pow;
-    const double exponent = value_of(oscillator.hysteresis_exponent);
-    return exponent == 1 ? Real(1) : Real(pow(oscillator.mass, exponent - 1));
+    return exponent == 1 ? Real(1) : Real(pow(mass, exponent - 1));
   }
 
   /// z' [N/s] at a velocity v and a force z. Duals may stand in one of the places v, z and the coefficients.

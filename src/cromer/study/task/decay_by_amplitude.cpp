@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -100,6 +101,7 @@ AmplitudeDecay amplitude_decay(const LawFit& fit) {
 Swing<double> swing_of(const LawFit& fit) { return {fit.motion.per_mass}; }
 
 double first_amplitude(const LawFit& fit) {
+  if (fit.law.has<Hysteresis>()) return std::numeric_limits<double>::quiet_NaN();
   return swing_of(fit).amplitude(fit.position().value, fit.velocity().value);
 }
 

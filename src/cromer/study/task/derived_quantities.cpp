@@ -87,6 +87,7 @@ std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_vie
     const bool newtons = force_unit == "N" && length == "m";
     return {{"mass", make_estimate(mass, error, fit.student), newtons ? "kg" : ""}};
   }
+  if (fit.law.has<Hysteresis>()) return {};
   const LawAtAmplitude law = law_at_amplitude(fit);
   if (fit.drive.kind == DriveKind::none)
     return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit, length);

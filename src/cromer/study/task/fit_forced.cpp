@@ -186,6 +186,11 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
     y.push_back(series.y[i]);
   }
   if (t.empty()) return Error{fmt::format("column \"{}\" has no value that is not set aside", motion.column)};
+  constexpr double two_pi = 2 * std::numbers::pi;
+  const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
+  if (*drive && **drive > two_pi * highest)
+    return Error{fmt::format("--drive-frequency: {:.6g} Hz is not seen in samples {:.4g} Hz apart: up to {:.4g} Hz is",
+                             **drive / two_pi, 2 * highest, highest)};
   // The law's motion begins at the first sample that the fit sees.
   if (series.t.front() < t.front()) {
     FitOptions later;
@@ -201,7 +206,6 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   if (!result.driven) return result;
   result.simulate = simulate_line(
       fit, series, options.mass ? Body{options.mass, options.spring_mass}.effective_mass().value : 1);
-  constexpr double two_pi = 2 * std::numbers::pi;
   const double found = fit.motion.drive_frequency;
   if (fit.status == FitStatus::converged && *drive && std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
     result.warnings.push_back(fmt::format("the steady oscillation has {:.6g} Hz, not the {:.6g} Hz of --drive-frequency",

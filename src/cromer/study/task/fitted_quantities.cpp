@@ -1,5 +1,7 @@
 #include "cromer/study/task/fitted_quantities.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,9 +32,12 @@ std::string unit_of(std::initializer_list<std::pair<std::string_view, int>> fact
   return (above.empty() ? "1" : above) + "/" + (count_below > 1 ? "(" + below + ")" : below);
 }
 
-// Of a coefficient per unit mass, where displacements have the unit `length`.
-std::string unit_per_mass(const CoefficientInfo& info, std::string_view length) {
+// Of a coefficient per unit mass, where displacements have the unit `length`, in a law with this hysteresis
+// exponent n: beta |x'| |z|^(n-1) z is the rate of an acceleration z.
+std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, double n) {
   if (info.fitted == FittedAs::square_root) return "rad/s";
+  if (info.fitted == FittedAs::with_any_mass && n != 1)
+    return fmt::format("s^{:.4g}/{}^{:.4g}", 2 * (n - 1), length.empty() ? "1" : length, n);
   if (info.fitted == FittedAs::with_any_mass) return unit_of({{length, info.length}, {"s", info.time}});
   return unit_of({{length, 1 + info.length}, {"s", info.time - 2}});
 }
@@ -89,7 +94,8 @@ std::vector<NamedEstimate> law_parameters(const LawFit& fit, std::string_view ob
     std::string unit = unit_of_parameter(fit.names[i], observed, length, force_unit);
     for_each_term([&]<class T>() {
       for (const CoefficientInfo& info : T::coefficients)
-        if (fit.law.has<T>() && info.parameter == fit.names[i]) unit = unit_per_mass(info, length);
+        if (fit.law.has<T>() && info.parameter == fit.names[i]) 
+          unit = unit_per_mass(info, length, fit.motion.per_mass.hysteresis_exponent);
     });
     result.push_back({fit.names[i], fit.estimates[i], std::move(unit)});
   }

@@ -49,7 +49,7 @@ std::vector<Option> options_of(FitOptions& o) {
       {"law", &o.law, "", Range::any, law_help(), "auto", model},
       {"no-spring", &o.no_spring, "", Range::any, "a body without a spring, under a recorded force", "a linear spring",
        model},
-      {"hysteresis-exponent", &o.hysteresis_exponent, "", Range::positive,
+      {"hysteresis-exponent", &o.hysteresis_exponent, "", Range::at_least_one,
        "n >= 1 of a hysteretic law: beta |x'| |z|^(n-1) z, gamma x' |z|^n", "1", model},
       {"mass", &o.mass, "kg", Range::positive, "oscillating mass, for the spring constant", "none", model},
       {"spring-mass", &o.spring_mass, "kg", Range::not_negative, "mass of the spring; a third of it is added",
@@ -89,8 +89,8 @@ std::vector<Option> options_of(CompareOptions& o) {
        "the sample spacing, divided to have 200 steps in a period", integration},
   };
   // A driven motion has no one decay rate to be compared with.
-  constexpr std::array<std::string_view, 4> of_driven{"force-column", "between-samples", "drive-frequency",
-                                                      "hold-out"};
+  constexpr std::array<std::string_view, 5> of_driven{"force-column", "between-samples", "drive-frequency",
+                                                      "hold-out", "no-spring"};
   std::vector<Option> of_fit = options_of(o.fit);
   const auto is_of_driven = [&](const Option& option) {
     return std::find(of_driven.begin(), of_driven.end(), option.name) != of_driven.end();

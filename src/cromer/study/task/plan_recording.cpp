@@ -202,6 +202,8 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
   if (!now)
     return Error{fmt::format("--goal: there is no {} in this fit: {}", goal.quantity,
                              why_not_there(goal.quantity, fit.law))};
+  if (fit.law.has<Hysteresis>())
+    return Error{"--goal: how soon a swing with hysteresis dies down is not foretold; give another --law"};
   const bool plain = now->unit == "1";
   const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
   if (!wanted) return Error{"--goal: " + wanted.error().message};

@@ -119,9 +119,20 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   same.drive_frequency = "auto";
   same.from = free.series.t.front();
   same.to = free.series.t.back();
+  // A drive must account for what the free law leaves, without the help of another law: one fit tells most
+  // free motions.
+  if (!refused) same.law = to_text(free.fit.law);
   Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
   if (!driven || watch.interrupted()) return free;
-  const MotionJudgement judgement = judged(free, *driven, false);
+  MotionJudgement judgement = judged(free, *driven, false);
+  const bool settled = driven->fit.status == FitStatus::converged &&
+                       (judgement.kind == MotionKind::free || judgement.kind == MotionKind::two_modes);
+  if (!refused && !settled) {
+    same.law = options.law;
+    driven = fit_driven(motion, free.file, same, watch);
+    if (!driven || watch.interrupted()) return free;
+    judgement = judged(free, *driven, false);
+  }
   if (judgement.kind == MotionKind::two_modes &&
       judgement.modes->residual.rms < 0.9 * free.fit.residual.rms) {
     say_two_modes(free, *judgement.modes);

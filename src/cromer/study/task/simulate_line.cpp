@@ -22,6 +22,7 @@ double to_twelve_digits(double value) {
 std::string simulate_line(const LawFit& fit, const Series& series, double mass) {
   if (fit.drive.kind == DriveKind::recorded || !fit.law.shares(springs)) return {};
   const Motion& motion = fit.motion;
+  const double exponent = motion.per_mass.hysteresis_exponent;
   const double shorter = 2 * std::numbers::pi / std::max(motion.angular_frequency(), motion.drive_frequency);
   for (const double value : {mass, motion.angular_frequency(), motion.position, motion.velocity, shorter})
     if (!std::isfinite(value)) return {};
@@ -34,11 +35,13 @@ std::string simulate_line(const LawFit& fit, const Series& series, double mass) 
     if (!motion.law.has<T>()) return;
     for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
       const CoefficientInfo& info = T::coefficients[i];
+      double factor = mass;
+      if constexpr (HasInnerState<T>)
+        if (info.fitted == FittedAs::with_any_mass) factor = 1 / T::shape_per_mass(mass, exponent);
       const double value = motion.per_mass.*T::template members<double>[i];
-      if (value != 0) add(info.option, info.fitted == FittedAs::with_any_mass ? value : mass * value);
+      if (value != 0) add(info.option, factor * value);
     }
-    if (HasInnerState<T> && motion.per_mass.hysteresis_exponent != 1)
-      add("hysteresis-exponent", motion.per_mass.hysteresis_exponent);
+    if (HasInnerState<T> && exponent != 1) add("hysteresis-exponent", exponent);
   });
   if (fit.drive.kind == DriveKind::harmonic) {
     add("drive-amplitude", mass * fit["drive_amplitude"].value);

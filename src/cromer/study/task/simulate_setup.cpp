@@ -317,6 +317,12 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
     for (const auto& warning : options.drive_record->warnings) add_once(warning);
   if (!options.drive_frequency.empty() && drive_name(options) == "none")
     add_once("--drive-frequency has no effect without a --drive-amplitude");
+  for_each_term([&]<class T>() {
+    if (options.law.*T::template members<double>[0] != 0) return;
+    for (std::size_t i = 1; i < coefficients_of<T>; ++i)
+      if (options.law.*T::template members<double>[i] != 0)
+        add_once(fmt::format("--{} has no effect without --{}", T::coefficients[i].option, T::coefficients[0].option));
+  });
   for (const auto& run : runs) {
     if (options.tolerance && !uses_tolerance(run.method))
       add_once(fmt::format("--tolerance has no effect on {}", run.method));
