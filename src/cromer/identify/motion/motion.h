@@ -54,7 +54,6 @@ struct FittedParameter {
   FittedAs as = FittedAs::itself;
   bool may_be_negative = true;
   bool lives_at_rest = false;  ///< at zero frequency, as an equilibrium: not at the swing's own
-  const TermInfo* term = nullptr;  ///< whose coefficient it is
 
   double of(const Motion& motion) const {
     if (member) return motion.*member;
