@@ -75,7 +75,7 @@ struct FittedParameter {
   }
 };
 
-/// All that a fit adjusts, in the contract's order; what is held keeps the value of `held`.
+/// All that a fit adjusts, in the order of fitted_parameters(); what is not fitted keeps the value of `held`.
 struct FittedParameters {
   int count = 0;
   FittedParameter of[max_parameters]{};
@@ -107,7 +107,9 @@ struct HeldParameters {
   bool force_offset = false;
 };
 
-/// Of a law under a drive; `held` of `values` are kept, and its law is set.
+/// What a fit of `law` under a drive adjusts, in the order of the law's terms, the drive's numbers, then offset or
+/// equilibrium, position, velocity; the angular frequency first. Parameters marked in `held` keep their value from
+/// `values`; the motion's law becomes `law`.
 FittedParameters fitted_parameters(const Law& law, DriveKind drive = DriveKind::none, HeldParameters held = {},
                                    const Motion& values = {});
 
