@@ -1,8 +1,16 @@
 #include "cromer/identify/motion/motion.h"
 
+#include <algorithm>
+
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer {
+
+std::string readable(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 Parameters FittedParameters::lower_bounds() const {
   Parameters lower = LeastSquaresOptions::no_bounds();

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "cromer/identify/law.h"
@@ -45,6 +46,9 @@ struct Motion {
   }
   void set_decay_rate(double g) { per_mass.damping = 2 * g; }
 };
+
+/// A parameter's name in sentences for people: "decay rate" of "decay_rate".
+std::string readable(std::string_view name);
 
 /// One number that a fit adjusts.
 struct FittedParameter {
