@@ -265,7 +265,7 @@ TEST(ForcedFit, WhatTheRecordDoesNotDetermineIsNamed) {
     }
     const LawFit fit = fit_forced(record, linear, ForceBetween::band_limited);
     EXPECT_EQ(fit.status, FitStatus::undetermined) << noise << ": " << fit.message;
-    EXPECT_THAT(fit.message, testing::AllOf(testing::HasSubstr("force_gain"), testing::HasSubstr("decay_rate"))) << noise;
+    EXPECT_THAT(fit.message, testing::AllOf(testing::HasSubstr("force gain"), testing::HasSubstr("decay rate"))) << noise;
   }
 }
 

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <random>
 #include <string>
+#include <string_view>
+#include <type_traits>
 
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/free_swing.h"
@@ -12,25 +15,32 @@
 namespace cromer {
 namespace {
 
-// Coefficients that each change a swing of 1 at 6 rad/s by a few percent.
+// A coefficient that changes a swing of 1 at 6 rad/s by a few percent. A term for which none is chosen has
+// one that does about as much.
+double coefficient_of(const CoefficientInfo& info, bool damps) {
+  static const std::map<std::string_view, double> chosen = {{"drag", 0.03},
+                                                            {"friction", 0.15},
+                                                            {"cubic", 3},
+                                                            {"quadratic", 2},
+                                                            {"odd_quadratic", -3},
+                                                            {"quintic", 3},
+                                                            {"van_der_pol", 0.1},
+                                                            {"hysteresis_stiffness", 12},
+                                                            {"hysteresis_beta", 1.5},
+                                                            {"hysteresis_gamma", -0.5}};
+  const auto found = chosen.find(info.parameter);
+  return found != chosen.end() ? found->second : damps ? 0.05 : 2;
+}
+
 Motion with_terms_of(const Law& law) {
   Motion motion{.law = law, .position = 1, .velocity = 0.3};
   motion.set_angular_frequency(6);
-  motion.set_decay_rate(0.04);
-  const auto set = [&](double Oscillator<double>::*member, double value, bool there) {
-    if (there) motion.per_mass.*member = value;
-  };
-  set(&Oscillator<double>::drag, 0.03, law.has<Drag>());
-  set(&Oscillator<double>::friction, 0.15, law.has<Friction>());
-  set(&Oscillator<double>::cubic, 3, law.has<Cubic>());
-  set(&Oscillator<double>::quadratic, 2, law.has<Quadratic>());
-  set(&Oscillator<double>::odd_quadratic, -3, law.has<OddQuadratic>());
-  set(&Oscillator<double>::quintic, 3, law.has<Quintic>());
-  set(&Oscillator<double>::van_der_pol, 0.1, law.has<VanDerPol>());
-  set(&Oscillator<double>::hysteresis_stiffness, 12, law.has<Hysteresis>());
-  set(&Oscillator<double>::hysteresis_beta, 1.5, law.has<Hysteresis>());
-  set(&Oscillator<double>::hysteresis_gamma, -0.5, law.has<Hysteresis>());
-  if (!law.has<Viscous>()) motion.set_decay_rate(0);
+  if (law.has<Viscous>()) motion.set_decay_rate(0.04);
+  for_each_term([&]<class T>() {
+    if (!law.has<T>() || springs.has<T>() || std::is_same_v<T, Viscous>) return;
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i)
+      motion.per_mass.*T::template members<double>[i] = coefficient_of(T::coefficients[i], T::info.damps);
+  });
   return motion;
 }
 

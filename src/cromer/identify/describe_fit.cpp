@@ -58,10 +58,10 @@ Inverse inverse_of(const SquareMatrix& normal, const FittedParameters& fitted) {
     }
     if (parts.empty()) continue;
     std::string names;
-    for (const int i : parts) names += (names.empty() ? "" : " and ") + std::string(fitted.of[i].name);
+    for (const int i : parts) names += (names.empty() ? "" : " and ") + readable(fitted.of[i].name);
     result.known += (result.known.empty() ? "" : "; ") +
-                    (parts.size() == 1 ? names + " does nothing that the record shows"
-                                       : "of " + names + " only a combination is known");
+                    (parts.size() == 1 ? fmt::format("the record does not show {}", names)
+                                       : fmt::format("only a combination of {} is known", names));
   }
   return result;
 }
@@ -171,8 +171,8 @@ std::string known_ratio(const LawFit& fit, const FittedParameters& fitted) {
           fit.covariance_of(fitted.of[i].name, fitted.of[j].name) / (a->value * b->value);
       const double of_ratio = std::sqrt(std::max(0.0, of_a * of_a + of_b * of_b - 2 * covariance));
       if (of_ratio < much_better * std::min(of_a, of_b))
-        return fmt::format("of {} and {} only the ratio is known, {:.6g} ± {:.2g}", fitted.of[i].name,
-                           fitted.of[j].name, a->value / b->value, of_ratio * std::abs(a->value / b->value));
+        return fmt::format("only the ratio of {} and {} is known, {:.6g} ± {:.2g}", readable(fitted.of[i].name),
+                           readable(fitted.of[j].name), a->value / b->value, of_ratio * std::abs(a->value / b->value));
     }
   return {};
 }
@@ -185,9 +185,7 @@ void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& recor
     const Estimate& term = *fit.find(fitted.of[i].name);
     if (term.low > 0) continue;
     any_unsure = true;
-    std::string what(fitted.of[i].name);
-    std::replace(what.begin(), what.end(), '_', ' ');
-    cut += (cut.empty() ? "" : " and the ") + what;
+    cut += (cut.empty() ? "" : " and the ") + readable(fitted.of[i].name);
   }
   if (!any_unsure) return;
   const std::optional<MeanDecay> sum = mean_decay(fit, record);
@@ -201,8 +199,7 @@ void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& recor
   for (int i = 0; i < fitted.count; ++i) {
     if (fitted.of[i].may_be_negative) continue;
     const Estimate& term = *fit.find(fitted.of[i].name);
-    std::string what(fitted.of[i].name);
-    std::replace(what.begin(), what.end(), '_', ' ');
+    const std::string what = readable(fitted.of[i].name);
     const std::string damping = fitted.of[i].name == "decay_rate" ? "viscous damping"
                                 : fitted.of[i].name == "friction" ? "dry friction"
                                                                   : what;

@@ -135,7 +135,8 @@ class StepLength {
     return h;
   }
 
-  // The method's error may move a parameter by a twentieth of its standard error.
+  // The method's error may move a parameter by a twentieth of its standard error, under a recorded force by a
+  // tenth.
   double fine(const LeastSquaresSummary& at, double samples, double h) const {
     const double n = static_cast<double>(problem_.record().t.size());
     constexpr double least = 1e-6;  // of the motion: no record is better
@@ -179,6 +180,7 @@ FoundMinimum find_minimum(const Problem& problem, const KnownMotion& known, bool
   const Parameters start = grow(problem, known, found.h);
   const LeastSquaresSummary summary = minimise(problem.model(thinned.record, found.h), start, coarse);
   found.iterations = summary.iterations;
+  // By the rms: 1.2 times, squared.
   const bool beaten = summary.equations.sum_of_squares > 1.44 * options.rms_to_beat * options.rms_to_beat * n;
   if (roughly || beaten) {
     settings.error_tolerance = 1e-2;

@@ -26,7 +26,7 @@ auto interruptible(Model model, const Watch& watch) {
   };
 }
 
-/// Nothing of it is known: parameters halfway to the minimum would look like a result.
+/// A fit without values: a half-finished minimum would look like a result.
 LawFit interrupted_fit(const LawFitOptions& options);
 
 /// The first so many periods, of at least 32 samples.
@@ -35,12 +35,13 @@ Record first_periods(const Record& record, double angular_frequency, double peri
 /// What a reason other than converged means for the user.
 void set_status(LawFit& fit, LeastSquaresReason reason);
 
-/// Minimises within the bounds and, where a parameter is on its bound, also without them.
+/// Where the sum of squares is least, within the bounds and without them.
 struct Minimum {
   LeastSquaresSummary bounded;
   LeastSquaresSummary free;  ///< the same where no bound is touched; `bounded` where there is no minimum
   bool touches = false;      ///< a parameter is on its bound
 };
+/// Minimises within the bounds and, where a parameter is on its bound, also without them.
 template <class Model>
 Minimum minimise_both(const Model& model, const Parameters& start, const LeastSquaresOptions& options) {
   Minimum minimum;

@@ -8,7 +8,7 @@
 namespace cromer {
 namespace {
 
-// Of the terms that can be typed, and auto.
+// Of the terms that can be typed: all but the spring.
 std::vector<std::string_view> typed_names() {
   std::vector<std::string_view> names;
   for_each_term([&]<class T>() {

@@ -42,9 +42,10 @@ enum class FitStatus {
 };
 std::string_view name(FitStatus status);  // "converged", ...
 
-/// Parameters stand in the contract's order: those of the law's terms, the drive's, equilibrium, position and
-/// velocity at the first sample. "unit" is that of the displacement. Damping terms that can only take energy are
-/// never negative: their intervals come from Student's t at the minimum without that bound, and are cut at it.
+/// Parameters stand in the order of fitted_parameters(); position and velocity are those at the first sample, and of
+/// a harmonic drive amplitude and phase stand for cosine and sine. "unit" is that of the displacement. Damping terms
+/// that can only take energy are never negative: their intervals come from Student's t at the minimum without that
+/// bound, and are cut at it.
 struct LawFit {
   FitStatus status = FitStatus::converged;
   std::string message;  ///< why, when status is not converged
@@ -104,7 +105,7 @@ struct LawFitOptions {
   double rms_to_beat = HUGE_VAL;         ///< a fit that leaves 1.2 times this is not refined any further
 };
 
-/// Fits one law. Never throws; a record that cannot be fitted is a status with a message. Samples: 12,000
+/// Fits one law. Never throws; a record that cannot be fitted is a status with a message. 12,000 samples
 /// take about half a millisecond with the viscous law.
 LawFit fit_law(const Record& record, const LawFitOptions& options, const Watch& watch = {});
 

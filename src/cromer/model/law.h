@@ -72,8 +72,8 @@ constexpr Law law_of(std::string_view names) {
   return law.shares(springs) ? law : law.with(law_with<Spring>);
 }
 
-/// The terms with a coefficient other than zero; the spring is always among them unless a pendulum is. With
-/// static friction there is friction.
+/// The terms whose first coefficient is not zero (of hysteresis its stiffness); the spring is always among
+/// them unless a pendulum is. With static friction there is friction.
 template <class Real>
 constexpr Law law_of(const Oscillator<Real>& oscillator) {
   Law law;

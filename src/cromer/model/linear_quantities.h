@@ -42,7 +42,7 @@ inline double energy_factor_per_cycle(const Oscillator<double>& o) {
   return w > 0 ? std::exp(-4 * std::numbers::pi * decay_rate(o) / w) : 0;
 }
 
-/// Without drag, friction and cubic stiffness, per unit mass.
+/// The linear part of the law, per unit mass, with its drive.
 inline LinearLaw<double> linear_law(const Oscillator<double>& o, const HarmonicDrive<double>& drive = {}) {
   return {.decay_rate = decay_rate(o),
           .stiffness = o.stiffness / o.mass,

@@ -1,7 +1,8 @@
 // The law of motion:
 //
-//   m x'' = F(t) - k x - k2 x^2 - ka x|x| - k3 x^3 - k5 x^5 - p sin x - c x' - e x^2 x' - d x'|x'| - f sgn x'
-//   - z z' = A x' - beta |x'| |z|^(n-1) z - g x' |z|^n
+//   m x'' = F(t) - k x - k2 x^2 - ka x|x| - k3 x^3 - k5 x^5 - p sin x
+//           - c x' - e x^2 x' - d x'|x'| - f sgn x' - z,
+//   z' = A x' - beta |x'| |z|^(n-1) z - gamma x' |z|^n
 //
 // The terms stand in terms/, one header each.
 #pragma once

@@ -4,8 +4,9 @@
 //
 // With the impulse response g (g(0) = 0, g'(0) = 1) and tau = t - t0 it is
 //
-//   x = (g' + 2 b g) x0 + g v0 + f Re(e^{i (W t0 + phi)} P),    P(tau) = integral from 0 to tau of g(u) e^{i
-//   W (tau - u)} du v = -s g x0 + g' v0 + f Re(e^{i (W t0 + phi)} P'),          P' = g + i W P.
+//   x = (g' + 2 b g) x0 + g v0 + f Re(e^{i (W t0 + phi)} P),
+//   v = -s g x0 + g' v0 + f Re(e^{i (W t0 + phi)} P'),
+//   P(tau) = integral from 0 to tau of g(u) e^{i W (tau - u)} du,    P' = g + i W P.
 //
 // g is the first divided difference of z -> e^{z tau} at the roots r1, r2 of z^2 + 2 b z + s, and P the
 // second one at i W, r1, r2. Evaluated as differences they fail where nodes meet: at critical damping (r1 =
@@ -115,9 +116,9 @@ Complex<Real> response_from_rest(const LinearLaw<Real>& law, const ImpulseRespon
   const double b_tau = value_of(b * tau), s_tau2 = value_of(s * tau * tau), w_tau = value_of(w * tau);
 
   if (std::abs(b_tau) <= 1 && std::abs(s_tau2) <= 1 && std::abs(w_tau) <= 1) {
-    // All three nodes within reach of each other: the power series of the equation itself, with p[n] = the
-    // n-th Taylor term of P, n (n - 1) p[n] = tau^2 (i W tau)^{n-2}/(n - 2)! - 2 b tau (n - 1) p[n-1] - s
-    // tau^2 p[n-2].
+    // All three nodes within reach of each other: the power series of the equation itself, p[n] the n-th
+    // Taylor term of P:
+    //   n (n - 1) p[n] = tau^2 (i W tau)^{n-2}/(n - 2)! - 2 b tau (n - 1) p[n-1] - s tau^2 p[n-2]
     Complex<Real> force{tau * tau, Real(0)}, before{}, last{}, sum{};
     for (int n = 2; n < 34; ++n) {
       const Complex<Real> next = Real(1.0 / (n * (n - 1))) *

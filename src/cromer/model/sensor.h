@@ -1,9 +1,8 @@
 // A simulated motion sensor: offset + x + noise, rounded to the resolution.
 //
-// The same seed gives the same samples on every machine: the generator is integer arithmetic, and the normal
-// deviates need only
-// + - * / and sqrt, which IEEE 754 fixes to the last bit (the library's log, which differs between platforms,
-// is not used).
+// The same seed gives the same samples on every machine. The generator is integer arithmetic. The normal
+// deviates need only sums, products, quotients and square roots, which IEEE 754 fixes to the last bit; the
+// library's log differs between platforms and is not used.
 #pragma once
 
 #include <algorithm>
@@ -44,8 +43,8 @@ class SplitMix64 {
   std::uint64_t state_;
 };
 
-/// ln(x) for finite x > 0, to 2 units in the last place, the same bits everywhere: 2 artanh((m - 1)/(m + 1))
-/// + e ln 2 with m near 1.
+/// ln(x) for finite x > 0, to 2 units in the last place, the same bits everywhere. With x = m 2^e and m near
+/// 1 it is 2 artanh((m - 1)/(m + 1)) + e ln 2.
 inline double portable_log(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);

@@ -17,7 +17,8 @@
 namespace cromer {
 namespace {
 
-// What the choice is made on: most records whole.
+// On how many samples laws are compared at most: it bounds the time that a choice takes. A record of up to 200,000
+// samples, 5 enough_samples or 2 enough_driven, is compared whole: a part would cost a second fit to all.
 constexpr std::size_t enough_samples = 40'000, enough_driven = 100'000;
 constexpr double samples_per_period = 16;
 
@@ -70,7 +71,7 @@ std::vector<Law> free_candidates(bool angle) {
   return laws;
 }
 
-// Of a driven motion: what is met often, each by itself and with others.
+// Of a driven motion: the springs that are met often, each by itself and with drag or friction.
 std::vector<Law> driven_candidates(const Law& linear) {
   std::vector<Law> laws;
   for (const Law& shape : {Law{}, law_with<Cubic>, law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<OddQuadratic>})
@@ -122,7 +123,7 @@ class Choosing {
     return chosen(laws);
   }
 
-  // From the linear law; under a recorded force from one with a bent spring.
+  // From the linear law; under a recorded force from one with a quadratic and a cubic spring.
   LawChoice among_driven() {
     LawFitOptions leading = options_;
     const Law linear = Law{options_.law.terms & springs.terms}.with(law_with<Viscous>);

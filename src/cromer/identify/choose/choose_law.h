@@ -10,11 +10,17 @@ namespace cromer {
 
 struct LawChoice {
   LawFit chosen;
-  /// Those tried: of a free motion all sums of viscous, drag and friction, each with a linear spring, with cubic
-  /// and with odd-quadratic, for angles also as a pendulum; then, where what is left asks for them, more terms one
-  /// by one. Of a driven motion terms are added one by one. The viscous law first, and it alone if that was refused.
-  /// Only the chosen one and the one of lowest BIC beside it are fitted to the last digit, the others well enough
-  /// to be compared.
+  /// Those tried; a given law alone.
+  ///
+  /// Of a free motion: all sums of viscous, drag and friction, each with a linear spring, with cubic and with
+  /// odd-quadratic, for angles also as a pendulum. Of a driven motion: the viscous law, and it with cubic, with
+  /// quadratic, with both and with odd-quadratic (only where there is a spring), each of these also with drag and
+  /// with friction. Then, of either, as long as something is left and for two rounds at most: the best law with one
+  /// more term, or with quadratic and cubic together; hysteresis beside the viscous law.
+  ///
+  /// The viscous law comes first, and it alone if it was refused. Only the chosen law and the one of lowest BIC
+  /// beside it are fitted to the last digit, the others well enough to be compared. Where the reading of a recorded
+  /// force is not given, the fits under the other readings come last.
   std::vector<LawFit> candidates;
 };
 

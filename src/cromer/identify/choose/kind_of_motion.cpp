@@ -71,7 +71,9 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
     independent = driven.independent_samples, least = driven.residual.rms;
   if (modes && modes->residual.rms < least) independent = modes->independent_samples;
   const Criterion criterion{std::max(2.0, independent)};
-  constexpr double few = 8;  // frequencies about one that is known
+  // A search over N frequencies costs 2 ln N. N is half the samples where all were searched; the few about one that
+  // was named count as 8.
+  constexpr double few = 8;
   const auto searched = [](double frequencies) { return 2 * std::log(std::max(1.0, frequencies)); };
   const double all = 0.5 * static_cast<double>(record.t.size());
   const double of_free = criterion.of(left(free.residual.rms), free.fitted, 0);

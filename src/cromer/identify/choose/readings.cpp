@@ -21,10 +21,8 @@ std::string differences(const LawFit& chosen, const LawFit& other) {
     if (!there || chosen.names[i] == "position" || chosen.names[i] == "velocity") continue;
     const double off = std::abs(there->value - here.value) / here.standard_error;
     if (!(off > 1)) continue;
-    std::string name = chosen.names[i];
-    std::replace(name.begin(), name.end(), '_', ' ');
-    text += fmt::format("{}{} {:.6g} ({:.1f} of its standard errors away)", text.empty() ? "" : ", ", name,
-                        there->value, off);
+    text += fmt::format("{}{} {:.6g} ({:.1f} of its standard errors away)", text.empty() ? "" : ", ",
+                        readable(chosen.names[i]), there->value, off);
   }
   return text;
 }
@@ -104,6 +102,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   std::vector<LawFit> open;
   for (std::size_t i = 0; i < by_reading.size() && !watch.interrupted(); ++i) {
     if (i == best || !by_reading[i].has_values()) continue;
+    // Five times strong evidence: a reading that far behind is not fitted again under the chosen law.
     constexpr double worth_a_fit = 30;
     LawFit other = by_reading[i];
     if (independent * 2 * std::log(other.residual.rms / by_reading[best].residual.rms) < worth_a_fit) {
@@ -125,8 +124,8 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   for (const LawFit& other : open) {
     const std::string differ = differences(choice.chosen, other);
     choice.chosen.warnings.push_back(fmt::format(
-        "what the force did between its samples is open: taken as {} it leaves {:.4g}, as {} {:.4g}, too little "
-        "apart to tell{}{}; the errors hold both. --between-samples says which, if it is known",
+        "what the force did between its samples is open: as {} the rms residual is {:.4g}, as {} it is {:.4g}: too "
+        "close to decide{}{}; the errors hold both. --between-samples says which, if it is known",
         name(choice.chosen.drive.force.between), choice.chosen.residual.rms, name(other.drive.force.between),
         other.residual.rms, differ.empty() ? "" : "; the other would make the ", differ));
   }

@@ -34,10 +34,9 @@ bool has_other_damping(const LawFit& chosen, const LawFit& rival) {
 std::string coefficients(const LawFit& fit) {
   std::string text;
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
-    std::string name = fit.names[i];
+    const std::string& name = fit.names[i];
     if (name == "equilibrium" || name == "position" || name == "velocity" || name == "angular_frequency") continue;
-    std::replace(name.begin(), name.end(), '_', ' ');
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", readable(name),
                         format_quantity({fit.estimates[i].value, fit.estimates[i].standard_error}, ""));
   }
   return text;

@@ -95,8 +95,10 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const double periods = w * duration / (2 * pi);
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
-  // over its root. What a wrong law leaves lies at that frequency too, and must not count against a long
-  // oscillation; wandering noise, in turn, looks like a period or three.
+  // over its root (60: to 13 %, 300: to 6 %, 500: to 4.5 %). White noise reaches 60 at a given frequency with a
+  // probability of e^-30; the higher bounds are margins for noise that is not white. What a wrong law leaves lies
+  // at that frequency too, and must not count against a long oscillation; wandering noise, in turn, looks like a
+  // period or three.
   const double against_noise = fit.explained / std::max(1e-300, 1 - fit.explained) * fit.independent_samples;
   const double visible_periods = w * std::min(duration, 2 / std::max(g, 1e-300)) / (2 * pi);
   const bool stands_out = visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
@@ -151,7 +153,8 @@ std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
   if (multiple < 2 || std::abs(w->value - multiple * drive->value) > error) return std::nullopt;
   return Refusal{FitStatus::no_oscillation,
                  fmt::format("a steady oscillation at {:.6g} Hz and its harmonic of order {:.0f}, which does not decay: "
-                             "rounding or a bent sensor makes such a line, and no swing of the body's own is seen",
+                             "rounding or a sensor that is not linear makes such a line, and the body's own swing "
+                             "is not seen",
                              drive->value / (2 * pi), multiple)};
 }
 
@@ -163,7 +166,7 @@ std::optional<Refusal> refuse_frequency(const LawFit& fit) {
                  w.standard_error < w.value
                      ? fmt::format("too noisy: the frequency is known to {:.0f} % only",
                                    100 * w.standard_error / w.value)
-                     : fmt::format("the law {} leaves so much that the frequency is not known at all",
+                     : fmt::format("the law {} fits so badly that the frequency is unknown",
                                    to_text(fit.law))};
 }
 

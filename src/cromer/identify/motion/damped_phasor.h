@@ -1,9 +1,10 @@
 // The waveform of the viscous law and its derivatives, summed over a record in one pass.
 //
-//   y(t) = E + exp(-g s) (A cos(w s) + B sin(w s)),   s = t - t0, t0 the first sample, w the damped angular
-//   frequency
+//   y(t) = E + exp(-g s) (A cos(w s) + B sin(w s)),   s = t - t0
 //
-// The five derivatives are combinations of 1, c, s·, s c and s s·, where c + i s· = exp((-g + i w) s): their
+// with t0 the first sample's time and w the damped angular frequency.
+//
+// The five derivatives are combinations of 1, c, d, s c and s d, where c + i d = exp((-g + i w) s): their
 // products over a stretch of equal steps follow from those over a table of one stretch, turned and shifted.
 // Only the residuals meet every sample.
 #pragma once

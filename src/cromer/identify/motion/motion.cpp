@@ -1,8 +1,16 @@
 #include "cromer/identify/motion/motion.h"
 
+#include <algorithm>
+
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer {
+
+std::string readable(std::string_view name) {
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return words;
+}
 
 Parameters FittedParameters::lower_bounds() const {
   Parameters lower = LeastSquaresOptions::no_bounds();
@@ -22,8 +30,7 @@ FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParamete
       fitted.of[fitted.count++] = {.name = info.parameter,
                                    .coefficient = T::template members<double>[i],
                                    .as = info.fitted,
-                                   .may_be_negative = info.may_be_negative,
-                                   .term = &term_infos[place_of_term<T>]};
+                                   .may_be_negative = info.may_be_negative};
     }
   });
   // A pendulum's frequency is listed where a spring's is.

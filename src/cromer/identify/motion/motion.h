@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
 
 #include "cromer/identify/law.h"
@@ -46,6 +47,9 @@ struct Motion {
   void set_decay_rate(double g) { per_mass.damping = 2 * g; }
 };
 
+/// A parameter's name in sentences for people: "decay rate" of "decay_rate".
+std::string readable(std::string_view name);
+
 /// One number that a fit adjusts.
 struct FittedParameter {
   std::string_view name;                              ///< as in JSON
@@ -54,7 +58,6 @@ struct FittedParameter {
   FittedAs as = FittedAs::itself;
   bool may_be_negative = true;
   bool lives_at_rest = false;  ///< at zero frequency, as an equilibrium: not at the swing's own
-  const TermInfo* term = nullptr;  ///< whose coefficient it is
 
   double of(const Motion& motion) const {
     if (member) return motion.*member;
@@ -76,7 +79,7 @@ struct FittedParameter {
   }
 };
 
-/// All that a fit adjusts, in the contract's order; what is held keeps the value of `held`.
+/// All that a fit adjusts, in the order of fitted_parameters(); what is not fitted keeps the value of `held`.
 struct FittedParameters {
   int count = 0;
   FittedParameter of[max_parameters]{};
@@ -108,7 +111,9 @@ struct HeldParameters {
   bool force_offset = false;
 };
 
-/// Of a law under a drive; `held` of `values` are kept, and its law is set.
+/// What a fit of `law` under a drive adjusts, in the order of the law's terms, the drive's numbers, then offset or
+/// equilibrium, position, velocity; the angular frequency first. Parameters marked in `held` keep their value from
+/// `values`; the motion's law becomes `law`.
 FittedParameters fitted_parameters(const Law& law, DriveKind drive = DriveKind::none, HeldParameters held = {},
                                    const Motion& values = {});
 

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "cromer/base/interrupt.h"
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/motion/motion.h"
 #include "cromer/identify/record.h"
@@ -20,7 +18,6 @@ struct Drive {
   DriveKind kind = DriveKind::none;
   ForceRecord force{};  ///< where it is recorded; its samples outlive what uses it
 
-  static Drive none() { return {}; }
   static Drive harmonic() { return {DriveKind::harmonic}; }
   static Drive recorded(const ForceRecord& force) { return {DriveKind::recorded, force}; }
 };
@@ -59,6 +56,7 @@ struct Rest {
   double position = 0;      // [unit] from the equilibrium
   Parameters derivative{};  ///< of the position, in the order of the fitted parameters
 };
+/// At steps of at most h [s] > 0 through the record's times; `fitted` is of a law with friction and no drive.
 Rest rest_of(const FittedParameters& fitted, const Parameters& parameters, const Record& record, double h);
 
 /// Velocity after `duration` [s] of a free motion, and its derivatives in the order of the fitted parameters.

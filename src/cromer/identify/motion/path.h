@@ -18,7 +18,6 @@
 #include <cmath>
 #include <span>
 
-#include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
 #include "cromer/identify/motion/motion_system.h"
 #include "cromer/methods/dormand_prince.h"
@@ -51,7 +50,7 @@ struct PlainStep {
   State<Real> from, to;
 };
 
-/// Steps of a method, and what the last one leaves to be looked at.
+/// What the last step of a method leaves to be looked at.
 template <class Real, class Method>
 struct StepOf {
   using Type = PlainStep<Real>;
@@ -61,7 +60,7 @@ struct StepOf<Real, DormandPrince> {
   using Type = DormandPrince::Memory<Real>;
 };
 
-/// Starts at a state; step(...) goes on from where `last` ends.
+/// Steps of a method: start(...) at a state, step(...) on from where `last` ends.
 template <class System, class Method>
 class Stepper {
  public:

@@ -19,8 +19,8 @@ struct Samples {
   double duration() const { return t.back(); }
 };
 
-// On an even grid of at most `most` points, by straight lines; each point the mean of what lies around it
-// would smooth lines away, so that the grid is cut short instead where it would be too coarse.
+// On an even grid of at most `most` points over the whole record, by straight lines between samples. The mean
+// of what lies around a point would smooth fast lines away.
 Samples even_samples(const Record& record, std::size_t most) {
   const double t0 = record.t.front(), T = record.t.back() - t0;
   const std::size_t count = std::min(record.t.size(), most);

@@ -25,8 +25,8 @@ struct EnvelopeTrack {
 std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular_frequency,
                                             double decay_rate);
 
-/// The motion of a law that follows the track best, from the record's first time t0. None of decay rate, drag
-/// and friction is negative.
+/// The motion of a law that follows the track best, from the record's first time t0 [s]. No coefficient that
+/// cannot be negative is negative.
 Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0);
 
 }  // namespace cromer

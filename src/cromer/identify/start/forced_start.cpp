@@ -49,7 +49,7 @@ std::vector<double> without_holes(std::span<const double> z) {
 
 // The transforms, over one segment, of the equation's terms under w(t) exp(-i omega t): each is one term of
 //   target = gain u + bias 1 + 2g (z') - s1 z - s2 z² - s3 z³
-// with z' and z'' moved onto the window by parts.
+// with z' and z'' moved onto the window by parts: (z') is minus the transform of z'.
 struct Segment {
   std::vector<Complex> force, one, z, z_by_slope, z_by_curvature, square, cube;
 };

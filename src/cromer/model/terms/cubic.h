@@ -11,8 +11,7 @@ struct Cubic {
                                  .formula = "k3 x^3",
                                  .meaning = "a spring that stiffens or softens: the frequency changes with the "
                                             "square of the amplitude",
-                                 .source = "G. Duffing, Erzwungene Schwingungen, Vieweg 1918",
-                                 .centred = true};
+                                 .source = "G. Duffing, Erzwungene Schwingungen, Vieweg 1918"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "cubic",
                                                            .parameter = "cubic",
                                                            .in_si = "cubic_stiffness",

@@ -8,17 +8,17 @@
 
 namespace cromer {
 
-/// A force z that depends on how the motion came where it is: z' = A x' - beta |x'| |z|^(n-1) z - g x' |z|^n.
+/// A force z that depends on how the motion came where it is:
+/// z' = A x' - beta |x'| |z|^(n-1) z - gamma x' |z|^n.
 struct Hysteresis {
   static constexpr TermInfo info{
       .name = "hysteresis",
-      .formula = "z, z' = A x' - beta |x'| z - g x'|z|",
+      .formula = "z, z' = A x' - beta |x'| z - gamma x'|z|",
       .meaning = "slip in joints and structures: loops of force against displacement",
       .source =
           "R. Bouc, Proc. 4th Conf. Nonlinear Oscill. Prague, 315 (1967); Y.-K. "
           "Wen, J. Eng. Mech. Div. ASCE 102, 249 (1976)",
-      .acts_at_rest = false,
-      .centred = false};
+      .acts_at_rest = false};
   static constexpr std::array coefficients{
       CoefficientInfo{.option = "hysteresis-stiffness",
                       .parameter = "hysteresis_stiffness",
@@ -36,7 +36,7 @@ struct Hysteresis {
       CoefficientInfo{.option = "hysteresis-gamma",
                       .parameter = "hysteresis_gamma",
                       .in_si = "",
-                      .symbol = "g",
+                      .symbol = "gamma",
                       .meaning = "what sets the shape of its loops, gamma (N^(1-n)/m)",
                       .length = -1,
                       .fitted = FittedAs::with_any_mass}};

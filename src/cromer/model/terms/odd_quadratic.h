@@ -13,8 +13,7 @@ struct OddQuadratic {
                                  .formula = "ka x|x|",
                                  .meaning = "micro-slip where a spring is clamped: the frequency changes in "
                                             "proportion to the amplitude",
-                                 .source = "L. E. Goodman & J. H. Klumpp, J. Appl. Mech. 23, 421 (1956)",
-                                 .centred = true};
+                                 .source = "L. E. Goodman & J. H. Klumpp, J. Appl. Mech. 23, 421 (1956)"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "odd-quadratic",
                                                            .parameter = "odd_quadratic",
                                                            .in_si = "odd_quadratic_stiffness",

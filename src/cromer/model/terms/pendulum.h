@@ -13,8 +13,7 @@ struct Pendulum {
                                  .formula = "p sin x",
                                  .meaning = "gravity on a pendulum, x an angle: the frequency falls with the "
                                             "amplitude",
-                                 .source = "C. Huygens, Horologium oscillatorium, 1673",
-                                 .centred = true};
+                                 .source = "C. Huygens, Horologium oscillatorium, 1673"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "pendulum",
                                                            .parameter = "angular_frequency",
                                                            .in_si = "",

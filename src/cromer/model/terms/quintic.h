@@ -11,8 +11,7 @@ struct Quintic {
                                  .formula = "k5 x^5",
                                  .meaning = "what a cubic spring leaves at large swings: the frequency changes with "
                                             "the fourth power of the amplitude",
-                                 .source = "A. H. Nayfeh & D. T. Mook, Nonlinear Oscillations, Wiley 1979",
-                                 .centred = true};
+                                 .source = "A. H. Nayfeh & D. T. Mook, Nonlinear Oscillations, Wiley 1979"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "quintic",
                                                            .parameter = "quintic",
                                                            .in_si = "quintic_stiffness",

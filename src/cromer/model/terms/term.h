@@ -43,8 +43,6 @@ struct TermInfo {
   std::string_view source;
   bool damps = false;       ///< takes energy and never gives any
   bool acts_at_rest = true; ///< part of the force at rest: of the position
-  bool centred = false;     ///< shows where x = 0 lies: shifted, it is another law
-  bool even = false;        ///< the force of x and that of -x are not opposite
 };
 
 /// All terms have the coefficients in an array of their own: `coefficients`, of CoefficientInfo, and

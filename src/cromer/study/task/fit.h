@@ -86,7 +86,7 @@ struct FittedRecording {
   std::size_t samples = 0;  ///< in the file
   FitOptions options;
   LawFit fit;
-  std::vector<NamedEstimate> parameters;  ///< contract's order
+  std::vector<NamedEstimate> parameters;  ///< as fitted_parameters() orders them, then force_parameters()
   std::vector<NamedEstimate> derived;
   std::string simulate;  ///< the command line that simulates this law
   std::vector<Candidate> candidates;

@@ -189,7 +189,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   constexpr double two_pi = 2 * std::numbers::pi;
   const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
   if (*drive && **drive > two_pi * highest)
-    return Error{fmt::format("--drive-frequency: {:.6g} Hz is not seen in samples {:.4g} Hz apart: up to {:.4g} Hz is",
+    return Error{fmt::format("--drive-frequency: {:.6g} Hz is not seen in {:.4g} samples a second: up to {:.4g} Hz is",
                              **drive / two_pi, 2 * highest, highest)};
   // The law's motion begins at the first sample that the fit sees.
   if (series.t.front() < t.front()) {

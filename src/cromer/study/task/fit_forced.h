@@ -8,7 +8,7 @@
 namespace cromer {
 
 /// One run's motion and the force column of the same run. Bad input (a force with gaps, at other times or
-/// that never changes, times that are not even, a column that is no displacement) is an Error.
+/// that never changes, times that are not even) is an Error.
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch = {});
 

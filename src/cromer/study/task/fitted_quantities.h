@@ -12,7 +12,7 @@
 
 namespace cromer {
 
-/// A named number of the contract's JSON: value, standard error, 95 % interval, SI unit.
+/// A named number of the JSON output: value, standard error, 95 % interval, SI unit.
 struct NamedEstimate {
   std::string name;
   Estimate estimate;
@@ -33,8 +33,8 @@ struct Body {
 /// "m" from "m", "m/s" or "m/s²", the unit of a record that is this derivative of the displacement.
 std::string displacement_unit(std::string_view unit, int derivative);
 
-/// Per unit mass, in the contract's order; `observed` is the unit of the record, which is this derivative of
-/// the displacement, `force_unit` that of a recorded force, "" where there is none or it is not known.
+/// Per unit mass, in the order of fitted_parameters(); `observed` is the unit of the record, which is this derivative
+/// of the displacement, `force_unit` that of a recorded force, "" where there is none or it is not known.
 std::vector<NamedEstimate> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
                                           std::string_view force_unit = {});
 

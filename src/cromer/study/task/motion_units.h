@@ -15,6 +15,7 @@ struct MotionUnits {
   std::string energy;  ///< without a mass per mass, of an angle per moment of inertia
 };
 
+/// Of any recording, fitted or not; with a stiffness among the parameters the energy is in J.
 MotionUnits motion_units(const FittedRecording& fitted);
 
 }  // namespace cromer

@@ -50,7 +50,8 @@ std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {
                          group});
     if constexpr (std::is_same_v<T, Hysteresis>)
       options.push_back({"hysteresis-exponent", &o.law.hysteresis_exponent, "", Range::at_least_one,
-                         "how sharply it gives way, n of beta |x'| |z|^(n-1) z + g x' |z|^n", "1", group});
+                         "how sharply it gives way, n of beta |x'| |z|^(n-1) z + gamma x' |z|^n", "1",
+                         group});
   });
   return options;
 }

@@ -10,8 +10,8 @@ namespace cromer {
 
 struct SimulatedRun;
 
-/// Of a linear law (no drag, friction or cubic stiffness) and a method with a step of its own; under a
-/// harmonic drive with the steady motion. Empty otherwise.
+/// Of a linear law (spring and damper only) and a method with a step of its own; under a harmonic drive with
+/// the steady motion. Empty otherwise.
 std::optional<MethodEffect> effect_of(const SimulatedRun& run);
 
 /// Warning of a step beyond the method's stability limit, which it names: of the linear law, else of small

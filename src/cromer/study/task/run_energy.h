@@ -10,11 +10,12 @@
 namespace cromer {
 
 /// From the kept states and the final one; of a run by `exact` from its closed form, with dry friction arc by
-/// arc, closed to rounding. Empty if the run ended early or its states are fewer than 20 a period.
+/// arc, closed to rounding. Empty if the run ended early, its law has hysteresis, its states are fewer than
+/// 20 a period, or the drive jumps or bends between two of them.
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
 
-/// Of a free motion under a law with cubic, drag or friction; empty for others, and with fewer than 8 kept
-/// states a period.
+/// Of a free motion under a law that is not linear; empty for others, and with fewer than 8 kept states a
+/// period.
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run);
 
 }  // namespace cromer

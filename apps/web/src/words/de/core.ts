@@ -136,7 +136,7 @@ the motion returns without oscillating: damping ratio about {}⇒die Bewegung ke
 the record holds {} periods of {} s:…⇒die Aufnahme hat {} Perioden von {} s: gebraucht werden mindestens 1,5
 too noisy: a sinusoid accounts for {} %…⇒zu viel Rauschen: eine Sinusschwingung erklärt nur {} % der Streuung
 too noisy: the frequency is known to {} % only⇒zu viel Rauschen: die Frequenz ist nur auf {} % bekannt
-the law {} leaves so much…⇒das Gesetz {} lässt so viel übrig, dass die Frequenz gar nicht bekannt ist
+the law {} fits so badly…⇒das Gesetz {} passt so schlecht, dass die Frequenz nicht bekannt ist
 no oscillation found: the spectrum…⇒keine Schwingung gefunden: das Spektrum hat keine Linie
 no oscillation found: the best decaying sinusoid accounts for {} % of…⇒keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {} % der Streuung, was Rauschen auch könnte; bitte mit den Griffen den Teil wählen, der schwingt, oder eine andere Spalte
 the motion's tops are cut…⇒die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: der Sensor war außerhalb seines Bereichs; bitte den späteren Teil wählen
@@ -144,21 +144,23 @@ the values take {} levels only, {} apart: the resolution…⇒die Werte haben nu
 the values take {} levels only, {} apart: the frequency follows…⇒die Werte haben nur {} Stufen im Abstand {}: die Frequenz folgt daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten ist nicht zu trauen; bitte feiner messen
 this law's motion runs…⇒die Bewegung dieses Gesetzes läuft der aufgenommenen davon
 the laws were compared on the first {} of {} samples; the one chosen…⇒die Gesetze wurden an den ersten {} von {} Messwerten verglichen; das gewählte ist an alle angepasst
-what the force did between its samples is open: taken as {} it leaves {}, as {} {}, too little apart to tell…⇒was die Kraft zwischen ihren Messwerten tat, ist offen: als {} gelesen lässt sie {} übrig, als {} {}, zu wenig Unterschied für eine Entscheidung; die Unsicherheiten umfassen beides
+what the force did between its samples is open: as {} the rms residual is {}, as {} it is {}: too close…⇒was die Kraft zwischen ihren Messwerten tat, ist offen: als {} gelesen ist der Effektivwert der Reste {}, als {} gelesen {}: zu nah beieinander für eine Entscheidung; die Unsicherheiten umfassen beides
 {} ({} of its standard errors away)⇒{} ({} Standardfehler entfernt)
-{} does nothing that the record shows⇒{} bewirkt nichts, was die Aufnahme zeigt
-of {} and {} only the ratio is known, {} ± {}⇒von {} und {} ist nur das Verhältnis bekannt, {} ± {}
-of {} only a combination is known⇒von {} ist nur eine Kombination bekannt
+the record does not show {}⇒die Aufnahme zeigt nichts von {}
+only the ratio of {} and {} is known, {} ± {}⇒nur das Verhältnis von {} und {} ist bekannt, {} ± {}
+only a combination of {} is known⇒nur eine Kombination von {} ist bekannt
 dry friction⇒trockene Reibung
 a body without a spring does not swing: only under a recorded force…⇒ein Körper ohne Feder schwingt nicht: nur unter einer aufgenommenen Kraft lässt sich sein Gesetz finden
-a steady oscillation at {} Hz and its harmonic of order {}, which does not decay:…⇒eine gleichbleibende Schwingung bei {} Hz und ihre {}. Harmonische, die nicht abklingt: Rundung oder ein krummer Sensor macht eine solche Linie, eine eigene Schwingung des Körpers ist nicht zu sehen
+a steady oscillation at {} Hz and its harmonic of order {}, which does not decay:…⇒eine gleichbleibende Schwingung bei {} Hz und ihre {}. Harmonische, die nicht abklingt: Rundung oder ein nicht linearer Sensor macht eine solche Linie, eine eigene Schwingung des Körpers ist nicht zu sehen
 a decaying and a steady oscillation account for {} % of the variance only⇒eine abklingende und eine gleichbleibende Schwingung erklären nur {} % der Varianz
 {} rad/s fits nearly as well as {} rad/s: how many periods passed in the gaps…⇒{} rad/s passt fast so gut wie {} rad/s: wie viele Perioden in den Lücken vergingen, ist nicht sicher
 it must be 1 or more, not {}⇒das muss mindestens 1 sein, nicht {}
 1 or more⇒mindestens 1
 be at least 1⇒mindestens 1 sein
 the record has two readings: {}⇒die Aufnahme lässt sich auf zwei Arten lesen: {}
-the record does not determine this law: of {} only…⇒die Aufnahme legt dieses Gesetz nicht fest: von {} ist nur eine Kombination bekannt
+the record does not determine this law: only a combination of {} is…⇒die Aufnahme legt dieses Gesetz nicht fest: nur eine Kombination von {} ist bekannt
+the record does not determine this law: only the ratio of {} and {} is known, {} ± {}⇒die Aufnahme legt dieses Gesetz nicht fest: nur das Verhältnis von {} und {} ist bekannt, {} ± {}
+the record does not determine this law: the record does not show {}⇒die Aufnahme legt dieses Gesetz nicht fest: sie zeigt nichts von {}
 the record does not determine…⇒die Aufnahme legt dieses Gesetz nicht fest: seine Glieder lassen sich nicht trennen
 the fit has not settled after {} iterations⇒die Anpassung kommt nach {} Schritten nicht zur Ruhe
 line {}: the time jumps from {} to {} s;…⇒Zeile {}: die Zeit springt von {} auf {} s; bitte mit den Griffen eine Seite wählen
