@@ -114,26 +114,18 @@ ReadParameters read_parameters(const FittedParameters& fitted, const Parameters&
   return list;
 }
 
-// What one estimate is known to.
-struct Known {
-  SquareMatrix covariance{};
-  Parameters degrees{};
-};
-
-Known known_of(const LawFit& fit, const Record& record, const DescribedMinimum& minimum, const Inverse& inverse,
-               const Noise& noise) {
+EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedMinimum& minimum,
+                       const Inverse& inverse, const Noise& noise) {
   const FittedParameters& fitted = minimum.fitted;
   const auto n = static_cast<double>(noise.samples);
   const double k = fitted.count;
-  Known known;
+  EstimateNoise known;
   std::vector<double> jacobian;
   if (minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered &&
       noise.correlation.coefficients.size() <= highest_order)
     jacobian = minimum.jacobian();
   if (!jacobian.empty()) {
-    const EstimateNoise estimates = estimate_noise(jacobian, fitted.count, noise, record.resolution);
-    known.covariance = estimates.covariance;
-    known.degrees = estimates.degrees;
+    known = estimate_noise(jacobian, fitted.count, noise, record.resolution);
   } else {
     // Everything at the swing's own frequency, what lives at rest there.
     const double w = fit.motion.angular_frequency();
@@ -246,7 +238,7 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k);
 
   const Inverse inverse = inverse_of(minimum.matrix, fitted);
-  const Known known = known_of(fit, record, minimum, inverse, noise);
+  const EstimateNoise known = known_of(fit, record, minimum, inverse, noise);
   const ReadParameters quantities = read_parameters(fitted, minimum.parameters, fit.drive.kind, record.derivative);
   const std::size_t count = quantities.names.size();
   fit.names = quantities.names;
