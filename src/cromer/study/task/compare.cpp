@@ -84,9 +84,8 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     samples.t.insert(samples.t.begin(), series.t.front());
     samples.y.insert(samples.y.begin(), series.y.front());
   }
-  const bool only_law = !(options.fit.law.empty() || options.fit.law == "auto");
-  result.doubts =
-      doubts({samples.t, samples.y, series.resolution}, fit, only_law, si_unit_of(series.quantity));
+  result.doubts = doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit),
+                         si_unit_of(series.quantity));
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / 200;
   const double step = options.step.value_or(default_step(spacing, period));

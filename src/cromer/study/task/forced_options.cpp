@@ -19,8 +19,10 @@ std::optional<ForceBetween> reading_of(const FitOptions& options) {
   return std::nullopt;
 }
 
+bool law_is_chosen(const FitOptions& options) { return !options.law.empty() && options.law != "auto"; }
+
 Result<std::optional<Law>> law_of(const FitOptions& options) {
-  if (options.law.empty() || options.law == "auto") return std::optional<Law>{};
+  if (!law_is_chosen(options)) return std::optional<Law>{};
   const Result<Law> law = parse_law(options.law);
   if (!law) return law.error();
   if (!options.no_spring) return std::optional<Law>{*law};

@@ -10,6 +10,9 @@ namespace cromer {
 /// Whether a fit of something driven is asked for.
 bool is_driven(const FitOptions& options);
 
+/// Whether --law names one; else the data choose it.
+bool law_is_chosen(const FitOptions& options);
+
 /// The options given that ask for something of a free decay: --segment, --segments, --goal, --textbook.
 std::vector<std::string_view> unused_if_driven(const FitOptions& options);
 
