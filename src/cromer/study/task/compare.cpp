@@ -73,8 +73,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const LawFit& fit = recording.fit;
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
   if (!fitted || !(fit.angular_frequency().value > 0)) return result;
-  if (recording.series.quantity.find("velocity") != std::string::npos ||
-      recording.series.quantity == "acceleration")
+  if (derivative_order(recording.series.quantity) > 0)
     return Error{fmt::format(
         "compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
         recording.series.column, recording.series.quantity)};
