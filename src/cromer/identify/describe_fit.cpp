@@ -235,7 +235,7 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   fit.independent_samples = n / std::clamp(noise.correlation.density(w * noise.grid.step), 1.0, n);
   const double k = fitted.count;
   fit.student = student_95(std::max(1.0, fit.independent_samples - k));
-  fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k);
+  fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k, 0);
 
   const Inverse inverse = inverse_of(minimum.matrix, fitted);
   const EstimateNoise known = known_of(fit, record, minimum, inverse, noise);

@@ -97,8 +97,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
 
   const double independent = choice.chosen.independent_samples;
   const auto criterion = [&](const LawFit& fit) {
-    return bayesian_criterion(independent, std::max(fit.residual.rms, record.resolution / std::sqrt(12.0)),
-                              fit.fitted);
+    return bayesian_criterion(independent, fit.residual.rms, fit.fitted, record.resolution);
   };
   choice.chosen.bic = criterion(choice.chosen);
   std::vector<LawFit> open;
