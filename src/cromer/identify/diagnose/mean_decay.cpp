@@ -21,7 +21,7 @@ std::vector<std::pair<std::string_view, double>> parts_of(const LawFit& fit, dou
       if (!fit.law.has<T>() || springs.has<T>()) return;
       const CycleAverage<double> average = cycle_average<T>(amplitude, fit.motion.angular_frequency());
       if (std::abs(average.fall) < 1e-9 * std::abs(average.shift) * amplitude) return;
-      const double coefficient = T::coefficients[0].fitted == FittedAs::half ? 2 : 1;
+      const double coefficient = from_fitted(T::coefficients[0].fitted, 1.0);
       parts.emplace_back(T::coefficients[0].parameter, coefficient * average.fall / amplitude);
     }
   });

@@ -32,10 +32,7 @@ LawAtAmplitude law_at_amplitude(const LawFit& fit) {
     if (!fit.law.has<T>()) return;
     for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
       const CoefficientInfo& info = T::coefficients[i];
-      const Real fitted = variable(info.parameter);
-      per_mass.*T::template members<Real>[i] = info.fitted == FittedAs::square_root ? fitted * fitted
-                                               : info.fitted == FittedAs::half      ? 2.0 * fitted
-                                                                                    : fitted;
+      per_mass.*T::template members<Real>[i] = from_fitted(info.fitted, variable(info.parameter));
     }
   });
   law.decay.per_mass = per_mass;

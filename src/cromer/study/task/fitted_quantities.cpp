@@ -109,7 +109,7 @@ std::vector<NamedEstimate> force_parameters(const LawFit& fit, const Body& body)
                                     ? make_estimate(fitted->value * fitted->value,
                                                     2 * fitted->value * fitted->standard_error, fit.student)
                                     : *fitted;
-      const double times = info.fitted == FittedAs::half ? 2 * m.value : m.value;
+      const double times = from_fitted(info.fitted, 1.0) * m.value;
       result.push_back({std::string(info.in_si), scaled(per_mass, times, u_m, fit.student), unit_in_si(info)});
     }
   });
