@@ -168,7 +168,7 @@ template <class F>
 decltype(auto) with_compiled_law(Law present, F&& f) {
   return [&]<std::size_t... i>(std::index_sequence<i...>)->decltype(auto) {
     using Returned = decltype(f.template operator()<any_terms>());
-    const Law wanted = compiled_law(present);
+    const Law wanted = smallest_containing(compiled_laws, present).value_or(any_terms);
     if constexpr (std::is_void_v<Returned>) {
       if (!((wanted == compiled_laws[i] && (f.template operator()<compiled_laws[i]>(), true)) || ...))
         f.template operator()<any_terms>();

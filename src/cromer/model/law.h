@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "cromer/model/oscillator.h"
@@ -47,6 +49,15 @@ constexpr Law law_where(Says says) {
   for (std::size_t i = 0; i < term_count; ++i)
     if (says(term_infos[i])) law.terms |= std::uint32_t{1} << i;
   return law;
+}
+
+/// The smallest of some laws that has every term of the given one, the first of as small ones; nothing where
+/// none has.
+constexpr std::optional<Law> smallest_containing(std::span<const Law> laws, Law law) {
+  std::optional<Law> best;
+  for (const Law each : laws)
+    if (each.contains(law) && (!best || each.size() < best->size())) best = each;
+  return best;
 }
 
 /// Terms that pull a body back to where small swings begin, one of which a law has: none without a spring.

@@ -38,12 +38,4 @@ inline constexpr Law compiled_laws[] = {law_of("spring"),        law_of("viscous
                                         law_of("viscous+drag"),  law_of("cubic"),
                                         law_of("viscous+cubic"), law_of("viscous+drag+cubic")};
 
-/// The smallest compiled law that has every term of the given one; any_terms where none has.
-constexpr Law compiled_law(Law law) {
-  Law best = any_terms;
-  for (const Law each : compiled_laws)
-    if (each.contains(law) && (best == any_terms || each.size() < best.size())) best = each;
-  return best;
-}
-
 }  // namespace cromer
