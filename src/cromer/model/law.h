@@ -66,6 +66,7 @@ inline constexpr Law springs = law_with<Spring, Pendulum>;
 inline constexpr Law dampings = law_where([](const TermInfo& info) { return info.damps; });
 /// The linear law: the one with a closed form.
 inline constexpr Law linear_terms = law_with<Spring, Viscous>;
+constexpr bool is_linear(Law law) { return linear_terms.contains(law); }
 /// Terms whose force is a smooth function of position and velocity.
 inline constexpr Law smooth_terms =
     law_where([](const TermInfo&) { return true; }).without(law_with<Friction, Hysteresis>);

@@ -72,7 +72,7 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const double of_modes = modes ? criterion(*modes, TwoModes::parameters) + searched(all) : HUGE_VAL;
   if (std::min(of_driven, of_modes) > of_free - strong_evidence) return judgement;
 
-  const bool linear = linear_terms.contains(driven.law);
+  const bool linear = is_linear(driven.law);
   if (!modes || (drives && !linear && of_driven < of_modes - strong_evidence)) {
     if (of_driven < of_free - strong_evidence) judgement.kind = MotionKind::driven;
     return judgement;

@@ -48,12 +48,18 @@ MeanDecay mean_decay(const LawFit& fit, const Record& record) {
 
 bool dampings_are_collinear(const LawFit& fit) {
   constexpr double collinear = -0.9;
-  for (const auto& [one, other] : {std::pair{"decay_rate", "drag"}, std::pair{"decay_rate", "friction"},
-                                   std::pair{"drag", "friction"}}) {
-    const double variances = fit.covariance_of(one, one) * fit.covariance_of(other, other);
-    if (variances > 0 && fit.covariance_of(one, other) < collinear * std::sqrt(variances)) return true;
-  }
-  return false;
+  std::vector<std::string_view> before;
+  bool found = false;
+  for_each_term([&]<class T>() {
+    if (!dampings.has<T>()) return;
+    const std::string_view one = T::coefficients[0].parameter;
+    for (const std::string_view other : before) {
+      const double variances = fit.covariance_of(one, one) * fit.covariance_of(other, other);
+      found = found || (variances > 0 && fit.covariance_of(one, other) < collinear * std::sqrt(variances));
+    }
+    before.push_back(one);
+  });
+  return found;
 }
 
 std::string to_text(const MeanDecay& decay) {
