@@ -216,6 +216,10 @@ double centred_norm(std::span<const double> y) {
   return std::sqrt(sum);
 }
 
+double sinusoid_amplitude(std::span<const double> y) {
+  return std::sqrt(2 / static_cast<double>(y.size())) * centred_norm(y);
+}
+
 void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& minimum) {
   const FittedParameters& fitted = minimum.fitted;
   const std::span<const double> residuals = minimum.residuals;

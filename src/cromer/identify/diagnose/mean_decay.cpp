@@ -33,8 +33,7 @@ std::vector<std::pair<std::string_view, double>> parts_of(const LawFit& fit, dou
 MeanDecay mean_decay(const LawFit& fit, const Record& record) {
   MeanDecay decay;
   const double w = fit.motion.angular_frequency();
-  decay.amplitude = centred_norm(record.y) * std::sqrt(2 / static_cast<double>(record.y.size())) /
-                    std::pow(w, record.derivative);
+  decay.amplitude = sinusoid_amplitude(record.y) / std::pow(w, record.derivative);
   const auto parts = parts_of(fit, decay.amplitude);
   double rate = 0, variance = 0;
   for (const auto& [name, per_unit] : parts) {

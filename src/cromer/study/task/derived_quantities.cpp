@@ -7,6 +7,7 @@
 #include "cromer/analysis/amplitude_decay.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/dual.h"
+#include "cromer/identify/describe_fit.h"
 
 namespace cromer {
 namespace {
@@ -65,14 +66,6 @@ std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const
           {"at_amplitude", estimate_of(A, fit), std::move(unit)}};
 }
 
-/// Of the sinusoid with the root mean square of these numbers about their mean.
-double mean_amplitude(const std::vector<double>& motion) {
-  double mean = 0, square = 0;
-  for (const double x : motion) mean += x / static_cast<double>(motion.size());
-  for (const double x : motion) square += (x - mean) * (x - mean) / static_cast<double>(motion.size());
-  return std::sqrt(2 * square);
-}
-
 }  // namespace
 
 std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
@@ -87,7 +80,7 @@ std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_vie
   const LawAtAmplitude law = law_at_amplitude(fit);
   if (fit.drive.kind == DriveKind::none)
     return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit, length);
-  std::vector<NamedEstimate> list = at_amplitude(law, Real(mean_amplitude(x)), fit, length);
+  std::vector<NamedEstimate> list = at_amplitude(law, Real(sinusoid_amplitude(x)), fit, length);
   if (fit.motion.decay_rate() >= fit.motion.angular_frequency())
     list.erase(std::remove_if(list.begin(), list.end(),
                               [](const NamedEstimate& number) {
