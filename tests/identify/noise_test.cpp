@@ -37,6 +37,12 @@ Model model(std::size_t n, const std::function<bool(std::size_t)>& missing) {
   return result;
 }
 
+Noise noise_of(const std::vector<double>& t, const std::vector<double>& r,
+               const std::vector<double>& motion) {
+  const SampleGrid grid = find_grid(t);
+  return find_noise(grid, r, motion, autocorrelations(r, grid, first_lags(r.size())));
+}
+
 bool none(std::size_t) { return false; }
 bool half(std::size_t i) { return (i > 150 && i < 350) || (i > 450 && i < 600) || (i > 750 && i < 900); }
 
@@ -63,19 +69,15 @@ Coverage coverage(std::size_t n, double memory, const std::function<bool(std::si
       const double deviate = normal(engine);
       if (!missing(i)) noise.push_back(make(ar, m.x[noise.size()], m.v[noise.size()], deviate));
     }
-    NormalEquations sums;
+    NormalEquations sums{.size = size};
     for (std::size_t i = 0; i < noise.size(); ++i)
-      for (int a = 0; a < size; ++a) {
-        const double* row = m.jacobian.data() + i * size;
-        sums.right[a] += row[a] * noise[i];
-        for (int b = 0; b < size; ++b) sums.matrix[a][b] += row[a] * row[b];
-      }
-    const Parameters p = ScaledCholesky(sums.matrix, size, 0, all_free).solve(sums.right);
+      sums.add_row(std::span(m.jacobian).subspan(i * size, size), noise[i]);
+    const Parameters p = solve(sums).x;
     std::vector<double> r = noise, motion = m.x;
     for (std::size_t i = 0; i < r.size(); ++i)
       for (int a = 0; a < size; ++a) r[i] -= m.jacobian[i * size + static_cast<std::size_t>(a)] * p[a];
     for (std::size_t i = 0; i < r.size(); ++i) motion[i] += noise[i] - r[i];
-    const Noise found = find_noise(m.t, r, motion);
+    const Noise found = noise_of(m.t, r, motion);
     const EstimateNoise estimate = estimate_noise(m.jacobian, size, found);
     result.plain += static_cast<double>(found.is_plain()) / trials;
     for (int a = 0; a < size; ++a) {
@@ -187,21 +189,40 @@ TEST(Noise, CovarianceIsThatOfTheModel) {
     for (int b = 0; b < size; ++b)
       EXPECT_NEAR(estimate.covariance[a][b], variance * expected[a][b],
                   1e-6 * std::sqrt(estimate.covariance[a][a] * estimate.covariance[b][b]));
+}
 
-  Quantities quantities{.count = 2};
-  quantities.derivatives[0][2] = 1;
-  quantities.derivatives[1][0] = quantities.derivatives[1][2] = 3;
-  const EstimateNoise derived = estimate_noise(m.jacobian, size, noise, 0, quantities);
-  EXPECT_NEAR(derived.covariance[0][0], estimate.covariance[2][2], 1e-9 * estimate.covariance[2][2]);
-  EXPECT_NEAR(derived.degrees[0], estimate.degrees[2], 1e-9 * estimate.degrees[2]);
-  EXPECT_NEAR(derived.covariance[1][0], 3 * variance * (expected[0][2] + expected[2][2]),
-              1e-6 * derived.covariance[1][1]);
+TEST(Noise, DegreesSayHowWellAVarianceIsKnown) {
+  // Of an equilibrium and of a line's phases: the variance of a variance's logarithm is two over its degrees.
+  for (const double angle : {0.0, 0.125}) {
+    double mean = 0, squares = 0, said = 0;
+    constexpr int trials = 400, n = 2000;
+    for (int trial = 0; trial < trials; ++trial) {
+      std::mt19937_64 engine(static_cast<unsigned>(trial));
+      std::normal_distribution<double> normal;
+      std::vector<double> t, r, jacobian;
+      double ar = normal(engine);
+      for (int i = 0; i < n; ++i) {
+        ar = 0.9 * ar + normal(engine);
+        t.push_back(step * i);
+        r.push_back(ar);
+        jacobian.push_back(std::cos(angle * i));
+        if (angle > 0) jacobian.push_back(std::sin(angle * i));
+      }
+      const Noise noise = noise_of(t, r, std::vector<double>(r.size()));
+      const EstimateNoise estimate = estimate_noise(jacobian, angle > 0 ? 2 : 1, noise);
+      const double variance = std::log(estimate.covariance[0][0]);
+      mean += variance / trials;
+      squares += variance * variance / trials;
+      said += 2 / estimate.degrees[0] / trials;
+    }
+    EXPECT_NEAR(squares - mean * mean, said, 0.35 * said) << angle;
+  }
 }
 
 TEST(Noise, WhatTheJacobianDoesNotTellIsInfinite) {
   const std::vector<double> t{0, 1, 2, 3, 4, 5}, r{1, -1, 1, -1, 1, -1}, motion(6, 0.0);
   const std::vector<double> jacobian(12, 1.0);
-  const EstimateNoise estimate = estimate_noise(jacobian, 2, find_noise(t, r, motion));
+  const EstimateNoise estimate = estimate_noise(jacobian, 2, noise_of(t, r, motion));
   EXPECT_TRUE(std::isinf(estimate.covariance[0][0]));
   EXPECT_TRUE(std::isinf(estimate.covariance[1][1]));
 }
@@ -218,8 +239,9 @@ TEST(Noise, CorrelationOverGapsIsThatOverTheirSteps) {
       ar = 0.9 * ar + std::sqrt(1 - 0.81) * normal(engine);
       if (i % 400 < 200) t.push_back(step * i), r.push_back(ar);
     }
-    mean += correlation_in_time(t, r, 5).factor / 40;
-    mean_slow += correlation_in_time(t, r, 0).factor / 40;
+    const Autoregression found = noise_of(t, r, std::vector<double>(r.size())).correlation;
+    mean += found.density(5 * step) / 40;
+    mean_slow += found.density(0) / 40;
   }
   const double density = 0.19 / (1 - 1.8 * std::cos(5 * step) + 0.81);
   EXPECT_NEAR(mean, density, 0.06 * density);

@@ -114,26 +114,18 @@ ReadParameters read_parameters(const FittedParameters& fitted, const Parameters&
   return list;
 }
 
-// What one estimate is known to.
-struct Known {
-  SquareMatrix covariance{};
-  Parameters degrees{};
-};
-
-Known known_of(const LawFit& fit, const Record& record, const DescribedMinimum& minimum, const Inverse& inverse,
-               const Noise& noise) {
+EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedMinimum& minimum,
+                       const Inverse& inverse, const Noise& noise) {
   const FittedParameters& fitted = minimum.fitted;
   const auto n = static_cast<double>(noise.samples);
   const double k = fitted.count;
-  Known known;
+  EstimateNoise known;
   std::vector<double> jacobian;
   if (minimum.jacobian && !noise.is_plain() && inverse.determined() && noise.samples <= most_filtered &&
       noise.correlation.coefficients.size() <= highest_order)
     jacobian = minimum.jacobian();
   if (!jacobian.empty()) {
-    const EstimateNoise estimates = estimate_noise(jacobian, fitted.count, noise, record.resolution);
-    known.covariance = estimates.covariance;
-    known.degrees = estimates.degrees;
+    known = estimate_noise(jacobian, fitted.count, noise, record.resolution);
   } else {
     // Everything at the swing's own frequency, what lives at rest there.
     const double w = fit.motion.angular_frequency();
@@ -164,7 +156,7 @@ std::string known_ratio(const LawFit& fit, const FittedParameters& fitted) {
     for (int j = 0; j < i; ++j) {
       const Estimate *a = fit.find(fitted.of[i].name), *b = fit.find(fitted.of[j].name);
       if (!a || !b || a->value == 0 || b->value == 0) continue;
-      if (fitted.of[i].name == "position" || fitted.of[i].name == "velocity") continue;
+      if (is_of_the_start(fitted.of[i].name)) continue;
       const double of_a = a->standard_error / std::abs(a->value), of_b = b->standard_error / std::abs(b->value);
       if (!(of_a > hardly && of_b > hardly)) continue;
       const double covariance =
@@ -222,6 +214,10 @@ double centred_norm(std::span<const double> y) {
   return std::sqrt(sum);
 }
 
+double sinusoid_amplitude(std::span<const double> y) {
+  return std::sqrt(2 / static_cast<double>(y.size())) * centred_norm(y);
+}
+
 void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& minimum) {
   const FittedParameters& fitted = minimum.fitted;
   const std::span<const double> residuals = minimum.residuals;
@@ -241,10 +237,10 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   fit.independent_samples = n / std::clamp(noise.correlation.density(w * noise.grid.step), 1.0, n);
   const double k = fitted.count;
   fit.student = student_95(std::max(1.0, fit.independent_samples - k));
-  fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k);
+  fit.bic = bayesian_criterion(fit.independent_samples, fit.residual.rms, k, 0);
 
   const Inverse inverse = inverse_of(minimum.matrix, fitted);
-  const Known known = known_of(fit, record, minimum, inverse, noise);
+  const EstimateNoise known = known_of(fit, record, minimum, inverse, noise);
   const ReadParameters quantities = read_parameters(fitted, minimum.parameters, fit.drive.kind, record.derivative);
   const std::size_t count = quantities.names.size();
   fit.names = quantities.names;

@@ -68,8 +68,7 @@ class Problem {
 
 // That of a sine as strong as the record, as a displacement.
 double amplitude_of(const Record& record, double w) {
-  return std::sqrt(2 / static_cast<double>(record.y.size())) * centred_norm(record.y) /
-         std::pow(std::max(1e-300, w), record.derivative);
+  return sinusoid_amplitude(record.y) / std::pow(std::max(1e-300, w), record.derivative);
 }
 
 // From a first part to the whole record, twice as long each time.
@@ -103,6 +102,9 @@ struct Thinned {
   }
 };
 
+// Of a recorded force's motion no step is longer than between two samples, or than half a radian.
+double recorded_step(double spacing, double w) { return w > 0 ? std::min(spacing, 0.5 / w) : spacing; }
+
 // How long the steps of a motion may be.
 class StepLength {
  public:
@@ -113,10 +115,9 @@ class StepLength {
     w_ = std::max(w0, first.drive_frequency);
     const double duration = record.t.back() - record.t.front();
     duration_ = std::min(duration, 3 / std::max(known.decay_rate, 1e-300));
-    const double n = static_cast<double>(record.t.size());
     amplitude_ = std::hypot(first.position, first.velocity / w0) * std::pow(w0, record.derivative);
     if (problem.options().drive.kind != DriveKind::none)
-      amplitude_ = std::max(amplitude_, std::sqrt(2 / n) * centred_norm(record.y));
+      amplitude_ = std::max(amplitude_, sinusoid_amplitude(record.y));
   }
 
   bool recorded() const { return problem_.options().drive.kind == DriveKind::recorded; }
@@ -125,8 +126,7 @@ class StepLength {
   // To begin with: of a recorded force's motion, off by less than a two-hundredth in the record's beginning.
   double coarse(const Parameters& start) const {
     if (!recorded()) return coarsest * period();
-    const double spacing = problem_.options().drive.force.spacing;
-    double h = w_ > 0 ? std::min(spacing, 0.5 / w_) : spacing;
+    double h = recorded_step(problem_.options().drive.force.spacing, w_);
     const Record& record = problem_.record();
     const double enough =
         0.005 * centred_norm(record.y) / std::sqrt(static_cast<double>(record.t.size()));
@@ -246,8 +246,7 @@ KnownMotion known_driven(const Record& record, const Drive& drive, const Motion&
   KnownMotion known{start, record.t.size(), 0};
   if (drive.kind != DriveKind::recorded) return known;
   const double spacing = drive.force.spacing, w0 = start.angular_frequency();
-  const double h = w0 > 0 ? std::min(spacing, 0.5 / w0) : spacing;
-  const std::vector<double> r = motion_residuals(start, drive, record, h);
+  const std::vector<double> r = motion_residuals(start, drive, record, recorded_step(spacing, w0));
   double squares = 0;
   for (const double each : r) squares += each * each;
   constexpr double followed = 0.3;  // of the motion's squares

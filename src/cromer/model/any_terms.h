@@ -34,7 +34,7 @@ class AnyTerms {
   /// The force depends on the velocity.
   bool resists() const { return present_.shares(terms_of_velocity); }
   bool driven() const { return force_.amplitude != 0; }
-  bool linear() const { return linear_terms.contains(present_); }
+  bool linear() const { return is_linear(present_); }
 
   /// [m/s^2]. T is double, or a Dual over it.
   template <class T>

@@ -79,7 +79,7 @@ class DrivenOscillator {
 
   /// The state at t of the motion through y0 at t0.
   State<Real> propagate(const Real& t0, const Real& t, const State<Real>& y0) const
-      requires(is_linear(terms) && HasClosedForm<Force, Real>) {
+      requires(is_linear(terms.law) && HasClosedForm<Force, Real>) {
     const LinearLaw<Real> linear{.decay_rate = law_.template of<Viscous>() / Real(2),
                                  .stiffness = law_.template of<Spring>()};
     return force_.propagate(linear, t0, t, y0);
@@ -120,7 +120,7 @@ class DrivenOscillator {
   double next_turn(double t) const requires(terms.drive) { return force_.next_turn(t); }
 
   /// The linear law without its drive.
-  LinearLaw<Real> free_law() const requires(is_linear(terms) && !terms.drive) {
+  LinearLaw<Real> free_law() const requires(is_linear(terms.law) && !terms.drive) {
     return {.decay_rate = law_.template of<Viscous>() / Real(2), .stiffness = law_.template of<Spring>()};
   }
 
@@ -168,7 +168,7 @@ template <class F>
 decltype(auto) with_compiled_law(Law present, F&& f) {
   return [&]<std::size_t... i>(std::index_sequence<i...>)->decltype(auto) {
     using Returned = decltype(f.template operator()<any_terms>());
-    const Law wanted = compiled_law(present);
+    const Law wanted = smallest_containing(compiled_laws, present).value_or(any_terms);
     if constexpr (std::is_void_v<Returned>) {
       if (!((wanted == compiled_laws[i] && (f.template operator()<compiled_laws[i]>(), true)) || ...))
         f.template operator()<any_terms>();
@@ -216,7 +216,7 @@ decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const Harmo
         AnyFriction(AnyTerms(per_mass, force), per_mass.friction, per_mass.static_friction));
   } else {
     if (present.drive) return rub.template operator()<Terms{.drive = true, .law = any_terms}>();
-    if (!linear_terms.contains(present.law.without(law_with<Friction>)))
+    if (!is_linear(present.law.without(law_with<Friction>)))
       return rub.template operator()<Terms{.law = any_terms}>();
     return rub.template operator()<Terms{.law = linear_terms}>();
   }

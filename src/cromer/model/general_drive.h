@@ -39,7 +39,7 @@ decltype(auto) with_terms_under(const Oscillator<Real>& oscillator, const Drive&
   const DrivenOscillator<Real, Terms{.drive = true, .law = any_terms}, Force> system(per_mass, force);
   if (present.has<Friction>())
     return std::forward<F>(f)(DryFriction(system, per_mass.friction, per_mass.static_friction));
-  if (!linear_terms.contains(present)) return std::forward<F>(f)(system);
+  if (!is_linear(present)) return std::forward<F>(f)(system);
   return std::forward<F>(f)(
       DrivenOscillator<Real, Terms{.drive = true, .law = linear_terms}, Force>(per_mass, force));
 }

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include "cromer/model/oscillator.h"
@@ -49,12 +51,22 @@ constexpr Law law_where(Says says) {
   return law;
 }
 
+/// The smallest of some laws that has every term of the given one, the first of as small ones; nothing where
+/// none has.
+constexpr std::optional<Law> smallest_containing(std::span<const Law> laws, Law law) {
+  std::optional<Law> best;
+  for (const Law each : laws)
+    if (each.contains(law) && (!best || each.size() < best->size())) best = each;
+  return best;
+}
+
 /// Terms that pull a body back to where small swings begin, one of which a law has: none without a spring.
 inline constexpr Law springs = law_with<Spring, Pendulum>;
 /// Terms that can only take energy away.
 inline constexpr Law dampings = law_where([](const TermInfo& info) { return info.damps; });
 /// The linear law: the one with a closed form.
 inline constexpr Law linear_terms = law_with<Spring, Viscous>;
+constexpr bool is_linear(Law law) { return linear_terms.contains(law); }
 /// Terms whose force is a smooth function of position and velocity.
 inline constexpr Law smooth_terms =
     law_where([](const TermInfo&) { return true; }).without(law_with<Friction, Hysteresis>);

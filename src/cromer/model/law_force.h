@@ -20,6 +20,8 @@ inline constexpr Law any_terms{std::uint32_t{1} << 31};
 inline constexpr Law terms_of_position =
     law_where([](const TermInfo& info) { return info.acts_at_rest; }).without(law_with<Hysteresis>);
 inline constexpr Law terms_of_velocity = smooth_terms.without(terms_of_position);
+/// Terms that take energy away, or give it where their coefficient is negative.
+inline constexpr Law dissipative_terms = terms_of_velocity.with(law_with<Friction, Hysteresis>);
 
 /// Whether the force of a law may depend on the velocity.
 constexpr bool has_resistance(Law law) { return law == any_terms || law.shares(terms_of_velocity); }

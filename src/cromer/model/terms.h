@@ -29,21 +29,10 @@ constexpr Terms terms_of(const Oscillator<Real>& oscillator, const HarmonicDrive
   return {.drive = drive.amplitude != Real(0), .law = law_of(oscillator)};
 }
 
-/// The linear law with harmonic drive: the one with a closed form.
-constexpr bool is_linear(Terms terms) { return linear_terms.contains(terms.law); }
-
 /// The smooth laws with code of their own: a measured choice. Every other one shares the code of any_terms,
 /// which asks for each term whether it is there.
 inline constexpr Law compiled_laws[] = {law_of("spring"),        law_of("viscous"),
                                         law_of("viscous+drag"),  law_of("cubic"),
                                         law_of("viscous+cubic"), law_of("viscous+drag+cubic")};
-
-/// The smallest compiled law that has every term of the given one; any_terms where none has.
-constexpr Law compiled_law(Law law) {
-  Law best = any_terms;
-  for (const Law each : compiled_laws)
-    if (each.contains(law) && (best == any_terms || each.size() < best.size())) best = each;
-  return best;
-}
 
 }  // namespace cromer

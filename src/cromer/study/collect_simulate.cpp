@@ -56,7 +56,7 @@ void collect_energy(const std::string& name, const SimulatedRun& run, const std:
 /// What a driven motion settles at, measured and exact.
 void collect_steady(const std::string& name, const SimulatedRun& run, Results& results) {
   if (!(run.drive.amplitude > 0) || !(run.drive.frequency > 0)) return;
-  const bool has_exact = is_linear(terms_of(run.oscillator, run.drive)) && run.oscillator.damping > 0;
+  const bool has_exact = is_linear(law_of(run.oscillator)) && run.oscillator.damping > 0;
   const SteadyState exact = frequency_response(run.oscillator, run.drive.amplitude, run.drive.frequency);
   if (has_exact) {
     results.set(name + ".exact.amplitude", exact.amplitude, "m");

@@ -130,6 +130,17 @@ TEST(CompareTask, SaysWhatItCannotDo) {
   EXPECT_THAT(message(by_method("exact")), HasSubstr("no closed form with drag"));
   EXPECT_THAT(message({.step = 0}), HasSubstr("--step"));
   EXPECT_THAT(message({.step = 1e-12}), HasSubstr("--step"));
+
+  for (const std::string quantity :
+       {"velocity", "angular velocity", "acceleration", "angular acceleration"}) {
+    Series derivative = series;
+    derivative.quantity = quantity;
+    const Result<FittedRecording> fitted = fit_series(derivative, "f", {});
+    ASSERT_TRUE(fitted.ok()) << quantity;
+    const Result<CompareResult> result = compare_fitted(*fitted, {});
+    ASSERT_FALSE(result.ok()) << quantity;
+    EXPECT_THAT(result.error().message, HasSubstr("compare needs a position or an angle"));
+  }
 }
 
 TEST(CompareTask, ARunThatDivergesIsAWarning) {

@@ -51,8 +51,7 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution)
   const double independent = closest->independent_samples;
   for (LawFit& fit : candidates)
     if (fit.residual.rms > 0 && independent > 0)
-      fit.bic = bayesian_criterion(independent, std::max(fit.residual.rms, resolution / std::sqrt(12.0)),
-                                   fit.fitted);
+      fit.bic = bayesian_criterion(independent, fit.residual.rms, fit.fitted, resolution);
   std::vector<bool> admissible;
   for (const LawFit& fit : candidates) admissible.push_back(is_admissible(fit, candidates));
   std::size_t best = 0;

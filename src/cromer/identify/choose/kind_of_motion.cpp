@@ -41,14 +41,6 @@ bool is_harmonic(const std::array<Mode, 2>& modes, double duration) {
                      {larger.value, larger.value, larger.standard_error}, duration) > 0;
 }
 
-struct Criterion {
-  double independent;
-
-  double of(double rms, double parameters, double price) const {
-    return independent * 2 * std::log(rms) + parameters * std::log(independent) + price;
-  }
-};
-
 }  // namespace
 
 MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
@@ -64,28 +56,25 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const std::optional<TwoModes>& modes = judgement.modes;
   const bool drives = driven.status == FitStatus::converged;
 
-  // Residuals below what rounding leaves only follow the rounding's pattern.
-  const auto left = [&](double rms) { return std::max(rms, record.resolution / std::sqrt(12.0)); };
   double independent = free.independent_samples, least = free.residual.rms;
   if (drives && driven.residual.rms < least)
     independent = driven.independent_samples, least = driven.residual.rms;
   if (modes && modes->residual.rms < least) independent = modes->independent_samples;
-  const Criterion criterion{std::max(2.0, independent)};
+  const auto criterion = [&](const auto& fit, double parameters) {
+    return bayesian_criterion(std::max(2.0, independent), fit.residual.rms, parameters, record.resolution);
+  };
   // A search over N frequencies costs 2 ln N. N is half the samples where all were searched; the few about one that
   // was named count as 8.
   constexpr double few = 8;
   const auto searched = [](double frequencies) { return 2 * std::log(std::max(1.0, frequencies)); };
   const double all = 0.5 * static_cast<double>(record.t.size());
-  const double of_free = criterion.of(left(free.residual.rms), free.fitted, 0);
+  const double of_free = criterion(free, free.fitted);
   const double of_driven =
-      drives ? criterion.of(left(driven.residual.rms), driven.fitted,
-                            searched(frequency_known ? few : all))
-             : HUGE_VAL;
-  const double of_modes =
-      modes ? criterion.of(left(modes->residual.rms), TwoModes::parameters, searched(all)) : HUGE_VAL;
+      drives ? criterion(driven, driven.fitted) + searched(frequency_known ? few : all) : HUGE_VAL;
+  const double of_modes = modes ? criterion(*modes, TwoModes::parameters) + searched(all) : HUGE_VAL;
   if (std::min(of_driven, of_modes) > of_free - strong_evidence) return judgement;
 
-  const bool linear = linear_terms.contains(driven.law);
+  const bool linear = is_linear(driven.law);
   if (!modes || (drives && !linear && of_driven < of_modes - strong_evidence)) {
     if (of_driven < of_free - strong_evidence) judgement.kind = MotionKind::driven;
     return judgement;

@@ -18,7 +18,7 @@ std::string differences(const LawFit& chosen, const LawFit& other) {
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
     const Estimate* there = other.find(chosen.names[i]);
     const Estimate& here = chosen.estimates[i];
-    if (!there || chosen.names[i] == "position" || chosen.names[i] == "velocity") continue;
+    if (!there || is_of_the_start(chosen.names[i])) continue;
     const double off = std::abs(there->value - here.value) / here.standard_error;
     if (!(off > 1)) continue;
     text += fmt::format("{}{} {:.6g} ({:.1f} of its standard errors away)", text.empty() ? "" : ", ",
@@ -66,11 +66,12 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   }
   // Which reading leaves least, under a law that bends where it may; the law under that one; and the other readings
   // under that law.
-  const ForceBetween readings[] = {ForceBetween::band_limited, ForceBetween::linear, ForceBetween::hold};
+  const BetweenSamples readings[] = {BetweenSamples::band_limited, BetweenSamples::linear,
+                                     BetweenSamples::hold};
   LawFitOptions bent = options;
   bent.law = given.law.value_or(options.law.shares(springs) ? law_of("viscous+quadratic+cubic") : options.law);
   std::vector<LawFit> by_reading;
-  for (const ForceBetween between : readings) {
+  for (const BetweenSamples between : readings) {
     bent.drive.force.between = between;
     by_reading.push_back(fit_law(record, bent, watch));
     if (!converged(by_reading.back()) && !given.law && options.law.shares(springs)) {
@@ -95,8 +96,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
 
   const double independent = choice.chosen.independent_samples;
   const auto criterion = [&](const LawFit& fit) {
-    return bayesian_criterion(independent, std::max(fit.residual.rms, record.resolution / std::sqrt(12.0)),
-                              fit.fitted);
+    return bayesian_criterion(independent, fit.residual.rms, fit.fitted, record.resolution);
   };
   choice.chosen.bic = criterion(choice.chosen);
   std::vector<LawFit> open;

@@ -1,11 +1,10 @@
 // How large a swing is, window by window, whatever its frequency does.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
-#include "cromer/identify/law_fit.h"
+#include "cromer/identify/describe_fit.h"
 
 namespace cromer {
 
@@ -22,16 +21,10 @@ inline std::vector<AmplitudeWindow> amplitude_windows(const Record& record, doub
   for (std::size_t first = 0; first < record.t.size();) {
     const double end = record.t[first] + length;
     if (end > record.t.back() || !(end > record.t[first])) break;  // the latter: shorter than rounding
-    double mean = 0, squares = 0;
     std::size_t last = first;
-    for (; record.t[last] < end; ++last) {
-      const double change = record.y[last] - mean;
-      mean += change / static_cast<double>(last - first + 1);
-      squares += change * (record.y[last] - mean);
-    }
-    const std::size_t count = last - first;
-    if (count >= at_least)
-      windows.push_back({record.t[first], end, std::sqrt(2 * squares / static_cast<double>(count))});
+    while (record.t[last] < end) ++last;
+    if (last - first >= at_least)
+      windows.push_back({record.t[first], end, sinusoid_amplitude(record.y.subspan(first, last - first))});
     first = last;
   }
   return windows;

@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
+#include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/kink.h"
 
 namespace cromer {
@@ -43,32 +45,27 @@ std::optional<Swing> swing_of(const Record& record) {
   return swing;
 }
 
-struct Window {
-  double from, to, amplitude;
-};
-
 // Root two times the standard deviation, over windows of two periods, each begun half a period after the
 // last.
-std::vector<Window> windows_of(const Record& record, double period) {
-  std::vector<Window> windows;
+std::vector<AmplitudeWindow> windows_of(const Record& record, double period) {
+  std::vector<AmplitudeWindow> windows;
   const double length = 2 * period;
   for (double from = record.t.front(); from + length <= record.t.back(); from += 0.5 * period) {
     const auto first = std::lower_bound(record.t.begin(), record.t.end(), from) - record.t.begin();
     const auto last = std::lower_bound(record.t.begin(), record.t.end(), from + length) - record.t.begin();
     if (last - first < 12) continue;
-    double mean = 0, squares = 0;
-    for (auto i = first; i < last; ++i) mean += record.y[i] / static_cast<double>(last - first);
-    for (auto i = first; i < last; ++i) squares += (record.y[i] - mean) * (record.y[i] - mean);
-    windows.push_back({from, from + length, std::sqrt(2 * squares / static_cast<double>(last - first))});
+    const std::span<const double> y =
+        record.y.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first));
+    windows.push_back({from, from + length, sinusoid_amplitude(y)});
   }
   return windows;
 }
 
 // A drive that stops: the amplitude, risen or level, has a kink and then only falls.
-std::optional<FreePart> after_the_drive(const std::vector<Window>& windows, double period) {
+std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& windows, double period) {
   constexpr double least_fall = 0.08, least_duration = 8;  // of the top; [periods]
   double top = 0;
-  for (const Window& window : windows) top = std::max(top, window.amplitude);
+  for (const AmplitudeWindow& window : windows) top = std::max(top, window.amplitude);
   // From where it is about level to where little is left: in between the fall has one curvature.
   std::size_t first = 0, last = 0;
   while (first < windows.size() && windows[first].amplitude < 0.95 * top) ++first;
@@ -92,7 +89,7 @@ std::optional<FreePart> after_the_drive(const std::vector<Window>& windows, doub
   // It stays level before, and falls for good.
   double driven = HUGE_VAL, lowest = top;
   for (std::size_t k = first; k < windows.size(); ++k) {
-    const Window& window = windows[k];
+    const AmplitudeWindow& window = windows[k];
     if (0.5 * (window.from + window.to) < kink->t) driven = std::min(driven, window.amplitude);
     if (window.from < kink->t) continue;
     if (window.amplitude > lowest + 0.3 * least_fall * top) return std::nullopt;

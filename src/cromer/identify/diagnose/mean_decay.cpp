@@ -21,7 +21,7 @@ std::vector<std::pair<std::string_view, double>> parts_of(const LawFit& fit, dou
       if (!fit.law.has<T>() || springs.has<T>()) return;
       const CycleAverage<double> average = cycle_average<T>(amplitude, fit.motion.angular_frequency());
       if (std::abs(average.fall) < 1e-9 * std::abs(average.shift) * amplitude) return;
-      const double coefficient = T::coefficients[0].fitted == FittedAs::half ? 2 : 1;
+      const double coefficient = from_fitted(T::coefficients[0].fitted, 1.0);
       parts.emplace_back(T::coefficients[0].parameter, coefficient * average.fall / amplitude);
     }
   });
@@ -34,8 +34,7 @@ std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record) {
   if (fit.law.has<Hysteresis>()) return std::nullopt;
   MeanDecay decay;
   const double w = fit.motion.angular_frequency();
-  decay.amplitude = centred_norm(record.y) * std::sqrt(2 / static_cast<double>(record.y.size())) /
-                    std::pow(w, record.derivative);
+  decay.amplitude = sinusoid_amplitude(record.y) / std::pow(w, record.derivative);
   const auto parts = parts_of(fit, decay.amplitude);
   double rate = 0, variance = 0;
   for (const auto& [name, per_unit] : parts) {
@@ -49,12 +48,18 @@ std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record) {
 
 bool dampings_are_collinear(const LawFit& fit) {
   constexpr double collinear = -0.9;
-  for (const auto& [one, other] : {std::pair{"decay_rate", "drag"}, std::pair{"decay_rate", "friction"},
-                                   std::pair{"drag", "friction"}}) {
-    const double variances = fit.covariance_of(one, one) * fit.covariance_of(other, other);
-    if (variances > 0 && fit.covariance_of(one, other) < collinear * std::sqrt(variances)) return true;
-  }
-  return false;
+  std::vector<std::string_view> before;
+  bool found = false;
+  for_each_term([&]<class T>() {
+    if (!dampings.has<T>()) return;
+    const std::string_view one = T::coefficients[0].parameter;
+    for (const std::string_view other : before) {
+      const double variances = fit.covariance_of(one, one) * fit.covariance_of(other, other);
+      found = found || (variances > 0 && fit.covariance_of(one, other) < collinear * std::sqrt(variances));
+    }
+    before.push_back(one);
+  });
+  return found;
 }
 
 std::string to_text(const MeanDecay& decay) {

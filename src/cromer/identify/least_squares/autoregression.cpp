@@ -21,14 +21,6 @@ double Autoregression::density(double angle) const {
   return innovation / std::norm(response(coefficients, angle));
 }
 
-double Autoregression::log_variance(double angle, double samples) const {
-  const std::complex<double> at = response(coefficients, angle);
-  std::vector<double> slope(coefficients.size());
-  for (std::size_t k = 0; k < slope.size(); ++k)
-    slope[k] = 2 * (std::polar(1.0, -static_cast<double>(k + 1) * angle) / at).real();
-  return log_variance(slope, samples);
-}
-
 double Autoregression::log_variance(std::span<const double> slope, double samples) const {
   const std::size_t p = coefficients.size();
   double form = 0;
@@ -41,31 +33,6 @@ double Autoregression::log_variance(std::span<const double> slope, double sample
     form += a * a - b * b;
   }
   return (2 + form) / samples;
-}
-
-std::vector<double> Autoregression::autocorrelations(std::size_t lags) const {
-  const std::size_t p = coefficients.size();
-  std::vector<double> rho(lags + 1, 0.0);
-  rho[0] = 1;
-  // The reflections, by the recursion of Levinson and Durbin backwards; from them forwards the first p.
-  std::vector<std::vector<double>> order(p + 1);
-  if (p > 0) order[p] = coefficients;
-  for (std::size_t m = p; m > 1; --m) {
-    const double k = order[m][m - 1];
-    order[m - 1].resize(m - 1);
-    for (std::size_t j = 0; j + 1 < m; ++j)
-      order[m - 1][j] = (order[m][j] + k * order[m][m - 2 - j]) / (1 - k * k);
-  }
-  double left = 1;
-  for (std::size_t m = 1; m <= std::min(p, lags); ++m) {
-    const double k = order[m][m - 1];
-    rho[m] = k * left;
-    for (std::size_t j = 0; j + 1 < m; ++j) rho[m] += order[m - 1][j] * rho[m - 1 - j];
-    left *= 1 - k * k;
-  }
-  for (std::size_t l = p + 1; l <= lags; ++l)
-    for (std::size_t k = 0; k < p; ++k) rho[l] += coefficients[k] * rho[l - 1 - k];
-  return rho;
 }
 
 // The recursion of Levinson and Durbin.

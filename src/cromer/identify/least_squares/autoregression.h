@@ -18,17 +18,11 @@ struct Autoregression {
   /// Spectral density at an angle [rad per sample], over that of white noise of r's variance.
   double density(double angle) const;
 
-  /// The variance of the logarithm of that density, estimated from so many samples.
-  double log_variance(double angle, double samples) const;
-
   /// The variance of the logarithm of a variance that grows by slope[k - 1] (of its logarithm) with a_k:
   /// that of the innovation and that of the coefficients, whose covariance is the inverse of the Toeplitz
   /// matrix of autocovariances times innovation over samples. I. Gohberg & A. Semencul give that inverse as
   /// A Aᵀ - B Bᵀ, triangular both.
   double log_variance(std::span<const double> slope, double samples) const;
-
-  /// The autocorrelation at lags 0 to `lags`.
-  std::vector<double> autocorrelations(std::size_t lags) const;
 };
 
 /// The best order up to `most` < rho.size(), from the autocorrelations of so many samples.

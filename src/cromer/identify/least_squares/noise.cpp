@@ -51,20 +51,19 @@ class Filter {
         twice_(order_ + block),
         gradient_(order_) {}
 
-  // A row of the Jacobian becomes what its sample does to the estimates by a matrix of a row for each
-  // estimate.
-  FilteredSums operator()(const Noise& noise, std::span<const double> jacobian, int parameters,
-                          const SquareMatrix& to_estimates, int estimates) {
-    size_ = static_cast<std::size_t>(estimates);
+  // A row of the Jacobian becomes what its sample does to the estimates by the inverse of the normal matrix.
+  FilteredSums operator()(const Noise& noise, std::span<const double> jacobian, int size,
+                          const SquareMatrix& inverse_matrix) {
+    size_ = static_cast<std::size_t>(size);
     Row column[max_parameters]{};
-    for (int b = 0; b < parameters; ++b)
-      for (int a = 0; a < estimates; ++a) column[b][static_cast<std::size_t>(a)] = to_estimates[a][b];
+    for (int b = 0; b < size; ++b)
+      for (int a = 0; a < size; ++a) column[b][static_cast<std::size_t>(a)] = inverse_matrix[a][b];
     const std::size_t n = noise.samples;
     const double* from = jacobian.data();
-    for (std::size_t i = 0; i < n; ++i, from += parameters) {
+    for (std::size_t i = 0; i < n; ++i, from += size) {
       const double scale = noise.scale.empty() ? 1 : noise.scale[i];
       Row row{};
-      for (int b = 0; b < parameters; ++b)
+      for (int b = 0; b < size; ++b)
         for (std::size_t a = 0; a < width; ++a) row[a] += scale * from[b] * column[b][a];
       for (std::size_t a = 0; a < width; ++a) alone_[a] += row[a] * row[a];
       if (i > 0 && order_ > 0)
@@ -146,13 +145,13 @@ class Filter {
   std::vector<Row> gradient_;
 };
 
-FilteredSums filtered_sums(const Noise& noise, std::span<const double> jacobian, int parameters,
-                           const SquareMatrix& to_estimates, int estimates) {
+FilteredSums filtered_sums(const Noise& noise, std::span<const double> jacobian, int size,
+                           const SquareMatrix& inverse_matrix) {
   static_assert(max_parameters <= 20);
-  if (estimates <= 4) return Filter<4>(noise)(noise, jacobian, parameters, to_estimates, estimates);
-  if (estimates <= 8) return Filter<8>(noise)(noise, jacobian, parameters, to_estimates, estimates);
-  if (estimates <= 12) return Filter<12>(noise)(noise, jacobian, parameters, to_estimates, estimates);
-  return Filter<20>(noise)(noise, jacobian, parameters, to_estimates, estimates);
+  if (size <= 4) return Filter<4>(noise)(noise, jacobian, size, inverse_matrix);
+  if (size <= 8) return Filter<8>(noise)(noise, jacobian, size, inverse_matrix);
+  if (size <= 12) return Filter<12>(noise)(noise, jacobian, size, inverse_matrix);
+  return Filter<20>(noise)(noise, jacobian, size, inverse_matrix);
 }
 
 // JᵀJ.
@@ -166,30 +165,6 @@ SquareMatrix normal_matrix(std::span<const double> jacobian, int size) {
   for (int a = 0; a < size; ++a)
     for (int b = 0; b < a; ++b) matrix[b][a] = matrix[a][b];
   return matrix;
-}
-
-// Estimates whose sums these are, where noise has this variance and so many parameters were fitted.
-EstimateNoise said_of(const FilteredSums& sums, int size, const Noise& noise, double variance,
-                      double fitted) {
-  EstimateNoise result;
-  result.size = size;
-  const auto n = static_cast<double>(noise.samples);
-  Parameters widening{};  // beyond that of the sums
-  double mean = 0;
-  for (int a = 0; a < size; ++a) {
-    const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
-    widening[a] = wide / factor;
-    mean += wide / size;
-    std::vector<double> slope;
-    for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
-    const double known = 2 / noise.correlation.log_variance(slope, n);
-    result.degrees[a] = std::min(n / wide, known) * std::max(0.0, 1 - fitted / n);
-  }
-  for (int a = 0; a < size; ++a)
-    for (int b = 0; b < size; ++b)
-      result.covariance[a][b] = variance * sums.all[a][b] * std::sqrt(widening[a] * widening[b]);
-  result.independent_samples = n / mean;
-  return result;
 }
 
 // 1, and the squares of a motion's displacement from its mean and of its velocity.
@@ -276,11 +251,10 @@ bool follow(std::span<const double> r, const MotionSquares& x, const NormalEquat
             const SampleGrid& grid) {
   const int size = sums.size;
   const double critical = size == 3 ? 9.210 : 6.635;
-  const Parameters coefficients = ScaledCholesky(sums.matrix, size, 0, all_free).solve(sums.right);
+  const auto [ok, coefficients, rest] = solve(sums);
   Noise noise;
   noise.samples = r.size();
-  noise.sum_of_squares = sums.sum_of_squares;
-  for (int a = 0; a < size; ++a) noise.sum_of_squares -= coefficients[a] * sums.right[a];
+  noise.sum_of_squares = rest;
   SquareMatrix covariance = inverse(sums.matrix, size);
   for (Parameters& row : covariance)
     for (double& each : row) each *= noise.sum_of_squares / static_cast<double>(r.size());
@@ -340,35 +314,35 @@ std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> 
 }
 
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
-                             double resolution, const std::optional<Quantities>& quantities) {
+                             double resolution) {
   const SquareMatrix matrix = normal_matrix(jacobian, size), inverse_matrix = inverse(matrix, size);
   const auto n = static_cast<double>(noise.samples);
+  EstimateNoise result;
   if (!std::isfinite(inverse_matrix[0][0])) {
-    EstimateNoise unknown{.size = quantities ? quantities->count : size, .independent_samples = n};
-    for (int a = 0; a < unknown.size; ++a) unknown.covariance[a][a] = HUGE_VAL;
-    unknown.degrees.fill(1);
-    return unknown;
+    for (int a = 0; a < size; ++a) result.covariance[a][a] = HUGE_VAL;
+    result.degrees.fill(1);
+    return result;
   }
-  const FilteredSums sums = filtered_sums(noise, jacobian, size, inverse_matrix, size);
+  const FilteredSums sums = filtered_sums(noise, jacobian, size, inverse_matrix);
   // The part of the sum of squares that the fit took away: the trace of H times the covariance.
   double taken = 0;
   for (int a = 0; a < size; ++a)
     for (int b = 0; b < size; ++b) taken += matrix[a][b] * sums.all[b][a];
   const double variance = std::max(noise.sum_of_squares / std::max({1.0, n / (size + 1), n - taken}),
                                    resolution * resolution / 12);
-  if (!quantities) return said_of(sums, size, noise, variance, size);
-  SquareMatrix to_quantities{};
-  for (int a = 0; a < quantities->count; ++a)
+  Parameters widening{};  // beyond that of the sums
+  for (int a = 0; a < size; ++a) {
+    const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
+    widening[a] = wide / factor;
+    std::vector<double> slope;
+    for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
+    const double known = 2 / noise.correlation.log_variance(slope, n);
+    result.degrees[a] = std::min(n / wide, known) * std::max(0.0, 1 - size / n);
+  }
+  for (int a = 0; a < size; ++a)
     for (int b = 0; b < size; ++b)
-      for (int c = 0; c < size; ++c)
-        to_quantities[a][b] += quantities->derivatives[a][c] * inverse_matrix[c][b];
-  return said_of(filtered_sums(noise, jacobian, size, to_quantities, quantities->count), quantities->count,
-                 noise, variance, size);
-}
-
-Noise find_noise(std::span<const double> t, std::span<const double> r, std::span<const double> motion) {
-  const SampleGrid grid = find_grid(t);
-  return find_noise(grid, r, motion, autocorrelations(r, grid, first_lags(r.size())));
+      result.covariance[a][b] = variance * sums.all[a][b] * std::sqrt(widening[a] * widening[b]);
+  return result;
 }
 
 Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,

@@ -8,7 +8,6 @@
 // lives at.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,32 +34,21 @@ struct Noise {
 std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> r,
                                 std::span<const double> motion);
 
-/// Times [s], residuals, and the motion that was fitted, each of the same length.
-Noise find_noise(std::span<const double> t, std::span<const double> r, std::span<const double> motion);
-
-/// The same, given find_grid(t) and autocorrelations(r, grid, first_lags(r.size())).
+/// Of residuals and the motion that was fitted, each of the same length, given the grid of their times and
+/// autocorrelations(r, grid, first_lags(r.size())).
 Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,
                  const std::vector<double>& rho);
 
 /// What a fit's estimates have from the noise.
 struct EstimateNoise {
-  int size = 0;
-  SquareMatrix covariance{};       // in the estimates' units
-  Parameters degrees{};            ///< of freedom of each variance
-  double independent_samples = 0;  ///< as many as white noise would leave the same variance on average
+  SquareMatrix covariance{};  // in the estimates' units
+  Parameters degrees{};       ///< of freedom of each variance
 };
 
-/// What follows from a fit's parameters: a row of derivatives for each quantity.
-struct Quantities {
-  int count = 0;
-  SquareMatrix derivatives{};
-};
-
-/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters; told
-/// of these, or of the quantities if given. No correlation makes a variance smaller than samples on their own
-/// would have it. `resolution` is the rounding step of the values, 0 if unknown. Variances are infinite where
-/// the Jacobian is singular.
+/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters. No
+/// correlation makes a variance smaller than samples on their own would have it. `resolution` is the rounding
+/// step of the values, 0 if unknown. Variances are infinite where the Jacobian is singular.
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
-                             double resolution = 0, const std::optional<Quantities>& quantities = {});
+                             double resolution = 0);
 
 }  // namespace cromer

@@ -141,10 +141,6 @@ bool is_arithmetic(double rms, std::span<const double> y) {
   return y.empty() || rms < 1e-9 * (*high - *low);
 }
 
-Residual describe_residual(std::span<const double> r) {
-  return describe_residual(r, autocorrelations(r, first_lags(r.size())));
-}
-
 Residual describe_residual(std::span<const double> r, const std::vector<double>& rho) {
   Residual result;
   const auto n = static_cast<double>(r.size());
@@ -186,7 +182,7 @@ double correlation_factor(std::span<const double> r, double phase_step) {
 }
 
 double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
-  return correlation(r, rho, phase_step).factor;
+  return std::max(1.0, autoregression_of(r, rho, {}).density(phase_step));
 }
 
 Autoregression autoregression_of(std::span<const double> r, const std::vector<double>& rho,
@@ -199,31 +195,6 @@ Autoregression autoregression_of(std::span<const double> r, const std::vector<do
     model = yule_walker(autocorrelations(r, grid, tried), r.size(), tried);
   }
   return model;
-}
-
-Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step) {
-  const Autoregression model = autoregression_of(r, rho, {});
-  const double n = static_cast<double>(r.size()), factor = std::max(1.0, model.density(phase_step));
-  return {factor, std::min(n / factor, 2 / model.log_variance(phase_step, n))};
-}
-
-Correlation correlation_in_time(std::span<const double> t, std::span<const double> r,
-                                double angular_frequency) {
-  const SampleGrid grid = find_grid(t);
-  const std::vector<double> rho = autocorrelations(r, grid, first_lags(r.size()));
-  const double phase_step = angular_frequency * grid.step;
-  if (!grid.has_gaps()) return correlation(r, rho, phase_step);
-  const Autoregression model = autoregression_of(r, rho, grid);
-  const auto n = static_cast<double>(r.size());
-  if (model.coefficients.empty()) return {1, n};
-  // As many terms of the density as there are pairs of samples for.
-  const std::size_t lags = std::min<std::size_t>(grid.place.back(), 4096);
-  const std::vector<double> count = pairs(grid, lags), model_rho = model.autocorrelations(lags);
-  double sum = 1;
-  for (std::size_t l = 1; l <= lags; ++l)
-    sum += 2 * model_rho[l] * count[l] / n * std::cos(phase_step * static_cast<double>(l));
-  const double factor = std::max(1.0, sum);
-  return {factor, std::min(n / factor, 2 / model.log_variance(phase_step, count[1] + 1))};
 }
 
 }  // namespace cromer

@@ -16,10 +16,8 @@ struct Residual {
   bool white = false;          ///< autocorrelations up to lag 20 are compatible with none (Ljung-Box, 1 %)
 };
 
-/// Jarque & Bera, Econ. Lett. 6, 255 (1980); Ljung & Box, Biometrika 65, 297 (1978). `r` is not empty.
-Residual describe_residual(std::span<const double> r);
-
-/// The same, given autocorrelations(r, first_lags(r.size())).
+/// Jarque & Bera, Econ. Lett. 6, 255 (1980); Ljung & Box, Biometrika 65, 297 (1978). `r` is not empty; `rho`
+/// is autocorrelations(r, first_lags(r.size())).
 Residual describe_residual(std::span<const double> r, const std::vector<double>& rho);
 
 /// Residuals of this rms are what double arithmetic makes of a motion with the values `y`: no sensor sees a
@@ -45,18 +43,6 @@ double correlation_factor(std::span<const double> r, double phase_step);
 
 /// The same, given autocorrelations(r, first_lags(r.size())).
 double correlation_factor(std::span<const double> r, const std::vector<double>& rho, double phase_step);
-
-/// That factor, and how well it is known: degrees of freedom of the variance that it makes, no more than
-/// there are independent samples. From two over the variance of the density's logarithm (E. Parzen, IEEE
-/// Trans. Autom. Control 19, 723 (1974)): strong correlations leave few at frequency 0.
-struct Correlation {
-  double factor = 1, degrees = 0;
-};
-Correlation correlation(std::span<const double> r, const std::vector<double>& rho, double phase_step);
-
-/// The same of samples at the times t [s], which may have gaps, at an angular frequency [rad/s].
-Correlation correlation_in_time(std::span<const double> t, std::span<const double> r,
-                                double angular_frequency);
 
 /// As many lags as white residuals need.
 std::size_t first_lags(std::size_t samples);

@@ -6,7 +6,6 @@
 
 namespace cromer {
 
-inline constexpr Law every_smooth_law = smooth_terms;
 inline constexpr Law every_law_that_rubs = smooth_terms.with(law_with<Friction>);
 inline constexpr Law every_law = every_law_that_rubs.with(law_with<Hysteresis>);
 
@@ -26,7 +25,7 @@ inline constexpr Law free_laws[] = {law_of("viscous"),
                                     law_of("viscous+drag+friction+cubic"),
                                     law_of("viscous+drag+friction+odd-quadratic"),
                                     law_of("viscous+hysteresis"),
-                                    every_smooth_law,
+                                    smooth_terms,
                                     every_law_that_rubs,
                                     every_law};
 inline constexpr Law driven_laws[] = {law_of("viscous"),
@@ -35,7 +34,7 @@ inline constexpr Law driven_laws[] = {law_of("viscous"),
                                       law_of("viscous+drag+quadratic+cubic"),
                                       law_of("viscous+friction"),
                                       law_of("viscous+hysteresis"),
-                                      every_smooth_law,
+                                      smooth_terms,
                                       every_law_that_rubs,
                                       every_law};
 #endif

@@ -114,11 +114,9 @@ void follow_force(const Motion& motion, const ForceRecord& force, std::span<cons
 /// f.operator()<law>() with the smallest of `laws` that has all terms of the given one.
 template <const auto& laws, class F>
 void with_law_among(const Law& law, F&& f) {
-  std::size_t best = std::size(laws);
-  for (std::size_t i = 0; i < std::size(laws); ++i)
-    if (laws[i].contains(law) && (best == std::size(laws) || laws[i].size() < laws[best].size())) best = i;
+  const std::optional<Law> best = smallest_containing(laws, law);
   [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (void)((i == best && (f.template operator()<laws[i]>(), true)) || ...);
+    (void)((best == laws[i] && (f.template operator()<laws[i]>(), true)) || ...);
   }(std::make_index_sequence<std::size(laws)>{});
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 
+#include "cromer/base/dual.h"
 #include "cromer/identify/law.h"
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/model/law.h"
@@ -61,23 +62,22 @@ struct FittedParameter {
 
   double of(const Motion& motion) const {
     if (member) return motion.*member;
-    const double value = motion.per_mass.*coefficient;
-    return as == FittedAs::half ? value / 2 : as == FittedAs::square_root ? std::sqrt(std::fmax(value, 0.0)) : value;
+    return as_fitted(as, motion.per_mass.*coefficient);
   }
   void set(Motion& motion, double value) const {
-    if (member) {
+    if (member)
       motion.*member = value;
-      return;
-    }
-    motion.per_mass.*coefficient = as == FittedAs::half          ? 2 * value
-                                   : as == FittedAs::square_root ? value * value
-                                                                 : value;
+    else
+      motion.per_mass.*coefficient = from_fitted(as, value);
   }
   /// The derivative of the coefficient by the parameter.
   double slope(double value) const {
-    return as == FittedAs::half ? 2 : as == FittedAs::square_root ? 2 * value : 1;
+    return from_fitted(as, Dual<double, 1>::variable(value, 0)).derivative[0];
   }
 };
+
+/// A parameter that says where the motion begins, and nothing of its law.
+constexpr bool is_of_the_start(std::string_view name) { return name == "position" || name == "velocity"; }
 
 /// All that a fit adjusts, in the order of fitted_parameters(); what is not fitted keeps the value of `held`.
 struct FittedParameters {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -21,6 +22,23 @@ enum class FittedAs {
   square_root,    ///< its root: the angular frequency of small swings
   with_any_mass,  ///< the coefficient itself: it is none of a force
 };
+
+/// What a fit speaks of, from a coefficient per unit mass; a root is 0 of what has none.
+template <class T>
+T as_fitted(FittedAs as, const T& coefficient) {
+  using std::sqrt;
+  if (as == FittedAs::half) return coefficient / T(2);
+  if (as == FittedAs::square_root) return coefficient > T(0) ? T(sqrt(coefficient)) : T(0);
+  return coefficient;
+}
+
+/// The coefficient per unit mass of what a fit speaks of.
+template <class T>
+T from_fitted(FittedAs as, const T& fitted) {
+  if (as == FittedAs::half) return T(2) * fitted;
+  if (as == FittedAs::square_root) return fitted * fitted;
+  return fitted;
+}
 
 /// One coefficient of a term.
 struct CoefficientInfo {

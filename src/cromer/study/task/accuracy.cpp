@@ -34,7 +34,7 @@ double whole_step(double h, double until) { return until / std::ceil(until / h *
 /// The underdamped linear law of a free or harmonically driven run.
 std::optional<LinearLaw<double>> oscillating_law(const SimulatedRun& run) {
   const Oscillator<double>& o = run.oscillator;
-  if (run.general || !is_linear(terms_of(o, run.drive))) return std::nullopt;
+  if (run.general || !is_linear(law_of(o))) return std::nullopt;
   const LinearLaw<double> law = linear_law(o, run.drive);
   if (!(law.stiffness > law.decay_rate * law.decay_rate)) return std::nullopt;
   return law;
@@ -132,7 +132,7 @@ Accuracy compared(const SimulateOptions& options, const SimulatedRun& run, doubl
   if (reference) {
     if (!swing || swing->half_cycles != reference->half_cycles) return failed;
     found.frequency_error = std::abs(swing->angular_frequency / reference->angular_frequency - 1);
-    const bool damped = law_of(run.oscillator).shares(terms_of_velocity.with(law_with<Friction, Hysteresis>));
+    const bool damped = law_of(run.oscillator).shares(dissipative_terms);
     if (damped) found.decay_error = std::abs(swing->decay_rate / reference->decay_rate - 1);
     found.amplitude_error = std::abs(swing->last_amplitude / reference->last_amplitude - 1);
     return found;

@@ -12,6 +12,7 @@
 #include "cromer/study/task/compared_curve.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/part_of_work.h"
+#include "cromer/study/task/simulate_setup.h"
 #include "cromer/study/task/used_samples.h"
 
 namespace cromer {
@@ -21,9 +22,9 @@ constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double most_steps = 1e8;
 constexpr double of_fits = 0.7;  // of the work, roughly
 
-// A period has at least 200 steps, and a sample is a whole number of them.
-double default_step(double spacing, double period) {
-  return spacing / std::max(1.0, std::ceil(200 * spacing / period - 1e-9));
+// A period has at least the default steps, and a sample is a whole number of them.
+double dividing_step(double spacing, double period) {
+  return spacing / std::max(1.0, std::ceil(default_steps_per_period * spacing / period - 1e-9));
 }
 
 // The same recording, fitted with a law of one's own choice.
@@ -72,8 +73,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const LawFit& fit = recording.fit;
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
   if (!fitted || !(fit.angular_frequency().value > 0)) return result;
-  if (recording.series.quantity.find("velocity") != std::string::npos ||
-      recording.series.quantity == "acceleration")
+  if (derivative_order(recording.series.quantity) > 0)
     return Error{fmt::format(
         "compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
         recording.series.column, recording.series.quantity)};
@@ -84,12 +84,11 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     samples.t.insert(samples.t.begin(), series.t.front());
     samples.y.insert(samples.y.begin(), series.y.front());
   }
-  const bool only_law = !(options.fit.law.empty() || options.fit.law == "auto");
-  result.doubts =
-      doubts({samples.t, samples.y, series.resolution}, fit, only_law, si_unit_of(series.quantity));
+  result.doubts = doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit),
+                         si_unit_of(series.quantity));
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
-  const double spacing = series.rate > 0 ? 1 / series.rate : period / 200;
-  const double step = options.step.value_or(default_step(spacing, period));
+  const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;
+  const double step = options.step.value_or(dividing_step(spacing, period));
   if (!(step > 0) || duration / step > most_steps)
     return Error{fmt::format("--step {}: it must be positive and give at most {:.0e} steps over {:.6g} s",
                              step, most_steps, duration)};

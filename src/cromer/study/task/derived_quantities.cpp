@@ -7,6 +7,7 @@
 #include "cromer/analysis/amplitude_decay.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/dual.h"
+#include "cromer/identify/describe_fit.h"
 
 namespace cromer {
 namespace {
@@ -32,10 +33,7 @@ LawAtAmplitude law_at_amplitude(const LawFit& fit) {
     if (!fit.law.has<T>()) return;
     for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
       const CoefficientInfo& info = T::coefficients[i];
-      const Real fitted = variable(info.parameter);
-      per_mass.*T::template members<Real>[i] = info.fitted == FittedAs::square_root ? fitted * fitted
-                                               : info.fitted == FittedAs::half      ? 2.0 * fitted
-                                                                                    : fitted;
+      per_mass.*T::template members<Real>[i] = from_fitted(info.fitted, variable(info.parameter));
     }
   });
   law.decay.per_mass = per_mass;
@@ -68,14 +66,6 @@ std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const
           {"at_amplitude", estimate_of(A, fit), std::move(unit)}};
 }
 
-/// Of the sinusoid with the root mean square of these numbers about their mean.
-double mean_amplitude(const std::vector<double>& motion) {
-  double mean = 0, square = 0;
-  for (const double x : motion) mean += x / static_cast<double>(motion.size());
-  for (const double x : motion) square += (x - mean) * (x - mean) / static_cast<double>(motion.size());
-  return std::sqrt(2 * square);
-}
-
 }  // namespace
 
 std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
@@ -91,7 +81,7 @@ std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_vie
   const LawAtAmplitude law = law_at_amplitude(fit);
   if (fit.drive.kind == DriveKind::none)
     return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit, length);
-  std::vector<NamedEstimate> list = at_amplitude(law, Real(mean_amplitude(x)), fit, length);
+  std::vector<NamedEstimate> list = at_amplitude(law, Real(sinusoid_amplitude(x)), fit, length);
   if (fit.motion.decay_rate() >= fit.motion.angular_frequency())
     list.erase(std::remove_if(list.begin(), list.end(),
                               [](const NamedEstimate& number) {

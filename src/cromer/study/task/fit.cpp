@@ -249,16 +249,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic});
   if (!has_values(result.fit)) return result;
 
-  const Quantity temperature = options.temperature.value_or(Quantity{293.15, 0});
-  const Body body{options.mass, options.spring_mass, options.disc_diameter, temperature};
+  const Body body = body_of(options);
   result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity), record.derivative);
-  if (is_linear_quantity(result.series.quantity)) {
-    const auto forces = force_parameters(result.fit, body);
-    result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
-  } else if (options.mass) {
-    result.warnings.push_back(
-        fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
-  }
+  add_force_parameters(result, body);
   result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
   result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
@@ -269,17 +262,16 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.segments = segments.segments;
   result.decay_rate_mean = segments.mean;
   result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
-  if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, temperature, watch);
+  if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
   if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
     result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
     return result;
   }
-  const bool only_law = !(options.law.empty() || options.law == "auto");
   const std::string_view unit = si_unit_of(result.series.quantity);
   for (const auto& sentences :
-       {doubts(record, result.fit, only_law, unit), second_modes(record, result.fit, unit)})
+       {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
     result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
   if (const std::string wide = widening(result.fit, record.t.size()); !wide.empty())
     result.warnings.push_back(wide);

@@ -7,12 +7,13 @@
 #include <limits>
 #include <numbers>
 
-#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/doubts.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/force_grid.h"
 #include "cromer/study/task/forced_options.h"
+#include "cromer/study/task/lab_quantities.h"
 #include "cromer/study/task/simulate_line.h"
 #include "cromer/study/task/used_samples.h"
 
@@ -40,8 +41,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
                                           fit.status == FitStatus::iteration_limit);
   if (!known) return;
   const FitOptions& options = result.options;
-  const Body body{options.mass, options.spring_mass, options.disc_diameter,
-                  options.temperature.value_or(Quantity{293.15, 0})};
+  const Body body = body_of(options);
   const std::string_view unit = si_unit_of(result.series.quantity);
   const int derivative = std::max(0, derivative_order(result.series.quantity));
   if (derivative > 0)
@@ -50,21 +50,15 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
   motion.states = motion_of(fit, t);
   motion.motion = observed_motion(fit.motion, fit.drive, t, derivative, fit.step);
   result.parameters = law_parameters(fit, unit, derivative, force_unit);
-  if (is_linear_quantity(result.series.quantity)) {
-    const auto forces = force_parameters(fit, body);
-    result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
-  } else if (options.mass) {
-    result.warnings.push_back(
-        fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
-  }
+  add_force_parameters(result, body);
   result.derived = derived_quantities(fit, unit, derivative, motion.states.x, force_unit);
   if (result.find("stiffness")) {
     result.stiffness_budget = stiffness_budget(fit, body);
     if (options.monte_carlo)
       result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed);
   }
-  const bool only_law = !(options.law.empty() || options.law == "auto");
-  for (std::string& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency, only_law, unit))
+  for (std::string& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency,
+                                          law_is_chosen(options), unit))
     result.warnings.push_back(std::move(doubt));
   if (fit.law.shares(springs) && fit.motion.decay_rate() >= fit.motion.angular_frequency())
     result.warnings.emplace_back("the law is overdamped: it has no frequency and no period of its own");
@@ -179,12 +173,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   result.warnings = used->warnings;
   result.series = *std::move(used);
   const Series& series = result.series;
-  std::vector<double> t, y;
-  for (std::size_t i = 0; i < series.t.size(); ++i) {
-    if (is_outlier(series, i)) continue;
-    t.push_back(series.t[i]);
-    y.push_back(series.y[i]);
-  }
+  const auto [t, y] = without_outliers(series);
   if (t.empty()) return Error{fmt::format("column \"{}\" has no value that is not set aside", motion.column)};
   constexpr double two_pi = 2 * std::numbers::pi;
   const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
@@ -204,8 +193,8 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   say_unused(result);
   const LawFit& fit = result.fit;
   if (!result.driven) return result;
-  result.simulate = simulate_line(
-      fit, series, options.mass ? Body{options.mass, options.spring_mass}.effective_mass().value : 1);
+  const Body body = body_of(options);
+  result.simulate = simulate_line(fit, series, body.mass ? body.effective_mass().value : 1);
   const double found = fit.motion.drive_frequency;
   if (fit.status == FitStatus::converged && *drive && std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
     result.warnings.push_back(fmt::format("the steady oscillation has {:.6g} Hz, not the {:.6g} Hz of --drive-frequency",

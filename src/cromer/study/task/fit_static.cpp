@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/masses.h"
 
 namespace cromer {
@@ -48,7 +49,7 @@ Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& op
 /// The first option given that says or asks something of a motion; empty where none does.
 std::string of_a_motion(const FitOptions& o) {
   if (o.mass || o.spring_mass) return o.mass ? "--mass" : "--spring-mass";
-  if (!o.law.empty() && o.law != "auto") return "--law";
+  if (law_is_chosen(o)) return "--law";
   if (o.disc_diameter || o.temperature) return o.disc_diameter ? "--disc-diameter" : "--temperature";
   if (o.segment || o.segments) return o.segment ? "--segment" : "--segments";
   if (!o.force_column.empty() || o.hold_out) return o.hold_out ? "--hold-out" : "--force-column";

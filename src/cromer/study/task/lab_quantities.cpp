@@ -1,10 +1,13 @@
 #include "cromer/study/task/lab_quantities.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/derived_quantities.h"
+#include "cromer/study/task/used_samples.h"
 
 namespace cromer {
 namespace {
@@ -40,6 +43,22 @@ void add_textbook(FittedRecording& result, const Record& record) {
 }
 
 }  // namespace
+
+Body body_of(const FitOptions& options) {
+  Body body{options.mass, options.spring_mass, options.disc_diameter};
+  if (options.temperature) body.temperature = *options.temperature;
+  return body;
+}
+
+void add_force_parameters(FittedRecording& result, const Body& body) {
+  if (is_linear_quantity(result.series.quantity)) {
+    const auto forces = force_parameters(result.fit, body);
+    result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
+  } else if (body.mass) {
+    result.warnings.push_back(
+        fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
+  }
+}
 
 Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
                                 const Watch& watch) {

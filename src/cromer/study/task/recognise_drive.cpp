@@ -104,13 +104,11 @@ bool may_be_beats(const LawFit& fit) {
   return refused && fit.explained > 0.1 && fit.residual.rms > 0 && fit.residual.autocorrelation >= structured;
 }
 
-bool is_free_law(const FitOptions& options) { return options.law.empty() || options.law == "auto"; }
-
 }  // namespace
 
 FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
                                 const Watch& watch) {
-  const bool automatic = options.recognise_drive && is_free_law(options) && !is_driven(options);
+  const bool automatic = options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
   const bool refused = free.parameters.empty();
   const Residual& left = free.fit.residual;
   const bool is_noise = left.autocorrelation < structured || is_arithmetic(left.rms, free.series.y);

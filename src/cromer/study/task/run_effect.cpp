@@ -67,7 +67,7 @@ std::string joined(const std::string& first, const std::string& second) {
 
 std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
   const Oscillator<double>& law = run.oscillator;
-  if (!linear_terms.contains(law_of(law))) return std::nullopt;
+  if (!is_linear(law_of(law))) return std::nullopt;
   return method_effect(run.method, run.settings, linear_law(run.oscillator, run.drive), run.step, false);
 }
 
@@ -80,8 +80,7 @@ std::string step_warning(const SimulatedRun& run) {
   if (!(period > 0)) return "";
   const double w = 2 * std::numbers::pi / period;
   // What drag, friction and their like take may outweigh a growth that only vanishes with the step.
-  const bool braked =
-      law_of(o).shares(terms_of_velocity.with(law_with<Friction, Hysteresis>).without(law_with<Viscous>));
+  const bool braked = law_of(o).shares(dissipative_terms.without(law_with<Viscous>));
   const auto warning = [&](double stiffness, std::string_view motions) -> std::string {
     const LinearLaw<double> tangent{.decay_rate = decay_rate(o), .stiffness = stiffness};
     const auto effect = method_effect(run.method, run.settings, tangent, run.step, false);
@@ -95,7 +94,7 @@ std::string step_warning(const SimulatedRun& run) {
 
 std::string effect_in_words(const SimulatedRun& run) {
   if (run.effect) return in_words(*run.effect, linear_law(run.oscillator, run.drive));
-  if (is_linear(terms_of(run.oscillator, run.drive))) return "";
+  if (is_linear(law_of(run.oscillator))) return "";
   return joined(
       run.measured ? swing_in_words(*run.measured) : "",
       run.energy_balance ? energy_in_words(*run.energy_balance, find_method(run.method)->symplectic) : "");

@@ -156,7 +156,7 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {
   const bool driven = run.general || run.drive.amplitude > 0;
   const Oscillator<double>& o = run.oscillator;
-  if (driven || linear_terms.contains(law_of(o))) return std::nullopt;
+  if (driven || is_linear(law_of(o))) return std::nullopt;
   if (!dense_enough(run, natural_period(o), 8)) return std::nullopt;
   return measure_oscillator(run.trajectory);
 }

@@ -10,6 +10,7 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/model/sensor.h"
 #include "cromer/run/keep.h"
+#include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/run_energy.h"
 #include "cromer/study/task/run_invariants.h"
@@ -85,16 +86,6 @@ std::vector<double> readings(const Trajectory& trajectory, const SensorOptions& 
   return samples;
 }
 
-/// The part of the work that one run of many is.
-Watch part_of(const Watch& watch, std::size_t index, std::size_t count) {
-  Watch part{watch.interrupt, {}};
-  if (watch.progress)
-    part.progress = [&watch, index, count](double fraction) {
-      watch.progress((static_cast<double>(index) + fraction) / static_cast<double>(count));
-    };
-  return part;
-}
-
 SimulateOptions with_defaults(SimulateOptions options, const SimulatedRun& run) {
   options.stiffness = run.oscillator.stiffness;
   options.damping = run.oscillator.damping;
@@ -121,9 +112,11 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
   if (watch.warn) watch.warn(result.warnings);
   result.options = with_defaults(options, runs->front());
   result.runs = *std::move(runs);
-  for (std::size_t i = 0; i < result.runs.size(); ++i) {
-    SimulatedRun& run = result.runs[i];
-    integrate(run, options.every, part_of(watch, i, result.runs.size()));
+  const auto all = static_cast<double>(result.runs.size());
+  double done = 0;
+  for (SimulatedRun& run : result.runs) {
+    integrate(run, options.every, part_of(watch, done / all, (done + 1) / all));
+    ++done;
     if (run.events.missed > 0)
       result.warnings.push_back(fmt::format("{}: only the first {} of {} events are listed", run.label,
                                             EventLog::most, EventLog::most + run.events.missed));

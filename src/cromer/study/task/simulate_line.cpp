@@ -8,6 +8,7 @@
 
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
+#include "cromer/study/task/simulate_setup.h"
 
 namespace cromer {
 namespace {
@@ -51,9 +52,10 @@ std::string simulate_line(const LawFit& fit, const Series& series, double mass) 
   add("position", motion.position);
   add("velocity", motion.velocity);
   line += " --method rk4";
-  // A sample is a whole number of steps, and a period has at least 200.
-  const double rate = to_twelve_digits(series.rate > 0 ? series.rate : 200 / shorter);
-  add("step", 1 / (rate * std::max(1.0, std::ceil(200 / (rate * shorter) - 1e-9))));
+  // A sample is a whole number of steps, and a period has at least the default number.
+  constexpr double fewest = default_steps_per_period;
+  const double rate = to_twelve_digits(series.rate > 0 ? series.rate : fewest / shorter);
+  add("step", 1 / (rate * std::max(1.0, std::ceil(fewest / (rate * shorter) - 1e-9))));
   add("until", to_twelve_digits(series.t.back() - series.t.front()));
   return line;
 }

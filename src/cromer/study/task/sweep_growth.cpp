@@ -27,7 +27,7 @@ void name_status(const SweepWork& work, const MethodSettings& settings, const Po
   if (work.runs_to_end()) return;
   const Oscillator<double>& o = point.oscillator;
   if (o.friction != 0 || result.status == PointStatus::no_convergence) return;
-  if (is_linear(o) &&
+  if (is_linear(law_of(o)) &&
       visit_method(work.method, settings, [&](const auto& method) { return grows(method, point); })) {
     result.status = PointStatus::unstable;
     return;

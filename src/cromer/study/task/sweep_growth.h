@@ -11,11 +11,6 @@
 
 namespace cromer {
 
-/// No terms but spring and damper.
-inline bool is_linear(const Oscillator<double>& oscillator) {
-  return linear_terms.contains(law_of(oscillator));
-}
-
 /// Per unit mass, with its drive.
 LinearLaw<double> linear_law(const Point& point);
 

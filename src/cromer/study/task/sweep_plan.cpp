@@ -133,7 +133,7 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
       law = law.with(law_with<T>);
   });
   if (has_term(work, o.static_friction.value_or(0), {"static-friction"})) law = law.with(law_with<Friction>);
-  const bool rubs = law.has<Friction>(), linear = linear_terms.contains(law);
+  const bool rubs = law.has<Friction>(), linear = is_linear(law);
   const bool to_end = work.runs_to_end();
   for (const Measure* measure : work.measures)
     if (to_end && measure->of_settled_motion)

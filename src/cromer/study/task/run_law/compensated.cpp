@@ -39,7 +39,7 @@ template <bool driven>
 Outcome run_under(const LawRun& run, AnyForce force, KeepEvery& keep, const Watch& watch) {
   const Law present = law_of(run.oscillator);
   if (present == law_of("spring")) return run_terms<Terms{.drive = driven}>(run, force, keep, watch);
-  if (linear_terms.contains(present))
+  if (is_linear(present))
     return run_terms<Terms{.drive = driven, .law = linear_terms}>(run, force, keep, watch);
   return run_terms<Terms{.drive = driven, .law = any_terms}>(run, force, keep, watch);
 }
