@@ -69,14 +69,10 @@ Coverage coverage(std::size_t n, double memory, const std::function<bool(std::si
       const double deviate = normal(engine);
       if (!missing(i)) noise.push_back(make(ar, m.x[noise.size()], m.v[noise.size()], deviate));
     }
-    NormalEquations sums;
+    NormalEquations sums{.size = size};
     for (std::size_t i = 0; i < noise.size(); ++i)
-      for (int a = 0; a < size; ++a) {
-        const double* row = m.jacobian.data() + i * size;
-        sums.right[a] += row[a] * noise[i];
-        for (int b = 0; b < size; ++b) sums.matrix[a][b] += row[a] * row[b];
-      }
-    const Parameters p = ScaledCholesky(sums.matrix, size, 0, all_free).solve(sums.right);
+      sums.add_row(std::span(m.jacobian).subspan(i * size, size), noise[i]);
+    const Parameters p = solve(sums).x;
     std::vector<double> r = noise, motion = m.x;
     for (std::size_t i = 0; i < r.size(); ++i)
       for (int a = 0; a < size; ++a) r[i] -= m.jacobian[i * size + static_cast<std::size_t>(a)] * p[a];

@@ -34,19 +34,12 @@ double model_at(const Parameters& p, double s, Parameters& row) {
 }
 
 NormalEquations equations_at(const Record& record, const Parameters& p) {
-  NormalEquations equations;
-  equations.size = TwoModes::parameters;
+  NormalEquations equations{.size = TwoModes::parameters};
   Parameters row{};
   for (std::size_t i = 0; i < record.t.size(); ++i) {
     const double r = record.y[i] - model_at(p, record.t[i] - record.t.front(), row);
-    for (int j = 0; j < equations.size; ++j) {
-      equations.right[j] += row[j] * r;
-      for (int k = 0; k <= j; ++k) equations.matrix[j][k] += row[j] * row[k];
-    }
-    equations.sum_of_squares += r * r;
+    equations.add_row(std::span(row).first<TwoModes::parameters>(), r);
   }
-  for (int j = 0; j < equations.size; ++j)
-    for (int k = 0; k < j; ++k) equations.matrix[k][j] = equations.matrix[j][k];
   return equations;
 }
 

@@ -11,35 +11,20 @@
 namespace cromer {
 namespace {
 
-struct Curve {
-  Parameters coefficients{};
-  double sum_of_squares = HUGE_VAL;
-};
-
 /// Linear least squares; row(i) gives the values of the n functions at the i-th place.
 template <std::size_t n, class Row>
-Curve fitted(std::span<const double> values, Row row) {
-  Parameters right{};
-  SquareMatrix matrix{};
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::array<double, n> f = row(i);
-    for (std::size_t j = 0; j < n; ++j) {
-      right[j] += f[j] * values[i];
-      for (std::size_t k = 0; k < n; ++k) matrix[j][k] += f[j] * f[k];
-    }
-  }
-  std::array<bool, max_parameters> all{};
-  all.fill(true);
-  const ScaledCholesky factor(matrix, static_cast<int>(n), 0, all);
-  Curve curve;
-  if (!factor.ok()) return curve;
-  curve.coefficients = factor.solve(right);
-  curve.sum_of_squares = 0;
+LinearFit fitted(std::span<const double> values, Row row) {
+  NormalEquations equations{.size = n};
+  for (std::size_t i = 0; i < values.size(); ++i) equations.add_row(row(i), values[i]);
+  LinearFit curve = solve(equations);
+  if (!curve.ok) return curve;
+  // Summed afresh: what is left may be less than the rounding of the squares.
+  curve.rest = 0;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::array<double, n> f = row(i);
     double off = values[i];
-    for (std::size_t j = 0; j < n; ++j) off -= f[j] * curve.coefficients[j];
-    curve.sum_of_squares += off * off;
+    for (std::size_t j = 0; j < n; ++j) off -= f[j] * curve.x[j];
+    curve.rest += off * off;
   }
   return curve;
 }
@@ -52,11 +37,11 @@ double beat_squares(std::span<const double> s, std::span<const double> envelope)
   double best = HUGE_VAL;
   for (double turn = 0.6; turn < 30; turn *= 1.12)   // [rad] of the beat in half the stretch
     for (double rate = 0; rate < 3; rate += 0.25) {  // of the squares over it
-      const Curve curve = fitted<3>(half, [&](std::size_t i) {
+      const LinearFit curve = fitted<3>(half, [&](std::size_t i) {
         const double scale = std::exp(-rate * s[i]) / (2 * envelope[i] * envelope[i]);
         return std::array<double, 3>{scale, scale * std::cos(turn * s[i]), scale * std::sin(turn * s[i])};
       });
-      best = std::min(best, curve.sum_of_squares);
+      best = std::min(best, curve.rest);
     }
   return best;
 }
@@ -73,25 +58,24 @@ std::optional<Kink> find_kink(std::span<const double> t, std::span<const double>
   for (const double each : t) s.push_back((each - middle) / half);
   std::vector<double> values;
   for (const double A : amplitude) values.push_back(std::log(A));
-  const Curve smooth = fitted<5>(values, [&](std::size_t i) {
+  const LinearFit smooth = fitted<5>(values, [&](std::size_t i) {
     const double at = s[i];
     return std::array<double, 5>{1, at, at * at, at * at * at, at * at * at * at};
   });
-  Curve best;
+  LinearFit best;
   double place = 0;
   for (std::size_t i = fewest; i + fewest <= n; ++i) {
     const double kink = s[i];
-    const Curve bent = fitted<4>(values, [&](std::size_t k) {
+    const LinearFit bent = fitted<4>(values, [&](std::size_t k) {
       const double before = std::min(s[k] - kink, 0.0), after = std::max(s[k] - kink, 0.0);
       return std::array<double, 4>{1, before, after, after * after};
     });
-    if (!(bent.sum_of_squares < best.sum_of_squares)) continue;
+    if (!(bent.rest < best.rest)) continue;
     best = bent;
     place = kink;
   }
-  if (!(3 * best.sum_of_squares < std::min(smooth.sum_of_squares, beat_squares(s, amplitude))))
-    return std::nullopt;
-  return Kink{middle + half * place, best.coefficients[1] / half, best.coefficients[2] / half};
+  if (!(3 * best.rest < std::min(smooth.rest, beat_squares(s, amplitude)))) return std::nullopt;
+  return Kink{middle + half * place, best.x[1] / half, best.x[2] / half};
 }
 
 }  // namespace cromer

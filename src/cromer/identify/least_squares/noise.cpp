@@ -251,11 +251,10 @@ bool follow(std::span<const double> r, const MotionSquares& x, const NormalEquat
             const SampleGrid& grid) {
   const int size = sums.size;
   const double critical = size == 3 ? 9.210 : 6.635;
-  const Parameters coefficients = ScaledCholesky(sums.matrix, size, 0, all_free).solve(sums.right);
+  const auto [ok, coefficients, rest] = solve(sums);
   Noise noise;
   noise.samples = r.size();
-  noise.sum_of_squares = sums.sum_of_squares;
-  for (int a = 0; a < size; ++a) noise.sum_of_squares -= coefficients[a] * sums.right[a];
+  noise.sum_of_squares = rest;
   SquareMatrix covariance = inverse(sums.matrix, size);
   for (Parameters& row : covariance)
     for (double& each : row) each *= noise.sum_of_squares / static_cast<double>(r.size());

@@ -57,36 +57,19 @@ std::vector<double> lines_of(std::span<const double> y, double h, std::size_t co
 }
 
 // E, the decaying sinusoid's cosine and sine, the steady one's.
-constexpr int linear_size = 5;
-struct Linear {
-  Parameters p{};
-  double sum_of_squares = HUGE_VAL;
-};
-
-Linear best_linear(const Samples& samples, double w, double g, double drive) {
-  NormalEquations equations;
-  equations.size = linear_size;
+LinearFit best_linear(const Samples& samples, double w, double g, double drive) {
+  NormalEquations equations{.size = 5};
   const double h = samples.t[1] - samples.t[0];
   const auto turn = std::polar(std::exp(-g * h), w * h), drive_turn = std::polar(1.0, drive * h);
   std::complex<double> a = 1, b = 1;
   for (std::size_t i = 0; i < samples.t.size(); ++i) {
-    const double row[linear_size] = {1, a.real(), a.imag(), b.real(), b.imag()};
-    for (int j = 0; j < linear_size; ++j) {
-      equations.right[j] += row[j] * samples.y[i];
-      for (int l = 0; l < linear_size; ++l) equations.matrix[j][l] += row[j] * row[l];
-    }
-    equations.sum_of_squares += samples.y[i] * samples.y[i];
+    const double row[] = {1, a.real(), a.imag(), b.real(), b.imag()};
+    equations.add_row(row, samples.y[i]);
     a = {a.real() * turn.real() - a.imag() * turn.imag(), a.real() * turn.imag() + a.imag() * turn.real()};
     b = {b.real() * drive_turn.real() - b.imag() * drive_turn.imag(),
          b.real() * drive_turn.imag() + b.imag() * drive_turn.real()};
   }
-  const ScaledCholesky factor(equations.matrix, linear_size, 1e-9, all_free);
-  Linear result;
-  if (!factor.ok()) return result;
-  result.p = factor.solve(equations.right);
-  result.sum_of_squares = equations.sum_of_squares;
-  for (int j = 0; j < linear_size; ++j) result.sum_of_squares -= result.p[j] * equations.right[j];
-  return result;
+  return solve(equations, 1e-9);
 }
 
 }  // namespace
@@ -131,13 +114,13 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   const Samples coarse = even_samples(record, std::min(std::max(needed, most_samples), 4 * most_samples));
 
   double w_best = 0, g_best = 0, drive_best = 0;
-  Linear best;
+  LinearFit best;
   for (double wd : drives)
     for (double w : natural) {
       if (!(w > 0.2 * resolution) || !(wd > 0) || std::abs(w - wd) < 0.2 * resolution) continue;
       for (double g = 0.3 / T; g < w; g *= 2.5) {
-        const Linear fit = best_linear(coarse, w, g, wd);
-        if (fit.sum_of_squares < best.sum_of_squares) {
+        const LinearFit fit = best_linear(coarse, w, g, wd);
+        if (fit.rest < best.rest) {
           best = fit;
           w_best = w;
           g_best = g;
@@ -145,18 +128,18 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
         }
       }
     }
-  if (!std::isfinite(best.sum_of_squares)) return std::nullopt;
+  if (!std::isfinite(best.rest)) return std::nullopt;
 
   const double s1 = w_best * w_best + g_best * g_best;
-  const std::complex<double> steady(best.p[3], -best.p[4]);
+  const std::complex<double> steady(best.x[3], -best.x[4]);
   const std::complex<double> force =
       steady * std::complex<double>(s1 - drive_best * drive_best, 2 * g_best * drive_best);
   Motion start{.cosine = force.real(),
                .sine = -force.imag(),
                .drive_frequency = drive_best,
-               .equilibrium = level + best.p[0],
-               .position = best.p[1] + best.p[3],
-               .velocity = w_best * best.p[2] - g_best * best.p[1] + drive_best * best.p[4]};
+               .equilibrium = level + best.x[0],
+               .position = best.x[1] + best.x[3],
+               .velocity = w_best * best.x[2] - g_best * best.x[1] + drive_best * best.x[4]};
   start.set_angular_frequency(std::sqrt(s1));
   start.set_decay_rate(g_best);
   for (int d = record.derivative; d > 0; --d) {

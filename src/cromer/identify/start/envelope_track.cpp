@@ -65,31 +65,6 @@ PendulumSwing swing_of_action(double linear) {
   return PendulumSwing(low);
 }
 
-struct LinearFit {
-  bool ok = false;
-  Parameters x{};
-  double rest = HUGE_VAL;  // sum of squares
-};
-
-LinearFit solve(const NormalEquations& equations) {
-  LinearFit fit;
-  const ScaledCholesky factor(equations.matrix, equations.size, 0, all_free);
-  if (!factor.ok()) return fit;
-  fit.ok = true;
-  fit.x = factor.solve(equations.right);
-  fit.rest = equations.sum_of_squares;
-  for (int i = 0; i < equations.size; ++i) fit.rest -= fit.x[i] * equations.right[i];
-  return fit;
-}
-
-void add_row(NormalEquations& equations, const Parameters& row, double y) {
-  for (int i = 0; i < equations.size; ++i) {
-    equations.right[i] += row[i] * y;
-    for (int j = 0; j < equations.size; ++j) equations.matrix[i][j] += row[i] * row[j];
-  }
-  equations.sum_of_squares += y * y;
-}
-
 struct Window {
   double equilibrium, amplitude, phase, error;  // error of the amplitude
 };
@@ -98,11 +73,12 @@ struct Window {
 std::optional<Window> window_at(const Record& record, std::size_t first, std::size_t last, double w,
                                 double tc) {
   const std::size_t stride = (last - first + most_in_a_window - 1) / most_in_a_window;
-  NormalEquations equations;
-  equations.size = 3;
+  NormalEquations equations{.size = 3};
   double used = 0;
-  for (std::size_t i = first; i < last; i += stride, ++used)
-    add_row(equations, {1, std::cos(w * (record.t[i] - tc)), std::sin(w * (record.t[i] - tc))}, record.y[i]);
+  for (std::size_t i = first; i < last; i += stride, ++used) {
+    const double phase = w * (record.t[i] - tc), row[] = {1, std::cos(phase), std::sin(phase)};
+    equations.add_row(row, record.y[i]);
+  }
   const LinearFit fit = solve(equations);
   if (!fit.ok || used < 6) return std::nullopt;
   const double variance = std::max(fit.rest, 0.0) / (used - 3);
@@ -158,12 +134,11 @@ Decay decay_along(const EnvelopeTrack& track, const std::vector<TermAlong>& term
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < damping.size(); ++i)
       if (subset >> i & 1U) chosen.push_back(damping[i]);
-    NormalEquations equations;
-    equations.size = 1 + static_cast<int>(chosen.size());
+    std::vector<double> row(1 + chosen.size(), 1.0);
+    NormalEquations equations{.size = static_cast<int>(row.size())};
     for (std::size_t k = 0; k < track.t.size(); ++k) {
-      Parameters row{1};
       for (std::size_t i = 0; i < chosen.size(); ++i) row[1 + i] = -terms[chosen[i]].fall[k];
-      add_row(equations, row, track.amplitude[k]);
+      equations.add_row(row, track.amplitude[k]);
     }
     const LinearFit fit = solve(equations);
     if (!fit.ok || fit.rest >= best.rest) continue;
@@ -244,12 +219,12 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
   std::vector<std::size_t> shifting;
   for (std::size_t i = 0; i < terms.size(); ++i)
     if (terms[i].shift.back() != 0) shifting.push_back(i);
-  NormalEquations equations;
-  equations.size = 2 + static_cast<int>(shifting.size());
+  std::vector<double> row(2 + shifting.size(), 1.0);
+  NormalEquations equations{.size = static_cast<int>(row.size())};
   for (std::size_t k = 0; k < track.t.size(); ++k) {
-    Parameters row{1, time[k]};
+    row[1] = time[k];
     for (std::size_t i = 0; i < shifting.size(); ++i) row[2 + i] = terms[shifting[i]].shift[k];
-    add_row(equations, row, track.phase[k]);
+    equations.add_row(row, track.phase[k]);
   }
   LinearFit fit = solve(equations);
   if (!fit.ok) fit.x = {track.phase.front(), track.frequency};

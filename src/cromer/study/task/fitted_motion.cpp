@@ -49,9 +49,7 @@ class SlidingSinusoid {
     right[0] = m.y;
     right[1] = m.yc * c + m.ys * s;
     right[2] = m.ys * c - m.yc * s;
-    std::array<bool, max_parameters> all{};
-    all.fill(true);
-    const ScaledCholesky factor(matrix, 3, 0, all);
+    const ScaledCholesky factor(matrix, 3, 0, all_free);
     return factor.ok() ? w_ * factor.solve(right)[2] : std::numeric_limits<double>::quiet_NaN();
   }
 
