@@ -156,7 +156,7 @@ std::string known_ratio(const LawFit& fit, const FittedParameters& fitted) {
     for (int j = 0; j < i; ++j) {
       const Estimate *a = fit.find(fitted.of[i].name), *b = fit.find(fitted.of[j].name);
       if (!a || !b || a->value == 0 || b->value == 0) continue;
-      if (fitted.of[i].name == "position" || fitted.of[i].name == "velocity") continue;
+      if (is_of_the_start(fitted.of[i].name)) continue;
       const double of_a = a->standard_error / std::abs(a->value), of_b = b->standard_error / std::abs(b->value);
       if (!(of_a > hardly && of_b > hardly)) continue;
       const double covariance =

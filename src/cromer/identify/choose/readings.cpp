@@ -18,7 +18,7 @@ std::string differences(const LawFit& chosen, const LawFit& other) {
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
     const Estimate* there = other.find(chosen.names[i]);
     const Estimate& here = chosen.estimates[i];
-    if (!there || chosen.names[i] == "position" || chosen.names[i] == "velocity") continue;
+    if (!there || is_of_the_start(chosen.names[i])) continue;
     const double off = std::abs(there->value - here.value) / here.standard_error;
     if (!(off > 1)) continue;
     std::string name = chosen.names[i];

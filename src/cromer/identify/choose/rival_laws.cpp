@@ -20,7 +20,7 @@ bool is_off(const Estimate& here, double there) {
 // Another law would give other numbers for the same coefficients.
 bool moves_the_numbers(const LawFit& chosen, const LawFit& rival) {
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
-    if (chosen.names[i] == "equilibrium" || chosen.names[i] == "position" || chosen.names[i] == "velocity") continue;
+    if (chosen.names[i] == "equilibrium" || is_of_the_start(chosen.names[i])) continue;
     const Estimate* there = rival.find(chosen.names[i]);
     if (there && is_off(chosen.estimates[i], there->value)) return true;
   }
@@ -35,7 +35,7 @@ std::string coefficients(const LawFit& fit) {
   std::string text;
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     std::string name = fit.names[i];
-    if (name == "equilibrium" || name == "position" || name == "velocity" || name == "angular_frequency") continue;
+    if (name == "equilibrium" || name == "angular_frequency" || is_of_the_start(name)) continue;
     std::replace(name.begin(), name.end(), '_', ' ');
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name,
                         format_quantity({fit.estimates[i].value, fit.estimates[i].standard_error}, ""));

@@ -73,6 +73,9 @@ struct FittedParameter {
   }
 };
 
+/// A parameter that says where the motion begins, and nothing of its law.
+constexpr bool is_of_the_start(std::string_view name) { return name == "position" || name == "velocity"; }
+
 /// All that a fit adjusts, in the contract's order; what is held keeps the value of `held`.
 struct FittedParameters {
   int count = 0;
