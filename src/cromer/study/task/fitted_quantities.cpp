@@ -1,46 +1,24 @@
 #include "cromer/study/task/fitted_quantities.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <numbers>
 #include <utility>
 
 #include "cromer/analysis/air.h"
+#include "cromer/model/terms/coefficient_unit.h"
 
 namespace cromer {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-constexpr std::array<std::string_view, 6> powers{"", "", "²", "³", "⁴", "⁵"};
-
-// "m/s²" and "1/(m² s)" from powers of the units; those without a name are left out.
-std::string unit_of(std::initializer_list<std::pair<std::string_view, int>> factors) {
-  std::string above, below;
-  int count_below = 0;
-  for (const auto& [name, power] : factors) {
-    if (name.empty() || power == 0) continue;
-    std::string& side = power > 0 ? above : below;
-    side += (side.empty() ? "" : " ") + std::string(name) + std::string(powers[static_cast<std::size_t>(std::abs(power))]);
-    count_below += power < 0;
-  }
-  if (below.empty()) return above;
-  return (above.empty() ? "1" : above) + "/" + (count_below > 1 ? "(" + below + ")" : below);
-}
-
 // Of a coefficient per unit mass, where displacements have the unit `length`.
 std::string unit_per_mass(const CoefficientInfo& info, std::string_view length) {
   if (info.fitted == FittedAs::square_root) return "rad/s";
-  if (info.fitted == FittedAs::with_any_mass) return unit_of({{length, info.length}, {"s", info.time}});
-  return unit_of({{length, 1 + info.length}, {"s", info.time - 2}});
-}
-
-// Of the coefficient itself.
-std::string unit_in_si(const CoefficientInfo& info) {
-  if (info.time == 0) return unit_of({{"N", 1}, {"m", info.length}});
-  return unit_of({{"kg", 1}, {"m", 1 + info.length}, {"s", info.time - 2}});
+  if (info.fitted == FittedAs::with_any_mass)
+    return unit_of_powers({{length, info.length}, {"s", info.time}});
+  return unit_of_powers({{length, 1 + info.length}, {"s", info.time - 2}});
 }
 
 // Of the parameters beside the law's.
@@ -48,11 +26,11 @@ std::string unit_of_parameter(std::string_view name, std::string_view observed, 
                               std::string_view force_unit) {
   if (name == "drive_frequency") return "rad/s";
   if (name == "drive_phase") return "rad";
-  if (name == "drive_amplitude") return unit_of({{length, 1}, {"s", -2}});
-  if (name == "force_gain") return unit_of({{length, 1}, {"s", -2}, {force_unit, -1}});
+  if (name == "drive_amplitude") return unit_of_powers({{length, 1}, {"s", -2}});
+  if (name == "force_gain") return unit_of_powers({{length, 1}, {"s", -2}, {force_unit, -1}});
   if (name == "force_offset") return std::string(force_unit);
   if (name == "equilibrium") return std::string(observed);
-  if (name == "velocity") return unit_of({{length, 1}, {"s", -1}});
+  if (name == "velocity") return unit_of_powers({{length, 1}, {"s", -1}});
   return std::string(length);
 }
 
@@ -110,7 +88,8 @@ std::vector<NamedEstimate> force_parameters(const LawFit& fit, const Body& body)
                                                     2 * fitted->value * fitted->standard_error, fit.student)
                                     : *fitted;
       const double times = from_fitted(info.fitted, 1.0) * m.value;
-      result.push_back({std::string(info.in_si), scaled(per_mass, times, u_m, fit.student), unit_in_si(info)});
+      result.push_back({std::string(info.in_si), scaled(per_mass, times, u_m, fit.student),
+                        unit_of(info, Powers::superscript)});
     }
   });
   if (const Estimate* amplitude = fit.find("drive_amplitude"))
