@@ -45,7 +45,8 @@ TEST(DrivenMotion, DerivativesByAllParametersAreExact) {
       motion.force_gain = 2.4;
       motion.force_offset = 0.1;
       expect_exact_derivatives(fitted_parameters(motion.law, DriveKind::recorded, {}, motion), motion,
-                               Drive::recorded(record.recorded(ForceBetween::band_limited)), observed, 0.03 / 4);
+                               Drive::recorded(record.recorded(BetweenSamples::band_limited)), observed,
+                               0.03 / 4);
       motion.cosine = 2.4;
       motion.sine = -1;
       motion.drive_frequency = 11;
@@ -65,7 +66,7 @@ TEST(DrivenMotion, IsOfFourthOrderUnderARecordedForce) {
   motion.per_mass.cubic = truth.cubic;
   motion.set_angular_frequency(truth.w0);
   motion.set_decay_rate(truth.g);
-  const Drive drive = Drive::recorded(record.recorded(ForceBetween::linear));
+  const Drive drive = Drive::recorded(record.recorded(BetweenSamples::linear));
   const auto at = [&](int steps) { return observed_motion(motion, drive, record.t, 0, 0.05 / steps); };
   const auto rms = [](const std::vector<double>& a, const std::vector<double>& b) {
     double sum = 0;
@@ -84,7 +85,7 @@ TEST(RecordedColumns, ABlocksEdgeShowsNowhere) {
   constexpr int steps = 2;
   const std::vector<double> fine = refine_band_limited(force, 2 * steps);
   const Motion unit{.force_gain = 1};
-  RecordedColumns drive(unit, {force, 0, 1, ForceBetween::band_limited}, 0, steps);
+  RecordedColumns drive(unit, {force, 0, 1, BetweenSamples::band_limited}, 0, steps);
   for (std::size_t k = 100; k + 1 < 2500; ++k) {
     drive.prepare(k);
     for (int j = 0; j <= 2 * steps; ++j) {

@@ -20,7 +20,7 @@ const ForcedTruth strong{.drag = 0.5, .quadratic = 20, .cubic = 300, .offset = 0
 
 TEST(ForcedFit, FindsEveryParameterWithinItsStandardError) {
   const auto record = forced_synthetic(strong, multisine(40, 1), 6000, 0.03, 2e-4, 1);
-  const LawFit fit = fit_forced(record, everything, ForceBetween::band_limited);
+  const LawFit fit = fit_forced(record, everything, BetweenSamples::band_limited);
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   expect_near("w0", fit.angular_frequency(), strong.w0, 1e-3);
   expect_near("g", fit.decay_rate(), strong.g, 1e-2);
@@ -38,7 +38,7 @@ TEST(ForcedFit, FindsEveryParameterWithinItsStandardError) {
 TEST(ForcedFit, WithoutNoiseOnlyTheSeriesEndsAreLeft) {
   const auto force = multisine(25, 2);
   auto record = forced_synthetic({.cubic = 200}, force, 3000, 0.04, 0, 2);
-  const LawFit fit = fit_forced(record, curved, ForceBetween::band_limited);
+  const LawFit fit = fit_forced(record, curved, BetweenSamples::band_limited);
   // The sinc series is cut off at the record's first and last samples, and is good to 1e-4 elsewhere.
   EXPECT_NEAR(fit.angular_frequency().value, 12, 2e-3);
   EXPECT_NEAR(fit.decay_rate().value, 0.35, 2e-3);
@@ -50,8 +50,7 @@ TEST(ForcedFit, AForceReadAsItWasLeavesTheMethodsErrorOnly) {
     const auto samples = forced_synthetic({}, multisine(60, 3), 2001, 0.04, 0, 3).force;
     const ForcedTruth truth{.drag = 0.3, .cubic = 150};
     const auto record = forced_synthetic(truth, read_between(samples, 0.04, hold), 2000, 0.04, 0, 3);
-    const LawFit fit =
-        fit_forced(record, everything, hold ? ForceBetween::hold : ForceBetween::linear);
+    const LawFit fit = fit_forced(record, everything, hold ? BetweenSamples::hold : BetweenSamples::linear);
     ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
     EXPECT_LT(fit.residual.rms, 1e-6);
     EXPECT_NEAR(fit.angular_frequency().value, truth.w0, 1e-5);
@@ -65,11 +64,11 @@ TEST(ForcedFit, TheDataSayWhatLiesBetweenTheSamples) {
   const auto force = multisine(60, 4);
   const auto samples = forced_synthetic({}, force, 2001, 0.04, 0, 4).force;
   const struct {
-    ForceBetween between;
+    BetweenSamples between;
     std::function<double(double)> force;
-  } cases[] = {{ForceBetween::band_limited, force},
-               {ForceBetween::linear, read_between(samples, 0.04, false)},
-               {ForceBetween::hold, read_between(samples, 0.04, true)}};
+  } cases[] = {{BetweenSamples::band_limited, force},
+               {BetweenSamples::linear, read_between(samples, 0.04, false)},
+               {BetweenSamples::hold, read_between(samples, 0.04, true)}};
   for (const auto& [between, acting] : cases) {
     const auto record = forced_synthetic({}, acting, 2000, 0.04, 1e-4, 4);
     const LawChoice choice = choose_forced(record, linear, {});
@@ -85,13 +84,13 @@ TEST(ForcedFit, WhatLiesBetweenFineSamplesIsLeftOpen) {
   const auto record = forced_synthetic(truth, multisine(12, 3), 3000, 0.01, 1e-3, 4);
   const LawChoice choice = choose_forced(record, {}, {});
   EXPECT_EQ(choice.chosen.status, FitStatus::converged);
-  EXPECT_EQ(choice.chosen.drive.force.between, ForceBetween::linear);
+  EXPECT_EQ(choice.chosen.drive.force.between, BetweenSamples::linear);
   EXPECT_THAT(choice.chosen.warnings,
               testing::Contains(testing::HasSubstr("between its samples is open")));
   // Where the samples are coarse it is told, and nothing is open.
   const auto coarse = forced_synthetic(truth, multisine(60, 3), 3000, 0.03, 1e-4, 4);
   const LawChoice told = choose_forced(coarse, {}, {});
-  EXPECT_EQ(told.chosen.drive.force.between, ForceBetween::band_limited);
+  EXPECT_EQ(told.chosen.drive.force.between, BetweenSamples::band_limited);
   EXPECT_THAT(told.chosen.warnings, testing::Not(testing::Contains(testing::HasSubstr("is open"))));
 }
 
@@ -102,7 +101,7 @@ TEST(ForcedFit, TheDataSayWhichTermsThereAre) {
   } cases[] = {{{}, linear}, {{.drag = 0.6}, with_drag}, {{.cubic = 200}, law_of("viscous+cubic")}, {strong, everything}};
   for (const auto& [truth, law] : cases) {
     const auto record = forced_synthetic(truth, multisine(40, 5), 3000, 0.03, 3e-4, 5);
-    const LawChoice choice = choose_forced(record, {}, ForceBetween::band_limited);
+    const LawChoice choice = choose_forced(record, {}, BetweenSamples::band_limited);
     EXPECT_EQ(to_text(choice.chosen.law), to_text(law));
   }
 }
@@ -110,7 +109,7 @@ TEST(ForcedFit, TheDataSayWhichTermsThereAre) {
 TEST(ForcedFit, AZeroFarFromTheMotionIsTheSensorsOwn) {
   const ForcedTruth truth{.quadratic = 30, .cubic = 300, .equilibrium = 0.7};
   const auto record = forced_synthetic(truth, multisine(40, 6), 4000, 0.03, 2e-4, 6);
-  const LawFit fit = fit_forced(record, curved, ForceBetween::band_limited);
+  const LawFit fit = fit_forced(record, curved, BetweenSamples::band_limited);
   expect_near("equilibrium", fit.equilibrium(), 0.7, 1e-3);
   expect_near("quadratic", fit["quadratic"], 30, 5e-2);
   expect_near("w0", fit.angular_frequency(), 12, 1e-3);
@@ -126,7 +125,7 @@ TEST(ForcedFit, IntervalsHoldTheTruth) {
   const auto misses = [](const Estimate& e, double value) { return value < e.low || value > e.high; };
   for (unsigned seed = 0; seed < 60; ++seed) {
     const auto record = forced_synthetic(truth, multisine(40, 100 + seed), 500, 0.03, 1e-3, seed);
-    const LawFit fit = fit_forced(record, curved, ForceBetween::band_limited);
+    const LawFit fit = fit_forced(record, curved, BetweenSamples::band_limited);
     ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
     w0 += misses(fit.angular_frequency(), truth.w0);
     g += misses(fit.decay_rate(), truth.g);
@@ -144,7 +143,7 @@ TEST(ForcedFit, FollowsALongRingingThroughManyCycles) {
   const ForcedTruth truth{.w0 = 30, .g = 0.005, .gain = 50, .position = 0, .velocity = 0};
   const auto strike = [](double t) { return t < 0.5 ? std::sin(2 * t * 3.14159265) : 0.0; };
   const auto record = forced_synthetic(truth, strike, 20000, 0.02, 1e-3, 7);
-  const LawFit fit = fit_forced(record, linear, ForceBetween::linear);
+  const LawFit fit = fit_forced(record, linear, BetweenSamples::linear);
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   EXPECT_NEAR(fit.residual.rms, 1e-3, 3e-5);
   EXPECT_NEAR(fit.angular_frequency().value, 30, 1e-3);
@@ -154,7 +153,7 @@ TEST(ForcedFit, FollowsALongRingingThroughManyCycles) {
 TEST(ForcedFit, FindsASpringThatIsMostlyCubic) {
   const ForcedTruth truth{.cubic = 1e4, .gain = 4, .position = 0.01, .velocity = 0};
   const auto record = forced_synthetic(truth, multisine(40, 1), 3000, 0.03, 1e-5, 1);
-  const LawFit fit = fit_forced(record, curved, ForceBetween::band_limited);
+  const LawFit fit = fit_forced(record, curved, BetweenSamples::band_limited);
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   EXPECT_NEAR(fit["cubic"].value, 1e4, 5);
   EXPECT_LT(fit.residual.rms, 1.2e-5);
@@ -169,7 +168,7 @@ TEST(ForcedFit, MissingSamplesAreLeftOut) {
     there.t.push_back(record.t[i]);
     there.y.push_back(record.y[i]);
   }
-  const LawFit fit = fit_forced(there, curved, ForceBetween::band_limited);
+  const LawFit fit = fit_forced(there, curved, BetweenSamples::band_limited);
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   expect_near("w0", fit.angular_frequency(), 12, 1e-3);
   expect_near("cubic", fit["cubic"], 200, 5e-2);
@@ -180,7 +179,7 @@ TEST(ForcedFit, GoesOnThroughWhatItWasNotShown) {
   ForcedSynthetic part = record;
   part.t.resize(3000);
   part.y.resize(3000);
-  const LawFit fit = fit_forced(part, everything, ForceBetween::band_limited);
+  const LawFit fit = fit_forced(part, everything, BetweenSamples::band_limited);
   const std::vector<double> motion = observed_motion(fit.motion, fit.drive, record.t, 0, fit.step);
   ASSERT_EQ(motion.size(), 4000u);
   double sum = 0;
@@ -193,11 +192,11 @@ TEST(ForcedFit, RefusesWhatItCannotFit) {
   ForcedSynthetic few = record;
   few.t.resize(20);
   few.y.resize(20);
-  EXPECT_EQ(fit_forced(few, linear, ForceBetween::linear).status, FitStatus::too_short);
+  EXPECT_EQ(fit_forced(few, linear, BetweenSamples::linear).status, FitStatus::too_short);
 
   auto still = record;
   std::fill(still.y.begin(), still.y.end(), 0.3);
-  EXPECT_EQ(fit_forced(still, linear, ForceBetween::linear).status, FitStatus::no_oscillation);
+  EXPECT_EQ(fit_forced(still, linear, BetweenSamples::linear).status, FitStatus::no_oscillation);
 
   // Another force than the one that acted, on a body so damped that chance explains little.
   auto other =
@@ -217,7 +216,7 @@ TEST(ForcedFit, VelocitiesAndAccelerationsAreFittedAsThat) {
     for (unsigned seed = 0; seed < 60; ++seed) {
       const auto record = forced_synthetic(truth, multisine(20, seed + 1), 400, 0.03,
                                            5e-3 * std::pow(truth.w0, derivative), seed, derivative);
-      const LawFit fit = fit_forced(record, linear, ForceBetween::band_limited);
+      const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
       ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
       EXPECT_EQ(fit.find("force_offset"), nullptr);
       const auto count = [&](const Estimate& e, double value) {
@@ -263,7 +262,7 @@ TEST(ForcedFit, WhatTheRecordDoesNotDetermineIsNamed) {
       record.force.push_back(std::cos(6 * t));
       record.y.push_back(std::sin(6 * t) / 6 + noise * normal(engine));
     }
-    const LawFit fit = fit_forced(record, linear, ForceBetween::band_limited);
+    const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
     EXPECT_EQ(fit.status, FitStatus::undetermined) << noise << ": " << fit.message;
     EXPECT_THAT(fit.message, testing::AllOf(testing::HasSubstr("force_gain"), testing::HasSubstr("decay_rate"))) << noise;
   }

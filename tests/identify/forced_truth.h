@@ -49,18 +49,18 @@ struct ForcedSynthetic {
   int derivative = 0;
 
   Record record() const { return {t, y, 0, derivative}; }
-  ForceRecord recorded(ForceBetween between) const { return {force, 0, spacing, between}; }
+  ForceRecord recorded(BetweenSamples between) const { return {force, 0, spacing, between}; }
 };
 
 /// One law under one reading of the force.
-inline LawFit fit_forced(const ForcedSynthetic& record, const Law& law, ForceBetween between) {
+inline LawFit fit_forced(const ForcedSynthetic& record, const Law& law, BetweenSamples between) {
   return fit_law(record.record(), {.law = law, .drive = Drive::recorded(record.recorded(between))});
 }
 
 /// What is not given is chosen.
 inline LawChoice choose_forced(const ForcedSynthetic& record, std::optional<Law> law,
-                               std::optional<ForceBetween> between) {
-  return choose_law(record.record(), {.drive = Drive::recorded(record.recorded(ForceBetween::linear))}, {},
+                               std::optional<BetweenSamples> between) {
+  return choose_law(record.record(), {.drive = Drive::recorded(record.recorded(BetweenSamples::linear))}, {},
                     {law, between});
 }
 

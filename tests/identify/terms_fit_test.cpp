@@ -51,7 +51,7 @@ void expect_found(const Law& law, Kind kind) {
     motion.sine = 3;
     motion.drive_frequency = 4.7;
   } else if (kind == Kind::recorded) {
-    drive = Drive::recorded({force, 0, 0.02, ForceBetween::linear});
+    drive = Drive::recorded({force, 0, 0.02, BetweenSamples::linear});
     motion.force_gain = 5;
   }
   std::vector<double> y = observed_motion(motion, drive, t, 0, 0.002);

@@ -3,7 +3,8 @@
 
 #include <cstddef>
 #include <span>
-#include <string_view>
+
+#include "cromer/model/between_samples.h"
 
 namespace cromer {
 
@@ -24,21 +25,13 @@ struct Record {
   Record first(std::size_t samples) const { return part(0, samples); }
 };
 
-/// What a recorded force did between its samples: straight lines; each value until the next, as a converter
-/// does; or the sinc series through all of them.
-enum class ForceBetween { linear, hold, band_limited };
-
-constexpr std::string_view name(ForceBetween between) {
-  return between == ForceBetween::linear ? "linear" : between == ForceBetween::hold ? "hold" : "band-limited";
-}
-
 /// A force that was recorded beside the motion, at even times, before and after it as well if there is more. The
 /// motion's samples lie at times of the force's own.
 struct ForceRecord {
   std::span<const double> samples;
   double begin = 0;    // [s] time of the first
   double spacing = 1;  // [s] > 0
-  ForceBetween between = ForceBetween::linear;
+  BetweenSamples between = BetweenSamples::linear;
 
   double time(std::size_t i) const { return begin + static_cast<double>(i) * spacing; }
 };

@@ -9,16 +9,14 @@
 #include <vector>
 
 #include "cromer/base/dual.h"
+#include "cromer/model/between_samples.h"
 #include "cromer/model/propagate.h"
 #include "cromer/model/ramp_response.h"
 
 namespace cromer {
 
-/// Linear: straight from sample to sample. Hold: each value until the next, as a converter does. A
-/// band-limited recording is refined first (band_limited.h), then linear.
-enum class BetweenSamples { linear, hold };
-
-/// Sample i acts at t = i * spacing, from the start of the run.
+/// Sample i acts at t = i * spacing, from the start of the run. A band-limited recording is refined first
+/// (band_limited.h), then linear.
 struct SampledDrive {
   std::shared_ptr<const std::vector<double>> force;  // [N] at least two; runs of one recording share it
   double spacing = 1;                                // [s] > 0
@@ -26,7 +24,7 @@ struct SampledDrive {
 
   /// Where it ends [s]: with the last sample; one that is held lasts a spacing more.
   double duration() const {
-    const std::size_t intervals = force->size() - (between == BetweenSamples::linear ? 1 : 0);
+    const std::size_t intervals = force->size() - (between == BetweenSamples::hold ? 0 : 1);
     return static_cast<double>(intervals) * spacing;
   }
 };

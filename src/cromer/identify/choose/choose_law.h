@@ -21,7 +21,7 @@ struct LawChoice {
 /// What is given beforehand; all else is chosen.
 struct GivenLaw {
   std::optional<Law> law{};
-  std::optional<ForceBetween> between{};  ///< how a recorded force is read
+  std::optional<BetweenSamples> between{};  ///< how a recorded force is read
 };
 
 /// Fits the candidates and takes the one that criterion.h chooses; of a recorded force also the reading of lowest

@@ -68,11 +68,12 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   }
   // Which reading leaves least, under a law that bends where it may; the law under that one; and the other readings
   // under that law.
-  const ForceBetween readings[] = {ForceBetween::band_limited, ForceBetween::linear, ForceBetween::hold};
+  const BetweenSamples readings[] = {BetweenSamples::band_limited, BetweenSamples::linear,
+                                     BetweenSamples::hold};
   LawFitOptions bent = options;
   bent.law = given.law.value_or(options.law.shares(springs) ? law_of("viscous+quadratic+cubic") : options.law);
   std::vector<LawFit> by_reading;
-  for (const ForceBetween between : readings) {
+  for (const BetweenSamples between : readings) {
     bent.drive.force.between = between;
     by_reading.push_back(fit_law(record, bent, watch));
     if (!converged(by_reading.back()) && !given.law && options.law.shares(springs)) {

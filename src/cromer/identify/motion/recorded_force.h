@@ -30,14 +30,14 @@ class RecordedColumns {
   /// Makes the interval after sample k ready.
   void prepare(std::size_t k) {
     at_ = k;
-    if (force_.between == ForceBetween::band_limited) {
+    if (force_.between == BetweenSamples::band_limited) {
       if (k < block_ || k >= block_ + block) refine(k);
       node_ = fine_.data() + (k - block_ + margin_) * static_cast<std::size_t>(nodes_);
       return;
     }
     fine_.resize(static_cast<std::size_t>(nodes_) + 1);
     const double here = force_.samples[k];
-    const double rise = force_.between == ForceBetween::hold ? 0 : force_.samples[k + 1] - here;
+    const double rise = force_.between == BetweenSamples::hold ? 0 : force_.samples[k + 1] - here;
     for (int j = 0; j <= nodes_; ++j)
       fine_[static_cast<std::size_t>(j)] = here + rise * (static_cast<double>(j) / nodes_);
     node_ = fine_.data();

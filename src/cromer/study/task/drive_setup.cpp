@@ -109,11 +109,13 @@ SampledDrive sampled_drive(const SimulateOptions& o) {
   SampledDrive drive;
   drive.spacing = record.spacing;
   std::vector<double> force = record.values;
-  if (o.between_samples == "band-limited") {
+  const BetweenSamples between = between_samples_of(o.between_samples).value_or(BetweenSamples::linear);
+  if (between == BetweenSamples::band_limited) {
     force = refine_band_limited(force, finer);
     drive.spacing /= finer;
+  } else {
+    drive.between = between;
   }
-  if (o.between_samples == "hold") drive.between = BetweenSamples::hold;
   for (double& value : force) value *= factor;
   drive.force = std::make_shared<const std::vector<double>>(std::move(force));
   return drive;
@@ -141,9 +143,7 @@ Result<void> check_drive(const SimulateOptions& o) {
     const std::string option = o.base_motion.empty() ? "--drive-file" : "--base-motion";
     if (!o.drive.empty())
       return Error{fmt::format("{} and --drive {} both drive; give one of them", option, o.drive)};
-    const std::array<std::string_view, 3> betweens{"linear", "hold", "band-limited"};
-    if (!o.between_samples.empty() &&
-        std::find(betweens.begin(), betweens.end(), o.between_samples) == betweens.end())
+    if (!o.between_samples.empty() && !between_samples_of(o.between_samples))
       return Error{
           fmt::format("--between-samples: \"{}\" is none of linear, hold, band-limited", o.between_samples)};
     if (!o.drive_record) return Error{fmt::format("{}: the file's samples were not read", option)};

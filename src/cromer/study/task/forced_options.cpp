@@ -2,21 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace cromer {
-namespace {
 
-constexpr std::array<std::string_view, 4> readings{"auto", "linear", "hold", "band-limited"};
-
-}  // namespace
-
-std::optional<ForceBetween> reading_of(const FitOptions& options) {
-  for (const ForceBetween reading : {ForceBetween::linear, ForceBetween::hold, ForceBetween::band_limited})
-    if (options.between_samples == name(reading)) return reading;
-  return std::nullopt;
+std::optional<BetweenSamples> reading_of(const FitOptions& options) {
+  return between_samples_of(options.between_samples);
 }
 
 bool law_is_chosen(const FitOptions& options) { return !options.law.empty() && options.law != "auto"; }
@@ -64,7 +55,7 @@ Result<void> check_forced_options(const FitOptions& options) {
       return Error{
           "--between-samples needs --force-column: only a recorded force has anything between its "
           "samples"};
-    if (std::find(readings.begin(), readings.end(), options.between_samples) == readings.end())
+    if (!reading_of(options) && options.between_samples != "auto")
       return Error{fmt::format("--between-samples: \"{}\" is none of linear, hold, band-limited and auto",
                                options.between_samples)};
   }

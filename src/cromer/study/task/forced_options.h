@@ -20,7 +20,7 @@ std::vector<std::string_view> unused_if_driven(const FitOptions& options);
 Result<void> check_forced_options(const FitOptions& options);
 
 /// How --between-samples reads the force; nothing for auto.
-std::optional<ForceBetween> reading_of(const FitOptions& options);
+std::optional<BetweenSamples> reading_of(const FitOptions& options);
 
 /// The law of --law and --no-spring; nothing for auto.
 Result<std::optional<Law>> law_of(const FitOptions& options);

@@ -30,12 +30,13 @@ struct Shaking {
   std::vector<double> refined;
   GroundMotion ground;
 
-  Shaking(const Component& component, const Between& between) {
-    if (between.band_limited)
+  Shaking(const Component& component, BetweenSamples between) {
+    const bool refine = between == BetweenSamples::band_limited;  // then linear
+    if (refine)
       refined = refine_band_limited(component.acceleration, band_limited_factor, band_limited_reach);
-    ground = {between.band_limited ? refined : component.acceleration,
-              between.band_limited ? component.spacing / band_limited_factor : component.spacing,
-              between.between, between.band_limited ? std::size_t{band_limited_factor} : 1};
+    ground = {refine ? refined : component.acceleration,
+              refine ? component.spacing / band_limited_factor : component.spacing,
+              refine ? BetweenSamples::linear : between, refine ? std::size_t{band_limited_factor} : 1};
   }
 };
 
@@ -91,10 +92,11 @@ void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
   }
 }
 
-void measure(Component& component, const Between& between) {
+void measure(Component& component, BetweenSamples between) {
   for (const double a : component.acceleration) component.peak = std::max(component.peak, std::abs(a));
   const Shaking shaking(component, between);
-  component.intensity = intensity(shaking.ground.acceleration, shaking.ground.spacing, between.between);
+  component.intensity =
+      intensity(shaking.ground.acceleration, shaking.ground.spacing, shaking.ground.between);
   component.fourier = fourier_amplitude(component.acceleration, component.spacing);
 }
 
@@ -136,9 +138,9 @@ std::optional<std::string> after_the_end_warning(const SpectrumResult& result) {
       least);
 }
 
-Result<void> check_together(const SpectrumOptions& options, Peaks peaks, const Between& between,
+Result<void> check_together(const SpectrumOptions& options, Peaks peaks, BetweenSamples between,
                             std::size_t components) {
-  if (peaks == Peaks::peer && (between.band_limited || between.between == BetweenSamples::hold))
+  if (peaks == Peaks::peer && between != BetweenSamples::linear)
     return Error{"--peaks peer joins the samples by straight lines; leave --between-samples out"};
   if (!options.loss_factor.empty()) return check_hysteretic(options, components);
   if (options.shock && components > 1)
@@ -171,7 +173,6 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
   SpectrumResult result;
   result.options = options;
   result.peaks = *peaks;
-  result.between = between->between;
   if (options.peaks.empty()) result.options.peaks = "continuous";
   if (options.between_samples.empty())
     result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";

@@ -75,7 +75,6 @@ double pseudo_acceleration(double displacement, double period);
 struct SpectrumResult {
   SpectrumOptions options;  ///< as used, defaults filled in
   Peaks peaks = Peaks::continuous;
-  BetweenSamples between = BetweenSamples::linear;
   std::vector<double> periods{};  // [s] in the order asked for
   std::vector<Component> components{};
   std::vector<ResponseSpectrum> spectra{};

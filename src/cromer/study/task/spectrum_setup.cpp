@@ -141,11 +141,12 @@ Result<Peaks> peaks_of(const SpectrumOptions& options) {
   return std::array{Peaks::continuous, Peaks::samples, Peaks::peer}[*which];
 }
 
-Result<Between> between_of(const SpectrumOptions& options) {
+Result<BetweenSamples> between_of(const SpectrumOptions& options) {
+  constexpr std::array all{BetweenSamples::linear, BetweenSamples::hold, BetweenSamples::band_limited};
   const auto which =
-      choice<3>("--between-samples", options.between_samples, {"linear", "hold", "band-limited"});
+      choice<3>("--between-samples", options.between_samples, {name(all[0]), name(all[1]), name(all[2])});
   if (!which) return which.error();
-  return Between{*which == 1 ? BetweenSamples::hold : BetweenSamples::linear, *which == 2};
+  return all[*which];
 }
 
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options) {

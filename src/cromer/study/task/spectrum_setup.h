@@ -13,12 +13,7 @@ namespace cromer {
 /// Words of the options as values; an Error suggests the nearest right one.
 Result<Peaks> peaks_of(const SpectrumOptions& options);
 
-/// What the samples are joined by; band-limited is refined first, then linear.
-struct Between {
-  BetweenSamples between = BetweenSamples::linear;
-  bool band_limited = false;
-};
-Result<Between> between_of(const SpectrumOptions& options);
+Result<BetweenSamples> between_of(const SpectrumOptions& options);
 
 /// Damping ratios, or loss factors where those are given.
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options);
