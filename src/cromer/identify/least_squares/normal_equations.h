@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <iterator>
 
 namespace cromer {
 
@@ -28,11 +28,13 @@ struct NormalEquations {
   Parameters right{};
   double sum_of_squares = 0;  ///< of the residuals
 
-  /// A sample's row of the Jacobian, as long as `size` says, and its residual.
-  void add_row(std::span<const double> row, double residual) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
+  /// A sample's row of the Jacobian, `size` long, and its residual. With an array, whose length is known when
+  /// compiling, several times as fast as with a vector.
+  template <class Row>
+  void add_row(const Row& row, double residual) {
+    for (std::size_t i = 0; i < std::size(row); ++i) {
       right[i] += row[i] * residual;
-      for (std::size_t j = 0; j < row.size(); ++j) matrix[i][j] += row[i] * row[j];
+      for (std::size_t j = 0; j < std::size(row); ++j) matrix[i][j] += row[i] * row[j];
     }
     sum_of_squares += residual * residual;
   }
