@@ -68,7 +68,8 @@ TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
   const std::vector<std::string> law{"--mass", "5", "--stiffness", "180", "--damping", "1",
                                      "--hysteresis-stiffness", "60", "--hysteresis-beta", "0.06",
                                      "--hysteresis-gamma", "0.02", "--hysteresis-exponent", "2"};
-  std::vector<std::string> made{"simulate", "--position", "1", "--until", "20", "--step", "0.02", "-o", "made.csv"};
+  std::vector<std::string> made{"simulate", "--position", "1", "--until", "20", "--step", "0.02", "--method", "rk4", "-o",
+                                "made.csv"};
   made.insert(made.end(), law.begin(), law.end());
   ASSERT_EQ(folder.run(made).status, 0);
   const std::vector<std::string> asked{"fit", "made.csv", "--column", "x", "--law", "viscous+hysteresis", "--mass",
@@ -102,6 +103,17 @@ TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
                 fit["parameters"][name]["value"].get<double>(),
                 0.02 * std::abs(fit["parameters"][name]["value"].get<double>()))
         << name;
+}
+
+TEST(FitLab, RefusesWhatAMassAtRestDoesNotHave) {
+  for (const std::vector<std::string>& asked :
+       {std::vector<std::string>{"--hysteresis-exponent", "2"}, std::vector<std::string>{"--law", "viscous"}}) {
+    std::vector<std::string> all{"fit", disc, "--static", "--masses", "40, 60 g"};
+    all.insert(all.end(), asked.begin(), asked.end());
+    const Finished end = Folder().run(all);
+    EXPECT_EQ(end.status, 2);
+    EXPECT_THAT(end.err, HasSubstr(asked.front() + " has no meaning with --static"));
+  }
 }
 
 TEST(FitLab, IsSaidByCompareAsWell) {

@@ -142,14 +142,16 @@ TEST(ChooseLaw, TakesTheTermsThatAreThere) {
                                                             {cubic, "viscous+cubic"},
                                                             {all, "viscous+drag+cubic"}};
   for (const auto& [motion, law] : cases) {
-    int right = 0;
+    int right = 0, more = 0;
     for (unsigned seed = 1; seed <= 8; ++seed) {
       const SyntheticRecord record = motion_record(motion, even_times(3000, 0.01), 3e-4, 1e-4, seed);
       const LawChoice choice = choose_law(record.record(), {});
-      EXPECT_EQ(choice.candidates.size(), 21u);
+      EXPECT_GE(choice.candidates.size(), 21u);
+      more += choice.candidates.size() > 21;
       right += to_text(choice.chosen.law) == law;
     }
     EXPECT_GE(right, 7) << law;
+    EXPECT_LE(more, 3) << "more terms are tried only where something may be left";
   }
 }
 

@@ -36,7 +36,7 @@ TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
     ++simple;
     for (const std::string& warning : choice.chosen.warnings)
       said += warning.find("cannot tell") != std::string::npos;
-    const MeanDecay decay = mean_decay(choice.chosen, record.record());
+    const MeanDecay decay = mean_decay(choice.chosen, record.record()).value();
     const double amplitude = decay.amplitude;
     const double true_rate = 0.01 + 4 * 0.15 * 8.944 / (3 * 3.14159265) * amplitude;
     EXPECT_NEAR(decay.rate.value, true_rate, 4 * decay.rate.standard_error + 0.02 * true_rate) << seed;
@@ -69,7 +69,7 @@ TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag")});
   ASSERT_EQ(fit.status, FitStatus::converged);
   EXPECT_TRUE(dampings_are_collinear(fit));
-  const MeanDecay decay = mean_decay(fit, record.record());
+  const MeanDecay decay = mean_decay(fit, record.record()).value();
   EXPECT_NEAR(decay.rate.value, 0.005, 4 * decay.rate.standard_error);
   EXPECT_LT(decay.rate.standard_error, 2e-4);
   EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("shows no viscous"))));

@@ -15,7 +15,7 @@ std::string readable(std::string_view name) {
 Parameters FittedParameters::lower_bounds() const {
   Parameters lower = LeastSquaresOptions::no_bounds();
   for (int i = 0; i < count; ++i)
-    if (!of[i].may_be_negative) lower[i] = 0;
+    if (!of[i].may_be_negative || of[i].as == FittedAs::square_root) lower[i] = 0;
   return lower;
 }
 

@@ -101,7 +101,7 @@ struct FittedParameters {
       if (of[i].name == name) return i;
     return -1;
   }
-  /// 0 for what cannot be negative, -inf for all else.
+  /// 0 for what cannot be negative and for roots, -inf for all else.
   Parameters lower_bounds() const;
 };
 

@@ -55,7 +55,6 @@ std::string of_a_motion(const FitOptions& o) {
   if (!o.force_column.empty() || o.hold_out) return o.hold_out ? "--hold-out" : "--force-column";
   if (!o.drive_frequency.empty()) return "--drive-frequency";
   if (o.no_spring || o.hysteresis_exponent != 1) return o.no_spring ? "--no-spring" : "--hysteresis-exponent";
-  if (o.between_samples != "auto" && !o.between_samples.empty()) return "--between-samples";
   if (!o.goal.empty() || o.textbook) return o.textbook ? "--textbook" : "--goal";
   if (o.seed_given) return "--seed";
   return o.monte_carlo ? "--monte-carlo" : "";
