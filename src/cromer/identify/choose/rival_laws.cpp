@@ -54,6 +54,8 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
     if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong_evidence) continue;
     const int terms = rival.fitted;
     if (terms != best.fitted && terms != best.fitted + 1) continue;
+    // In a driven motion little tells of the swing itself, and most terms more would move its numbers.
+    if (best.drive.kind != DriveKind::none && terms > best.fitted && rival.bic > best.bic) continue;
     if (moves_the_numbers(best, rival) || (terms == best.fitted && has_other_damping(best, rival)))
       rivals.push_back(&rival);
   }

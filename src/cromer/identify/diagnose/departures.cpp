@@ -116,12 +116,11 @@ std::string turning_over(const Record& record) {
                      (*high - *low) / (2 * pi), where);
 }
 
-bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals, int multiple,
+bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals, double w,
                    double times) {
   const std::size_t n = std::min<std::size_t>(residuals.size(), 20'000);
   if (n < 32) return true;
   const DampedPhasor phasor({record.t.first(n), residuals.first(n), 0, 0});
-  const double w = multiple * fit.angular_frequency().value;
   const double resolution = 2 * pi / (record.t[n - 1] - record.t.front());
   const auto power = [&](double at) {
     const DampedPhasor::Linear line = phasor.best_linear(at, 0);

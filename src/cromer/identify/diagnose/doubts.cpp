@@ -130,7 +130,7 @@ std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool on
   if (residuals.size() != record.t.size() ||
       !exceeds_noise(record, fit.residual, noise, fit.angular_frequency().value))
     return found;
-  const bool line = leaves_a_line(record, fit, residuals);
+  const bool line = leaves_a_line(record, fit, residuals, fit.angular_frequency().value);
   const std::string stop = line && rises.empty() ? sudden_stop(record, period, unit) : "";
   say(stop);
   if (stop.empty()) say(wandering_zero(record, residuals, unit));
@@ -159,8 +159,9 @@ bool something_is_left(const Record& record, const LawFit& fit) {
   // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise, whose power
   // is not the same on both sides, does so often, and would be taken for terms.
   const double times = fit.residual.autocorrelation < 0.5 ? 12 : 30;
-  for (int multiple = 1; multiple <= 3; ++multiple)
-    if (leaves_a_line(record, fit, residuals, multiple, times)) return true;
+  for (const double w : {fit.angular_frequency().value, fit.motion.drive_frequency})
+    for (int multiple = 1; w > 0 && multiple <= 3; ++multiple)
+      if (leaves_a_line(record, fit, residuals, multiple * w, times)) return true;
   return false;
 }
 

@@ -25,7 +25,7 @@ std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
                                        std::string_view unit = {});
 
 /// More terms may be worth trying: the residuals are above the rounding, and stand out about the swing's frequency
-/// or its first harmonics; under a recorded force, they are not white.
+/// or a harmonic drive's, or their first harmonics; under a recorded force, they are not white.
 bool something_is_left(const Record& record, const LawFit& fit);
 
 /// What residuals that are correlated have done to the uncertainties; empty where they are white.
