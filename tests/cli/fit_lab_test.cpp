@@ -105,6 +105,12 @@ TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
         << name;
 }
 
+TEST(FitLab, RefusesADriveThatTheSamplesDoNotShow) {
+  const Finished end = Folder().run({"fit", disc, "--drive-frequency", "1000 Hz"});
+  EXPECT_EQ(end.status, 2);
+  EXPECT_THAT(end.err, HasSubstr("1000 Hz is not seen in 100 samples a second: up to 50 Hz is"));
+}
+
 TEST(FitLab, RefusesWhatAMassAtRestDoesNotHave) {
   for (const std::vector<std::string>& asked :
        {std::vector<std::string>{"--hysteresis-exponent", "2"}, std::vector<std::string>{"--law", "viscous"}}) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/departures.h"
 #include "tests/identify/synthetic.h"
 
@@ -31,6 +32,13 @@ TEST(Doubts, NoneAboutAFreeDecay) {
     EXPECT_THAT(doubts_about(viscous_record({}, even_times(3000, 0.01), 2e-4, 1e-2, seed)), IsEmpty());
     EXPECT_THAT(doubts_about(viscous_record({.g = 0.05}, even_times(300, 0.1), 1e-3, 0, seed)), IsEmpty());
   }
+}
+
+TEST(Doubts, NoAmplitudesInWindowsShorterThanRounding) {
+  const SyntheticRecord record = viscous_record({}, even_times(100, 0.01), 3e-4);
+  const Record later = record.record().part(50, 50);  // at times where the window's end rounds to its beginning
+  EXPECT_TRUE(amplitude_windows(later, 1e-20, 1).empty());
+  EXPECT_FALSE(amplitude_windows(later, 0.1, 1).empty());
 }
 
 TEST(Doubts, ASwingThatDoesNotDieDownMayBeDriven) {
