@@ -10,11 +10,11 @@ namespace {
 
 TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
   const FreeSwing truth{.angular_frequency = 8.849,
-                               .decay_rate = 0.002,
-                               .drag = 0.1,
-                               .equilibrium = 0.2,
-                               .position = 0.036,
-                               .velocity = 0};
+                        .decay_rate = 0.002,
+                        .drag = 0.1,
+                        .equilibrium = 0.2,
+                        .position = 0.036,
+                        .velocity = 0};
   SyntheticRecord record{even_times(400'000, 0.001), {}, 0};
   std::mt19937_64 engine(4);
   std::normal_distribution<double> normal(0, 3e-4);

@@ -51,8 +51,7 @@ TEST(DescribeFit, SlowNoiseLeavesAnEquilibriumFewDegreesOfFreedom) {
 TEST(DescribeFit, FewerSamplesThanParametersSayNothingOfThem) {
   // A fit wants three samples more than there are parameters, and this law has seven.
   const SyntheticRecord record = viscous_record({}, even_times(9, 0.1));
-  const LawFit fit =
-      fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
   EXPECT_EQ(fit.status, FitStatus::too_short);
   EXPECT_THAT(fit.message, testing::HasSubstr("9 samples are too few"));
 }
@@ -64,8 +63,7 @@ TEST(DescribeFit, IntervalsHoldAtABound) {
   int on_bound = 0, covered = 0, covered_w = 0, touching = 0;
   double stated = 0;
   for (unsigned seed = 0; seed < trials; ++seed) {
-    const LawFit fit =
-        fit_law(viscous_record(truth, even_times(500, 0.02), 1e-3, 0, seed).record(), {});
+    const LawFit fit = fit_law(viscous_record(truth, even_times(500, 0.02), 1e-3, 0, seed).record(), {});
     ASSERT_EQ(fit.status, FitStatus::converged);
     on_bound += fit.decay_rate().value == 0;
     touching += fit.decay_rate().low == 0;

@@ -36,7 +36,8 @@ TEST(Doubts, NoneAboutAFreeDecay) {
 
 TEST(Doubts, NoAmplitudesInWindowsShorterThanRounding) {
   const SyntheticRecord record = viscous_record({}, even_times(100, 0.01), 3e-4);
-  const Record later = record.record().part(50, 50);  // at times where the window's end rounds to its beginning
+  const Record later =
+      record.record().part(50, 50);  // at times where the window's end rounds to its beginning
   EXPECT_TRUE(amplitude_windows(later, 1e-20, 1).empty());
   EXPECT_FALSE(amplitude_windows(later, 0.1, 1).empty());
 }

@@ -52,8 +52,8 @@ TEST(DrivenMotion, DerivativesByAllParametersAreExact) {
       motion.drive_frequency = 11;
       expect_exact_derivatives(fitted_parameters(motion.law, DriveKind::harmonic, {}, motion), motion,
                                Drive::harmonic(), observed, 0.01);
-      expect_exact_derivatives(fitted_parameters(motion.law, DriveKind::none, {}, motion), motion, {}, observed,
-                               0.01);
+      expect_exact_derivatives(fitted_parameters(motion.law, DriveKind::none, {}, motion), motion, {},
+                               observed, 0.01);
     }
   }
 }

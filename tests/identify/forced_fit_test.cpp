@@ -1,14 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 #include "tests/identify/forced_truth.h"
 
 namespace cromer {
 namespace {
 
-const Law linear = law_of("viscous"), with_drag = law_of("viscous+drag"), curved = law_of("viscous+quadratic+cubic"),
-          everything = law_of("viscous+drag+quadratic+cubic");
+const Law linear = law_of("viscous"), with_drag = law_of("viscous+drag"),
+          curved = law_of("viscous+quadratic+cubic"), everything = law_of("viscous+drag+quadratic+cubic");
 
 void expect_near(const char* name, const Estimate& estimate, double truth, double largest_error) {
   EXPECT_NEAR(estimate.value, truth, 4 * estimate.standard_error) << name;
@@ -85,8 +84,7 @@ TEST(ForcedFit, WhatLiesBetweenFineSamplesIsLeftOpen) {
   const LawChoice choice = choose_forced(record, {}, {});
   EXPECT_EQ(choice.chosen.status, FitStatus::converged);
   EXPECT_EQ(choice.chosen.drive.force.between, BetweenSamples::linear);
-  EXPECT_THAT(choice.chosen.warnings,
-              testing::Contains(testing::HasSubstr("between its samples is open")));
+  EXPECT_THAT(choice.chosen.warnings, testing::Contains(testing::HasSubstr("between its samples is open")));
   // Where the samples are coarse it is told, and nothing is open.
   const auto coarse = forced_synthetic(truth, multisine(60, 3), 3000, 0.03, 1e-4, 4);
   const LawChoice told = choose_forced(coarse, {}, {});
@@ -98,7 +96,10 @@ TEST(ForcedFit, TheDataSayWhichTermsThereAre) {
   const struct {
     ForcedTruth truth;
     Law law;
-  } cases[] = {{{}, linear}, {{.drag = 0.6}, with_drag}, {{.cubic = 200}, law_of("viscous+cubic")}, {strong, everything}};
+  } cases[] = {{{}, linear},
+               {{.drag = 0.6}, with_drag},
+               {{.cubic = 200}, law_of("viscous+cubic")},
+               {strong, everything}};
   for (const auto& [truth, law] : cases) {
     const auto record = forced_synthetic(truth, multisine(40, 5), 3000, 0.03, 3e-4, 5);
     const LawChoice choice = choose_forced(record, {}, BetweenSamples::band_limited);
@@ -264,7 +265,9 @@ TEST(ForcedFit, WhatTheRecordDoesNotDetermineIsNamed) {
     }
     const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
     EXPECT_EQ(fit.status, FitStatus::undetermined) << noise << ": " << fit.message;
-    EXPECT_THAT(fit.message, testing::AllOf(testing::HasSubstr("force gain"), testing::HasSubstr("decay rate"))) << noise;
+    EXPECT_THAT(fit.message,
+                testing::AllOf(testing::HasSubstr("force gain"), testing::HasSubstr("decay rate")))
+        << noise;
   }
 }
 

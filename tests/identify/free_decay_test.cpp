@@ -143,7 +143,7 @@ TEST(LawFit, IntervalsHoldForQuantisedValues) {
   for (unsigned seed = 0; seed < trials; ++seed) {
     const Truth truth{.g = 0.03 + 1e-4 * seed, .position = 0.05 + 1e-5 * seed};
     const LawFit fit = fit_viscous(viscous_record(truth, even_times(1500, 0.01), 3e-3, 0.01,
-                                                     seed));  // steps of a fifth of the amplitude
+                                                  seed));  // steps of a fifth of the amplitude
     ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
     covered += fit.decay_rate().low <= truth.g && truth.g <= fit.decay_rate().high;
   }

@@ -13,12 +13,12 @@ namespace cromer {
 namespace {
 
 const FreeSwing disc{.angular_frequency = 8.849,
-                                .decay_rate = 0.0018,
-                                .drag = 0.0939,
-                                .cubic = 0,
-                                .equilibrium = 0.2,
-                                .position = 0.036,
-                                .velocity = 0};
+                     .decay_rate = 0.0018,
+                     .drag = 0.0939,
+                     .cubic = 0,
+                     .equilibrium = 0.2,
+                     .position = 0.036,
+                     .velocity = 0};
 
 SyntheticRecord motion_record(const FreeSwing& motion, const std::vector<double>& t, double noise,
                               double resolution = 0, unsigned seed = 1) {
@@ -36,9 +36,9 @@ TEST(FreeMotion, IsTheClosedFormWithoutDragAndCubic) {
   const Truth truth;
   const std::vector<double> t = even_times(3000, 0.01);
   const FreeSwing motion{.angular_frequency = truth.w0,
-                                .decay_rate = truth.g,
-                                .position = truth.position,
-                                .velocity = truth.velocity};
+                         .decay_rate = truth.g,
+                         .position = truth.position,
+                         .velocity = truth.velocity};
   const Trajectory x = free_motion(motion, t, 5e-4);
   const SyntheticRecord exact = viscous_record(truth, t);
   for (std::size_t i = 0; i < t.size(); ++i) EXPECT_NEAR(x.x[i], exact.y[i] - truth.equilibrium, 1e-10);
@@ -96,8 +96,7 @@ TEST(FreeMotion, RecoversDragAndCubicWithoutNoise) {
   FreeSwing motion = disc;
   motion.cubic = -600;
   const SyntheticRecord record = motion_record(motion, even_times(3000, 0.01), 0);
-  const LawFit fit =
-      fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
   EXPECT_NEAR(fit.angular_frequency().value, motion.angular_frequency, 1e-8);
   EXPECT_NEAR(fit.decay_rate().value, motion.decay_rate, 1e-8);
@@ -109,8 +108,7 @@ TEST(FreeMotion, RecoversDragAndCubicWithoutNoise) {
 TEST(FreeMotion, RecoversAPendulumsLargeSwings) {
   // Released at 1.5 rad the frequency changes by a sixth along the record: no single sinusoid keeps count of
   // the periods.
-  const FreeSwing motion{
-      .angular_frequency = 4, .decay_rate = 0.03, .cubic = -16.0 / 6, .position = 1.2};
+  const FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.03, .cubic = -16.0 / 6, .position = 1.2};
   const SyntheticRecord record = motion_record(motion, even_times(4000, 0.02), 1e-3);
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+cubic")});
   ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
@@ -119,8 +117,7 @@ TEST(FreeMotion, RecoversAPendulumsLargeSwings) {
 }
 
 TEST(FreeMotion, ASwingOutOfStepWithEverySinusoidIsStillAnOscillation) {
-  const FreeSwing motion{
-      .angular_frequency = 4, .decay_rate = 0.01, .cubic = -16.0 / 6, .position = 1.4};
+  const FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.01, .cubic = -16.0 / 6, .position = 1.4};
   const SyntheticRecord record = motion_record(motion, even_times(8000, 0.02), 1e-3);
   const LawChoice choice = choose_law(record.record(), {});
   ASSERT_EQ(choice.chosen.status, FitStatus::converged) << choice.chosen.message;
@@ -137,10 +134,10 @@ TEST(ChooseLaw, TakesTheTermsThatAreThere) {
   viscous.decay_rate = damped.decay_rate = cubic.decay_rate = all.decay_rate = 0.02;
   cubic.cubic = all.cubic = 3000;
   const std::pair<FreeSwing, const char*> cases[] = {{viscous, "viscous"},
-                                                            {drag, "drag"},
-                                                            {damped, "viscous+drag"},
-                                                            {cubic, "viscous+cubic"},
-                                                            {all, "viscous+drag+cubic"}};
+                                                     {drag, "drag"},
+                                                     {damped, "viscous+drag"},
+                                                     {cubic, "viscous+cubic"},
+                                                     {all, "viscous+drag+cubic"}};
   for (const auto& [motion, law] : cases) {
     int right = 0, more = 0;
     for (unsigned seed = 1; seed <= 8; ++seed) {

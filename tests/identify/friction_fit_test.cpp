@@ -42,12 +42,12 @@ TEST(FrictionFit, HalfWavesAboutBothBalancePoints) {
 TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
   const Law law = law_of("viscous+drag+friction+cubic");
   const Motion motion = FreeSwing{.angular_frequency = 6,
-                                .decay_rate = 0.05,
-                                .drag = 0.3,
-                                .friction = 0.15,
-                                .cubic = -300,
-                                .position = 0.08,
-                                .velocity = 0.02};
+                                  .decay_rate = 0.05,
+                                  .drag = 0.3,
+                                  .friction = 0.15,
+                                  .cubic = -300,
+                                  .position = 0.08,
+                                  .velocity = 0.02};
   const FittedParameters fitted = fitted_parameters(law, DriveKind::none, {}, motion);
   const std::vector<double> t = even_times(1200, 0.01);
   ASSERT_EQ(free_motion(motion, t, 1e-3).v.back(), 0);  // at rest before the end
@@ -73,13 +73,13 @@ TEST(FrictionFit, DerivativesHoldThroughTurnsAndAtRest) {
 
 TEST(FrictionFit, RecoversEverySumWithoutNoise) {
   const FreeSwing all{.angular_frequency = 6,
-                             .decay_rate = 0.03,
-                             .drag = 0.2,
-                             .friction = 0.04,
-                             .cubic = -100,
-                             .equilibrium = 0.3,
-                             .position = 0.08,
-                             .velocity = 0.05};
+                      .decay_rate = 0.03,
+                      .drag = 0.2,
+                      .friction = 0.04,
+                      .cubic = -100,
+                      .equilibrium = 0.3,
+                      .position = 0.08,
+                      .velocity = 0.05};
   for (const char* text : {"friction", "viscous+friction", "drag+friction", "friction+cubic",
                            "viscous+drag+friction", "viscous+drag+friction+cubic"}) {
     const Law law = *parse_law(text);

@@ -11,7 +11,8 @@ TEST(Interruption, NoLawConvergesWhenItIsInterrupted) {
   const SyntheticRecord record = viscous_record({}, even_times(3000, 0.01), 1e-4);
   const std::atomic<bool> stop{true};
   const Watch watch{&stop, {}};
-  for (const Law& law : {law_of("viscous"), law_of("viscous+drag"), law_of("viscous+cubic"), law_of("viscous+drag+cubic")}) {
+  for (const Law& law :
+       {law_of("viscous"), law_of("viscous+drag"), law_of("viscous+cubic"), law_of("viscous+drag+cubic")}) {
     const LawFit fit = fit_law(record.record(), {.law = law}, watch);
     EXPECT_EQ(fit.status, FitStatus::iteration_limit) << to_text(law);
     EXPECT_THAT(fit.message, testing::StartsWith("interrupted"));
@@ -34,7 +35,8 @@ TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
     EXPECT_EQ(choice.candidates.size(), static_cast<std::size_t>(after));
     EXPECT_NEAR(choice.chosen.angular_frequency().value, 8.849, 1e-3);
     // What is missing is named, what was compared is not.
-    EXPECT_THAT(choice.chosen.message, testing::EndsWith("drag+friction+odd-quadratic, viscous+drag+friction+odd-quadratic"));
+    EXPECT_THAT(choice.chosen.message,
+                testing::EndsWith("drag+friction+odd-quadratic, viscous+drag+friction+odd-quadratic"));
     EXPECT_EQ(choice.chosen.message.find("not compared yet are viscous+drag,") != std::string::npos,
               after == 1);
   }

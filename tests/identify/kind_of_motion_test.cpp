@@ -22,7 +22,8 @@ SyntheticRecord two_lines(double g, double f, double apart, unsigned seed) {
 
 MotionJudgement judged(const SyntheticRecord& record) {
   const LawFit free = fit_law(record.record(), {});
-  return judge_motion(record.record(), free, choose_law(record.record(), {.drive = Drive::harmonic()}).chosen, false);
+  return judge_motion(record.record(), free, choose_law(record.record(), {.drive = Drive::harmonic()}).chosen,
+                      false);
 }
 
 TEST(KindOfMotion, AFreeSwingIsNotDriven) {

@@ -4,23 +4,23 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/choose/choose_law.h"
-#include "cromer/identify/start/envelope_track.h"
-#include "cromer/identify/motion/motion_model.h"
 #include "cromer/analysis/amplitude_decay.h"
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/motion/motion_model.h"
+#include "cromer/identify/start/envelope_track.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer {
 namespace {
 
 const FreeSwing disc{.angular_frequency = 6,
-                                .decay_rate = 0.02,
-                                .drag = 0.3,
-                                .friction = 0.02,
-                                .cubic = -100,
-                                .equilibrium = 0.2,
-                                .position = 0.08,
-                                .velocity = 0.1};
+                     .decay_rate = 0.02,
+                     .drag = 0.3,
+                     .friction = 0.02,
+                     .cubic = -100,
+                     .equilibrium = 0.2,
+                     .position = 0.08,
+                     .velocity = 0.1};
 
 // The record of a motion's derivative, with the sensor's offset disc.equilibrium.
 SyntheticRecord derivative_record(const FreeSwing& motion, int derivative, double noise) {
@@ -93,16 +93,17 @@ TEST(Pendulum, ReturnsAfterThePeriodOfTheEllipticIntegral) {
 
 TEST(Pendulum, IsFittedAndPreferredToACubicSpring) {
   const FreeSwing motion{.angular_frequency = 4,
-                                .decay_rate = 0.03,
-                                .equilibrium = 0.1,
-                                .position = 1.4,
-                                .velocity = 0.3,
-                                .pendulum = true};
+                         .decay_rate = 0.03,
+                         .equilibrium = 0.1,
+                         .position = 1.4,
+                         .velocity = 0.3,
+                         .pendulum = true};
   const SyntheticRecord record = derivative_record(motion, 0, 2e-3);
   const LawChoice choice = choose_law(record.record(), {.angle = true});
   EXPECT_EQ(to_text(choice.chosen.law), "viscous+pendulum");
   EXPECT_EQ(choice.candidates.size(), 28u);
-  EXPECT_NEAR(choice.chosen.angular_frequency().value, 4, 4 * choice.chosen.angular_frequency().standard_error);
+  EXPECT_NEAR(choice.chosen.angular_frequency().value, 4,
+              4 * choice.chosen.angular_frequency().standard_error);
   EXPECT_NEAR(choice.chosen.residual.rms, 2e-3, 2e-4);
   for (const LawFit& fit : choose_law(record.record(), {}).candidates) EXPECT_FALSE(fit.law.has<Pendulum>());
 }

@@ -97,8 +97,7 @@ TEST(Refusal, ALineFarBelowTheNoise) {
 
 TEST(Refusal, HoldsForEveryLaw) {
   const SyntheticRecord noise = noise_record(2000, 0.5, 3);
-  EXPECT_EQ(fit_law(noise.record(), {.law = law_of("viscous+drag")}).status,
-            FitStatus::no_oscillation);
+  EXPECT_EQ(fit_law(noise.record(), {.law = law_of("viscous+drag")}).status, FitStatus::no_oscillation);
   EXPECT_EQ(choose_law(noise.record(), {}).chosen.status, FitStatus::no_oscillation);
 }
 

@@ -14,8 +14,7 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;
 
-SyntheticRecord record_of(const FreeSwing& truth, std::size_t n, double h, double noise,
-                          unsigned seed) {
+SyntheticRecord record_of(const FreeSwing& truth, std::size_t n, double h, double noise, unsigned seed) {
   SyntheticRecord record{even_times(n, h), {}, 0};
   std::mt19937_64 engine(seed);
   std::normal_distribution<double> normal(0, noise);
@@ -26,8 +25,7 @@ SyntheticRecord record_of(const FreeSwing& truth, std::size_t n, double h, doubl
 // Viscous damping and drag over so short a time that each could be the other: the coefficients are off by
 // many of their errors, and what the record does know holds.
 TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
-  const FreeSwing truth{
-      .angular_frequency = 8.944, .decay_rate = 0.01, .drag = 0.15, .position = 0.05};
+  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0.01, .drag = 0.15, .position = 0.05};
   int said = 0, simple = 0;
   for (unsigned seed = 1; seed <= 10; ++seed) {
     const SyntheticRecord record = record_of(truth, 701, 0.02, 1e-3, seed);

@@ -138,7 +138,8 @@ TEST(StartValues, AnotherFrequencyThatFitsAsWellIsNamed) {
     const SyntheticRecord noisy = gappy_record({.noise = 0.5}, kept, engine);
     const LawFit fit = fit_law(noisy.record(), {});
     if (fit.status != FitStatus::converged) continue;
-    const bool right = std::abs(fit.angular_frequency().value - w0) < 5 * fit.angular_frequency().standard_error;
+    const bool right =
+        std::abs(fit.angular_frequency().value - w0) < 5 * fit.angular_frequency().standard_error;
     named += names_another(fit);
     EXPECT_TRUE(right || names_another(fit)) << fit.angular_frequency().value;
     const SyntheticRecord clear = gappy_record({.noise = 0.02}, kept, engine);
@@ -171,10 +172,10 @@ TEST(StartValues, RecordBeginsWithAFewSamplesFarAhead) {
 SyntheticRecord large_swing(double amplitude, double periods, double folds, unsigned seed) {
   const double T = periods * period;
   const FreeSwing truth{.angular_frequency = w0,
-                               .decay_rate = folds / T,
-                               .equilibrium = 0.1,
-                               .position = amplitude,
-                               .pendulum = true};
+                        .decay_rate = folds / T,
+                        .equilibrium = 0.1,
+                        .position = amplitude,
+                        .pendulum = true};
   SyntheticRecord record{even_times(static_cast<std::size_t>(periods * 40), period / 40), {}, 0};
   Engine engine(seed);
   std::normal_distribution<double> normal(0, 0.005);

@@ -46,9 +46,12 @@ Motion with_terms_of(const Law& law) {
 
 enum class Kind { free, harmonic, recorded };
 
-// The fit of the law to 40 s of its own motion with noise; every coefficient within 4.5 of its standard errors.
+// The fit of the law to 40 s of its own motion with noise; every coefficient within 4.5 of its standard
+// errors.
 void expect_found(const Law& law, Kind kind) {
-  SCOPED_TRACE(to_text(law) + (kind == Kind::free ? ", free" : kind == Kind::harmonic ? ", harmonic" : ", recorded"));
+  SCOPED_TRACE(to_text(law) + (kind == Kind::free       ? ", free"
+                               : kind == Kind::harmonic ? ", harmonic"
+                                                        : ", recorded"));
   Motion motion = with_terms_of(law);
   const std::vector<double> t = even_times(2000, 0.02);
   std::vector<double> force;
@@ -79,7 +82,8 @@ void expect_found(const Law& law, Kind kind) {
     const Estimate* estimate = fit.find(fitted.of[i].name);
     if (!fitted.of[i].coefficient) continue;
     ASSERT_NE(estimate, nullptr) << fitted.of[i].name;
-    EXPECT_NEAR(estimate->value, fitted.of[i].of(motion), 4.5 * estimate->standard_error) << fitted.of[i].name;
+    EXPECT_NEAR(estimate->value, fitted.of[i].of(motion), 4.5 * estimate->standard_error)
+        << fitted.of[i].name;
   }
 }
 
@@ -94,7 +98,8 @@ std::vector<Law> terms_to_add() {
 
 TEST(TermsFit, EachTermIsFoundAgain) {
   for (const Law& term : terms_to_add())
-    for (const Kind kind : {Kind::free, Kind::harmonic, Kind::recorded}) expect_found(law_of("viscous").with(term), kind);
+    for (const Kind kind : {Kind::free, Kind::harmonic, Kind::recorded})
+      expect_found(law_of("viscous").with(term), kind);
 }
 
 TEST(TermsFit, EveryPairIsFoundAgain) {
@@ -104,7 +109,8 @@ TEST(TermsFit, EveryPairIsFoundAgain) {
       // Two laws of one shape: what tells a hysteretic force from damping and stiffness is small.
       if (terms[i].with(terms[j]).has<Hysteresis>()) continue;
       expect_found(law_of("viscous").with(terms[i]).with(terms[j]), Kind::free);
-      // Not found under a recorded force: the cubic spring that leads there softens, and its motion runs away.
+      // Not found under a recorded force: the cubic spring that leads there softens, and its motion runs
+      // away.
       if (terms[i].with(terms[j]) == law_with<OddQuadratic, Quintic>) continue;
       expect_found(law_of("viscous").with(terms[i]).with(terms[j]), Kind::recorded);
     }
@@ -114,7 +120,8 @@ TEST(TermsFit, EveryPairIsFoundAgain) {
 TEST(TermsFit, EachTermIsChosen) {
   std::vector<Law> laws{law_of("viscous+drag+odd-quadratic")};
   for (const Law& term : terms_to_add())
-    if (term != law_with<Hysteresis>) laws.push_back(law_of("viscous").with(term));  // so small a loop looks like drag
+    if (term != law_with<Hysteresis>)
+      laws.push_back(law_of("viscous").with(term));  // so small a loop looks like drag
   for (const Law& law : laws) {
     const Motion motion = with_terms_of(law);
     const std::vector<double> t = even_times(3000, 0.02);

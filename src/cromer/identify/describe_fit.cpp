@@ -15,8 +15,8 @@
 namespace cromer {
 namespace {
 
-// Beyond so many samples correlation is known without their Jacobian, and beyond such an order it is a wrong law
-// that correlates.
+// Beyond so many samples correlation is known without their Jacobian, and beyond such an order it is a wrong
+// law that correlates.
 constexpr std::size_t most_filtered = 1'000'000, highest_order = 64;
 
 // The inverse of the normal matrix where the record determines it, and which parameters it does not.
@@ -81,7 +81,8 @@ struct ReadParameters {
   }
 };
 
-ReadParameters read_parameters(const FittedParameters& fitted, const Parameters& p, DriveKind drive, int derivative) {
+ReadParameters read_parameters(const FittedParameters& fitted, const Parameters& p, DriveKind drive,
+                               int derivative) {
   ReadParameters list;
   const int cosine = fitted.place_of("drive_cosine");
   const Motion motion = fitted.unpack(p);
@@ -89,8 +90,8 @@ ReadParameters read_parameters(const FittedParameters& fitted, const Parameters&
     if (fitted.place_of(name) < 0) list.add(name, value, {}, -1);
   };
   for (int i = 0; i < fitted.count; ++i) {
-    if (fitted.of[i].name == "equilibrium" || (i > 0 && fitted.of[i].name == "position" &&
-                                               fitted.place_of("equilibrium") < 0)) {
+    if (fitted.of[i].name == "equilibrium" ||
+        (i > 0 && fitted.of[i].name == "position" && fitted.place_of("equilibrium") < 0)) {
       if (drive == DriveKind::recorded && derivative == 0) held("force_offset", motion.force_offset);
       if (motion.law.shares(springs)) held("equilibrium", motion.equilibrium);
     }
@@ -134,9 +135,8 @@ EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedM
     };
     const double own = widening(std::max(w, fit.motion.drive_frequency)), resting = widening(0);
     const auto of = [&](int i) { return fitted.of[i].lives_at_rest ? std::max(own, resting) : own; };
-    const double variance =
-        std::max(noise.sum_of_squares / std::max({1.0, n / (k + 1), n - k * own}),
-                 record.resolution * record.resolution / 12);
+    const double variance = std::max(noise.sum_of_squares / std::max({1.0, n / (k + 1), n - k * own}),
+                                     record.resolution * record.resolution / 12);
     for (int i = 0; i < fitted.count; ++i) {
       known.degrees[i] = std::max(1.0, n / of(i) - k);
       for (int j = 0; j < fitted.count; ++j)
@@ -157,14 +157,16 @@ std::string known_ratio(const LawFit& fit, const FittedParameters& fitted) {
       const Estimate *a = fit.find(fitted.of[i].name), *b = fit.find(fitted.of[j].name);
       if (!a || !b || a->value == 0 || b->value == 0) continue;
       if (is_of_the_start(fitted.of[i].name)) continue;
-      const double of_a = a->standard_error / std::abs(a->value), of_b = b->standard_error / std::abs(b->value);
+      const double of_a = a->standard_error / std::abs(a->value),
+                   of_b = b->standard_error / std::abs(b->value);
       if (!(of_a > hardly && of_b > hardly)) continue;
       const double covariance =
           fit.covariance_of(fitted.of[i].name, fitted.of[j].name) / (a->value * b->value);
       const double of_ratio = std::sqrt(std::max(0.0, of_a * of_a + of_b * of_b - 2 * covariance));
       if (of_ratio < much_better * std::min(of_a, of_b))
-        return fmt::format("only the ratio of {} and {} is known, {:.6g} ± {:.2g}", readable(fitted.of[i].name),
-                           readable(fitted.of[j].name), a->value / b->value, of_ratio * std::abs(a->value / b->value));
+        return fmt::format("only the ratio of {} and {} is known, {:.6g} ± {:.2g}",
+                           readable(fitted.of[i].name), readable(fitted.of[j].name), a->value / b->value,
+                           of_ratio * std::abs(a->value / b->value));
     }
   return {};
 }
@@ -241,7 +243,8 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
 
   const Inverse inverse = inverse_of(minimum.matrix, fitted);
   const EstimateNoise known = known_of(fit, record, minimum, inverse, noise);
-  const ReadParameters quantities = read_parameters(fitted, minimum.parameters, fit.drive.kind, record.derivative);
+  const ReadParameters quantities =
+      read_parameters(fitted, minimum.parameters, fit.drive.kind, record.derivative);
   const std::size_t count = quantities.names.size();
   fit.names = quantities.names;
   fit.estimates.clear();

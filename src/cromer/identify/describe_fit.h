@@ -30,9 +30,10 @@ struct DescribedMinimum {
 
 /// Fills parameters, covariance, intervals and statistics of `fit`, whose law and drive are set.
 ///
-/// Covariances are what the residuals' noise does to the estimates (noise.h), and what rounding may have done.
-/// Intervals are centred on the minimum without bounds, cut at their bound, and hold the estimate; what touches
-/// its bound is said, and where two dampings are traded for each other, what is known of their sum instead.
+/// Covariances are what the residuals' noise does to the estimates (noise.h), and what rounding may have
+/// done. Intervals are centred on the minimum without bounds, cut at their bound, and hold the estimate; what
+/// touches its bound is said, and where two dampings are traded for each other, what is known of their sum
+/// instead.
 ///
 /// Directions in which the sum of squares is flat to rounding, and those in which a parameter is hardly known
 /// while its ratio to another is, make the status undetermined: the message names what is known instead.

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "cromer/analysis/cycle_average.h"
-#include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/describe_fit.h"
+#include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/fit_viscous.h"
-#include "cromer/identify/rest_minima.h"
 #include "cromer/identify/least_squares/rounding_bias.h"
+#include "cromer/identify/rest_minima.h"
 #include "cromer/identify/start/driven_start.h"
 #include "cromer/identify/start/forced_start.h"
 
@@ -24,7 +24,8 @@ constexpr double coarsest = 1.0 / 20;  // step, in periods: off by a millionth a
 // A record beside the motions of one law, as the minimiser asks for them.
 class Problem {
  public:
-  Problem(const Record& record, const LawFitOptions& options, const FittedParameters& fitted, const Watch& watch)
+  Problem(const Record& record, const LawFitOptions& options, const FittedParameters& fitted,
+          const Watch& watch)
       : record_(record), options_(options), fitted_(fitted), watch_(watch) {}
 
   const Record& record() const { return record_; }
@@ -128,8 +129,7 @@ class StepLength {
     if (!recorded()) return coarsest * period();
     double h = recorded_step(problem_.options().drive.force.spacing, w_);
     const Record& record = problem_.record();
-    const double enough =
-        0.005 * centred_norm(record.y) / std::sqrt(static_cast<double>(record.t.size()));
+    const double enough = 0.005 * centred_norm(record.y) / std::sqrt(static_cast<double>(record.t.size()));
     for (int halvings = 0; halvings < 4; ++halvings, h /= 2)
       if (problem_.method_error(start, std::min<std::size_t>(record.t.size(), 1000), h) < enough) break;
     return h;
@@ -223,7 +223,8 @@ Parameters rounding_bias_of(const Problem& problem, const FoundMinimum& found,
 // A minimum was found, but its law accounts for less than three tenths of the motion's variance.
 void refuse_what_explains_too_little(LawFit& fit) {
   constexpr double least = 0.3;
-  if (fit.drive.kind == DriveKind::none || fit.status != FitStatus::converged || fit.explained >= least) return;
+  if (fit.drive.kind == DriveKind::none || fit.status != FitStatus::converged || fit.explained >= least)
+    return;
   fit.status = FitStatus::too_noisy;
   fit.message = explains_too_little(fit);
 }
@@ -240,8 +241,8 @@ KnownMotion linear_motion(const Record& record, const LawFitOptions& options, co
   return {first->fit.motion, first->samples, decay_rate};
 }
 
-// The start of a driven motion follows most of it, or is grown from a first part, in which a frequency that is a
-// little off has no time to lose step.
+// The start of a driven motion follows most of it, or is grown from a first part, in which a frequency that
+// is a little off has no time to lose step.
 KnownMotion known_driven(const Record& record, const Drive& drive, const Motion& start) {
   KnownMotion known{start, record.t.size(), 0};
   if (drive.kind != DriveKind::recorded) return known;
@@ -257,8 +258,8 @@ KnownMotion known_driven(const Record& record, const Drive& drive, const Motion&
   return known;
 }
 
-// A hysteretic force beside the spring: shares of the stiffness that the linear law has, and loops of the width
-// that the motion has.
+// A hysteretic force beside the spring: shares of the stiffness that the linear law has, and loops of the
+// width that the motion has.
 std::vector<Motion> hysteretic_starts(const Motion& linear, const Law& law, double amplitude) {
   std::vector<Motion> starts;
   const double stiffness = linear.angular_frequency() * linear.angular_frequency();
@@ -298,24 +299,15 @@ KnownMotion best_of(const std::vector<Motion>& starts, const KnownMotion& known,
 
 }  // namespace
 
-bool Beginning::usable() const {
-  return linear.has_values() &&
-         (linear.status == FitStatus::converged || linear.status == FitStatus::iteration_limit ||
-          linear.status == FitStatus::undetermined);
-}
-
 KnownMotion Beginning::known(const Law& law, const Record& record) const {
   KnownMotion result = known_motion;
   const double w0 = result.motion.angular_frequency();
-  result.motion.law = law;
-  for_each_term([&]<class T>() {
-    if (!law.has<T>())
-      for (const auto member : T::template members<double>) result.motion.per_mass.*member = 0;
-  });
+  result.motion = result.motion.under(law);
   if (law.shares(springs)) result.motion.set_angular_frequency(w0);
   const double cubic = known_motion.motion.per_mass.cubic;
   if (cubic != 0 && !law.has<Cubic>()) {
-    const double amplitude = amplitude_of(record, w0), shift = cubic * cycle_average<Cubic>(amplitude, w0).shift;
+    const double amplitude = amplitude_of(record, w0),
+                 shift = cubic * cycle_average<Cubic>(amplitude, w0).shift;
     // What softens a spring is the lower power: the higher would let it run away.
     if (law.has<OddQuadratic>() && (cubic < 0 || !law.has<Quintic>()))
       result.motion.per_mass.odd_quadratic = shift / cycle_average<OddQuadratic>(amplitude, w0).shift;
@@ -342,8 +334,8 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
                                      beginning.known_motion.decay_rate);
     return beginning;
   }
-  // The linear law leads the way: it has the widest valley. A recorded force shows a bent spring from the start:
-  // there a cubic one leads all others.
+  // The linear law leads the way: it has the widest valley. A recorded force shows a bent spring from the
+  // start: there a cubic one leads all others.
   LawFitOptions linear = options;
   const bool recorded = options.drive.kind == DriveKind::recorded;
   const Law leading = recorded ? springs.with(law_with<Quadratic, Cubic>) : springs;
@@ -354,11 +346,12 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
                                           ? driven_start(record, options.drive_frequency)
                                           : forced_start(record, options.drive.force, linear.law);
   if (!start) {
-    beginning.linear = refused({FitStatus::no_oscillation, options.drive.kind == DriveKind::harmonic
-                                                               ? "no oscillation found: the spectrum has no line"
-                                                               : "no oscillation found: the force explains no "
-                                                                 "resonance"},
-                               options);
+    beginning.linear =
+        refused({FitStatus::no_oscillation, options.drive.kind == DriveKind::harmonic
+                                                ? "no oscillation found: the spectrum has no line"
+                                                : "no oscillation found: the force explains no "
+                                                  "resonance"},
+                options);
     return beginning;
   }
   beginning.linear = fit_motion(record, linear, known_driven(record, linear.drive, *start), watch);

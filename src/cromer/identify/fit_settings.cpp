@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/describe_fit.h"
+#include "cromer/identify/diagnose/refusal.h"
 
 namespace cromer {
 

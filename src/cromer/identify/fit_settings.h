@@ -12,7 +12,8 @@ namespace cromer {
 /// Tolerances and scale of a record's least squares; no bounds yet.
 LeastSquaresOptions least_squares_options(const Record& record, const LawFitOptions& options);
 
-/// What is held by convention (see law_fit.h), so that nothing is fitted that a record of this drive cannot tell.
+/// What is held by convention (see law_fit.h), so that nothing is fitted that a record of this drive cannot
+/// tell.
 HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive);
 
 /// A model that an interruption makes impossible everywhere, so that no further step is tried for long.

@@ -8,11 +8,11 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
-#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/describe_fit.h"
-#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/diagnose/refusal.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/rounding_bias.h"
+#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/start_values.h"
 
 namespace cromer {
@@ -128,12 +128,13 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   }
   const double w0 = motion.angular_frequency();
   fit.step = motion_step(w0, record.t.back() - record.t.front(), 1e-9);
-  DescribedMinimum described{.fitted = fitted,
-                             .parameters = fitted.pack(motion),
-                             .without_bounds = fitted.pack(motion_of_phasor(minimum.free.parameters, record.derivative)),
-                             .matrix = inverse(inverse_matrix, n),
-                             .rounding_bias = bias,
-                             .residuals = residuals};
+  DescribedMinimum described{
+      .fitted = fitted,
+      .parameters = fitted.pack(motion),
+      .without_bounds = fitted.pack(motion_of_phasor(minimum.free.parameters, record.derivative)),
+      .matrix = inverse(inverse_matrix, n),
+      .rounding_bias = bias,
+      .residuals = residuals};
   described.jacobian = [&] {
     return jacobian_of(fitted, fitted.pack(motion), fit.drive, record, motion_step(w0, 0, 1));
   };

@@ -10,7 +10,8 @@
 namespace cromer {
 
 /// Reads "viscous+drag": any sum of the registry's terms in any order, each at most once, blanks allowed. A
-/// linear spring is part of it, or a pendulum in its place. An unknown term is an Error that suggests the nearest.
+/// linear spring is part of it, or a pendulum in its place. An unknown term is an Error that suggests the
+/// nearest.
 Result<Law> parse_law(std::string_view text);
 
 /// Writes the terms in the order of the registry; the spring goes without saying.

@@ -2,15 +2,16 @@
 //
 //   x'' = drive(t) - the forces of the law's terms per unit mass,   x = y - equilibrium
 //
-// The whole waveform is fitted, not its peaks, its beginning included; no start values are asked for. What drives
-// the motion is nothing, a harmonic force or a recorded one. A record of velocities or accelerations is fitted as
-// what it is: the equilibrium is then the sensor's offset, in the unit of y, and all other parameters are those of
-// the displacement.
+// The whole waveform is fitted, not its peaks, its beginning included; no start values are asked for. What
+// drives the motion is nothing, a harmonic force or a recorded one. A record of velocities or accelerations
+// is fitted as what it is: the equilibrium is then the sensor's offset, in the unit of y, and all other
+// parameters are those of the displacement.
 //
-// Under a recorded force offset, equilibrium and quadratic stiffness can be traded for each other without changing
-// the motion (a shift of x turns a cubic into a cubic): no record tells all three, and of a linear law none tells
-// two. An instrument whose zero lies amid the motion is taken to have been set to zero where the spring is at rest:
-// its equilibrium is 0, and the force's offset is fitted. Where the zero is elsewhere, the force's is trusted.
+// Under a recorded force offset, equilibrium and quadratic stiffness can be traded for each other without
+// changing the motion (a shift of x turns a cubic into a cubic): no record tells all three, and of a linear
+// law none tells two. An instrument whose zero lies amid the motion is taken to have been set to zero where
+// the spring is at rest: its equilibrium is 0, and the force's offset is fitted. Where the zero is elsewhere,
+// the force's is trusted.
 #pragma once
 
 #include <optional>
@@ -42,10 +43,10 @@ enum class FitStatus {
 };
 std::string_view name(FitStatus status);  // "converged", ...
 
-/// Parameters stand in the order of fitted_parameters(); position and velocity are those at the first sample, and of
-/// a harmonic drive amplitude and phase stand for cosine and sine. "unit" is that of the displacement. Damping terms
-/// that can only take energy are never negative: their intervals come from Student's t at the minimum without that
-/// bound, and are cut at it.
+/// Parameters stand in the order of fitted_parameters(); position and velocity are those at the first sample,
+/// and of a harmonic drive amplitude and phase stand for cosine and sine. "unit" is that of the displacement.
+/// Damping terms that can only take energy are never negative: their intervals come from Student's t at the
+/// minimum without that bound, and are cut at it.
 struct LawFit {
   FitStatus status = FitStatus::converged;
   std::string message;  ///< why, when status is not converged
@@ -78,11 +79,18 @@ struct LawFit {
   Estimate angular_frequency() const { return (*this)["angular_frequency"]; }  // [rad/s] undamped
   Estimate decay_rate() const { return (*this)["decay_rate"]; }                // [1/s] gamma = c / 2m
   Estimate equilibrium() const { return (*this)["equilibrium"]; }              // [unit of y]
-  Estimate position() const { return (*this)["position"]; }  // [unit] from the equilibrium at the first sample
+  Estimate position() const {
+    return (*this)["position"];
+  }  // [unit] from the equilibrium at the first sample
   Estimate velocity() const { return (*this)["velocity"]; }  // [unit/s] there
 
   /// There are parameters.
   bool has_values() const { return !estimates.empty(); }
+  /// They may be looked at: the record was not refused.
+  bool is_usable() const {
+    return has_values() && (status == FitStatus::converged || status == FitStatus::iteration_limit ||
+                            status == FitStatus::undetermined);
+  }
 };
 
 /// A motion that is known to follow a record's first samples.
@@ -98,11 +106,11 @@ struct LawFitOptions {
   double hysteresis_exponent = 1;           ///< >= 1
   std::optional<double> drive_frequency{};  // [rad/s] about; found if not given
   bool angle = false;  ///< the record is of an angle in rad or its derivatives: choose_law tries a pendulum
-  std::optional<KnownMotion> start{};    ///< found if not given; the viscous law alone needs none
-  int iteration_limit = 50;              // > 0
-  double tolerance = 1e-10;              // of the last relative change of the motion, 0 < tolerance < 1
-  bool every_sample = false;             ///< outliers as well
-  double rms_to_beat = HUGE_VAL;         ///< a fit that leaves 1.2 times this is not refined any further
+  std::optional<KnownMotion> start{};  ///< found if not given; the viscous law alone needs none
+  int iteration_limit = 50;            // > 0
+  double tolerance = 1e-10;            // of the last relative change of the motion, 0 < tolerance < 1
+  bool every_sample = false;           ///< outliers as well
+  double rms_to_beat = HUGE_VAL;       ///< a fit that leaves 1.2 times this is not refined any further
 };
 
 /// Fits one law. Never throws; a record that cannot be fitted is a status with a message. 12,000 samples

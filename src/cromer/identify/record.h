@@ -25,8 +25,8 @@ struct Record {
   Record first(std::size_t samples) const { return part(0, samples); }
 };
 
-/// A force that was recorded beside the motion, at even times, before and after it as well if there is more. The
-/// motion's samples lie at times of the force's own.
+/// A force that was recorded beside the motion, at even times, before and after it as well if there is more.
+/// The motion's samples lie at times of the force's own.
 struct ForceRecord {
   std::span<const double> samples;
   double begin = 0;    // [s] time of the first

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <optional>
 
-#include "cromer/identify/motion/motion_model.h"
 #include "cromer/identify/least_squares/student.h"
+#include "cromer/identify/motion/motion_model.h"
 
 namespace cromer {
 namespace {
@@ -18,8 +18,8 @@ constexpr int farthest = 12;      // half swings more or fewer
 
 // Across the next end of the band and as far again, in the direction of more (side 1) or less friction, by
 // what the swing before the rest resists least.
-std::optional<Parameters> beyond_the_band(const Record& record, const FittedParameters& fitted, const Parameters& at,
-                                          const Rest& rest, int side, double h) {
+std::optional<Parameters> beyond_the_band(const Record& record, const FittedParameters& fitted,
+                                          const Parameters& at, const Rest& rest, int side, double h) {
   const Motion motion = fitted.unpack(at);
   const NormalEquations swing = motion_equations(fitted, at, {}, record.first(rest.first), h);
   const SquareMatrix spread = inverse(swing.matrix, fitted.count);
@@ -56,7 +56,8 @@ std::vector<LeastSquaresSummary> rest_minima(const Record& record, const FittedP
   if (!rests(middle)) return minima;
 
   const auto model = interruptible(
-      [&](const Parameters& parameters) { return motion_equations(fitted, parameters, {}, record, h); }, watch);
+      [&](const Parameters& parameters) { return motion_equations(fitted, parameters, {}, record, h); },
+      watch);
   LeastSquaresOptions settings = options;
   settings.error_tolerance = 0.1;
   settings.iteration_limit = 10;
@@ -170,7 +171,8 @@ double half_log_determinant(const SquareMatrix& matrix, int size) {
 
 }  // namespace
 
-void spread_over(LawFit& fit, const FittedParameters& fitted, const std::vector<LeastSquaresSummary>& minima) {
+void spread_over(LawFit& fit, const FittedParameters& fitted,
+                 const std::vector<LeastSquaresSummary>& minima) {
   if (minima.size() < 2) return;
   const int n = fitted.count;
   const auto entry = [&](int i, int j) -> double& {

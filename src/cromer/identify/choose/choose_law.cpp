@@ -17,8 +17,9 @@
 namespace cromer {
 namespace {
 
-// On how many samples laws are compared at most: it bounds the time that a choice takes. A record of up to 200,000
-// samples, 5 enough_samples or 2 enough_driven, is compared whole: a part would cost a second fit to all.
+// On how many samples laws are compared at most: it bounds the time that a choice takes. A record of up to
+// 200,000 samples, 5 enough_samples or 2 enough_driven, is compared whole: a part would cost a second fit to
+// all.
 constexpr std::size_t enough_samples = 40'000, enough_driven = 100'000;
 constexpr double samples_per_period = 16;
 
@@ -53,8 +54,8 @@ Selection select(const Record& record, double angular_frequency) {
   return part;
 }
 
-// Every sum of dampings with each spring that is met often, and for angles as a pendulum; the simplest first, then
-// those most often found.
+// Every sum of dampings with each spring that is met often, and for angles as a pendulum; the simplest first,
+// then those most often found.
 std::vector<Law> free_candidates(bool angle) {
   std::vector<Law> laws{law_of("viscous"), law_of("viscous+drag"), law_of("viscous+cubic"),
                         law_of("viscous+drag+cubic")};
@@ -74,18 +75,20 @@ std::vector<Law> free_candidates(bool angle) {
 // Of a driven motion: the springs that are met often, each by itself and with drag or friction.
 std::vector<Law> driven_candidates(const Law& linear) {
   std::vector<Law> laws;
-  for (const Law& shape : {Law{}, law_with<Cubic>, law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<OddQuadratic>})
+  for (const Law& shape :
+       {Law{}, law_with<Cubic>, law_with<Quadratic>, law_with<Quadratic, Cubic>, law_with<OddQuadratic>})
     for (const Law& damping : {Law{}, law_with<Drag>, law_with<Friction>})
       if (linear.shares(springs) || shape == Law{}) laws.push_back(linear.with(shape).with(damping));
   return laws;
 }
 
 // What may be added where something is left.
-constexpr Law additions[] = {law_with<Drag>,           law_with<Friction>, law_with<Cubic>,
-                             law_with<OddQuadratic>,   law_with<Quadratic>, law_with<Quadratic, Cubic>,
-                             law_with<Quintic>,        law_with<VanDerPol>, law_with<Hysteresis>};
+constexpr Law additions[] = {law_with<Drag>,         law_with<Friction>,  law_with<Cubic>,
+                             law_with<OddQuadratic>, law_with<Quadratic>, law_with<Quadratic, Cubic>,
+                             law_with<Quintic>,      law_with<VanDerPol>, law_with<Hysteresis>};
 
-bool has_values(const LawFit& fit) {
+// A law may be compared with others.
+bool is_comparable(const LawFit& fit) {
   return fit.has_values() && (fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit);
 }
 
@@ -110,8 +113,9 @@ class Choosing {
     add(beginning.linear, true);
     if (!beginning.usable()) return alone();
     std::vector<Law> laws = free_candidates(options_.angle);
-    laws.erase(std::remove_if(laws.begin() + 1, laws.end(), [&](const Law& law) { return too_many_terms(law); }),
-               laws.end());
+    laws.erase(
+        std::remove_if(laws.begin() + 1, laws.end(), [&](const Law& law) { return too_many_terms(law); }),
+        laws.end());
     for (std::size_t i = 1; i < laws.size() && !watch_.interrupted(); ++i) {
       if (watch_.progress)
         watch_.progress(progress_end * static_cast<double>(i) / static_cast<double>(laws.size()));
@@ -160,7 +164,8 @@ class Choosing {
   }
 
   bool tried(const Law& law) const {
-    return std::any_of(candidates_.begin(), candidates_.end(), [&](const LawFit& fit) { return fit.law == law; });
+    return std::any_of(candidates_.begin(), candidates_.end(),
+                       [&](const LawFit& fit) { return fit.law == law; });
   }
   bool too_many_terms(const Law& law) const {
     LawFitOptions one = options_;
@@ -214,13 +219,7 @@ class Choosing {
 
   // The motion of a fit, for a law with other terms.
   KnownMotion of_fit(const LawFit& fit, const Law& law) const {
-    KnownMotion known{fit.motion, record_.t.size(), candidates_.front().decay_rate().value};
-    known.motion.law = law;
-    for_each_term([&]<class T>() {
-      for (const auto member : T::template members<double>)
-        if (!law.has<T>()) known.motion.per_mass.*member = 0;
-    });
-    return known;
+    return {fit.motion.under(law), record_.t.size(), candidates_.front().decay_rate().value};
   }
 
   // The one chosen, and what it is chosen over, as finely as the record asks for.
@@ -231,8 +230,7 @@ class Choosing {
       if (!fine_[*next]) {
         LawFitOptions one = options_;
         one.law = rough.law;
-        const KnownMotion known{rough.motion, record_.t.size(), candidates_.front().decay_rate().value};
-        LawFit fit = fit_motion(record_, one, known, watch_);
+        LawFit fit = fit_motion(record_, one, of_fit(rough, rough.law), watch_);
         if (fit.status == FitStatus::converged) rough = std::move(fit);
         fine_[*next] = true;
       }
@@ -290,7 +288,7 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
   LawFitOptions one = options;
   one.law = law_of("viscous");
   const LawFit viscous = fit_law(record, one, watch);
-  if (!has_values(viscous)) return {viscous, {viscous}};
+  if (!is_comparable(viscous)) return {viscous, {viscous}};
   if (watch.interrupted()) {
     LawChoice choice{viscous, {viscous}};
     Choosing::mark_interrupted(choice, free_candidates(options.angle));
@@ -299,7 +297,7 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
   const Selection part = select(record, viscous.angular_frequency().value);
   const Record seen = part.record();
   LawChoice choice = Choosing(seen, options, watch).among_free(0.5);
-  if (!has_values(choice.chosen) || choice.chosen.law == law_of("viscous")) {
+  if (!is_comparable(choice.chosen) || choice.chosen.law == law_of("viscous")) {
     choice.chosen = viscous;
   } else if (choice.chosen.status == FitStatus::converged) {
     one.law = choice.chosen.law;
@@ -354,8 +352,9 @@ LawChoice choose_driven(const Record& record, const LawFitOptions& options, cons
 LawChoice choose_on(const Record& record, const LawFitOptions& options, const GivenLaw& given,
                     const Watch& watch) {
   if (options.drive.kind == DriveKind::recorded)
-    return choose_reading(record, options, given,
-                          [&](const LawFitOptions& one) { return choose_driven(record, one, given, watch); }, watch);
+    return choose_reading(
+        record, options, given,
+        [&](const LawFitOptions& one) { return choose_driven(record, one, given, watch); }, watch);
   if (options.drive.kind == DriveKind::harmonic) return choose_driven(record, options, given, watch);
   return choose_free(record, options, watch);
 }

@@ -13,14 +13,14 @@ struct LawChoice {
   /// Those tried; a given law alone.
   ///
   /// Of a free motion: all sums of viscous, drag and friction, each with a linear spring, with cubic and with
-  /// odd-quadratic, for angles also as a pendulum. Of a driven motion: the viscous law, and it with cubic, with
-  /// quadratic, with both and with odd-quadratic (only where there is a spring), each of these also with drag and
-  /// with friction. Then, of either, as long as something is left and for two rounds at most: the best law with one
-  /// more term, or with quadratic and cubic together; hysteresis beside the viscous law.
+  /// odd-quadratic, for angles also as a pendulum. Of a driven motion: the viscous law, and it with cubic,
+  /// with quadratic, with both and with odd-quadratic (only where there is a spring), each of these also with
+  /// drag and with friction. Then, of either, as long as something is left and for two rounds at most: the
+  /// best law with one more term, or with quadratic and cubic together; hysteresis beside the viscous law.
   ///
-  /// The viscous law comes first, and it alone if it was refused. Only the chosen law and the one of lowest BIC
-  /// beside it are fitted to the last digit, the others well enough to be compared. Where the reading of a recorded
-  /// force is not given, the fits under the other readings come last.
+  /// The viscous law comes first, and it alone if it was refused. Only the chosen law and the one of lowest
+  /// BIC beside it are fitted to the last digit, the others well enough to be compared. Where the reading of
+  /// a recorded force is not given, the fits under the other readings come last.
   std::vector<LawFit> candidates;
 };
 
@@ -30,10 +30,11 @@ struct GivenLaw {
   std::optional<BetweenSamples> between{};  ///< how a recorded force is read
 };
 
-/// Fits the candidates and takes the one that criterion.h chooses; of a recorded force also the reading of lowest
-/// BIC, with the spread between readings that stay open in its errors. options.law and the drive's reading are not
-/// looked at. Of a record of more than 200,000 samples the candidates see a part, and the chosen law is then fitted
-/// to all. An interruption is iteration_limit with a message; the candidates are then those that were done.
+/// Fits the candidates and takes the one that criterion.h chooses; of a recorded force also the reading of
+/// lowest BIC, with the spread between readings that stay open in its errors. options.law and the drive's
+/// reading are not looked at. Of a record of more than 200,000 samples the candidates see a part, and the
+/// chosen law is then fitted to all. An interruption is iteration_limit with a message; the candidates are
+/// then those that were done.
 LawChoice choose_law(const Record& record, const LawFitOptions& options, const Watch& watch = {},
                      const GivenLaw& given = {});
 

@@ -25,7 +25,8 @@ bool is_admissible(const LawFit& fit, const std::vector<LawFit>& candidates) {
   const std::vector<Law> simpler_laws = without_unsure_terms(fit);
   return std::all_of(simpler_laws.begin(), simpler_laws.end(), [&](const Law& law) {
     const auto simpler = std::find_if(candidates.begin(), candidates.end(), [&](const LawFit& other) {
-      return other.law == law && other.drive.force.between == fit.drive.force.between && other.residual.rms > 0;
+      return other.law == law && other.drive.force.between == fit.drive.force.between &&
+             other.residual.rms > 0;
     });
     return simpler != candidates.end() && simpler->bic >= fit.bic + strong_evidence;
   });
@@ -61,7 +62,9 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution)
   // a law met more often stays unless the other is clearly better; rival_laws.h says where neither is.
   constexpr double clear = 5;
   const double lowest = candidates[best].bic;
-  const auto eligible = [&](std::size_t i) { return admissible[i] && candidates[i].bic < lowest + strong_evidence; };
+  const auto eligible = [&](std::size_t i) {
+    return admissible[i] && candidates[i].bic < lowest + strong_evidence;
+  };
   int fewest = candidates[best].fitted;
   for (std::size_t i = 0; i < candidates.size(); ++i)
     if (eligible(i)) fewest = std::min(fewest, candidates[i].fitted);

@@ -22,17 +22,17 @@ inline double bayesian_criterion(double independent_samples, double rms, double 
 /// Differences of the criterion that are strong evidence: Kass & Raftery, J. Am. Stat. Assoc. 90, 773 (1995).
 inline constexpr double strong_evidence = 6;
 
-/// Place of the admissible candidate of lowest BIC; 0 where none is. A law is admissible if it converged and each
-/// of its terms (but for a lone damping) either has a 95 % interval without zero, or raises BIC by more than 6
-/// when it is taken away. Sets the candidates' BIC, all of the number of samples which the closest candidate's
-/// residuals leave independent, so that no law's misfit is taken for noise, and of this `resolution`.
-/// Of admissible candidates within 6 of the lowest the one with
-/// the fewest parameters, and of as many the lowest, or the first that is within 5 of it: laws met more often
-/// come first. `candidates` is not empty and begins with the simplest law.
+/// Place of the admissible candidate of lowest BIC; 0 where none is. A law is admissible if it converged and
+/// each of its terms (but for a lone damping) either has a 95 % interval without zero, or raises BIC by more
+/// than 6 when it is taken away. Sets the candidates' BIC, all of the number of samples which the closest
+/// candidate's residuals leave independent, so that no law's misfit is taken for noise, and of this
+/// `resolution`. Of admissible candidates within 6 of the lowest the one with the fewest parameters, and of
+/// as many the lowest, or the first that is within 5 of it: laws met more often come first. `candidates` is
+/// not empty and begins with the simplest law.
 std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution = 0);
 
-/// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low BIC
-/// that is not admissible may be so without it.
+/// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low
+/// BIC that is not admissible may be so without it.
 std::vector<Law> without_unsure_terms(const LawFit& fit);
 
 }  // namespace cromer

@@ -23,7 +23,8 @@ std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const Law
   }
   const double g = motion.decay_rate(), w0 = motion.angular_frequency();
   if (!(w0 > g)) return std::nullopt;
-  return std::array<ModeStart, 2>{ModeStart{std::sqrt(w0 * w0 - g * g), g}, ModeStart{motion.drive_frequency, 0}};
+  return std::array<ModeStart, 2>{ModeStart{std::sqrt(w0 * w0 - g * g), g},
+                                  ModeStart{motion.drive_frequency, 0}};
 }
 
 // A generator's amplitude is not quite constant: what falls by less than a tenth over the record, and twenty
@@ -63,8 +64,8 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   const auto criterion = [&](const auto& fit, double parameters) {
     return bayesian_criterion(std::max(2.0, independent), fit.residual.rms, parameters, record.resolution);
   };
-  // A search over N frequencies costs 2 ln N. N is half the samples where all were searched; the few about one that
-  // was named count as 8.
+  // A search over N frequencies costs 2 ln N. N is half the samples where all were searched; the few about
+  // one that was named count as 8.
   constexpr double few = 8;
   const auto searched = [](double frequencies) { return 2 * std::log(std::max(1.0, frequencies)); };
   const double all = 0.5 * static_cast<double>(record.t.size());

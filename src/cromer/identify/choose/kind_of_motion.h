@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "cromer/identify/law_fit.h"
 #include "cromer/identify/choose/two_modes.h"
+#include "cromer/identify/law_fit.h"
 
 namespace cromer {
 

@@ -39,13 +39,16 @@ void spread_over_readings(LawFit& chosen, const std::vector<LawFit>& open) {
   for (std::size_t k = 0; k < open.size(); ++k) {
     std::vector<double> off(n, 0.0);
     for (std::size_t i = 0; i < n; ++i)
-      if (const Estimate* there = open[k].find(chosen.names[i])) off[i] = there->value - chosen.estimates[i].value;
+      if (const Estimate* there = open[k].find(chosen.names[i]))
+        off[i] = there->value - chosen.estimates[i].value;
     for (std::size_t i = 0; i < n; ++i)
-      for (std::size_t j = 0; j < n; ++j) chosen.covariance[i * n + j] += weights[k] / total * off[i] * off[j];
+      for (std::size_t j = 0; j < n; ++j)
+        chosen.covariance[i * n + j] += weights[k] / total * off[i] * off[j];
   }
   for (std::size_t i = 0; i < n; ++i) {
     Estimate& estimate = chosen.estimates[i];
-    const double before = estimate.standard_error, after = std::sqrt(std::max(0.0, chosen.covariance[i * n + i]));
+    const double before = estimate.standard_error,
+                 after = std::sqrt(std::max(0.0, chosen.covariance[i * n + i]));
     if (!(before > 0) || !std::isfinite(after)) continue;
     const bool bounded = estimate.low == 0;
     estimate.low = estimate.value - (estimate.value - estimate.low) * after / before;
@@ -64,12 +67,13 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
     one.drive.force.between = *given.between;
     return choose(one);
   }
-  // Which reading leaves least, under a law that bends where it may; the law under that one; and the other readings
-  // under that law.
+  // Which reading leaves least, under a law that bends where it may; the law under that one; and the other
+  // readings under that law.
   const BetweenSamples readings[] = {BetweenSamples::band_limited, BetweenSamples::linear,
                                      BetweenSamples::hold};
   LawFitOptions bent = options;
-  bent.law = given.law.value_or(options.law.shares(springs) ? law_of("viscous+quadratic+cubic") : options.law);
+  bent.law =
+      given.law.value_or(options.law.shares(springs) ? law_of("viscous+quadratic+cubic") : options.law);
   std::vector<LawFit> by_reading;
   for (const BetweenSamples between : readings) {
     bent.drive.force.between = between;
@@ -118,14 +122,16 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   }
   for (LawFit& other : open)
     if (other.bic < choice.chosen.bic) std::swap(other, choice.chosen);
-  open.erase(std::remove_if(open.begin(), open.end(),
-                            [&](const LawFit& other) { return other.bic > choice.chosen.bic + strong_evidence; }),
-             open.end());
+  open.erase(
+      std::remove_if(open.begin(), open.end(),
+                     [&](const LawFit& other) { return other.bic > choice.chosen.bic + strong_evidence; }),
+      open.end());
   for (const LawFit& other : open) {
     const std::string differ = differences(choice.chosen, other);
     choice.chosen.warnings.push_back(fmt::format(
-        "what the force did between its samples is open: as {} the rms residual is {:.4g}, as {} it is {:.4g}: too "
-        "close to decide{}{}; the errors hold both. --between-samples says which, if it is known",
+        "what the force did between its samples is open: as {} the rms residual is {:.4g}, as {} it is "
+        "{:.4g}: too close to decide{}{}; the errors hold both. --between-samples says which, if it is "
+        "known",
         name(choice.chosen.drive.force.between), choice.chosen.residual.rms, name(other.drive.force.between),
         other.residual.rms, differ.empty() ? "" : "; the other would make the ", differ));
   }

@@ -51,7 +51,8 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
   if (!decay || !(decay->rate.low > 0)) return {};  // no damping is seen, whichever it be
   std::vector<const LawFit*> rivals;
   for (const LawFit& rival : candidates) {
-    if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong_evidence) continue;
+    if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong_evidence)
+      continue;
     const int terms = rival.fitted;
     if (terms != best.fitted && terms != best.fitted + 1) continue;
     // In a driven motion little tells of the swing itself, and most terms more would move its numbers.
@@ -71,9 +72,8 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
                                                                  : ", ",
                         to_text(rivals[i]->law), coefficients(*rivals[i]));
   return fmt::format(
-      "this record cannot tell {} from {}: the uncertainties hold only if the law is right. Known whichever "
-      "it "
-      "is: {}",
+      "this record cannot tell {} from {}: the uncertainties hold only if the law is right. Known "
+      "whichever it is: {}",
       to_text(best.law), list, to_text(*decay));
 }
 

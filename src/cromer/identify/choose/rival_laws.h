@@ -10,9 +10,9 @@
 namespace cromer {
 
 /// A sentence for the user, empty where no rival is left. A rival lies within 6 of the chosen candidate's BIC
-/// (see criterion.h), has as many terms or one more (of a driven motion one more only with a lower criterion), and puts a coefficient that both share, or the
-/// frequency, further off than three of the standard errors that the chosen one claims; or it has another
-/// damping in the place of its own.
+/// (see criterion.h), has as many terms or one more (of a driven motion one more only with a lower
+/// criterion), and puts a coefficient that both share, or the frequency, further off than three of the
+/// standard errors that the chosen one claims; or it has another damping in the place of its own.
 std::string rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen);
 
 }  // namespace cromer

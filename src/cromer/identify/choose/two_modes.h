@@ -10,9 +10,9 @@
 #include <optional>
 #include <vector>
 
-#include "cromer/identify/record.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/identify/record.h"
 
 namespace cromer {
 

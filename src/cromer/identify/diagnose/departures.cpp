@@ -1,6 +1,4 @@
 #include "cromer/identify/diagnose/departures.h"
-#include "cromer/base/median.h"
-#include "cromer/identify/diagnose/amplitude_windows.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "cromer/base/median.h"
+#include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
 namespace cromer {
@@ -94,9 +94,8 @@ std::string few_samples(const Record& record, double w) {
   const double rate = 1 / h, frequency = w / (2 * pi);
   if (rate / frequency >= 4) return {};
   return fmt::format(
-      "only {:.2g} samples in a period: sampled at {:.4g} Hz, a swing of {:.5g} or {:.5g} Hz would look the "
-      "same "
-      "as this one of {:.5g} Hz; sample faster if it may be one of them",
+      "only {:.2g} samples in a period: sampled at {:.4g} Hz, a swing of {:.5g} or {:.5g} Hz would look "
+      "the same as this one of {:.5g} Hz; sample faster if it may be one of them",
       rate / frequency, rate, rate - frequency, rate + frequency, frequency);
 }
 

@@ -24,8 +24,9 @@ std::string few_samples(const Record& record, double angular_frequency);
 /// An angle [rad] that goes through more than a full turn: the pendulum turns over. Else empty.
 std::string turning_over(const Record& record);
 
-/// The residuals stand out about this angular frequency [rad/s], the swing's own or the drive's or a multiple, so many
-/// times in power above the median on either side: what noise leaves has no line there, what a wrong law leaves has.
+/// The residuals stand out about this angular frequency [rad/s], the swing's own or the drive's or a
+/// multiple, so many times in power above the median on either side: what noise leaves has no line there,
+/// what a wrong law leaves has.
 bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals,
                    double angular_frequency, double times = 30);
 

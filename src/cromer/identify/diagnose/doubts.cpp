@@ -1,5 +1,4 @@
 #include "cromer/identify/diagnose/doubts.h"
-#include "cromer/identify/diagnose/amplitude_windows.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/diagnose/second_mode.h"
@@ -46,8 +46,7 @@ std::string rise(const Record& record, double period, double noise) {
   if (to.amplitude - from.amplitude < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
   return fmt::format(
       "the amplitude rises {} between {:.4g} and {:.4g} s, and a free swing's never does: something drives "
-      "or "
-      "pushes it, or two motions beat. The frequency may then be the drive's, and the stiffness not the "
+      "or pushes it, or two motions beat. The frequency may then be the drive's, and the stiffness not the "
       "spring's",
       to.amplitude < 2 * from.amplitude
           ? fmt::format("by {:.0f} %", 100 * (to.amplitude / from.amplitude - 1))
@@ -86,9 +85,8 @@ std::string coarseness(const Record& record, const LawFit& fit, std::string_view
   if (levels > 4) return {};
   return fmt::format(
       "the values take {:.0f} levels only, {:.3g}{}{} apart: the frequency follows from when they change, "
-      "but "
-      "amplitude and decay rate hardly show, and their uncertainties cannot be trusted; measure with a finer "
-      "resolution",
+      "but amplitude and decay rate hardly show, and their uncertainties cannot be trusted; measure with a "
+      "finer resolution",
       levels, record.resolution, unit.empty() ? "" : " ", unit);
 }
 
@@ -104,8 +102,7 @@ bool exceeds_noise(const Record& record, const Residual& left, double noise, dou
 std::string not_described(const LawFit& fit, double noise, bool only_law) {
   return fmt::format(
       "{} this recording: what is left is {:.0f} times the noise from sample to sample, and the "
-      "uncertainties "
-      "cannot be trusted",
+      "uncertainties cannot be trusted",
       only_law ? fmt::format("the law {} does not describe", to_text(fit.law)) : "no law tried describes",
       std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms)));
 }
@@ -156,8 +153,8 @@ bool something_is_left(const Record& record, const LawFit& fit) {
   if (residuals.size() < 64 || is_arithmetic(fit.residual.rms, record.y)) return false;
   if (fit.residual.rms <= record.resolution) return false;
   if (fit.drive.kind == DriveKind::recorded || !fit.find("angular_frequency")) return !fit.residual.white;
-  // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise, whose power
-  // is not the same on both sides, does so often, and would be taken for terms.
+  // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise,
+  // whose power is not the same on both sides, does so often, and would be taken for terms.
   const double times = fit.residual.autocorrelation < 0.5 ? 12 : 30;
   for (const double w : {fit.angular_frequency().value, fit.motion.drive_frequency})
     for (int multiple = 1; w > 0 && multiple <= 3; ++multiple)

@@ -24,8 +24,8 @@ std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
                                        std::span<const double> residuals, double drive, bool only_law = false,
                                        std::string_view unit = {});
 
-/// More terms may be worth trying: the residuals are above the rounding, and stand out about the swing's frequency
-/// or a harmonic drive's, or their first harmonics; under a recorded force, they are not white.
+/// More terms may be worth trying: the residuals are above the rounding, and stand out about the swing's
+/// frequency or a harmonic drive's, or their first harmonics; under a recorded force, they are not white.
 bool something_is_left(const Record& record, const LawFit& fit);
 
 /// What residuals that are correlated have done to the uncertainties; empty where they are white.

@@ -1,5 +1,4 @@
 #include "cromer/identify/diagnose/free_part.h"
-#include "cromer/base/median.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cromer/base/median.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/kink.h"
 

@@ -13,8 +13,8 @@ struct MeanDecay {
   Estimate rate;         // [1/s] of the amplitude there, averaged over a cycle
 };
 
-/// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record. None of a
-/// hysteretic law, whose loops depend on how the motion came where it is.
+/// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record. None of
+/// a hysteretic law, whose loops depend on how the motion came where it is.
 std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record);
 
 /// Two damping terms are traded for each other: their estimates' correlation is below -0.9.

@@ -72,8 +72,9 @@ LawFit refused(const Refusal& refusal, const LawFitOptions& options) {
 std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& options) {
   const bool driven = options.drive.kind != DriveKind::none;
   if (!options.law.shares(springs) && options.drive.kind != DriveKind::recorded)
-    return Refusal{FitStatus::no_oscillation,
-                   "a body without a spring does not swing: only under a recorded force can its law be found"};
+    return Refusal{
+        FitStatus::no_oscillation,
+        "a body without a spring does not swing: only under a recorded force can its law be found"};
   // Three more than there are parameters: what is left must show how well the law fits.
   const int parameters = fitted_parameters(options.law, options.drive.kind).count;
   const auto fewest = static_cast<std::size_t>(driven ? std::max(32, 3 * parameters) : parameters + 3);
@@ -90,15 +91,16 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const double duration = record.t.back() - record.t.front();
   const double g = fit.decay_rate().value, w0 = fit.angular_frequency().value;
   const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
-  const double amplitude = std::pow(w0, record.derivative) *
-                           std::hypot(fit.position().value, (fit.velocity().value + g * fit.position().value) / w);
+  const double amplitude =
+      std::pow(w0, record.derivative) *
+      std::hypot(fit.position().value, (fit.velocity().value + g * fit.position().value) / w);
   const double periods = w * duration / (2 * pi);
 
   // Signal power over the noise's at the line's own frequency, times samples: the amplitude is known to one
-  // over its root (60: to 13 %, 300: to 6 %, 500: to 4.5 %). White noise reaches 60 at a given frequency with a
-  // probability of e^-30; the higher bounds are margins for noise that is not white. What a wrong law leaves lies
-  // at that frequency too, and must not count against a long oscillation; wandering noise, in turn, looks like a
-  // period or three.
+  // over its root (60: to 13 %, 300: to 6 %, 500: to 4.5 %). White noise reaches 60 at a given frequency with
+  // a probability of e^-30; the higher bounds are margins for noise that is not white. What a wrong law
+  // leaves lies at that frequency too, and must not count against a long oscillation; wandering noise, in
+  // turn, looks like a period or three.
   const double against_noise = fit.explained / std::max(1e-300, 1 - fit.explained) * fit.independent_samples;
   const double visible_periods = w * std::min(duration, 2 / std::max(g, 1e-300)) / (2 * pi);
   const bool stands_out = visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
@@ -142,32 +144,35 @@ std::string explains_too_little(const LawFit& fit) {
   const double share = 100 * std::max(0.0, fit.explained);
   return fit.drive.kind == DriveKind::recorded
              ? fmt::format("the force accounts for {:.1f} % of the motion's variance only", share)
-             : fmt::format("a decaying and a steady oscillation account for {:.1f} % of the variance only", share);
+             : fmt::format("a decaying and a steady oscillation account for {:.1f} % of the variance only",
+                           share);
 }
 
 std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
-  const Estimate *w = fit.find("angular_frequency"), *drive = fit.find("drive_frequency"), *g = fit.find("decay_rate");
+  const Estimate *w = fit.find("angular_frequency"), *drive = fit.find("drive_frequency"),
+                 *g = fit.find("decay_rate");
   if (!w || !drive || !g || g->low > 0) return std::nullopt;
   const double multiple = std::round(w->value / drive->value);
   const double error = 4 * std::hypot(w->standard_error, multiple * drive->standard_error) + 1e-4 * w->value;
   if (multiple < 2 || std::abs(w->value - multiple * drive->value) > error) return std::nullopt;
-  return Refusal{FitStatus::no_oscillation,
-                 fmt::format("a steady oscillation at {:.6g} Hz and its harmonic of order {:.0f}, which does not decay: "
-                             "rounding or a sensor that is not linear makes such a line, and the body's own swing "
-                             "is not seen",
-                             drive->value / (2 * pi), multiple)};
+  return Refusal{
+      FitStatus::no_oscillation,
+      fmt::format("a steady oscillation at {:.6g} Hz and its harmonic of order {:.0f}, which does not decay: "
+                  "rounding or a sensor that is not linear makes such a line, and the body's own swing "
+                  "is not seen",
+                  drive->value / (2 * pi), multiple)};
 }
 
 std::optional<Refusal> refuse_frequency(const LawFit& fit) {
   if (!fit.find("angular_frequency")) return std::nullopt;
   const Estimate w = fit.angular_frequency();
   if (w.standard_error <= 0.05 * w.value) return std::nullopt;
-  return Refusal{FitStatus::too_noisy,
-                 w.standard_error < w.value
-                     ? fmt::format("too noisy: the frequency is known to {:.0f} % only",
-                                   100 * w.standard_error / w.value)
-                     : fmt::format("the law {} fits so badly that the frequency is unknown",
-                                   to_text(fit.law))};
+  return Refusal{
+      FitStatus::too_noisy,
+      w.standard_error < w.value
+          ? fmt::format("too noisy: the frequency is known to {:.0f} % only",
+                        100 * w.standard_error / w.value)
+          : fmt::format("the law {} fits so badly that the frequency is unknown", to_text(fit.law))};
 }
 
 }  // namespace cromer

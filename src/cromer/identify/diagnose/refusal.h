@@ -25,8 +25,8 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit);
 /// A driven law that accounts for too little of the motion, in words.
 std::string explains_too_little(const LawFit& fit);
 
-/// A harmonic drive whose body would swing at a multiple of its frequency, undamped: that is a harmonic of the steady
-/// motion, as rounding makes it, and no body.
+/// A harmonic drive whose body would swing at a multiple of its frequency, undamped: that is a harmonic of
+/// the steady motion, as rounding makes it, and no body.
 std::optional<Refusal> refuse_harmonic(const LawFit& fit);
 
 /// A frequency that is known to no more than a twentieth, by whatever law.

@@ -9,10 +9,10 @@
 #include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/median.h"
-#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
+#include "cromer/identify/motion/damped_phasor.h"
 
 namespace cromer {
 namespace {

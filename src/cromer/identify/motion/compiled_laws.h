@@ -1,5 +1,5 @@
-// The laws of fitted motions that have code of their own: a measured choice. Every other law shares that of the
-// smallest one here which has all of its terms, at the price of derivatives that nobody asks for.
+// The laws of fitted motions that have code of their own: a measured choice. Every other law shares that of
+// the smallest one here which has all of its terms, at the price of derivatives that nobody asks for.
 #pragma once
 
 #include "cromer/model/terms.h"

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "cromer/identify/least_squares/normal_equations.h"
-#include "cromer/identify/record.h"
 #include "cromer/identify/least_squares/sampling.h"
+#include "cromer/identify/record.h"
 
 namespace cromer {
 

@@ -44,7 +44,8 @@ class Seen {
     if (path_.sticks() || share_ == 1) return path_.last().to;
     if (share_ == 0) return path_.last().from;
     if constexpr (requires { path_.last().acceleration_from; })
-      return {displacement_within(path_.last(), length_, share_), velocity_within(path_.last(), length_, share_)};
+      return {displacement_within(path_.last(), length_, share_),
+              velocity_within(path_.last(), length_, share_)};
     else
       return path_.last().to;
   }
@@ -56,11 +57,11 @@ class Seen {
 /// A motion that needs more steps than this is not followed to its end: no record is worth them.
 inline constexpr long long most_steps = 100'000'000;
 
-/// Calls visit(i, seen) at every time, strictly increasing, in steps of at most h. Stops where the motion is no
-/// longer finite.
+/// Calls visit(i, seen) at every time, strictly increasing, in steps of at most h. Stops where the motion is
+/// no longer finite.
 template <class Code, class Visit>
-void follow_freely(const Motion& motion, const typename Code::Drive& drive, std::span<const double> t, double h,
-                   Visit visit) {
+void follow_freely(const Motion& motion, const typename Code::Drive& drive, std::span<const double> t,
+                   double h, Visit visit) {
   using OnPath = Path<Code, DormandPrince>;
   OnPath path(motion, drive);
   const double origin = t.front();
@@ -77,8 +78,8 @@ void follow_freely(const Motion& motion, const typename Code::Drive& drive, std:
   }
 }
 
-/// The same under a recorded force, whose samples the times lie at: each of its intervals is cut into equal steps
-/// of at most h.
+/// The same under a recorded force, whose samples the times lie at: each of its intervals is cut into equal
+/// steps of at most h.
 template <class Code, class Visit>
 void follow_force(const Motion& motion, const ForceRecord& force, std::span<const double> t, double h,
                   Visit visit) {
@@ -117,7 +118,8 @@ void with_law_among(const Law& law, F&& f) {
   const std::optional<Law> best = smallest_containing(laws, law);
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     (void)((best == laws[i] && (f.template operator()<laws[i]>(), true)) || ...);
-  }(std::make_index_sequence<std::size(laws)>{});
+  }
+  (std::make_index_sequence<std::size(laws)>{});
 }
 
 /// Calls visit(i, seen) with numbers, and in columns their derivatives.
@@ -166,10 +168,10 @@ ColumnOf column_of(const FittedParameter& parameter, double value) {
 template <const auto& laws, class DriveColumns>
 struct MotionUnit {
   template <class Visit>
-  static void values(const Motion& motion, const Drive& drive, std::span<const double> t, double h, Visit visit) {
-    with_law_among<laws>(motion.law, [&]<Law law>() {
-      follow<law, DriveColumns, false>(motion, drive, t, h, visit);
-    });
+  static void values(const Motion& motion, const Drive& drive, std::span<const double> t, double h,
+                     Visit visit) {
+    with_law_among<laws>(motion.law,
+                         [&]<Law law>() { follow<law, DriveColumns, false>(motion, drive, t, h, visit); });
   }
 
   static Trajectory states(const Motion& motion, const Drive& drive, std::span<const double> t, double h) {
@@ -224,8 +226,9 @@ struct MotionUnit {
       for (int i = 0; i < fitted.count; ++i) {
         equations.right[i] = at[i].factor * right[at[i].column];
         for (int j = 0; j < fitted.count; ++j)
-          equations.matrix[i][j] = at[i].factor * at[j].factor *
-                                   gram[std::max(at[i].column, at[j].column)][std::min(at[i].column, at[j].column)];
+          equations.matrix[i][j] =
+              at[i].factor * at[j].factor *
+              gram[std::max(at[i].column, at[j].column)][std::min(at[i].column, at[j].column)];
       }
     });
     return equations;
@@ -236,11 +239,12 @@ struct MotionUnit {
     const int equilibrium = fitted.place_of("equilibrium");
     std::vector<double> rows;
     rows.reserve(record.t.size() * static_cast<std::size_t>(fitted.count));
-    gradients(fitted, parameters, drive, record.t, h, [&](std::size_t, const auto& seen, const auto& gradient) {
-      Parameters row = gradient(seen.observed(record.derivative));
-      if (equilibrium >= 0) row[equilibrium] = 1;
-      rows.insert(rows.end(), row.begin(), row.begin() + fitted.count);
-    });
+    gradients(fitted, parameters, drive, record.t, h,
+              [&](std::size_t, const auto& seen, const auto& gradient) {
+                Parameters row = gradient(seen.observed(record.derivative));
+                if (equilibrium >= 0) row[equilibrium] = 1;
+                rows.insert(rows.end(), row.begin(), row.begin() + fitted.count);
+              });
     if (rows.size() != record.t.size() * static_cast<std::size_t>(fitted.count)) rows.clear();
     return rows;
   }
@@ -257,7 +261,8 @@ struct MotionUnit {
       const auto gradient = [&](const typename Code::Number& number) {
         Parameters row{};
         for (int i = 0; i < fitted.count; ++i)
-          row[i] = at[i].column < 0 ? 0 : at[i].factor * number.derivative[static_cast<std::size_t>(at[i].column)];
+          row[i] =
+              at[i].column < 0 ? 0 : at[i].factor * number.derivative[static_cast<std::size_t>(at[i].column)];
         return row;
       };
       follow<law, DriveColumns, true>(motion, drive, t, h,

@@ -11,18 +11,19 @@ const MotionFunctions free_motions{Unit::states, Unit::observed, Unit::equations
 Rest rest_of(const FittedParameters& fitted, const Parameters& parameters, const Record& record, double h) {
   Rest rest;
   int direction = 0;
-  Unit::gradients(fitted, parameters, {}, record.t, h, [&](std::size_t i, const auto& seen, const auto& gradient) {
-    const int now = seen.direction();
-    if (now != 0) {
-      rest.half_swings += now != direction;
-      rest.first = i + 1;
-    } else if (rest.first == i) {
-      const auto x = seen.x();
-      rest.position = x.value;
-      rest.derivative = gradient(x);
-    }
-    direction = now;
-  });
+  Unit::gradients(fitted, parameters, {}, record.t, h,
+                  [&](std::size_t i, const auto& seen, const auto& gradient) {
+                    const int now = seen.direction();
+                    if (now != 0) {
+                      rest.half_swings += now != direction;
+                      rest.first = i + 1;
+                    } else if (rest.first == i) {
+                      const auto x = seen.x();
+                      rest.position = x.value;
+                      rest.derivative = gradient(x);
+                    }
+                    direction = now;
+                  });
   return rest;
 }
 

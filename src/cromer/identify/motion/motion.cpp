@@ -12,6 +12,16 @@ std::string readable(std::string_view name) {
   return words;
 }
 
+Motion Motion::under(const Law& other) const {
+  Motion motion = *this;
+  motion.law = other;
+  for_each_term([&]<class T>() {
+    if (other.has<T>()) return;
+    for (const auto member : T::template members<double>) motion.per_mass.*member = 0;
+  });
+  return motion;
+}
+
 Parameters FittedParameters::lower_bounds() const {
   Parameters lower = LeastSquaresOptions::no_bounds();
   for (int i = 0; i < count; ++i)
@@ -19,7 +29,8 @@ Parameters FittedParameters::lower_bounds() const {
   return lower;
 }
 
-FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParameters held, const Motion& values) {
+FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParameters held,
+                                   const Motion& values) {
   FittedParameters fitted;
   fitted.held = values;
   fitted.held.law = law;

@@ -4,8 +4,8 @@
 //
 // The drive is none, harmonic with C cos(w s) + S sin(w s), s from the first sample, or recorded:
 // force_gain (u(t) + force_offset). A record of velocities or accelerations is compared with x' or x'' + the
-// equilibrium, which then is the sensor's offset; all else stays what it is of the displacement x, whose unit is
-// that of the record times s or s^2.
+// equilibrium, which then is the sensor's offset; all else stays what it is of the displacement x, whose unit
+// is that of the record times s or s^2.
 #pragma once
 
 #include <cmath>
@@ -46,6 +46,9 @@ struct Motion {
     (law.has<Pendulum>() ? per_mass.pendulum : per_mass.stiffness) = w * w;
   }
   void set_decay_rate(double g) { per_mass.damping = 2 * g; }
+
+  /// The same numbers under another law: coefficients of terms that it lacks are 0.
+  Motion under(const Law& other) const;
 };
 
 /// A parameter's name in sentences for people: "decay rate" of "decay_rate".
@@ -111,10 +114,10 @@ struct HeldParameters {
   bool force_offset = false;
 };
 
-/// What a fit of `law` under a drive adjusts, in the order of the law's terms, the drive's numbers, then offset or
-/// equilibrium, position, velocity; the angular frequency first. Parameters marked in `held` keep their value from
-/// `values`; the motion's law becomes `law`.
-FittedParameters fitted_parameters(const Law& law, DriveKind drive = DriveKind::none, HeldParameters held = {},
-                                   const Motion& values = {});
+/// What a fit of `law` under a drive adjusts, in the order of the law's terms, the drive's numbers, then
+/// offset or equilibrium, position, velocity; the angular frequency first. Parameters marked in `held` keep
+/// their value from `values`; the motion's law becomes `law`.
+FittedParameters fitted_parameters(const Law& law, DriveKind drive = DriveKind::none,
+                                   HeldParameters held = {}, const Motion& values = {});
 
 }  // namespace cromer

@@ -33,19 +33,20 @@ std::vector<double> observed_motion(const Motion& motion, const Drive& drive, st
   return t.empty() ? std::vector<double>{} : functions_of(drive).observed(motion, drive, t, derivative, h);
 }
 
-std::vector<double> motion_residuals(const Motion& motion, const Drive& drive, const Record& record, double h) {
+std::vector<double> motion_residuals(const Motion& motion, const Drive& drive, const Record& record,
+                                     double h) {
   std::vector<double> r = observed_motion(motion, drive, record.t, record.derivative, h);
   for (std::size_t i = 0; i < r.size(); ++i) r[i] = record.y[i] - r[i];
   return r;
 }
 
-NormalEquations motion_equations(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                                 const Record& record, double h) {
+NormalEquations motion_equations(const FittedParameters& fitted, const Parameters& parameters,
+                                 const Drive& drive, const Record& record, double h) {
   return functions_of(drive).equations(fitted, parameters, drive, record, h);
 }
 
-std::vector<double> jacobian_of(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                                const Record& record, double h) {
+std::vector<double> jacobian_of(const FittedParameters& fitted, const Parameters& parameters,
+                                const Drive& drive, const Record& record, double h) {
   return functions_of(drive).jacobian(fitted, parameters, drive, record, h);
 }
 

@@ -12,8 +12,8 @@
 
 namespace cromer {
 
-/// What acts on the motion beside its law: nothing, a harmonic force whose frequency is one of the motion's own
-/// numbers, or a recorded force.
+/// What acts on the motion beside its law: nothing, a harmonic force whose frequency is one of the motion's
+/// own numbers, or a recorded force.
 struct Drive {
   DriveKind kind = DriveKind::none;
   ForceRecord force{};  ///< where it is recorded; its samples outlive what uses it
@@ -28,8 +28,8 @@ struct Drive {
 double motion_step(double angular_frequency, double duration, double error);
 
 /// Displacement and velocity at the times t [s], strictly increasing, of the motion that has its position and
-/// velocity at t[0]. Steps of at most h. Shorter than t where the motion runs away. Times of a recorded force's
-/// own only, beginning to end within it.
+/// velocity at t[0]. Steps of at most h. Shorter than t where the motion runs away. Times of a recorded
+/// force's own only, beginning to end within it.
 Trajectory motion_states(const Motion& motion, const Drive& drive, std::span<const double> t, double h);
 
 /// What a record would show of it: that derivative of the displacement, and the equilibrium.
@@ -37,17 +37,18 @@ std::vector<double> observed_motion(const Motion& motion, const Drive& drive, st
                                     int derivative, double h);
 
 /// data - model; fewer than the data where the motion runs away.
-std::vector<double> motion_residuals(const Motion& motion, const Drive& drive, const Record& record, double h);
+std::vector<double> motion_residuals(const Motion& motion, const Drive& drive, const Record& record,
+                                     double h);
 
 /// The normal equations at parameters packed as `fitted` says, at steps of at most h; their sum of squares is
 /// infinite where the motion does not stay finite.
-NormalEquations motion_equations(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                                 const Record& record, double h);
+NormalEquations motion_equations(const FittedParameters& fitted, const Parameters& parameters,
+                                 const Drive& drive, const Record& record, double h);
 
-/// The Jacobian of what is observed, sample by sample: fitted.count numbers for each. Empty where the motion does
-/// not stay finite.
-std::vector<double> jacobian_of(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
-                                const Record& record, double h);
+/// The Jacobian of what is observed, sample by sample: fitted.count numbers for each. Empty where the motion
+/// does not stay finite.
+std::vector<double> jacobian_of(const FittedParameters& fitted, const Parameters& parameters,
+                                const Drive& drive, const Record& record, double h);
 
 /// The rest that dry friction brings a free motion to.
 struct Rest {
@@ -64,6 +65,7 @@ struct VelocityGradient {
   double velocity = 0;
   Parameters derivative{};
 };
-VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion& motion, double duration, double h);
+VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion& motion, double duration,
+                                   double h);
 
 }  // namespace cromer

@@ -1,10 +1,10 @@
-// A motion followed through the times of a record, its derivatives riding along; with dry friction in phases of
-// slip and stick.
+// A motion followed through the times of a record, its derivatives riding along; with dry friction in phases
+// of slip and stick.
 //
-// Free and harmonically driven motions go in steps of dormand-prince as long as the accuracy asks for, whatever
-// the sampling: between their ends stands the polynomial of fifth degree through displacement, velocity and
-// acceleration at both, within (w h)^6/46000 of the amplitude. Under a recorded force, which has corners at its
-// samples, they go from sample to sample by rk4.
+// Free and harmonically driven motions go in steps of dormand-prince as long as the accuracy asks for,
+// whatever the sampling: between their ends stands the polynomial of fifth degree through displacement,
+// velocity and acceleration at both, within (w h)^6/46000 of the amplitude. Under a recorded force, which has
+// corners at its samples, they go from sample to sample by rk4.
 //
 // A phase of slip ends where the velocity vanishes, at a moment that depends on the parameters. The step is
 // cut there, at a fixed time, and the state goes over to the next phase: the displacement keeps its

@@ -12,8 +12,8 @@
 
 namespace cromer {
 
-/// gain (u + offset): columns of the gain and the offset. Works through the record block by block: memory does
-/// not grow with it.
+/// gain (u + offset): columns of the gain and the offset. Works through the record block by block: memory
+/// does not grow with it.
 class RecordedColumns {
  public:
   static constexpr int count = 2;
@@ -58,8 +58,7 @@ class RecordedColumns {
 
   // At a node its value; in between, where a motion turns, the parabola through the nearest three.
   double value(double s) const {
-    const double place =
-        (s - begin_ - static_cast<double>(at_) * force_.spacing) * (nodes_ / force_.spacing);
+    const double place = (s - begin_ - static_cast<double>(at_) * force_.spacing) * (nodes_ / force_.spacing);
     const int near = std::clamp(static_cast<int>(std::lround(place)), 0, nodes_);
     const double off = place - near;
     if (std::abs(off) < 1e-6) return node_[near];

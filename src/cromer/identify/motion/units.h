@@ -9,8 +9,10 @@ namespace cromer {
 struct MotionFunctions {
   Trajectory (*states)(const Motion&, const Drive&, std::span<const double>, double);
   std::vector<double> (*observed)(const Motion&, const Drive&, std::span<const double>, int, double);
-  NormalEquations (*equations)(const FittedParameters&, const Parameters&, const Drive&, const Record&, double);
-  std::vector<double> (*jacobian)(const FittedParameters&, const Parameters&, const Drive&, const Record&, double);
+  NormalEquations (*equations)(const FittedParameters&, const Parameters&, const Drive&, const Record&,
+                               double);
+  std::vector<double> (*jacobian)(const FittedParameters&, const Parameters&, const Drive&, const Record&,
+                                  double);
 };
 
 extern const MotionFunctions free_motions, harmonic_motions, recorded_motions;

@@ -117,8 +117,8 @@ std::vector<TermAlong> terms_along(const EnvelopeTrack& track, const Law& law, d
   return terms;
 }
 
-// Least squares of the track's amplitudes: the best of all subsets of the terms in which none is negative that
-// cannot be.
+// Least squares of the track's amplitudes: the best of all subsets of the terms in which none is negative
+// that cannot be.
 struct Decay {
   double amplitude = 0;  // at the first window
   std::vector<double> coefficients;
@@ -234,7 +234,8 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
   motion.law = law;
   motion.equilibrium = track.equilibrium;
   for (std::size_t i = 0; i < terms.size(); ++i)
-    if (decay.coefficients.size() == terms.size()) motion.per_mass.*terms[i].coefficient = decay.coefficients[i];
+    if (decay.coefficients.size() == terms.size())
+      motion.per_mass.*terms[i].coefficient = decay.coefficients[i];
   for (std::size_t i = 0; i < shifting.size(); ++i)
     motion.per_mass.*terms[shifting[i]].coefficient = fit.x[2 + i];
   motion.set_angular_frequency(std::hypot(w, motion.decay_rate()));

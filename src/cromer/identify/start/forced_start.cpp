@@ -139,8 +139,8 @@ double first_slope(const std::vector<double>& z, double h, double w) {
   return top / (bottom * h);
 }
 
-// The record's values and the force at the force's own times from the first sample to the last; what is missing
-// by straight lines.
+// The record's values and the force at the force's own times from the first sample to the last; what is
+// missing by straight lines.
 struct OnGrid {
   std::vector<double> z, u;
   double level = 0;  // of y where z is 0

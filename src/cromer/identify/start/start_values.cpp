@@ -8,8 +8,8 @@
 
 #include "cromer/analysis/spectrum.h"
 #include "cromer/identify/fit_settings.h"
-#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/least_squares/sampling.h"
+#include "cromer/identify/motion/damped_phasor.h"
 
 namespace cromer {
 namespace {

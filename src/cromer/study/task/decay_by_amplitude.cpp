@@ -6,8 +6,8 @@
 #include <numbers>
 #include <optional>
 
-#include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
+#include "cromer/identify/motion/damped_phasor.h"
 
 namespace cromer {
 namespace {
@@ -105,15 +105,15 @@ double first_amplitude(const LawFit& fit) {
   return swing_of(fit).amplitude(fit.position().value, fit.velocity().value);
 }
 
-std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
-                                              const Watch& watch) {
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit, const Watch& watch) {
   std::vector<AmplitudeRate> result;
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double amplitude = first_amplitude(fit);
   if (record.t.size() < 24 || !(amplitude > 0) || !std::isfinite(amplitude)) return result;
   // The frequency at the first amplitude, not below half of that of small swings; from then on each stretch
   // starts from the one before.
-  const double lowest = 0.5 * fit.angular_frequency().value, there = swing_of(fit).angular_frequency(amplitude);
+  const double lowest = 0.5 * fit.angular_frequency().value,
+               there = swing_of(fit).angular_frequency(amplitude);
   double w = there > lowest ? there : lowest;
   double at = amplitude;
   StretchLength stretch(record, w);

@@ -23,14 +23,14 @@ AmplitudeDecay amplitude_decay(const LawFit& fit);
 /// What its springs do to a swing.
 Swing<double> swing_of(const LawFit& fit);
 
-/// The largest swing that the law has from the first sample on: [unit of the displacement]; NaN of a hysteretic
-/// law, whose force the state does not tell.
+/// The largest swing that the law has from the first sample on: [unit of the displacement]; NaN of a
+/// hysteretic law, whose force the state does not tell.
 double first_amplitude(const LawFit& fit);
 
 /// Stretches of at least two periods and twelve samples, as long as a rate takes to be known to a twentieth
 /// and no longer than a sixth of the record; at most 60 of them. A stretch whose rate is less certain than
-/// its size is left out; none where first_amplitude is NaN. `fit` has values. Errors are widened for the correlation of the stretch's own
-/// residuals.
+/// its size is left out; none where first_amplitude is NaN. `fit` has values. Errors are widened for the
+/// correlation of the stretch's own residuals.
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch = {});
 

@@ -23,7 +23,8 @@ struct LawAtAmplitude {
 
 LawAtAmplitude law_at_amplitude(const LawFit& fit) {
   const auto variable = [&](std::string_view name) {
-    const auto i = static_cast<std::size_t>(std::find(fit.names.begin(), fit.names.end(), name) - fit.names.begin());
+    const auto i =
+        static_cast<std::size_t>(std::find(fit.names.begin(), fit.names.end(), name) - fit.names.begin());
     return i < fit.names.size() ? Real::variable(fit.estimates[i].value, i) : Real(0.0);
   };
   LawAtAmplitude law;

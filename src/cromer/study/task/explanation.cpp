@@ -40,7 +40,8 @@ std::string method_adds(const ComparedCurve& curve, std::string_view unit) {
   if (change > 1e-3)
     adds += fmt::format("{}makes the amplitude {}\u00a0% {}", adds.empty() ? "" : " and ",
                         rounded(100 * change, 2), curve.method_amplitude_ratio > 1 ? "larger" : "smaller");
-  return out + (adds.empty() ? "; the rest is the method's." : fmt::format(": the method {} by the end.", adds));
+  return out +
+         (adds.empty() ? "; the rest is the method's." : fmt::format(": the method {} by the end.", adds));
 }
 
 /// A simulation that left the motion is no word on the law.

@@ -60,7 +60,8 @@ Result<void> check_options(const FitOptions& options) {
     return must("hysteresis-exponent", options.hysteresis_exponent, "1 or more");
   if (options.no_spring && options.force_column.empty())
     return Error{
-        "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded force tells "
+        "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded force "
+        "tells "
         "its law"};
   if (options.segments && *options.segments <= 0) return must("segments", *options.segments, "positive");
   if (const Result<void> good = check_forced_options(options); !good) return good;
@@ -106,7 +107,8 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
   // At the top the speed does not depend on when it is taken: its derivatives are those of the velocity
   // there.
   double variance = 0;
-  const VelocityGradient gradient = velocity_gradient(fitted_parameters(fit.law, DriveKind::none, {}, fit.motion), fit.motion, top->at - t0, fit.step);
+  const VelocityGradient gradient = velocity_gradient(
+      fitted_parameters(fit.law, DriveKind::none, {}, fit.motion), fit.motion, top->at - t0, fit.step);
   const std::size_t n = fit.names.size();
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
@@ -140,13 +142,6 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
   choice.chosen = fit_law(record, decay, watch);
   choice.candidates = {choice.chosen};
   return choice;
-}
-
-// An interrupted fit may have none.
-bool has_values(const LawFit& fit) {
-  return fit.has_values() && fit.status != FitStatus::no_oscillation && fit.status != FitStatus::too_short &&
-         fit.status != FitStatus::too_noisy && fit.status != FitStatus::clipped &&
-         fit.status != FitStatus::overdamped;
 }
 
 }  // namespace
@@ -245,9 +240,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   list_outliers(result.series, samples, result.fit.outliers, result.warnings);
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const LawFit& candidate : choice->candidates)
-    if (has_values(candidate))
+    if (candidate.is_usable())
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic});
-  if (!has_values(result.fit)) return result;
+  if (!result.fit.is_usable()) return result;
 
   const Body body = body_of(options);
   result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity), record.derivative);

@@ -10,8 +10,8 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/base/result.h"
-#include "cromer/identify/law_fit.h"
 #include "cromer/identify/choose/two_modes.h"
+#include "cromer/identify/law_fit.h"
 #include "cromer/record/dialects/recording.h"
 #include "cromer/study/task/decay_by_amplitude.h"
 #include "cromer/study/task/decay_segments.h"
@@ -27,8 +27,8 @@ struct FitOptions {
   std::optional<int> run{};            ///< from 1; all runs when not given
   std::optional<double> from{}, to{};  // [s]
   std::string law = "auto";
-  bool no_spring = false;              ///< a body without one, under a recorded force
-  double hysteresis_exponent = 1;      ///< >= 1
+  bool no_spring = false;                   ///< a body without one, under a recorded force
+  double hysteresis_exponent = 1;           ///< >= 1
   std::optional<Quantity> mass{};           // [kg] > 0
   std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
   std::optional<Quantity> disc_diameter{};  // [m] > 0
@@ -102,8 +102,8 @@ struct FittedRecording {
   std::optional<RecordingPlan> plan;
   std::optional<TextbookDamping> textbook;
   std::optional<DrivenMotion> driven{};  ///< of a motion under a force, recorded or harmonic
-  std::vector<Mode> modes{};          ///< where two oscillations were found, the larger first
-  std::string between_samples{};      ///< how the recorded force is read; "" without one
+  std::vector<Mode> modes{};             ///< where two oscillations were found, the larger first
+  std::string between_samples{};         ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
   std::vector<std::string> warnings;
   bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here

@@ -37,9 +37,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic,
                                    has_force_column ? std::string(name(candidate.drive.force.between)) : ""});
   const LawFit& fit = result.fit;
-  const bool known = fit.has_values() && (fit.status == FitStatus::converged || fit.status == FitStatus::undetermined ||
-                                          fit.status == FitStatus::iteration_limit);
-  if (!known) return;
+  if (!fit.is_usable()) return;
   const FitOptions& options = result.options;
   const Body body = body_of(options);
   const std::string_view unit = si_unit_of(result.series.quantity);
@@ -65,8 +63,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
   if (fit.explained < 0.9 && fit.residual.autocorrelation > 0.5)
     result.warnings.push_back(
         fmt::format("the law accounts for {:.0f} % of the motion's variance, and what is left is no noise: "
-                    "something else "
-                    "drives it as well, or drives it instead",
+                    "something else drives it as well, or drives it instead",
                     100 * fit.explained));
   if (const std::string wide = widening(fit, result.series.t.size()); !wide.empty())
     result.warnings.push_back(wide);
@@ -130,12 +127,14 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   cut.from = t.front();
   if (fitted < t.size()) cut.to = t[fitted - 1];
   result.series = *samples_in_use(result.series, cut);
-  LawFitOptions settings{.drive = Drive::recorded(recorded), .hysteresis_exponent = options.hysteresis_exponent};
+  LawFitOptions settings{.drive = Drive::recorded(recorded),
+                         .hysteresis_exponent = options.hysteresis_exponent};
   if (options.no_spring) settings.law = settings.law.without(law_with<Spring>);
   LawChoice choice = choose_law(whole.first(fitted), settings, watch, {*law, reading_of(options)});
   std::vector<double> of_series;
   for (const double at : result.series.t)
-    of_series.push_back(grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
+    of_series.push_back(
+        grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
   describe(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity), true);
   result.between_samples = name(result.fit.drive.force.between);
   say_unused(result);
@@ -178,8 +177,9 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   constexpr double two_pi = 2 * std::numbers::pi;
   const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
   if (*drive && **drive > two_pi * highest)
-    return Error{fmt::format("--drive-frequency: {:.6g} Hz is not seen in {:.4g} samples a second: up to {:.4g} Hz is",
-                             **drive / two_pi, 2 * highest, highest)};
+    return Error{
+        fmt::format("--drive-frequency: {:.6g} Hz is not seen in {:.4g} samples a second: up to {:.4g} Hz is",
+                    **drive / two_pi, 2 * highest, highest)};
   // The law's motion begins at the first sample that the fit sees.
   if (series.t.front() < t.front()) {
     FitOptions later;
@@ -196,9 +196,11 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   const Body body = body_of(options);
   result.simulate = simulate_line(fit, series, body.mass ? body.effective_mass().value : 1);
   const double found = fit.motion.drive_frequency;
-  if (fit.status == FitStatus::converged && *drive && std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
-    result.warnings.push_back(fmt::format("the steady oscillation has {:.6g} Hz, not the {:.6g} Hz of --drive-frequency",
-                                          found / two_pi, **drive / two_pi));
+  if (fit.status == FitStatus::converged && *drive &&
+      std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
+    result.warnings.push_back(
+        fmt::format("the steady oscillation has {:.6g} Hz, not the {:.6g} Hz of --drive-frequency",
+                    found / two_pi, **drive / two_pi));
   return result;
 }
 

@@ -21,7 +21,8 @@ std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, 
   if (info.fitted == FittedAs::square_root) return "rad/s";
   if (info.fitted == FittedAs::with_any_mass && n != 1)
     return fmt::format("s^{:.4g}/{}^{:.4g}", 2 * (n - 1), length.empty() ? "1" : length, n);
-  if (info.fitted == FittedAs::with_any_mass) return unit_of_powers({{length, info.length}, {"s", info.time}});
+  if (info.fitted == FittedAs::with_any_mass)
+    return unit_of_powers({{length, info.length}, {"s", info.time}});
   return unit_of_powers({{length, 1 + info.length}, {"s", info.time - 2}});
 }
 
@@ -71,7 +72,7 @@ std::vector<NamedEstimate> law_parameters(const LawFit& fit, std::string_view ob
     std::string unit = unit_of_parameter(fit.names[i], observed, length, force_unit);
     for_each_term([&]<class T>() {
       for (const CoefficientInfo& info : T::coefficients)
-        if (fit.law.has<T>() && info.parameter == fit.names[i]) 
+        if (fit.law.has<T>() && info.parameter == fit.names[i])
           unit = unit_per_mass(info, length, fit.motion.per_mass.hysteresis_exponent);
     });
     result.push_back({fit.names[i], fit.estimates[i], std::move(unit)});

@@ -44,7 +44,9 @@ constexpr double most_periods = 20'000;
 class Prospect {
  public:
   Prospect(const LawFit& fit, const Record& record)
-      : fit_(fit), fitted_(fitted_parameters(fit.law, DriveKind::none, {}, fit.motion)), derivative_(record.derivative) {
+      : fit_(fit),
+        fitted_(fitted_parameters(fit.law, DriveKind::none, {}, fit.motion)),
+        derivative_(record.derivative) {
     const double duration = record.t.back() - record.t.front();
     rate_ = static_cast<double>(record.t.size() - 1) / duration;
     const SquareMatrix now = white(duration);
@@ -170,7 +172,8 @@ std::string why_not_there(std::string_view quantity, const Law& law) {
 Result<Goal> parse_goal(std::string_view text) {
   const auto blank = text.find(' ');
   Goal goal{std::string(text.substr(0, blank)), false, ""};
-  if (std::find(known_quantities().begin(), known_quantities().end(), goal.quantity) == known_quantities().end()) {
+  if (std::find(known_quantities().begin(), known_quantities().end(), goal.quantity) ==
+      known_quantities().end()) {
     return Error{fmt::format(
         "--goal: \"{}\" is no quantity of a fit; {} Give a name and its standard uncertainty, for instance "
         "\"decay_rate 0.5 %\"",

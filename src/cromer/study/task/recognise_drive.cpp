@@ -32,8 +32,7 @@ double share_of_steady(const FittedRecording& driven) {
                         driven.fit["drive_amplitude"].value /
                         std::hypot(w0 * w0 - w * w, 2 * law.decay_rate() * w);
   double square = 0;
-  for (const double y : driven.series.y)
-    square += (y - law.equilibrium) * (y - law.equilibrium);
+  for (const double y : driven.series.y) square += (y - law.equilibrium) * (y - law.equilibrium);
   return steady / std::sqrt(2 * square / static_cast<double>(driven.series.y.size()));
 }
 
@@ -167,9 +166,9 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (!settled && free->fit.status != FitStatus::converged) return driven;
   const MotionJudgement judgement = judged(*free, driven, !searched);
   if (judgement.kind == MotionKind::driven_or_two_modes) {
-    leave_undetermined(driven, *judgement.modes,
-                       searched ? either_reading(*judgement.modes)
-                                : either_reading(*judgement.modes, **drive_of(options)));
+    leave_undetermined(
+        driven, *judgement.modes,
+        searched ? either_reading(*judgement.modes) : either_reading(*judgement.modes, **drive_of(options)));
     return driven;
   }
   if (judgement.kind == MotionKind::two_modes) {

@@ -1,7 +1,7 @@
 #include "cromer/study/task/run_transmission.h"
 
-#include "cromer/model/linear_quantities.h"
 #include <cmath>
+#include "cromer/model/linear_quantities.h"
 
 #include "cromer/model/terms.h"
 #include "cromer/study/task/drive_setup.h"

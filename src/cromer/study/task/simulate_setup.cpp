@@ -321,7 +321,8 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
     if (options.law.*T::template members<double>[0] != 0) return;
     for (std::size_t i = 1; i < coefficients_of<T>; ++i)
       if (options.law.*T::template members<double>[i] != 0)
-        add_once(fmt::format("--{} has no effect without --{}", T::coefficients[i].option, T::coefficients[0].option));
+        add_once(fmt::format("--{} has no effect without --{}", T::coefficients[i].option,
+                             T::coefficients[0].option));
   });
   for (const auto& run : runs) {
     if (options.tolerance && !uses_tolerance(run.method))

@@ -53,8 +53,7 @@ std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body) 
   return all;
 }
 
-MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
-                                 std::uint64_t seed) {
+MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials, std::uint64_t seed) {
   MonteCarlo result{trials, seed, 0, 0, 0, 0};
   const Quantity mass = *body.mass, spring = body.spring_mass.value_or(Quantity{});
   const Estimate w = fit.angular_frequency();

@@ -33,7 +33,6 @@ struct MonteCarlo {
 };
 
 /// `trials` from 1000 to 1e7; the same seed gives the same numbers on every machine.
-MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
-                                 std::uint64_t seed);
+MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials, std::uint64_t seed);
 
 }  // namespace cromer
