@@ -47,7 +47,8 @@ void append_wrapped(std::string& out, std::string_view text) {
 
 void append_option(std::string& out, const Option& option) {
   std::string text(option.help);
-  if (option.range == Range::positive || option.range == Range::not_negative)
+  if (option.range == Range::positive || option.range == Range::not_negative ||
+      option.range == Range::not_negative_unless_bounded)
     text += fmt::format("; must {}", constraint(option.range));
   if (!option.default_text.empty()) text += fmt::format(" [{}]", option.default_text);
   const std::string left = left_side(option);

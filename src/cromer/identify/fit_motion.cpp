@@ -258,8 +258,8 @@ KnownMotion known_driven(const Record& record, const Drive& drive, const Motion&
   return known;
 }
 
-// A hysteretic force beside the spring: shares of the stiffness that the linear law has, and loops of the
-// width that the motion has.
+// A hysteretic force beside the spring: shares of the stiffness that the linear law has, loops of the width
+// that the motion has, and most of the damping in them.
 std::vector<Motion> hysteretic_starts(const Motion& linear, const Law& law, double amplitude) {
   std::vector<Motion> starts;
   const double stiffness = linear.angular_frequency() * linear.angular_frequency();
@@ -268,6 +268,7 @@ std::vector<Motion> hysteretic_starts(const Motion& linear, const Law& law, doub
       Motion motion = linear;
       motion.law = law;
       motion.set_angular_frequency(std::sqrt((1 - share) * stiffness));
+      motion.set_decay_rate(0.3 * linear.decay_rate());
       motion.per_mass.hysteresis_stiffness = share * stiffness;
       motion.per_mass.hysteresis_beta = 0.5 / (width * amplitude);
       motion.per_mass.hysteresis_gamma = 0;
@@ -283,7 +284,7 @@ KnownMotion best_of(const std::vector<Motion>& starts, const KnownMotion& known,
   const std::size_t samples = std::min<std::size_t>(problem.record().t.size(), 4000);
   const Record part = problem.record().first(samples);
   LeastSquaresOptions settings = problem.settings(part);
-  settings.iteration_limit = 8;
+  settings.iteration_limit = 25;
   settings.error_tolerance = 0.1;
   for (const Motion& start : starts) {
     const StepLength steps(problem, {start, samples, 0});

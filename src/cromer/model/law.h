@@ -64,6 +64,13 @@ constexpr std::optional<Law> smallest_containing(std::span<const Law> laws, Law 
 inline constexpr Law springs = law_with<Spring, Pendulum>;
 /// Terms that can only take energy away.
 inline constexpr Law dampings = law_where([](const TermInfo& info) { return info.damps; });
+/// Terms that bound a swing which negative damping feeds.
+inline constexpr Law bounding_terms = law_where([](const TermInfo& info) { return info.bounds; });
+/// Whether a coefficient may be negative in this law.
+constexpr bool may_be_negative(const CoefficientInfo& info, Law law) {
+  return info.sign == Sign::any ||
+         (info.sign == Sign::not_negative_unless_bounded && law.shares(bounding_terms));
+}
 /// The linear law: the one with a closed form.
 inline constexpr Law linear_terms = law_with<Spring, Viscous>;
 constexpr bool is_linear(Law law) { return linear_terms.contains(law); }

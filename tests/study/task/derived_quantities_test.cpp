@@ -72,6 +72,26 @@ TEST(DerivedQuantities, OfTheViscousLawAreTheTextbooks) {
   EXPECT_NEAR(value(fit, "at_amplitude"), A, 1e-15);
 }
 
+TEST(DerivedQuantities, ASwingThatIsFedHasALimitCycleAndNoQuality) {
+  LawFit fit = released(-0.1);
+  fit.law = law_of("viscous+van-der-pol");
+  set(fit, "van_der_pol", certain(2.5));
+  // Decay rate and van der Pol's coefficient with standard errors, which the root of 8 g/e takes half of each.
+  const std::size_t n = fit.names.size();
+  fit.covariance[1 * n + 1] = 0.01 * 0.01;
+  fit.covariance[3 * n + 3] = 0.1 * 0.1;
+  const double limit = std::sqrt(8 * 0.1 / 2.5);
+  bool found = false;
+  for (const NamedEstimate& number : derived_quantities(fit, "m", 0)) {
+    EXPECT_NE(number.name, "quality_factor");
+    if (number.name != "limit_cycle_amplitude") continue;
+    found = true;
+    EXPECT_NEAR(number.estimate.value, limit, 1e-9);
+    EXPECT_NEAR(number.estimate.standard_error, limit / 2 * std::hypot(0.1, 0.04), 1e-6);
+  }
+  EXPECT_TRUE(found);
+}
+
 TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
   LawFit drag = released(0);
   drag.law = law_of("viscous+drag");

@@ -171,6 +171,21 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   EXPECT_THAT(effect_in_words(driven.runs[0]), HasSubstr("with what the drive gave, of which damping took "));
 }
 
+TEST(RunEffect, ASwingThatIsFedSaysWhatItGot) {
+  const auto result = simulated({.damping = -0.2,
+                                 .law = {.van_der_pol = 0.2},
+                                 .position = 0.1,
+                                 .method = {"rk4"},
+                                 .step = 0.01,
+                                 .until = 120});
+  EXPECT_THAT(result.warnings, testing::IsEmpty());
+  const std::string words = effect_in_words(result.runs[0]);
+  EXPECT_THAT(words, HasSubstr("with what the damping gave, of which van-der-pol took 9"));
+  EXPECT_NEAR(result.runs[0].outcome.y.x * result.runs[0].outcome.y.x +
+                  result.runs[0].outcome.y.v * result.runs[0].outcome.y.v,
+              4, 0.3);  // A = sqrt(4 c/e) = 2
+}
+
 TEST(RunEffect, OptionsOfTheMethodReachIt) {
   // The central difference is Verlet's method.
   const auto result =

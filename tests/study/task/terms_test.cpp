@@ -44,7 +44,7 @@ TEST(TermsInTasks, AreOptionsOfSimulate) {
         const auto oscillator = oscillator_of(options);
         ASSERT_TRUE(oscillator);
         EXPECT_EQ((*oscillator).*T::template members<double>[i], 0.25) << option.name;
-        EXPECT_EQ(bool(assign(option, "-0.25")), T::coefficients[i].may_be_negative) << option.name;
+        EXPECT_EQ(bool(assign(option, "-0.25")), T::coefficients[i].sign != Sign::not_negative) << option.name;
       }
       EXPECT_TRUE(found) << T::coefficients[i].option;
     }

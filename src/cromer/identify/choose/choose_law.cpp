@@ -85,7 +85,7 @@ std::vector<Law> driven_candidates(const Law& linear) {
 // What may be added where something is left.
 constexpr Law additions[] = {law_with<Drag>,         law_with<Friction>,  law_with<Cubic>,
                              law_with<OddQuadratic>, law_with<Quadratic>, law_with<Quadratic, Cubic>,
-                             law_with<Quintic>,      law_with<VanDerPol>, law_with<Hysteresis>};
+                             law_with<Quintic>,      law_with<Viscous, VanDerPol>, law_with<Hysteresis>};
 
 // A law may be compared with others.
 bool is_comparable(const LawFit& fit) {

@@ -12,7 +12,8 @@ bool excludes_zero(const Estimate& term) { return term.low > 0 || term.high < 0;
 const Estimate* removable(const LawFit& fit, const TermInfo& info, Law term) {
   if (springs.contains(term)) return nullptr;
   // A lone damping term may be as small as it is.
-  if (info.damps && Law{fit.law.terms & dampings.terms}.size() < 2) return nullptr;
+  const Law taking = dampings.with(bounding_terms);
+  if (info.damps && Law{fit.law.terms & taking.terms}.size() < 2) return nullptr;
   const Estimate* found = nullptr;
   for_each_term([&]<class T>() {
     if (T::info.name == info.name) found = fit.find(T::coefficients[0].parameter);

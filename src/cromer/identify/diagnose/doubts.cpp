@@ -54,6 +54,22 @@ std::string rise(const Record& record, double period, double noise) {
       middle(from), middle(to));
 }
 
+// Negative damping feeds the swing.
+bool is_fed(const LawFit& fit) {
+  const Estimate* viscous = fit.find("decay_rate");
+  return viscous && viscous->high < 0;
+}
+
+// Largest amplitude over the smallest.
+double range_of_amplitudes(const Record& record, double period) {
+  double lowest = HUGE_VAL, largest = 0;
+  for (const AmplitudeWindow& window : amplitude_windows(record, 4 * period, 16)) {
+    lowest = std::min(lowest, window.amplitude);
+    largest = std::max(largest, window.amplitude);
+  }
+  return largest / lowest;
+}
+
 // What a drive would look like: an amplitude that hardly falls. Drives are steady to a few percent, and few
 // swings in air have a quality factor in the thousands.
 std::string steadiness(const Record& record, const LawFit& fit, double periods) {
@@ -61,13 +77,17 @@ std::string steadiness(const Record& record, const LawFit& fit, double periods) 
   if (periods < fewest) return {};
   const std::string then =
       "the frequency is the drive's, and the stiffness that follows from it is not the spring's";
+  const std::string lasts =
+      fmt::format("the swing does not die down over {:.0f} periods. If something drives it, {}", periods, then);
+  if (is_fed(fit)) {
+    const bool steady = range_of_amplitudes(record, two_pi / fit.angular_frequency().value) < 1.1;
+    return steady ? lasts : "";
+  }
   // The terms may be traded for each other: what falls is known of their sum.
   const std::optional<MeanDecay> decay = mean_decay(fit, record);
   if (!decay) return {};
   const Estimate& rate = decay->rate;
-  if (!(rate.low > 0))
-    return fmt::format("the swing does not die down over {:.0f} periods. If something drives it, {}", periods,
-                       then);
+  if (!(rate.low > 0)) return lasts;
   const double fall = 1 - std::exp(-rate.value * (record.t.back() - record.t.front()));
   const double quality = fit.angular_frequency().value / (2 * rate.value);
   if (fall > 0.1 || (fall > 0.02 && quality < 5000)) return {};
@@ -119,7 +139,7 @@ std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool on
   const double duration = record.t.back() - record.t.front();
   const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
-  const std::string rises = rise(record, period, noise);
+  const std::string rises = is_fed(fit) ? "" : rise(record, period, noise);
   say(rises);
   if (rises.empty()) say(steadiness(record, fit, duration / period));
   say(few_samples(record, fit.angular_frequency().value));
@@ -128,7 +148,7 @@ std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool on
       !exceeds_noise(record, fit.residual, noise, fit.angular_frequency().value))
     return found;
   const bool line = leaves_a_line(record, fit, residuals, fit.angular_frequency().value);
-  const std::string stop = line && rises.empty() ? sudden_stop(record, period, unit) : "";
+  const std::string stop = rises.empty() ? sudden_stop(record, period, unit) : "";
   say(stop);
   if (stop.empty()) say(wandering_zero(record, residuals, unit));
   if (line) say(not_described(fit, noise, only_law));

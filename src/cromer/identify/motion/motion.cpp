@@ -41,7 +41,7 @@ FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParamete
       fitted.of[fitted.count++] = {.name = info.parameter,
                                    .coefficient = T::template members<double>[i],
                                    .as = info.fitted,
-                                   .may_be_negative = info.may_be_negative};
+                                   .may_be_negative = may_be_negative(info, law)};
     }
   });
   // A pendulum's frequency is listed where a spring's is.

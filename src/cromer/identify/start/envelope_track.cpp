@@ -109,7 +109,7 @@ std::vector<TermAlong> terms_along(const EnvelopeTrack& track, const Law& law, d
   for_each_term([&]<class T>() {
     if constexpr (!HasInnerState<T>) {
       if (!law.has<T>() || springs.has<T>()) return;
-      terms.push_back({T::template members<double>[0], T::coefficients[0].may_be_negative,
+      terms.push_back({T::template members<double>[0], may_be_negative(T::coefficients[0], law),
                        integral(track, [&](double A) { return cycle_average<T>(A, w).fall; }),
                        integral(track, [&](double A) { return cycle_average<T>(A, w).shift; })});
     }

@@ -22,7 +22,7 @@ struct Drag {
                                                            .meaning = "quadratic drag d",
                                                            .length = -2,
                                                            .time = 2,
-                                                           .may_be_negative = false}};
+                                                           .sign = Sign::not_negative}};
   template <class Real>
   static constexpr std::array members{&Oscillator<Real>::drag};
 

@@ -19,7 +19,7 @@ struct Friction {
                                                            .in_si = "friction_force",
                                                            .symbol = "f",
                                                            .meaning = "dry friction f while it slides",
-                                                           .may_be_negative = false}};
+                                                           .sign = Sign::not_negative}};
   template <class Real>
   static constexpr std::array members{&Oscillator<Real>::friction};
 

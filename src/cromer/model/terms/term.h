@@ -40,6 +40,13 @@ T from_fitted(FittedAs as, const T& fitted) {
   return fitted;
 }
 
+/// Which signs a coefficient may have.
+enum class Sign {
+  any,
+  not_negative,
+  not_negative_unless_bounded,  ///< below 0 it feeds the swing, which another term must bound
+};
+
 /// One coefficient of a term.
 struct CoefficientInfo {
   std::string_view option;     ///< of `simulate`, "odd-quadratic"
@@ -49,7 +56,7 @@ struct CoefficientInfo {
   std::string_view meaning;    ///< in help
   int length = 0;              ///< its unit is that of a force times so many powers of metres
   int time = 0;                ///< and of seconds
-  bool may_be_negative = true;
+  Sign sign = Sign::any;
   FittedAs fitted = FittedAs::itself;
 };
 
@@ -61,6 +68,7 @@ struct TermInfo {
   std::string_view source;
   bool damps = false;       ///< takes energy and never gives any
   bool acts_at_rest = true; ///< part of the force at rest: of the position
+  bool bounds = false;      ///< bounds the swing that a negative viscous damping feeds
 };
 
 /// All terms have the coefficients in an array of their own: `coefficients`, of CoefficientInfo, and

@@ -11,7 +11,8 @@ struct VanDerPol {
                                  .formula = "e x^2 x'",
                                  .meaning = "damping that grows with the square of the displacement",
                                  .source = "B. van der Pol, Phil. Mag. 2, 978 (1926)",
-                                 .acts_at_rest = false};
+                                 .acts_at_rest = false,
+                                 .bounds = true};
   static constexpr std::array coefficients{CoefficientInfo{.option = "van-der-pol",
                                                            .parameter = "van_der_pol",
                                                            .in_si = "van_der_pol_constant",

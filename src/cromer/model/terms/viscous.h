@@ -20,7 +20,7 @@ struct Viscous {
                                                            .meaning = "viscous damping c",
                                                            .length = -1,
                                                            .time = 1,
-                                                           .may_be_negative = false,
+                                                           .sign = Sign::not_negative_unless_bounded,
                                                            .fitted = FittedAs::half}};
   template <class Real>
   static constexpr std::array members{&Oscillator<Real>::damping};

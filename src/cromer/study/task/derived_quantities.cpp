@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "cromer/analysis/amplitude_decay.h"
 #include "cromer/analysis/swing.h"
@@ -53,18 +54,24 @@ Estimate estimate_of(const Real& number, const LawFit& fit) {
 }
 
 std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const LawFit& fit,
-                                        std::string unit) {
+                                        const std::string& unit) {
   const Real undamped = law.swing.angular_frequency(A);
   law.decay.angular_frequency = undamped;
   const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.rate(A);
   const Real w = sqrt(undamped * undamped - g * g);
   const Real period = 2 * std::numbers::pi / w;
-  return {{"frequency", estimate_of(1 / period, fit), "Hz"},
-          {"period", estimate_of(period, fit), "s"},
-          {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"},
-          {"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"},
-          {"logarithmic_decrement", estimate_of(equivalent * period, fit), "1"},
-          {"at_amplitude", estimate_of(A, fit), std::move(unit)}};
+  std::vector<NamedEstimate> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
+                                  {"period", estimate_of(period, fit), "s"},
+                                  {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
+  const bool fed = value_of(g) < 0;
+  if (!fed)
+    list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
+  list.push_back({"logarithmic_decrement", estimate_of(equivalent * period, fit), "1"});
+  list.push_back({"at_amplitude", estimate_of(A, fit), unit});
+  if (fed)
+    if (const std::optional<Real> limit = law.decay.limit_amplitude(value_of(A)))
+      list.push_back({"limit_cycle_amplitude", estimate_of(*limit, fit), unit});
+  return list;
 }
 
 }  // namespace

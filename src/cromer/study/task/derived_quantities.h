@@ -18,8 +18,9 @@ namespace cromer {
 /// Quantities that do not exist are NaN; of a hysteretic law, whose loops depend on how the motion came where
 /// it is, there are none. `observed` and `derivative` as of law_parameters. Of a driven motion they are said
 /// at the amplitude of a sinusoid as large as the law's motion `x` is on average (root mean square), which is
-/// taken as given; of an overdamped law damping_ratio, quality_factor and at_amplitude alone. Of a body
-/// without a spring mass = 1/force_gain [unit of force per unit of acceleration] alone.
+/// taken as given; of an overdamped law damping_ratio, quality_factor and at_amplitude alone. Of a swing that
+/// negative damping feeds, limit_cycle_amplitude in place of the quality factor: where it keeps itself. Of a
+/// body without a spring mass = 1/force_gain [unit of force per unit of acceleration] alone.
 std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
                                               const std::vector<double>& x = {},
                                               std::string_view force_unit = {});

@@ -275,8 +275,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
 namespace {
 
-Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
-                                const FitOptions& options, const Watch& watch) {
+Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, std::string_view file,
+                                          const FitOptions& options, const Watch& watch) {
   const Result<Series> series = take_series(recording, options.column, run, options.read);
   if (!series) return series.error();
   if (!options.drive_frequency.empty()) {
@@ -292,6 +292,15 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
   const Result<Series> force = take_series(recording, options.force_column, run, options.read);
   if (!force) return Error{"--force-column: " + force.error().message};
   return fit_forced(*series, *force, file, options, watch);
+}
+
+Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
+                                const FitOptions& options, const Watch& watch) {
+  Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
+  if (fitted && options.hysteresis_exponent != 1 && !fitted->fit.law.has<Hysteresis>())
+    fitted->warnings.push_back(fmt::format(
+        "--hysteresis-exponent has no effect on the law {}, which has no hysteresis", to_text(fitted->fit.law)));
+  return fitted;
 }
 
 }  // namespace

@@ -19,6 +19,7 @@ bool in_range(Range range, double value) {
   if (!std::isfinite(value)) return false;
   switch (range) {
     case Range::any:
+    case Range::not_negative_unless_bounded:
       return true;
     case Range::positive:
       return value > 0;
@@ -40,7 +41,8 @@ bool in_range(Range range, double value) {
 
 Result<void> check_value(const Option& option, double value) {
   if (in_range(option.range, value)) return {};
-  const std::string_view rule = option.range == Range::any ? "be a finite number" : constraint(option.range);
+  const bool any = option.range == Range::any || option.range == Range::not_negative_unless_bounded;
+  const std::string_view rule = any ? "be a finite number" : constraint(option.range);
   return wrong(option, fmt::format("it must {}, not {}{}{}", rule, shortest(value),
                                    option.unit.empty() || option.unit == "1" ? "" : " ",
                                    option.unit == "1" ? "" : option.unit));
@@ -175,6 +177,8 @@ std::string_view constraint(Range range) {
       return "be positive";
     case Range::not_negative:
       return "not be negative";
+    case Range::not_negative_unless_bounded:
+      return "not be negative without --van-der-pol";
     case Range::at_least_one:
       return "be at least 1";
     case Range::fraction:

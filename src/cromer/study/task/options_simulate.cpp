@@ -24,6 +24,11 @@ std::string law_in_words() {
   return sum + rates;
 }
 
+Range range_of(Sign sign) {
+  if (sign == Sign::any) return Range::any;
+  return sign == Sign::not_negative ? Range::not_negative : Range::not_negative_unless_bounded;
+}
+
 /// The coefficients of the law's terms, each an option.
 std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {
   std::vector<Option> options;
@@ -41,7 +46,7 @@ std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {
       if (member == &Oscillator<double>::stiffness) target = &o.stiffness;
       if (member == &Oscillator<double>::damping) target = &o.damping;
       options.push_back({info.option, target, units[i],
-                         info.may_be_negative ? Range::any : Range::not_negative, info.meaning,
+                         range_of(info.sign), info.meaning,
                          member == &Oscillator<double>::stiffness ? "1 N/m" : "0", group});
     }
     if constexpr (std::is_same_v<T, Friction>)

@@ -40,9 +40,16 @@ std::string kept_energy_in_words(const EnergyBalance& balance, bool symplectic) 
 
 /// "had 0.5 J, of which drag took 75.6 %, the method itself 24 %".
 std::string energy_in_words(const EnergyBalance& balance, bool symplectic) {
-  const double there = balance.start + std::max(balance.drive, 0.0);
+  double there = balance.start;
+  std::string givers, takers;
+  const auto gain = [&](std::string_view what, double part) {
+    if (part <= 0) return;
+    there += part;
+    givers += fmt::format("{}{}", givers.empty() ? " with what the " : " and the ", what);
+  };
+  gain("drive", balance.drive);
+  for_each_resistance([&]<class T>() { gain(T::coefficients[0].option, -balance.taken_by<T>()); });
   if (!(there > 0)) return "";
-  std::string takers;
   const auto add = [&](std::string_view what, double part) {
     if (part > 0)
       takers +=
@@ -56,7 +63,7 @@ std::string energy_in_words(const EnergyBalance& balance, bool symplectic) {
                              : made < 0                           ? fmt::format("{:.2g} %", -100 * made)
                                                                   : fmt::format("added {:.2g} %", 100 * made);
   return fmt::format("had {:.4g} J{}, of which {}, the method itself {}", there,
-                     balance.drive > 0 ? " with what the drive gave" : "", takers, method);
+                     givers.empty() ? "" : givers + " gave", takers, method);
 }
 
 std::string joined(const std::string& first, const std::string& second) {

@@ -219,6 +219,9 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   oscillator.stiffness = k;
   oscillator.damping = c;
   oscillator.static_friction = o.static_friction.value_or(0);
+  if (c < 0 && !law_of(oscillator).shares(bounding_terms))
+    return Error{fmt::format("--damping: it must {}, not {} kg/s",
+                             constraint(Range::not_negative_unless_bounded), shortest(c))};
   return oscillator;
 }
 

@@ -1,0 +1,78 @@
+// Swings that negative damping feeds and van der Pol's term bounds: rising, kept and falling.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/doubts.h"
+#include "tests/identify/free_swing.h"
+
+namespace cromer {
+namespace {
+
+constexpr double decay_rate = -0.1, van_der_pol = 40, limit = 0.1414;  // sqrt(0.8/40)
+const Law fed = law_of("viscous+van-der-pol");
+
+struct Swung {
+  std::vector<double> t, y;
+};
+
+Swung swung_from(double position, unsigned seed) {
+  Motion motion{.law = fed, .equilibrium = 0.03, .position = position};
+  motion.set_angular_frequency(6);
+  motion.set_decay_rate(decay_rate);
+  motion.per_mass.van_der_pol = van_der_pol;
+  Swung swung{even_times(4000, 0.01), {}};
+  swung.y = observed_motion(motion, {}, swung.t, 0, 0.002);
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, 1e-3);
+  for (double& each : swung.y) each += normal(engine);
+  return swung;
+}
+
+void expect_truth(const LawFit& fit) {
+  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  EXPECT_EQ(to_text(fit.law), to_text(fed));
+  EXPECT_LT(fit.residual.rms, 1.05e-3);
+  EXPECT_NEAR(fit.decay_rate().value, decay_rate, 4 * fit.decay_rate().standard_error);
+  EXPECT_NEAR(fit["van_der_pol"].value, van_der_pol, 4 * fit["van_der_pol"].standard_error);
+  EXPECT_NEAR(fit.angular_frequency().value, 6, 4 * fit.angular_frequency().standard_error);
+}
+
+TEST(SelfSustained, IsFittedWhereverItBegins) {
+  for (const double position : {0.003, 0.03, 0.1, limit, 0.2, 0.4})
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      SCOPED_TRACE(testing::Message() << position << ", seed " << seed);
+      const Swung swung = swung_from(position, seed);
+      const LawFit fit = fit_law({swung.t, swung.y}, {.law = fed});
+      expect_truth(fit);
+      EXPECT_LT(fit.decay_rate().standard_error, 0.02);
+    }
+}
+
+TEST(SelfSustained, IsChosen) {
+  for (const double position : {0.03, 0.1, 0.4}) {
+    SCOPED_TRACE(position);
+    const Swung swung = swung_from(position, 4);
+    const LawChoice choice = choose_law({swung.t, swung.y}, {});
+    expect_truth(choice.chosen);
+  }
+}
+
+TEST(SelfSustained, MayRise) {
+  const Swung swung = swung_from(0.03, 5);
+  const LawFit fit = fit_law({swung.t, swung.y}, {.law = fed});
+  for (const std::string& sentence : doubts({swung.t, swung.y}, fit, true, "m"))
+    EXPECT_THAT(sentence, testing::Not(testing::HasSubstr("rises")));
+}
+
+TEST(SelfSustained, NeedsItsBound) {
+  const Swung swung = swung_from(0.03, 6);
+  const LawFit fit = fit_law({swung.t, swung.y}, {.law = law_of("viscous+drag")});
+  EXPECT_GE(fit.decay_rate().value, 0);
+}
+
+}  // namespace
+}  // namespace cromer
