@@ -339,9 +339,12 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
   // start: there a cubic one leads all others.
   LawFitOptions linear = options;
   const bool recorded = options.drive.kind == DriveKind::recorded;
-  const Law leading = recorded ? springs.with(law_with<Quadratic, Cubic>) : springs;
+  constexpr Law odd = law_with<OddQuadratic, Quintic>;
+  const bool both = options.law.contains(odd);
+  const Law bends = both ? odd : law_with<Quadratic, Cubic>;
+  const Law leading = recorded ? springs.with(bends) : springs;
   linear.law = Law{options.law.terms & leading.terms}.with(law_with<Viscous>);
-  if (recorded && options.law.shares(springs) && options.law.shares(law_with<OddQuadratic, Quintic>))
+  if (recorded && options.law.shares(springs) && options.law.shares(odd) && !both)
     linear.law = linear.law.with(law_with<Cubic>);
   const std::optional<Motion> start = options.drive.kind == DriveKind::harmonic
                                           ? driven_start(record, options.drive_frequency)

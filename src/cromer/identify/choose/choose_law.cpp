@@ -87,6 +87,13 @@ constexpr Law additions[] = {law_with<Drag>,         law_with<Friction>,  law_wi
                              law_with<OddQuadratic>, law_with<Quadratic>, law_with<Quadratic, Cubic>,
                              law_with<Quintic>,      law_with<Viscous, VanDerPol>, law_with<Hysteresis>};
 
+// What looks like a term unless the record is good: each makes the same change at the record's middle
+// amplitude.
+struct Kin {
+  Law met_often, rare;
+};
+constexpr Kin kin[] = {{law_with<Drag>, law_with<Viscous, VanDerPol>}, {law_with<Cubic>, law_with<Quintic>}};
+
 // A law may be compared with others.
 bool is_comparable(const LawFit& fit) {
   return fit.has_values() && (fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit);
@@ -123,6 +130,7 @@ class Choosing {
     }
     settle();
     drop_terms();
+    try_kin(beginning);
     add_terms(beginning);
     return chosen(laws);
   }
@@ -153,6 +161,7 @@ class Choosing {
     }
     settle();
     drop_terms();
+    try_kin(beginning);
     add_terms(beginning);
     return chosen({});
   }
@@ -181,6 +190,30 @@ class Choosing {
     if (!watch_.interrupted()) add(std::move(fit), false);
   }
 
+  // The best law with a term that is met rarely in the place of one that is met often.
+  void try_kin(const Beginning& beginning) {
+    const Law base = candidates_[best_].law;
+    for (const auto& [often, rare] : kin) {
+      const Law law = base.without(often).with(rare);
+      if (base.contains(often)) try_law(law, beginning.known(law, record_));
+    }
+    settle();
+    drop_old_terms(base);
+  }
+
+  // What stood in for a term that was missing may not be needed beside it: the best law without each of the
+  // terms that it has from `before`.
+  void drop_old_terms(const Law& before) {
+    const LawFit now = candidates_[best_];
+    for (std::size_t i = 0; i < term_count && !(now.law == before); ++i) {
+      const Law term{std::uint32_t{1} << i}, law = now.law.without(term);
+      if (now.law.contains(term) && before.contains(term) && !springs.contains(term))
+        try_law(law, of_fit(now, law));
+    }
+    settle();
+    drop_terms();
+  }
+
   // The best law with each addition, as long as something is left and one of them is chosen.
   void add_terms(const Beginning& beginning) {
     for (int round = 0; round < 2 && !watch_.interrupted(); ++round) {
@@ -197,7 +230,7 @@ class Choosing {
       }
       const std::size_t before = best_;
       settle();
-      drop_terms();
+      drop_old_terms(base.law);
       if (best_ == before) return;
     }
   }

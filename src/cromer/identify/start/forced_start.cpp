@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
+#include "cromer/base/dual.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/start/driven_start.h"
 
@@ -47,14 +48,36 @@ std::vector<double> without_holes(std::span<const double> z) {
   return full;
 }
 
-// The transforms, over one segment, of the equation's terms under w(t) exp(-i omega t): each is one term of
-//   target = gain u + bias 1 + 2g (z') - s1 z - s2 z² - s3 z³
-// with z' and z'' moved onto the window by parts: (z') is minus the transform of z'.
-struct Segment {
-  std::vector<Complex> force, one, z, z_by_slope, z_by_curvature, square, cube;
+// A term that bends the spring: its force of a unit coefficient, and the slope of that.
+struct Bend {
+  double Oscillator<double>::*coefficient;
+  double (*force)(double);
+  double (*slope)(double);
 };
 
-Segment transform(std::span<const double> u, std::span<const double> z, double h, bool curved) {
+template <class T>
+constexpr Bend bend_of{T::template members<double>[0], [](double z) { return T::force(z, 0.0, 1.0); },
+                       [](double z) {
+                         return T::force(Dual<double, 1>::variable(z, 0), 0.0, 1.0).derivative[0];
+                       }};
+
+// Whatever bends a spring looks quadratic and cubic, but for a softening that stiffens farther out.
+std::vector<Bend> bends_of(const Law& law) {
+  if (law.contains(law_with<OddQuadratic, Quintic>)) return {bend_of<OddQuadratic>, bend_of<Quintic>};
+  if (law.shares(law_with<Quadratic, Cubic>)) return {bend_of<Quadratic>, bend_of<Cubic>};
+  return {};
+}
+
+// The transforms, over one segment, of the equation's terms under w(t) exp(-i omega t): each is one term of
+//   target = gain u + bias 1 + 2g (z') - s1 z - the bends
+// with z' and z'' moved onto the window by parts: (z') is minus the transform of z'.
+struct Segment {
+  std::vector<Complex> force, one, z, z_by_slope, z_by_curvature;
+  std::vector<std::vector<Complex>> bends;
+};
+
+Segment transform(std::span<const double> u, std::span<const double> z, double h,
+                  const std::vector<Bend>& bends) {
   const std::size_t n = z.size();
   const double turn = 2 * pi / static_cast<double>(n);
   const double rate = turn / h;  // [rad/s] of the window
@@ -86,15 +109,13 @@ Segment transform(std::span<const double> u, std::span<const double> z, double h
   s.z = of([&](std::size_t i) { return window(i) * z[i]; });
   s.z_by_slope = of([&](std::size_t i) { return slope(i) * z[i]; });
   s.z_by_curvature = of([&](std::size_t i) { return curvature(i) * z[i]; });
-  if (curved) {
-    s.square = of([&](std::size_t i) { return window(i) * z[i] * z[i]; });
-    s.cube = of([&](std::size_t i) { return window(i) * z[i] * z[i] * z[i]; });
-  }
+  for (const Bend& bend : bends)
+    s.bends.push_back(of([&](std::size_t i) { return window(i) * bend.force(z[i]); }));
   return s;
 }
 
 // Order of the unknowns of the linear problem.
-enum Unknown { gain, bias, resistance, stiffness, quadratic, cubic, most_unknowns };
+enum Unknown { gain, bias, resistance, stiffness, first_bend, most_unknowns = first_bend + 2 };
 
 NormalEquations linear_equations(const std::vector<Segment>& segments, double h, std::size_t length, int size,
                                  double s1, double resistance_before) {
@@ -110,11 +131,8 @@ NormalEquations linear_equations(const std::vector<Segment>& segments, double h,
       const double weight = 1 / std::norm(Complex(s1 - w * w, resistance_before * w));
       const Complex first = s.z_by_slope[k] - i_w * s.z[k];
       const Complex target = s.z_by_curvature[k] - 2.0 * i_w * s.z_by_slope[k] - w * w * s.z[k];
-      Complex row[most_unknowns] = {s.force[k], s.one[k], first, -s.z[k], 0, 0};
-      if (size == most_unknowns) {
-        row[quadratic] = -s.square[k];
-        row[cubic] = -s.cube[k];
-      }
+      Complex row[most_unknowns] = {s.force[k], s.one[k], first, -s.z[k]};
+      for (int i = first_bend; i < size; ++i) row[i] = -s.bends[static_cast<std::size_t>(i - first_bend)][k];
       for (int i = 0; i < size; ++i) {
         equations.right[i] += weight * (std::conj(row[i]) * target).real();
         for (int j = 0; j < size; ++j) equations.matrix[i][j] += weight * (std::conj(row[i]) * row[j]).real();
@@ -174,12 +192,22 @@ std::vector<double> slopes(const std::vector<double>& values, double spacing) {
   return result;
 }
 
-// The spring as a polynomial: pull(z) = bias - z (s1 + z (s2 + z s3)), z from the level.
-struct Polynomial {
-  double bias = 0, s1 = 0, s2 = 0, s3 = 0;
+// The spring that was found: pull(z) = bias - s1 z - the bends, z from the level.
+struct FoundSpring {
+  double bias = 0, s1 = 0;
+  const std::vector<Bend>& bends;
+  const double* coefficients;
 
-  double pull(double z) const { return bias - z * (s1 + z * (s2 + z * s3)); }
-  double stiffness(double z) const { return s1 + z * (2 * s2 + 3 * s3 * z); }
+  double pull(double z) const {
+    double sum = bias - s1 * z;
+    for (std::size_t i = 0; i < bends.size(); ++i) sum -= coefficients[i] * bends[i].force(z);
+    return sum;
+  }
+  double stiffness(double z) const {
+    double sum = s1;
+    for (std::size_t i = 0; i < bends.size(); ++i) sum += coefficients[i] * bends[i].slope(z);
+    return sum;
+  }
   // Nearest 0, where nothing pulls.
   double rest() const {
     double z = 0;
@@ -193,7 +221,7 @@ struct Polynomial {
 std::optional<Motion> forced_start(const Record& record, const ForceRecord& force, const Law& law) {
   OnGrid grid = on_grid(record, force);
   const bool sprung = law.shares(springs);
-  const bool curved = record.derivative == 0 && law.shares(law_with<Quadratic, Cubic>);
+  const std::vector<Bend> bends = record.derivative == 0 ? bends_of(law) : std::vector<Bend>{};
   // The derivative of a linear motion is the motion under the force's derivative.
   std::vector<double> first_forces;
   for (int d = 0; d < record.derivative; ++d) {
@@ -206,12 +234,12 @@ std::optional<Motion> forced_start(const Record& record, const ForceRecord& forc
   std::vector<Segment> segments;
   for (std::size_t from = 0; from + length <= n; from += std::max<std::size_t>(1, length / 2))
     segments.push_back(
-        transform(std::span(grid.u).subspan(from, length), std::span(z).subspan(from, length), h, curved));
+        transform(std::span(grid.u).subspan(from, length), std::span(z).subspan(from, length), h, bends));
 
   const auto line = strongest_line(amplitude_spectrum(std::span(z).first(length), h));
   const double w_line = line ? line->angular_frequency : 2 * pi / (static_cast<double>(length) * h);
   double s1 = sprung ? w_line * w_line : 0, resistance_now = 0.2 * w_line;
-  const int size = curved ? most_unknowns : sprung ? stiffness + 1 : resistance + 1;
+  const int size = sprung ? first_bend + static_cast<int>(bends.size()) : resistance + 1;
   Parameters found{};
   for (int round = 0; round < 4; ++round) {
     const NormalEquations equations = linear_equations(segments, h, length, size, s1, resistance_now);
@@ -235,7 +263,7 @@ std::optional<Motion> forced_start(const Record& record, const ForceRecord& forc
     start.force_offset = found[gain] != 0 ? found[bias] / found[gain] : 0;
     return start;
   }
-  const Polynomial spring{found[bias], s1, curved ? found[quadratic] : 0, curved ? found[cubic] : 0};
+  const FoundSpring spring{found[bias], s1, bends, &found[first_bend]};
   if (record.derivative > 0) {
     start.set_angular_frequency(std::sqrt(s1));
     start.equilibrium = grid.level + spring.rest();
@@ -249,8 +277,9 @@ std::optional<Motion> forced_start(const Record& record, const ForceRecord& forc
   const double e = amid ? -grid.level : spring.rest();
   if (!(spring.stiffness(e) > 0)) return std::nullopt;
   start.set_angular_frequency(std::sqrt(spring.stiffness(e)));
-  if (law.has<Quadratic>()) start.per_mass.quadratic = spring.s2 + 3 * spring.s3 * e;
-  if (law.has<Cubic>()) start.per_mass.cubic = spring.s3;
+  for (std::size_t i = 0; i < bends.size(); ++i) start.per_mass.*bends[i].coefficient = found[first_bend + i];
+  start.per_mass.quadratic += 3 * start.per_mass.cubic * e;  // about the rest
+  start = start.under(law);
   start.equilibrium = grid.level + e;
   start.force_offset = amid && found[gain] != 0 ? spring.pull(e) / found[gain] : 0;
   start.position = z.front() - e;
