@@ -16,11 +16,11 @@ namespace cromer {
 
 template <class Real>
 struct CycleDecay {
-  Real angular_frequency = 1;  // [rad/s] > 0
-  Oscillator<Real> per_mass{}; ///< terms that a law lacks are 0; hysteresis is not looked at
+  Real angular_frequency = 1;   // [rad/s] > 0
+  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; hysteresis is not looked at
 
-  /// -dA/dt over A [1/s] at amplitude A > 0 [unit]. It is also the viscous rate that takes as much energy in a
-  /// cycle.
+  /// -dA/dt over A [1/s] at amplitude A > 0 [unit]. It is also the viscous rate that takes as much energy in
+  /// a cycle.
   Real rate(const Real& A) const {
     Real sum = 0;
     for_each_term([&]<class T>() {

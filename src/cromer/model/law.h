@@ -127,7 +127,8 @@ constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& oscillator) {
       if (T::coefficients[i].fitted != FittedAs::with_any_mass)
         per_mass.*member = oscillator.*member / oscillator.mass;
       else if constexpr (HasInnerState<T>)
-        per_mass.*member = oscillator.*member * T::shape_per_mass(oscillator.mass, value_of(oscillator.hysteresis_exponent));
+        per_mass.*member =
+            oscillator.*member * T::shape_per_mass(oscillator.mass, value_of(oscillator.hysteresis_exponent));
     }
   });
   return per_mass;

@@ -76,7 +76,8 @@ TEST(DerivedQuantities, ASwingThatIsFedHasALimitCycleAndNoQuality) {
   LawFit fit = released(-0.1);
   fit.law = law_of("viscous+van-der-pol");
   set(fit, "van_der_pol", certain(2.5));
-  // Decay rate and van der Pol's coefficient with standard errors, which the root of 8 g/e takes half of each.
+  // Decay rate and van der Pol's coefficient with standard errors, which the root of 8 g/e takes half of
+  // each.
   const std::size_t n = fit.names.size();
   fit.covariance[1 * n + 1] = 0.01 * 0.01;
   fit.covariance[3 * n + 3] = 0.1 * 0.1;

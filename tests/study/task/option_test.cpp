@@ -97,7 +97,7 @@ TEST_F(SimulateTable, RefusalsNameOptionTextAndExpectation) {
   EXPECT_THAT(refusal("mass", "217.6 N"), ::testing::AllOf(StartsWith("--mass: "), HasSubstr("217.6 N"),
                                                            HasSubstr("force"), HasSubstr("mass")));
   EXPECT_THAT(refusal("mass", "0"), ::testing::AllOf(StartsWith("--mass: "), HasSubstr("positive")));
-  EXPECT_THAT(refusal("damping", "-1"), HasSubstr("not be negative"));
+  EXPECT_THAT(refusal("drag", "-1"), HasSubstr("not be negative"));
   EXPECT_THAT(refusal("tolerance", "0.1"), HasSubstr("1e-15"));
   EXPECT_THAT(refusal("step", ""), HasSubstr("empty"));
   EXPECT_NE(refusal("step", "nan"), "");

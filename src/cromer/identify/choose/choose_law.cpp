@@ -83,8 +83,8 @@ std::vector<Law> driven_candidates(const Law& linear) {
 }
 
 // What may be added where something is left.
-constexpr Law additions[] = {law_with<Drag>,         law_with<Friction>,  law_with<Cubic>,
-                             law_with<OddQuadratic>, law_with<Quadratic>, law_with<Quadratic, Cubic>,
+constexpr Law additions[] = {law_with<Drag>,         law_with<Friction>,           law_with<Cubic>,
+                             law_with<OddQuadratic>, law_with<Quadratic>,          law_with<Quadratic, Cubic>,
                              law_with<Quintic>,      law_with<Viscous, VanDerPol>, law_with<Hysteresis>};
 
 // What looks like a term unless the record is good: each makes the same change at the record's middle
@@ -328,8 +328,8 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
     return choice;
   }
   const Selection part = select(record, viscous.angular_frequency().value);
-  const Record seen = part.record();
-  LawChoice choice = Choosing(seen, options, watch).among_free(0.5);
+  const Record samples = part.record();
+  LawChoice choice = Choosing(samples, options, watch).among_free(0.5);
   if (!is_comparable(choice.chosen) || choice.chosen.law == law_of("viscous")) {
     choice.chosen = viscous;
   } else if (choice.chosen.status == FitStatus::converged) {

@@ -77,8 +77,8 @@ std::string steadiness(const Record& record, const LawFit& fit, double periods) 
   if (periods < fewest) return {};
   const std::string then =
       "the frequency is the drive's, and the stiffness that follows from it is not the spring's";
-  const std::string lasts =
-      fmt::format("the swing does not die down over {:.0f} periods. If something drives it, {}", periods, then);
+  const std::string lasts = fmt::format(
+      "the swing does not die down over {:.0f} periods. If something drives it, {}", periods, then);
   if (is_fed(fit)) {
     const bool steady = range_of_amplitudes(record, two_pi / fit.angular_frequency().value) < 1.1;
     return steady ? lasts : "";

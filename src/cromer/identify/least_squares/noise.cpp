@@ -247,8 +247,8 @@ double statistic(const Parameters& coefficients, const SquareMatrix& covariance,
 
 // Whether squares of residuals follow the motion's, at a level of 1 %. The test is R. Koenker's (J.
 // Econometrics 17, 107 (1981)), with the squares' own correlation.
-bool follow(std::span<const double> r, const MotionSquares& x, const NormalEquations& sums,
-            const SampleGrid& grid) {
+bool squares_grow_with_motion(std::span<const double> r, const MotionSquares& x, const NormalEquations& sums,
+                              const SampleGrid& grid) {
   const int size = sums.size;
   const double critical = size == 3 ? 9.210 : 6.635;
   const auto [ok, coefficients, rest] = solve(sums);
@@ -282,7 +282,7 @@ std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> 
   NormalEquations sums = regression(x, 3, r, {});
   // The velocity says nothing new where a motion is steady.
   while (sums.size > 1 && !ScaledCholesky(sums.matrix, sums.size, 0, all_free).ok()) --sums.size;
-  if (sums.size == 1 || !follow(r, x, sums, grid)) return {};
+  if (sums.size == 1 || !squares_grow_with_motion(r, x, sums, grid)) return {};
 
   const int size = sums.size;
   const auto n = static_cast<double>(r.size());

@@ -1,5 +1,5 @@
 #include "cromer/identify/motion/compiled_laws.h"
-#include "cromer/identify/motion/follow.h"
+#include "cromer/identify/motion/integrate_through.h"
 #include "cromer/identify/motion/units.h"
 
 namespace cromer {
@@ -12,13 +12,13 @@ Rest rest_of(const FittedParameters& fitted, const Parameters& parameters, const
   Rest rest;
   int direction = 0;
   Unit::gradients(fitted, parameters, {}, record.t, h,
-                  [&](std::size_t i, const auto& seen, const auto& gradient) {
-                    const int now = seen.direction();
+                  [&](std::size_t i, const auto& sample, const auto& gradient) {
+                    const int now = sample.direction();
                     if (now != 0) {
                       rest.half_swings += now != direction;
                       rest.first = i + 1;
                     } else if (rest.first == i) {
-                      const auto x = seen.x();
+                      const auto x = sample.x();
                       rest.position = x.value;
                       rest.derivative = gradient(x);
                     }
@@ -36,8 +36,8 @@ VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion&
   }
   const double times[] = {0, duration};
   Unit::gradients(fitted, fitted.pack(motion), {}, times, h,
-                  [&](std::size_t, const auto& seen, const auto& gradient) {
-                    const auto v = seen.v();
+                  [&](std::size_t, const auto& sample, const auto& gradient) {
+                    const auto v = sample.v();
                     result = {v.value, gradient(v)};
                   });
   return result;

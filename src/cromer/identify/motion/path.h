@@ -28,19 +28,19 @@ namespace cromer {
 
 /// The number that a record sees, of a motion with or without an inner state.
 template <std::size_t N>
-Dual<double, N>& seen(Dual<double, N>& x) {
+Dual<double, N>& observable(Dual<double, N>& x) {
   return x;
 }
 template <std::size_t N>
-const Dual<double, N>& seen(const Dual<double, N>& x) {
+const Dual<double, N>& observable(const Dual<double, N>& x) {
   return x;
 }
 template <std::size_t N>
-Dual<double, N>& seen(Coupled<Dual<double, N>>& x) {
+Dual<double, N>& observable(Coupled<Dual<double, N>>& x) {
   return x.first;
 }
 template <std::size_t N>
-const Dual<double, N>& seen(const Coupled<Dual<double, N>>& x) {
+const Dual<double, N>& observable(const Coupled<Dual<double, N>>& x) {
   return x.first;
 }
 
@@ -119,11 +119,11 @@ class Path {
 
   Path(const Motion& motion, const typename Code::Drive& drive) : motion_(motion), system_(motion, drive) {
     State<Real> y{};
-    seen(y.x).value = motion.position;
-    seen(y.v).value = motion.velocity;
+    observable(y.x).value = motion.position;
+    observable(y.v).value = motion.velocity;
     if constexpr (Code::columns > 0) {
-      seen(y.x).derivative[Code::position_column] = 1;
-      seen(y.v).derivative[Code::velocity_column] = 1;
+      observable(y.x).derivative[Code::position_column] = 1;
+      observable(y.v).derivative[Code::velocity_column] = 1;
     }
     last_.to = y;
     started_ = false;
@@ -140,14 +140,14 @@ class Path {
   const Step& last() const { return last_; }
   int direction() const {
     if (rubs()) return direction_;
-    return seen(last_.from.v).value + seen(last_.to.v).value < 0 ? -1 : 1;
+    return observable(last_.from.v).value + observable(last_.to.v).value < 0 ? -1 : 1;
   }
   bool sticks() const { return rubs() && direction_ == 0; }
   /// [unit/s^2] of a state in the last step.
   Number acceleration(double t, const Real& x, const Real& v) const {
     if (sticks()) return Number(0.0);
     const auto a = system_.acceleration(t, x, v);
-    return seen(a);
+    return observable(a);
   }
 
  private:
@@ -156,10 +156,10 @@ class Path {
   // What friction must balance to hold it [unit/s^2].
   double pull(double t, const State<Real>& y) const {
     const auto a = system_.sliding(0).acceleration(t, y.x, y.v);
-    return seen(a).value;
+    return observable(a).value;
   }
   int direction_at(double t, const State<Real>& y) const {
-    if (const double v = seen(y.v).value; v != 0) return v > 0 ? 1 : -1;
+    if (const double v = observable(y.v).value; v != 0) return v > 0 ? 1 : -1;
     const double a = pull(t, y);
     return std::abs(a) > motion_.per_mass.friction ? (a > 0 ? 1 : -1) : 0;
   }
@@ -170,7 +170,7 @@ class Path {
     turning_ = false;
     direction_ = next_ = direction;
     State<Real> y = last_.to;
-    if (rubs() && direction == 0) seen(y.v) = Number(0.0);
+    if (rubs() && direction == 0) observable(y.v) = Number(0.0);
     system_ = system_.sliding(direction);
     last_ = Steps::start(system_, t, y);
     if (rubs() && direction == 0) hold(y);
@@ -193,9 +193,9 @@ class Path {
 
   double slide(double t, double h) {
     const Step before = last_;
-    const double v = seen(before.to.v).value;
+    const double v = observable(before.to.v).value;
     Steps::step(system_, t, h, last_);
-    const double end = seen(last_.to.v).value;
+    const double end = observable(last_.to.v).value;
     turning_ = end * direction_ < 0;
     if (!turning_) return h;
     if (v == 0) {  // it was to slide on, and pull and friction cancel to rounding
@@ -209,7 +209,7 @@ class Path {
     const auto velocity = [&](double by) {
       auto trial = started;
       Stepper<PlainSystem, Method>::step(plain, t, by, trial);
-      return seen(trial.to.v).value;
+      return observable(trial.to.v).value;
     };
     h = std::clamp(find_root(velocity, 0, v, h, end), 1e-12 * h, h);
     last_ = before;
@@ -220,8 +220,8 @@ class Path {
   using PlainSystem = MotionSystem<MotionCode<Code::law, typename Code::Drive, false>>;
   static State<typename PlainSystem::Real> plain_state(const State<Real>& y) {
     State<typename PlainSystem::Real> plain{};
-    seen(plain.x).value = seen(y.x).value;
-    seen(plain.v).value = seen(y.v).value;
+    observable(plain.x).value = observable(y.x).value;
+    observable(plain.v).value = observable(y.v).value;
     if constexpr (Code::hysteretic) plain.v.second.value = y.v.second.value;
     return plain;
   }
@@ -229,14 +229,14 @@ class Path {
   // The velocity vanishes.
   void turn(double t) {
     State<Real>& y = last_.to;
-    seen(y.v).value = 0;  // at rest to rounding
+    observable(y.v).value = 0;  // at rest to rounding
     const auto going = system_.acceleration(t, y.x, y.v);
-    const double before = seen(going).value;
+    const double before = observable(going).value;
     const int next = direction_at(t, y);
     if (next != 0) {
       const auto gone = system_.sliding(next).acceleration(t, y.x, y.v);
-      const double after = seen(gone).value;
-      for (auto& derivative : seen(y.v).derivative) derivative *= before != 0 ? after / before : 0;
+      const double after = observable(gone).value;
+      for (auto& derivative : observable(y.v).derivative) derivative *= before != 0 ? after / before : 0;
     }
     begin(t, next);
   }

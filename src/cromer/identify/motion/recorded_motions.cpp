@@ -1,5 +1,5 @@
 #include "cromer/identify/motion/compiled_laws.h"
-#include "cromer/identify/motion/follow.h"
+#include "cromer/identify/motion/integrate_through.h"
 #include "cromer/identify/motion/units.h"
 
 namespace cromer {

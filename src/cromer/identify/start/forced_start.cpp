@@ -56,10 +56,9 @@ struct Bend {
 };
 
 template <class T>
-constexpr Bend bend_of{T::template members<double>[0], [](double z) { return T::force(z, 0.0, 1.0); },
-                       [](double z) {
-                         return T::force(Dual<double, 1>::variable(z, 0), 0.0, 1.0).derivative[0];
-                       }};
+constexpr Bend bend_of{
+    T::template members<double>[0], [](double z) { return T::force(z, 0.0, 1.0); },
+    [](double z) { return T::force(Dual<double, 1>::variable(z, 0), 0.0, 1.0).derivative[0]; }};
 
 // Whatever bends a spring looks quadratic and cubic, but for a softening that stiffens farther out.
 std::vector<Bend> bends_of(const Law& law) {

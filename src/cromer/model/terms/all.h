@@ -23,8 +23,8 @@
 namespace cromer {
 
 /// In the order in which laws are written and parameters listed.
-using AllTerms = std::tuple<Spring, Viscous, Drag, Friction, Cubic, Quadratic, OddQuadratic, Quintic, VanDerPol,
-                            Hysteresis, Pendulum>;
+using AllTerms = std::tuple<Spring, Viscous, Drag, Friction, Cubic, Quadratic, OddQuadratic, Quintic,
+                            VanDerPol, Hysteresis, Pendulum>;
 
 inline constexpr std::size_t term_count = std::tuple_size_v<AllTerms>;
 

@@ -9,8 +9,9 @@ namespace cromer {
 struct Cubic {
   static constexpr TermInfo info{.name = "cubic",
                                  .formula = "k3 x^3",
-                                 .meaning = "a spring that stiffens or softens: the frequency changes with the "
-                                            "square of the amplitude",
+                                 .meaning =
+                                     "a spring that stiffens or softens: the frequency changes with the "
+                                     "square of the amplitude",
                                  .source = "G. Duffing, Erzwungene Schwingungen, Vieweg 1918"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "cubic",
                                                            .parameter = "cubic",

@@ -11,8 +11,9 @@ namespace cromer {
 struct OddQuadratic {
   static constexpr TermInfo info{.name = "odd-quadratic",
                                  .formula = "ka x|x|",
-                                 .meaning = "micro-slip where a spring is clamped: the frequency changes in "
-                                            "proportion to the amplitude",
+                                 .meaning =
+                                     "micro-slip where a spring is clamped: the frequency changes in "
+                                     "proportion to the amplitude",
                                  .source = "L. E. Goodman & J. H. Klumpp, J. Appl. Mech. 23, 421 (1956)"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "odd-quadratic",
                                                            .parameter = "odd_quadratic",

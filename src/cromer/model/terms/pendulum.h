@@ -11,8 +11,9 @@ namespace cromer {
 struct Pendulum {
   static constexpr TermInfo info{.name = "pendulum",
                                  .formula = "p sin x",
-                                 .meaning = "gravity on a pendulum, x an angle: the frequency falls with the "
-                                            "amplitude",
+                                 .meaning =
+                                     "gravity on a pendulum, x an angle: the frequency falls with the "
+                                     "amplitude",
                                  .source = "C. Huygens, Horologium oscillatorium, 1673"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "pendulum",
                                                            .parameter = "angular_frequency",

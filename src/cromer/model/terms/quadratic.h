@@ -7,11 +7,13 @@ namespace cromer {
 
 /// A spring that is not the same to both sides.
 struct Quadratic {
-  static constexpr TermInfo info{.name = "quadratic",
-                                 .formula = "k2 x^2",
-                                 .meaning = "a spring that is not the same to both sides: a second harmonic, and a "
-                                            "mean that moves with the amplitude",
-                                 .source = "H. von Helmholtz, Die Lehre von den Tonempfindungen, Vieweg 1863"};
+  static constexpr TermInfo info{
+      .name = "quadratic",
+      .formula = "k2 x^2",
+      .meaning =
+          "a spring that is not the same to both sides: a second harmonic, and a "
+          "mean that moves with the amplitude",
+      .source = "H. von Helmholtz, Die Lehre von den Tonempfindungen, Vieweg 1863"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "quadratic",
                                                            .parameter = "quadratic",
                                                            .in_si = "quadratic_stiffness",

@@ -9,8 +9,9 @@ namespace cromer {
 struct Quintic {
   static constexpr TermInfo info{.name = "quintic",
                                  .formula = "k5 x^5",
-                                 .meaning = "what a cubic spring leaves at large swings: the frequency changes with "
-                                            "the fourth power of the amplitude",
+                                 .meaning =
+                                     "what a cubic spring leaves at large swings: the frequency changes with "
+                                     "the fourth power of the amplitude",
                                  .source = "A. H. Nayfeh & D. T. Mook, Nonlinear Oscillations, Wiley 1979"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "quintic",
                                                            .parameter = "quintic",

@@ -11,14 +11,15 @@ struct Spring {
                                  .formula = "k x",
                                  .meaning = "a spring that pulls back in proportion to the displacement",
                                  .source = "R. Hooke, De potentia restitutiva, 1678"};
-  static constexpr std::array coefficients{CoefficientInfo{.option = "stiffness",
-                                                           .parameter = "angular_frequency",
-                                                           .in_si = "stiffness",
-                                                           .symbol = "k",
-                                                           .meaning = "spring constant k; negative with a cubic is a "
-                                                                      "double well",
-                                                           .length = -1,
-                                                           .fitted = FittedAs::square_root}};
+  static constexpr std::array coefficients{
+      CoefficientInfo{.option = "stiffness",
+                      .parameter = "angular_frequency",
+                      .in_si = "stiffness",
+                      .symbol = "k",
+                      .meaning = "spring constant k; negative with a cubic is a "
+                                 "double well",
+                      .length = -1,
+                      .fitted = FittedAs::square_root}};
   template <class Real>
   static constexpr std::array members{&Oscillator<Real>::stiffness};
 

@@ -1,11 +1,11 @@
-// What a term of the law is: a struct with its `info`, the `force` it pulls back with, and its `energy` where it
-// stores any.
+// What a term of the law is: a struct with its `info`, the `force` it pulls back with, and its `energy` where
+// it stores any.
 //
 //   m x'' = F(t) - the sum over the terms of force(x, v, coefficient)
 //
-// A term is written over three scalars, T of the position, V of the velocity and P of the coefficient: where a
-// derivative is wanted, a dual number of one derivative stands in one of the three places and plain numbers in
-// the others, which costs what a slope written by hand would.
+// A term is written over three scalars, T of the position, V of the velocity and P of the coefficient: where
+// a derivative is wanted, a dual number of one derivative stands in one of the three places and plain numbers
+// in the others, which costs what a slope written by hand would.
 #pragma once
 
 #include <array>
@@ -66,9 +66,9 @@ struct TermInfo {
   std::string_view formula;  ///< "ka x|x|"
   std::string_view meaning;  ///< what makes such a force
   std::string_view source;
-  bool damps = false;       ///< takes energy and never gives any
-  bool acts_at_rest = true; ///< part of the force at rest: of the position
-  bool bounds = false;      ///< bounds the swing that a negative viscous damping feeds
+  bool damps = false;        ///< takes energy and never gives any
+  bool acts_at_rest = true;  ///< part of the force at rest: of the position
+  bool bounds = false;       ///< bounds the swing that a negative viscous damping feeds
 };
 
 /// All terms have the coefficients in an array of their own: `coefficients`, of CoefficientInfo, and

@@ -7,12 +7,13 @@ namespace cromer {
 
 /// Damping in proportion to the velocity: the amplitude falls exponentially.
 struct Viscous {
-  static constexpr TermInfo info{.name = "viscous",
-                                 .formula = "c x'",
-                                 .meaning = "slow flow, eddy currents, a dashpot: the amplitude falls exponentially",
-                                 .source = "G. G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851)",
-                                 .damps = true,
-                                 .acts_at_rest = false};
+  static constexpr TermInfo info{
+      .name = "viscous",
+      .formula = "c x'",
+      .meaning = "slow flow, eddy currents, a dashpot: the amplitude falls exponentially",
+      .source = "G. G. Stokes, Trans. Camb. Phil. Soc. 9, 8 (1851)",
+      .damps = true,
+      .acts_at_rest = false};
   static constexpr std::array coefficients{CoefficientInfo{.option = "damping",
                                                            .parameter = "decay_rate",
                                                            .in_si = "damping",

@@ -64,8 +64,7 @@ std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const
                                   {"period", estimate_of(period, fit), "s"},
                                   {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
   const bool fed = value_of(g) < 0;
-  if (!fed)
-    list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
+  if (!fed) list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
   list.push_back({"logarithmic_decrement", estimate_of(equivalent * period, fit), "1"});
   list.push_back({"at_amplitude", estimate_of(A, fit), unit});
   if (fed)

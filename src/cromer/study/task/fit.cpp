@@ -298,8 +298,9 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
                                 const FitOptions& options, const Watch& watch) {
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
   if (fitted && options.hysteresis_exponent != 1 && !fitted->fit.law.has<Hysteresis>())
-    fitted->warnings.push_back(fmt::format(
-        "--hysteresis-exponent has no effect on the law {}, which has no hysteresis", to_text(fitted->fit.law)));
+    fitted->warnings.push_back(
+        fmt::format("--hysteresis-exponent has no effect on the law {}, which has no hysteresis",
+                    to_text(fitted->fit.law)));
   return fitted;
 }
 

@@ -45,8 +45,7 @@ std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {
       // What has other names as well is told apart from what is not given.
       if (member == &Oscillator<double>::stiffness) target = &o.stiffness;
       if (member == &Oscillator<double>::damping) target = &o.damping;
-      options.push_back({info.option, target, units[i],
-                         range_of(info.sign), info.meaning,
+      options.push_back({info.option, target, units[i], range_of(info.sign), info.meaning,
                          member == &Oscillator<double>::stiffness ? "1 N/m" : "0", group});
     }
     if constexpr (std::is_same_v<T, Friction>)

@@ -19,16 +19,16 @@ namespace cromer {
 
 /// A motion at one sample: what is observed of it, its velocity and position, each with its columns.
 template <class Path>
-class Seen {
+class MotionSample {
  public:
   using Number = typename Path::Number;
 
-  Seen(const Path& path, double t, double length, double share)
+  MotionSample(const Path& path, double t, double length, double share)
       : path_(path), t_(t), length_(length), share_(share) {}
 
   int direction() const { return path_.direction(); }
-  Number x() const { return seen(state().x); }
-  Number v() const { return seen(state().v); }
+  Number x() const { return observable(state().x); }
+  Number v() const { return observable(state().v); }
   Number a() const {
     const auto y = state();
     return path_.acceleration(t_, y.x, y.v);
@@ -57,11 +57,11 @@ class Seen {
 /// A motion that needs more steps than this is not followed to its end: no record is worth them.
 inline constexpr long long most_steps = 100'000'000;
 
-/// Calls visit(i, seen) at every time, strictly increasing, in steps of at most h. Stops where the motion is
-/// no longer finite.
+/// Calls visit(i, sample) at every time, strictly increasing, in steps of at most h. Stops where the motion
+/// is no longer finite.
 template <class Code, class Visit>
-void follow_freely(const Motion& motion, const typename Code::Drive& drive, std::span<const double> t,
-                   double h, Visit visit) {
+void integrate_freely(const Motion& motion, const typename Code::Drive& drive, std::span<const double> t,
+                      double h, Visit visit) {
   using OnPath = Path<Code, DormandPrince>;
   OnPath path(motion, drive);
   const double origin = t.front();
@@ -71,9 +71,9 @@ void follow_freely(const Motion& motion, const typename Code::Drive& drive, std:
     const double length = path.step(now, h);
     for (; i < t.size() && t[i] - origin <= now + length; ++i) {
       const double at = t[i] - origin;
-      visit(i, Seen<OnPath>(path, at, length, (at - now) / length));
+      visit(i, MotionSample<OnPath>(path, at, length, (at - now) / length));
     }
-    if (!std::isfinite(seen(path.last().to.x).value)) return;
+    if (!std::isfinite(observable(path.last().to.x).value)) return;
     now += length;
   }
 }
@@ -81,8 +81,8 @@ void follow_freely(const Motion& motion, const typename Code::Drive& drive, std:
 /// The same under a recorded force, whose samples the times lie at: each of its intervals is cut into equal
 /// steps of at most h.
 template <class Code, class Visit>
-void follow_force(const Motion& motion, const ForceRecord& force, std::span<const double> t, double h,
-                  Visit visit) {
+void integrate_under_force(const Motion& motion, const ForceRecord& force, std::span<const double> t,
+                           double h, Visit visit) {
   using OnPath = Path<Code, Rk4>;
   const int steps = std::max(1, static_cast<int>(std::ceil(force.spacing / h - 1e-9)));
   const double origin = t.front(), step = force.spacing / steps;
@@ -99,16 +99,16 @@ void follow_force(const Motion& motion, const ForceRecord& force, std::span<cons
     if (k + 1 < force.samples.size()) drive.prepare(k);
     if (here && k == first) {
       path.step(begin, 0);  // starts it
-      visit(i++, Seen<OnPath>(path, begin, 1, 1));
+      visit(i++, MotionSample<OnPath>(path, begin, 1, 1));
     } else if (here) {
-      visit(i++, Seen<OnPath>(path, begin, 1, 1));
+      visit(i++, MotionSample<OnPath>(path, begin, 1, 1));
     }
     if (k == last || k + 1 >= force.samples.size()) break;
     for (int n = 0; n < steps; ++n) {
       const double end = begin + (n + 1) * step;
       for (double now = begin + n * step; end - now > 1e-9 * step;) now += path.step(now, end - now);
     }
-    if (!std::isfinite(seen(path.last().to.x).value)) return;
+    if (!std::isfinite(observable(path.last().to.x).value)) return;
   }
 }
 
@@ -122,16 +122,17 @@ void with_law_among(const Law& law, F&& f) {
   (std::make_index_sequence<std::size(laws)>{});
 }
 
-/// Calls visit(i, seen) with numbers, and in columns their derivatives.
+/// Calls visit(i, sample) with numbers, and in columns their derivatives.
 template <Law law, class DriveColumns, bool derivatives, class Visit>
-void follow(const Motion& motion, const Drive& drive, std::span<const double> t, double h, Visit visit) {
+void integrate_through(const Motion& motion, const Drive& drive, std::span<const double> t, double h,
+                       Visit visit) {
   using Code = MotionCode<law, DriveColumns, derivatives>;
   if constexpr (std::is_same_v<DriveColumns, RecordedColumns>)
-    follow_force<Code>(motion, drive.force, t, h, visit);
+    integrate_under_force<Code>(motion, drive.force, t, h, visit);
   else if constexpr (std::is_same_v<DriveColumns, HarmonicColumns>)
-    follow_freely<Code>(motion, HarmonicColumns(motion), t, h, visit);
+    integrate_freely<Code>(motion, HarmonicColumns(motion), t, h, visit);
   else
-    follow_freely<Code>(motion, FreeColumns{}, t, h, visit);
+    integrate_freely<Code>(motion, FreeColumns{}, t, h, visit);
 }
 
 /// Which column of the code, times which factor, a fitted parameter is; none of an equilibrium's, which is 1
@@ -170,16 +171,17 @@ struct MotionUnit {
   template <class Visit>
   static void values(const Motion& motion, const Drive& drive, std::span<const double> t, double h,
                      Visit visit) {
-    with_law_among<laws>(motion.law,
-                         [&]<Law law>() { follow<law, DriveColumns, false>(motion, drive, t, h, visit); });
+    with_law_among<laws>(motion.law, [&]<Law law>() {
+      integrate_through<law, DriveColumns, false>(motion, drive, t, h, visit);
+    });
   }
 
   static Trajectory states(const Motion& motion, const Drive& drive, std::span<const double> t, double h) {
     Trajectory trajectory;
-    values(motion, drive, t, h, [&](std::size_t i, const auto& seen) {
+    values(motion, drive, t, h, [&](std::size_t i, const auto& sample) {
       trajectory.t.push_back(t[i]);
-      trajectory.x.push_back(seen.x().value);
-      trajectory.v.push_back(seen.v().value);
+      trajectory.x.push_back(sample.x().value);
+      trajectory.v.push_back(sample.v().value);
     });
     return trajectory;
   }
@@ -188,8 +190,8 @@ struct MotionUnit {
                                       int derivative, double h) {
     std::vector<double> y;
     y.reserve(t.size());
-    values(motion, drive, t, h, [&](std::size_t, const auto& seen) {
-      y.push_back(motion.equilibrium + seen.observed(derivative).value);
+    values(motion, drive, t, h, [&](std::size_t, const auto& sample) {
+      y.push_back(motion.equilibrium + sample.observed(derivative).value);
     });
     return y;
   }
@@ -203,19 +205,20 @@ struct MotionUnit {
       constexpr std::size_t N = Code::columns, columns = N + 1;  // the last is the equilibrium's
       double gram[columns][columns]{}, right[columns]{}, sum_of_squares = 0;
       std::size_t reached = 0;
-      follow<law, DriveColumns, true>(motion, drive, record.t, h, [&](std::size_t i, const auto& seen) {
-        const auto model = seen.observed(record.derivative);
-        const double r = record.y[i] - motion.equilibrium - model.value;
-        double row[columns];
-        for (std::size_t j = 0; j < N; ++j) row[j] = model.derivative[j];
-        row[N] = 1;
-        for (std::size_t j = 0; j < columns; ++j) {
-          right[j] += row[j] * r;
-          for (std::size_t l = 0; l <= j; ++l) gram[j][l] += row[j] * row[l];
-        }
-        sum_of_squares += r * r;
-        reached = i + 1;
-      });
+      integrate_through<law, DriveColumns, true>(
+          motion, drive, record.t, h, [&](std::size_t i, const auto& sample) {
+            const auto model = sample.observed(record.derivative);
+            const double r = record.y[i] - motion.equilibrium - model.value;
+            double row[columns];
+            for (std::size_t j = 0; j < N; ++j) row[j] = model.derivative[j];
+            row[N] = 1;
+            for (std::size_t j = 0; j < columns; ++j) {
+              right[j] += row[j] * r;
+              for (std::size_t l = 0; l <= j; ++l) gram[j][l] += row[j] * row[l];
+            }
+            sum_of_squares += r * r;
+            reached = i + 1;
+          });
       equations.size = fitted.count;
       equations.sum_of_squares = reached == record.t.size() ? sum_of_squares : HUGE_VAL;
       ColumnOf at[max_parameters];
@@ -240,8 +243,8 @@ struct MotionUnit {
     std::vector<double> rows;
     rows.reserve(record.t.size() * static_cast<std::size_t>(fitted.count));
     gradients(fitted, parameters, drive, record.t, h,
-              [&](std::size_t, const auto& seen, const auto& gradient) {
-                Parameters row = gradient(seen.observed(record.derivative));
+              [&](std::size_t, const auto& sample, const auto& gradient) {
+                Parameters row = gradient(sample.observed(record.derivative));
                 if (equilibrium >= 0) row[equilibrium] = 1;
                 rows.insert(rows.end(), row.begin(), row.begin() + fitted.count);
               });
@@ -249,7 +252,7 @@ struct MotionUnit {
     return rows;
   }
 
-  /// Calls visit(i, seen, gradient): gradient(number) is its derivatives by the fitted parameters.
+  /// Calls visit(i, sample, gradient): gradient(number) is its derivatives by the fitted parameters.
   template <class Visit>
   static void gradients(const FittedParameters& fitted, const Parameters& parameters, const Drive& drive,
                         std::span<const double> t, double h, Visit visit) {
@@ -265,8 +268,8 @@ struct MotionUnit {
               at[i].column < 0 ? 0 : at[i].factor * number.derivative[static_cast<std::size_t>(at[i].column)];
         return row;
       };
-      follow<law, DriveColumns, true>(motion, drive, t, h,
-                                      [&](std::size_t i, const auto& seen) { visit(i, seen, gradient); });
+      integrate_through<law, DriveColumns, true>(
+          motion, drive, t, h, [&](std::size_t i, const auto& sample) { visit(i, sample, gradient); });
     });
   }
 };
