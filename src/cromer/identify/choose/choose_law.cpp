@@ -255,8 +255,9 @@ class Choosing {
     return {fit.motion.under(law), record_.t.size(), candidates_.front().decay_rate().value};
   }
 
-  // The one chosen, and what it is chosen over, as finely as the record asks for.
+  // The one chosen, and what it is chosen over where that is close, as finely as the record asks for.
   void settle() {
+    constexpr double close = 30;  // of BIC: rough fits know it to about 1
     best_ = choose_candidate(candidates_, record_.resolution);
     for (std::optional<std::size_t> next = best_; next && !watch_.interrupted();) {
       LawFit& rough = candidates_[*next];
@@ -270,7 +271,7 @@ class Choosing {
       best_ = choose_candidate(candidates_, record_.resolution);
       next = runner_up(candidates_, best_);
       if (!fine_[best_]) next = best_;
-      if (next && fine_[*next]) break;
+      if (next && (fine_[*next] || candidates_[*next].bic > candidates_[best_].bic + close)) break;
     }
   }
 

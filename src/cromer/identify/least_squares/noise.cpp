@@ -44,12 +44,13 @@ struct FilteredSums {
 template <std::size_t width>
 class Filter {
  public:
-  explicit Filter(const Noise& noise)
+  Filter(const Noise& noise, bool with_gradient)
       : coefficients_(noise.correlation.coefficients),
         order_(coefficients_.size()),
+        slopes_(with_gradient ? order_ : 0),
         once_(order_ + block),
         twice_(order_ + block),
-        gradient_(order_) {}
+        gradient_(slopes_) {}
 
   // A row of the Jacobian becomes what its sample does to the estimates by the inverse of the normal matrix.
   FilteredSums operator()(const Noise& noise, std::span<const double> jacobian, int size,
@@ -93,7 +94,7 @@ class Filter {
   void put(const Row& in) {
     const std::size_t at = order_ + rows_++;
     filter(once_, at, in);
-    if (order_ > 0) filter(twice_, at, once_[at]);
+    if (slopes_ > 0) filter(twice_, at, once_[at]);
     if (rows_ == block) end_block();
   }
 
@@ -104,7 +105,7 @@ class Filter {
         for (std::size_t a = 0; a < width; ++a) sum[a] += once_[i][b] * once_[i][a];
       for (std::size_t a = 0; a < width; ++a) all_[b][a] += sum[a];
     }
-    for (std::size_t k = 0; k < order_; ++k) {
+    for (std::size_t k = 0; k < slopes_; ++k) {
       Row sum{};
       for (std::size_t i = order_; i < order_ + rows_; ++i)
         for (std::size_t a = 0; a < width; ++a) sum[a] += once_[i][a] * twice_[i - 1 - k][a];
@@ -128,17 +129,17 @@ class Filter {
 
   FilteredSums sums(double innovation) const {
     FilteredSums result;
-    result.gradient.assign(order_, {});
+    result.gradient.assign(slopes_, {});
     for (std::size_t a = 0; a < size_; ++a) {
       result.alone[a] = alone_[a];
       for (std::size_t b = 0; b < size_; ++b) result.all[a][b] = innovation * all_[a][b];
-      for (std::size_t k = 0; k < order_; ++k) result.gradient[k][a] = gradient_[k][a] / all_[a][a];
+      for (std::size_t k = 0; k < slopes_; ++k) result.gradient[k][a] = gradient_[k][a] / all_[a][a];
     }
     return result;
   }
 
   const std::vector<double>& coefficients_;
-  std::size_t order_, rows_ = 0, size_ = 0;
+  std::size_t order_, slopes_, rows_ = 0, size_ = 0;
   std::vector<Row> once_, twice_;
   Row alone_{};
   std::array<Row, width> all_{};
@@ -146,12 +147,15 @@ class Filter {
 };
 
 FilteredSums filtered_sums(const Noise& noise, std::span<const double> jacobian, int size,
-                           const SquareMatrix& inverse_matrix) {
+                           const SquareMatrix& inverse_matrix, bool with_gradient) {
   static_assert(max_parameters <= 20);
-  if (size <= 4) return Filter<4>(noise)(noise, jacobian, size, inverse_matrix);
-  if (size <= 8) return Filter<8>(noise)(noise, jacobian, size, inverse_matrix);
-  if (size <= 12) return Filter<12>(noise)(noise, jacobian, size, inverse_matrix);
-  return Filter<20>(noise)(noise, jacobian, size, inverse_matrix);
+  const auto sums = [&]<std::size_t width>(Filter<width> filter) {
+    return filter(noise, jacobian, size, inverse_matrix);
+  };
+  if (size <= 4) return sums(Filter<4>(noise, with_gradient));
+  if (size <= 8) return sums(Filter<8>(noise, with_gradient));
+  if (size <= 12) return sums(Filter<12>(noise, with_gradient));
+  return sums(Filter<20>(noise, with_gradient));
 }
 
 // JᵀJ.
@@ -165,6 +169,40 @@ SquareMatrix normal_matrix(std::span<const double> jacobian, int size) {
   for (int a = 0; a < size; ++a)
     for (int b = 0; b < a; ++b) matrix[b][a] = matrix[a][b];
   return matrix;
+}
+
+// The degrees of freedom cost twice what the covariance does.
+EstimateNoise estimate(std::span<const double> jacobian, int size, const Noise& noise, double resolution,
+                       bool with_degrees) {
+  const SquareMatrix matrix = normal_matrix(jacobian, size), inverse_matrix = inverse(matrix, size);
+  const auto n = static_cast<double>(noise.samples);
+  EstimateNoise result;
+  if (!std::isfinite(inverse_matrix[0][0])) {
+    for (int a = 0; a < size; ++a) result.covariance[a][a] = HUGE_VAL;
+    result.degrees.fill(1);
+    return result;
+  }
+  const FilteredSums sums = filtered_sums(noise, jacobian, size, inverse_matrix, with_degrees);
+  // The part of the sum of squares that the fit took away: the trace of H times the covariance.
+  double taken = 0;
+  for (int a = 0; a < size; ++a)
+    for (int b = 0; b < size; ++b) taken += matrix[a][b] * sums.all[b][a];
+  const double variance = std::max(noise.sum_of_squares / std::max({1.0, n / (size + 1), n - taken}),
+                                   resolution * resolution / 12);
+  Parameters widening{};  // beyond that of the sums
+  for (int a = 0; a < size; ++a) {
+    const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
+    widening[a] = wide / factor;
+    if (!with_degrees) continue;
+    std::vector<double> slope;
+    for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
+    const double known = 2 / noise.correlation.log_variance(slope, n);
+    result.degrees[a] = std::min(n / wide, known) * std::max(0.0, 1 - size / n);
+  }
+  for (int a = 0; a < size; ++a)
+    for (int b = 0; b < size; ++b)
+      result.covariance[a][b] = variance * sums.all[a][b] * std::sqrt(widening[a] * widening[b]);
+  return result;
 }
 
 // 1, and the squares of a motion's displacement from its mean and of its velocity.
@@ -268,7 +306,7 @@ bool squares_grow_with_motion(std::span<const double> r, const MotionSquares& x,
   }
   noise.grid = grid;
   noise.correlation = autoregression_of(left, autocorrelations(left, grid, first_lags(left.size())), grid);
-  return statistic(coefficients, estimate_noise(rows, size, noise).covariance, size) > critical;
+  return statistic(coefficients, estimate(rows, size, noise, 0, false).covariance, size) > critical;
 }
 
 }  // namespace
@@ -315,34 +353,7 @@ std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> 
 
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution) {
-  const SquareMatrix matrix = normal_matrix(jacobian, size), inverse_matrix = inverse(matrix, size);
-  const auto n = static_cast<double>(noise.samples);
-  EstimateNoise result;
-  if (!std::isfinite(inverse_matrix[0][0])) {
-    for (int a = 0; a < size; ++a) result.covariance[a][a] = HUGE_VAL;
-    result.degrees.fill(1);
-    return result;
-  }
-  const FilteredSums sums = filtered_sums(noise, jacobian, size, inverse_matrix);
-  // The part of the sum of squares that the fit took away: the trace of H times the covariance.
-  double taken = 0;
-  for (int a = 0; a < size; ++a)
-    for (int b = 0; b < size; ++b) taken += matrix[a][b] * sums.all[b][a];
-  const double variance = std::max(noise.sum_of_squares / std::max({1.0, n / (size + 1), n - taken}),
-                                   resolution * resolution / 12);
-  Parameters widening{};  // beyond that of the sums
-  for (int a = 0; a < size; ++a) {
-    const double factor = sums.all[a][a] / sums.alone[a], wide = std::clamp(factor, 1.0, n);
-    widening[a] = wide / factor;
-    std::vector<double> slope;
-    for (const Parameters& gradient : sums.gradient) slope.push_back(gradient[a]);
-    const double known = 2 / noise.correlation.log_variance(slope, n);
-    result.degrees[a] = std::min(n / wide, known) * std::max(0.0, 1 - size / n);
-  }
-  for (int a = 0; a < size; ++a)
-    for (int b = 0; b < size; ++b)
-      result.covariance[a][b] = variance * sums.all[a][b] * std::sqrt(widening[a] * widening[b]);
-  return result;
+  return estimate(jacobian, size, noise, resolution, true);
 }
 
 Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,

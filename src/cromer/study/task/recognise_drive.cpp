@@ -36,10 +36,15 @@ double share_of_steady(const FittedRecording& driven) {
   return steady / std::sqrt(2 * square / static_cast<double>(driven.series.y.size()));
 }
 
+// A drive that accounts for next to nothing is none.
+bool drive_helps(const FittedRecording& driven, const FittedRecording& free) {
+  return driven.fit.residual.rms < 0.9 * free.fit.residual.rms;
+}
+
 bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& free) {
   if (driven.fit.status != FitStatus::converged) return false;
-  const Residual &left = driven.fit.residual, &left_free = free.fit.residual;
-  return left.rms < 0.9 * left_free.rms && std::abs(left.autocorrelation) <= unstructured &&
+  const Residual& left = driven.fit.residual;
+  return drive_helps(driven, free) && std::abs(left.autocorrelation) <= unstructured &&
          driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
 }
 
@@ -122,8 +127,9 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
   if (!driven || watch.interrupted()) return free;
   MotionJudgement judgement = judged(free, *driven, false);
-  const bool settled = driven->fit.status == FitStatus::converged &&
-                       (judgement.kind == MotionKind::free || judgement.kind == MotionKind::two_modes);
+  const bool settled = (driven->fit.has_values() && !drive_helps(*driven, free)) ||
+                       (driven->fit.status == FitStatus::converged &&
+                        (judgement.kind == MotionKind::free || judgement.kind == MotionKind::two_modes));
   if (!refused && !settled) {
     same.law = options.law;
     driven = fit_driven(motion, free.file, same, watch);
