@@ -106,8 +106,8 @@ TEST(TermsFit, EveryPairIsFoundAgain) {
   const std::vector<Law> terms = terms_to_add();
   for (std::size_t i = 0; i < terms.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      // Two laws of one shape: what tells a hysteretic force from damping and stiffness is small.
-      if (terms[i].with(terms[j]).has<Hysteresis>()) continue;
+      // A body that sticks has no loop to tell of.
+      if (terms[i].with(terms[j]) == law_with<Friction, Hysteresis>) continue;
       expect_found(law_of("viscous").with(terms[i]).with(terms[j]), Kind::free);
       expect_found(law_of("viscous").with(terms[i]).with(terms[j]), Kind::harmonic);
       expect_found(law_of("viscous").with(terms[i]).with(terms[j]), Kind::recorded);

@@ -29,7 +29,7 @@ Minimum fit_phasor(const Record& record, StartValues start, const LawFitOptions&
     LeastSquaresOptions settings = least_squares_options(part, options);
     const double duration = part.t.back() - part.t.front();
     settings.lower[DampedPhasor::angular_frequency] = 1e-3 / duration;
-    settings.lower[DampedPhasor::decay_rate] = 0;
+    if (!options.may_grow) settings.lower[DampedPhasor::decay_rate] = 0;
     const bool whole = start.samples == record.t.size();
     const auto model = interruptible(DampedPhasor(part), watch);
     if (whole || watch.interrupted()) {
@@ -103,7 +103,8 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   if (watch.interrupted()) return interrupted_fit(options);
   fit.iterations = minimum.bounded.iterations;
   const Parameters& p = minimum.bounded.parameters;
-  const FittedParameters fitted = fitted_parameters(fit.law);
+  FittedParameters fitted = fitted_parameters(fit.law);
+  fitted.of[fitted.place_of("decay_rate")].may_be_negative = options.may_grow;
   const Motion motion = motion_of_phasor(p, record.derivative);
 
   // The same covariance, said of the motion's parameters.

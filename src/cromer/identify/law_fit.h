@@ -109,6 +109,7 @@ struct LawFitOptions {
   std::optional<KnownMotion> start{};  ///< found if not given; the viscous law alone needs none
   int iteration_limit = 50;            // > 0
   double tolerance = 1e-10;            // of the last relative change of the motion, 0 < tolerance < 1
+  bool may_grow = false;               ///< the viscous law's decay rate may be negative: a part of a motion
   bool every_sample = false;           ///< outliers as well
   double rms_to_beat = HUGE_VAL;       ///< a fit that leaves 1.2 times this is not refined any further
 };

@@ -48,7 +48,7 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
                       last = i + 1 == wanted && !length ? record.t.size() : index_at(to);
     const Record part{record.t.subspan(first, last - first), record.y.subspan(first, last - first),
                       record.resolution};
-    const LawFit fit = fit_law(part, {}, watch);
+    const LawFit fit = fit_law(part, {.may_grow = true}, watch);
     if (watch.interrupted()) {
       result.warnings.push_back(fmt::format("interrupted after {} of the {} segments", i, wanted));
       break;

@@ -79,7 +79,7 @@ std::string explanation(const CompareResult& comparison) {
   const auto& rates = comparison.recording.decay_by_amplitude;
   const double first = rates.empty() ? 0 : rates.front().law_rate,
                last = rates.empty() ? 0 : rates.back().law_rate;
-  const bool constant = std::abs(first - last) < 0.02 * std::max(first, last);
+  const bool constant = std::abs(first - last) < 0.02 * std::max(std::abs(first), std::abs(last));
   const std::string method = method_adds(law, unit);
   if (law.law == law_of("viscous"))
     return fmt::format("One decay rate is enough: {}, and {}.{}", left, amplitude_at_the_end(one), method);
@@ -89,10 +89,10 @@ std::string explanation(const CompareResult& comparison) {
         "swing dies down.{}",
         left, with_law, method);
   return fmt::format(
-      "One decay rate is not enough. It {} from {} to {}\u00a01/s as the swing dies down from {} to {}; {} "
-      "and "
-      "{}, {}. Quote the law instead.{}",
+      "One decay rate is not enough. It {} from {} to {}\u00a01/s as the swing {} from {} to {}; {} and {}, "
+      "{}. Quote the law instead.{}",
       last < first ? "falls" : "rises", rounded(first, 3), rounded(last, 3),
+      rates.back().amplitude > rates.front().amplitude ? "grows" : "dies down",
       with_unit(rates.front().amplitude, unit), with_unit(rates.back().amplitude, unit), left,
       amplitude_at_the_end(one), with_law, method);
 }

@@ -94,18 +94,24 @@ class Prospect {
 };
 
 /// When the swing has become too small to tell anything, or the counting of periods too long.
-double end_of_the_swing(const LawFit& fit) {
+struct SwingEnd {
+  double t = 0;  // [s]
+  bool dies_down = false;
+};
+
+SwingEnd end_of_the_swing(const LawFit& fit) {
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double period = 2 * std::numbers::pi / decay.angular_frequency;
   const double first = first_amplitude(fit);
   double A = first, t = 0;
   while (A > 1e-3 * first && t < most_periods * period) {
     // A step changes the amplitude by a twentieth at most.
-    const double step = std::min(0.05 / std::max(decay.rate(A), 1e-300), 0.01 * most_periods * period);
-    A *= std::exp(-decay.rate(A) * step);
+    const double rate = decay.rate(A);
+    const double step = std::min(0.05 / std::max(std::abs(rate), 1e-300), 0.01 * most_periods * period);
+    A *= std::exp(-rate * step);
     t += step;
   }
-  return std::min(t, most_periods * period);
+  return {std::min(t, most_periods * period), A <= 1e-3 * first};
 }
 
 std::string seconds(double t) {
@@ -119,7 +125,7 @@ std::string certainty(const RecordingPlan& plan, bool relative, double error) {
                      plan.unit == "1" ? "" : plan.unit);
 }
 
-std::string sentence(const RecordingPlan& plan, bool relative, double present, double rate) {
+std::string sentence(const RecordingPlan& plan, bool relative, double present, double rate, bool dies_down) {
   const std::string goal = certainty(plan, relative, plan.goal), now = certainty(plan, relative, plan.now);
   if (plan.met)
     return fmt::format("the goal is met: {} is known to {}, and {} were wanted; the first {} would do",
@@ -134,12 +140,20 @@ std::string sentence(const RecordingPlan& plan, bool relative, double present, d
         "a longer record does not reach {}: {} is known to {}, and what limits it are the values given, such "
         "as the mass",
         goal, plan.quantity, now);
+  const std::string best = certainty(plan, relative, plan.best);
+  const std::string limits =
+      dies_down
+          ? fmt::format(
+                "a longer record does not reach {}: after {} the swing has died down, and {} is known to "
+                "{} however long one records",
+                goal, seconds(plan.duration), plan.quantity, best)
+          : fmt::format("not even a record of {} reaches {}: {} is then known to {}", seconds(plan.duration),
+                        goal, plan.quantity, best);
   return fmt::format(
-      "a longer record does not reach {}: after {} the swing has died down, and {} is known to {} however "
-      "long one records; it takes {:.2g} times less noise or a start {:.2g} times as large, or {:.2g} times "
-      "the samples per second if their noise is white",
-      goal, seconds(plan.duration), plan.quantity, certainty(plan, relative, plan.best), plan.noise_ratio,
-      plan.noise_ratio, plan.rate_ratio);
+      "{}; it takes {:.2g} times less noise or a start {:.2g} times as large, or {:.2g} times the samples "
+      "per "
+      "second if their noise is white",
+      limits, plan.noise_ratio, plan.noise_ratio, plan.rate_ratio);
 }
 
 /// "did you mean decay_rate?", also of "decay rate 1 %"; else all there are.
@@ -228,7 +242,8 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
     return then && std::isfinite(then->estimate.standard_error) ? then->estimate.standard_error : HUGE_VAL;
   };
   const double present = record.t.back() - record.t.front();
-  const double last = std::max(present, end_of_the_swing(fit));
+  const SwingEnd end = end_of_the_swing(fit);
+  const double last = std::max(present, end.t);
   const double period = 2 * std::numbers::pi / fit.angular_frequency().value;
   double low = std::min(present, 1.5 * period), high = present;
   if (!plan.met) {
@@ -260,7 +275,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
     }
     plan.duration = useful_high;
   }
-  plan.text = sentence(plan, goal.relative, present, prospect.rate());
+  plan.text = sentence(plan, goal.relative, present, prospect.rate(), end.dies_down);
   return plan;
 }
 
