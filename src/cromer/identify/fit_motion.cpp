@@ -321,6 +321,10 @@ KnownMotion Beginning::known(const Law& law, const Record& record) const {
     // Where it comes to rest depends on how many half swings there are: the swing itself must tell that
     // before the rest may pull.
     result.samples = law.has<Friction>() ? track->swinging : track->samples;
+    // Where the frequency changes much along the record, a start that is a little off loses step.
+    constexpr double much = 0.1;
+    const double w = result.motion.angular_frequency();
+    if (std::abs(track->frequency - w) > much * w) result.samples = std::min(result.samples, track->samples / 8);
   }
   return result;
 }

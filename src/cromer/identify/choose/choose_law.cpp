@@ -193,10 +193,11 @@ class Choosing {
   // The best law with a term that is met rarely in the place of one that is met often.
   void try_kin(const Beginning& beginning) {
     const Law base = candidates_[best_].law;
-    for (const auto& [often, rare] : kin) {
-      const Law law = base.without(often).with(rare);
-      if (base.contains(often)) try_law(law, beginning.known(law, record_));
-    }
+    const Law plain = Law{base.terms & springs.terms}.with(law_with<Viscous>);
+    for (const auto& [often, rare] : kin)
+      if (base.contains(often))
+        for (const Law& law : {base.without(often).with(rare), plain.with(rare)})
+          try_law(law, beginning.known(law, record_));
     settle();
     drop_old_terms(base);
   }

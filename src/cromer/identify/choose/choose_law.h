@@ -16,8 +16,9 @@ struct LawChoice {
   /// odd-quadratic, for angles also as a pendulum. Of a driven motion: the viscous law, and it with cubic,
   /// with quadratic, with both and with odd-quadratic (only where there is a spring), each of these also with
   /// drag and with friction. Then, of either, the best law with van-der-pol in the place of drag, and with
-  /// quintic in that of cubic; as long as something is left, and for two rounds at most, the best law with
-  /// one more term, or with quadratic and cubic together; hysteresis beside the viscous law.
+  /// quintic in that of cubic, each also beside viscous damping alone; as long as something is left, and for
+  /// two rounds at most, the best law with one more term, or with quadratic and cubic together; hysteresis
+  /// beside the viscous law.
   ///
   /// The viscous law comes first, and it alone if it was refused. Only the chosen law and the one of lowest
   /// BIC beside it are fitted to the last digit, the others well enough to be compared. Where the reading of

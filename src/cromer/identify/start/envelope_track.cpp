@@ -1,10 +1,12 @@
 #include "cromer/identify/start/envelope_track.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "cromer/analysis/cycle_average.h"
+#include "cromer/analysis/swing.h"
 #include "cromer/base/state.h"
 #include "cromer/model/law.h"
 
@@ -153,6 +155,73 @@ Decay decay_along(const EnvelopeTrack& track, const std::vector<TermAlong>& term
   return best;
 }
 
+// The springs of a law by the frequency that they have at each amplitude, not just to the first order: steps
+// of Gauss and Newton along the track's phases. Nothing where they lead nowhere.
+struct SpringsAlong {
+  Oscillator<double> per_mass;
+  double phase = 0;          // [rad] at the first window
+  std::vector<double> rate;  // [rad/s] in each window
+};
+
+// The third harmonic of a swing whose fundamental has the amplitude A: what the bends add to it at the
+// turning points. Of the harmonic balance, 9 w² - w0² as 8 w².
+double third_harmonic(const Swing<double>& swing, double A, double w) {
+  constexpr int points = 12;
+  double sum = 0;
+  for (int i = 0; i < points; ++i) {
+    const double theta = (i + 0.5) * pi / points;
+    sum += swing.pull(A * std::cos(theta)) * std::cos(3 * theta);
+  }
+  return 2 * sum / points / (8 * w * w);
+}
+
+std::optional<SpringsAlong> springs_along(const EnvelopeTrack& track, const std::vector<TermAlong>& terms,
+                                          const std::vector<std::size_t>& bending,
+                                          Oscillator<double> per_mass) {
+  constexpr std::size_t most = 5;
+  using Real = Dual<double, most>;
+  if (1 + bending.size() > most) return std::nullopt;
+  std::vector<double Oscillator<double>::*> unknown{&Oscillator<double>::stiffness};
+  for (const std::size_t i : bending) unknown.push_back(terms[i].coefficient);
+  SpringsAlong found{.per_mass = per_mass, .rate = {}};
+  for (int round = 0; round < 6; ++round) {
+    const Swing<double> now{per_mass};
+    Swing<Real> swing;
+    swing.per_mass.stiffness = Real::variable(per_mass.stiffness, 0);
+    for_each_term([&]<class T>() {
+      for (std::size_t j = 1; j < unknown.size(); ++j)
+        if (unknown[j] == T::template members<double>[0])
+          swing.per_mass.*T::template members<Real>[0] = Real::variable(per_mass.*unknown[j], j);
+    });
+    NormalEquations equations{.size = static_cast<int>(1 + unknown.size())};
+    found.rate.clear();
+    Real phase = 0, before = 0;
+    for (std::size_t k = 0; k < track.t.size(); ++k) {
+      const double A = track.amplitude[k];
+      const Real rate = swing.angular_frequency(Real(A + third_harmonic(now, A, track.frequency)));
+      if (!std::isfinite(rate.value)) return std::nullopt;
+      if (k > 0) phase += 0.5 * (track.t[k] - track.t[k - 1]) * (rate + before);
+      before = rate;
+      found.rate.push_back(rate.value);
+      std::array<double, 1 + most> row{1};
+      for (std::size_t j = 0; j < unknown.size(); ++j) row[1 + j] = phase.derivative[j];
+      equations.add_row(row, track.phase[k] - phase.value);
+    }
+    const LinearFit step = solve(equations);
+    if (!step.ok) return std::nullopt;
+    double largest = 0;
+    for (std::size_t j = 0; j < unknown.size(); ++j) {
+      per_mass.*unknown[j] += step.x[1 + j];
+      largest = std::max(largest, std::abs(step.x[1 + j]) / std::max(std::abs(per_mass.*unknown[j]), 1e-300));
+    }
+    if (!(per_mass.stiffness > 0)) return std::nullopt;
+    found.per_mass = per_mass;
+    found.phase = step.x[0];
+    if (largest < 1e-4) break;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular_frequency,
@@ -239,6 +308,20 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
   for (std::size_t i = 0; i < shifting.size(); ++i)
     motion.per_mass.*terms[shifting[i]].coefficient = fit.x[2 + i];
   motion.set_angular_frequency(std::hypot(w, motion.decay_rate()));
+  constexpr double much = 0.03;  // of the frequency: beyond, the first order is not enough
+  std::optional<SpringsAlong> bent;
+  if (!shifting.empty() && std::abs(track.frequency - w) > much * w)
+    bent = springs_along(track, terms, shifting, motion.per_mass);
+  if (bent) {
+    motion.per_mass = bent->per_mass;
+    // Damping takes from the action, of which the linear swing of amplitude A sqrt(rate/w) has as much.
+    for (std::size_t k = 0; k < track.t.size(); ++k)
+      linear.amplitude[k] = track.amplitude[k] * std::sqrt(bent->rate[k] / motion.angular_frequency());
+    const Decay of_action = decay_along(linear, terms_along(linear, law, motion.angular_frequency()));
+    for (std::size_t i = 0; i < terms.size(); ++i)
+      if (terms[i].shift.back() == 0 && of_action.coefficients.size() == terms.size())
+        motion.per_mass.*terms[i].coefficient = of_action.coefficients[i];
+  }
   // From the first window's middle back to the first sample, at the rates there.
   const double back = track.t.front() - t0, A = decay.amplitude;
   double fall = 0, rate = w;
@@ -257,6 +340,15 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
     const State<double> start = swing.at(fit.x[0] - w * mean_rate * back);
     motion.position = start.x;
     motion.velocity = w * start.v - motion.decay_rate() * start.x;
+    return motion;
+  }
+  if (bent) {
+    const Swing<double> swing{bent->per_mass};
+    const double third = third_harmonic(swing, amplitude, track.frequency);
+    const double exact = swing.angular_frequency(amplitude + third), phase = bent->phase - exact * back;
+    motion.position = amplitude * std::cos(phase) + third * std::cos(3 * phase);
+    motion.velocity = -exact * (amplitude * std::sin(phase) + 3 * third * std::sin(3 * phase)) -
+                      motion.decay_rate() * motion.position;
     return motion;
   }
   const double phase = fit.x[0] - rate * back;
