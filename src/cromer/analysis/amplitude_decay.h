@@ -6,10 +6,7 @@
 // First order in the damping over a cycle. Wang, Smith and Payne, Eur. J. Phys. 23, 155 (2002).
 #pragma once
 
-#include <optional>
-
 #include "cromer/analysis/cycle_average.h"
-#include "cromer/base/dual.h"
 #include "cromer/model/oscillator.h"
 
 namespace cromer {
@@ -31,26 +28,6 @@ struct CycleDecay {
       }
     });
     return sum;
-  }
-
-  /// The amplitude [unit] at which a swing that is fed keeps itself: below it the amplitude rises, above it
-  /// falls. The largest within a thousandfold of `near` > 0; empty where there is none.
-  std::optional<Real> limit_amplitude(double near) const {
-    const auto falls = [&](double A) { return value_of(rate(Real(A))) > 0; };
-    double below = 0;
-    constexpr double ratio = 1.25;
-    for (double A = 1e-3 * near; A < 1e3 * near; A *= ratio)
-      if (!falls(A) && falls(ratio * A)) below = A;
-    if (!(below > 0)) return std::nullopt;
-    double above = ratio * below;
-    for (int halving = 0; halving < 52; ++halving) {
-      const double middle = 0.5 * (below + above);
-      (falls(middle) ? above : below) = middle;
-    }
-    // A step of Newton's, with the slope of the rate, carries the derivatives of the coefficients over.
-    const double h = 1e-4 * above;
-    const double slope = value_of(rate(Real(above + h)) - rate(Real(above - h))) / (2 * h);
-    return Real(above) - rate(Real(above)) / Real(slope);
   }
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cromer/analysis/cycle_average.h"
+#include "cromer/analysis/swing.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_settings.h"
@@ -114,6 +115,12 @@ class StepLength {
     const Record& record = problem.record();
     const double w0 = first.angular_frequency();
     w_ = std::max(w0, first.drive_frequency);
+    // A spring that hardens swings faster where it swings far.
+    if (const double far = std::hypot(first.position, first.velocity / w0);
+        problem.options().drive.kind == DriveKind::none && w0 > 0 && std::isfinite(far) &&
+        !first.law.has<Pendulum>())
+      if (const double w = Swing<double>{first.per_mass}.angular_frequency(far); std::isfinite(w))
+        w_ = std::max(w_, w);
     const double duration = record.t.back() - record.t.front();
     duration_ = std::min(duration, 3 / std::max(known.decay_rate, 1e-300));
     amplitude_ = std::hypot(first.position, first.velocity / w0) * std::pow(w0, record.derivative);
@@ -324,7 +331,8 @@ KnownMotion Beginning::known(const Law& law, const Record& record) const {
     // Where the frequency changes much along the record, a start that is a little off loses step.
     constexpr double much = 0.1;
     const double w = result.motion.angular_frequency();
-    if (std::abs(track->frequency - w) > much * w) result.samples = std::min(result.samples, track->samples / 8);
+    if (std::abs(track->frequency - w) > much * w)
+      result.samples = std::min(result.samples, track->samples / 8);
   }
   return result;
 }

@@ -22,6 +22,8 @@ LeastSquaresOptions least_squares_options(const Record& record, const LawFitOpti
 
 HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive) {
   if (drive != DriveKind::recorded) return {};
+  // Without a spring a velocity does not show the place, and its offset looks like one of the force.
+  if (record.derivative > 0 && !law.shares(springs)) return {.equilibrium = true, .position = true};
   // Of velocities and accelerations the place of rest is not seen: the equilibrium is the sensor's offset.
   if (record.derivative > 0) return {.force_offset = true};
   if (!law.shares(springs)) return {.equilibrium = true};

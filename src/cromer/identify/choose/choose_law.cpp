@@ -13,6 +13,7 @@
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_motion.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer {
 namespace {
@@ -83,9 +84,11 @@ std::vector<Law> driven_candidates(const Law& linear) {
 }
 
 // What may be added where something is left.
-constexpr Law additions[] = {law_with<Drag>,         law_with<Friction>,           law_with<Cubic>,
-                             law_with<OddQuadratic>, law_with<Quadratic>,          law_with<Quadratic, Cubic>,
-                             law_with<Quintic>,      law_with<Viscous, VanDerPol>, law_with<Hysteresis>};
+constexpr Law additions[] = {
+    law_with<Drag>,         law_with<Friction>,           law_with<Cubic>,
+    law_with<OddQuadratic>, law_with<Quadratic>,          law_with<Quadratic, Cubic>,
+    law_with<Quintic>,      law_with<Viscous, VanDerPol>, law_with<OddQuadratic, Quintic>,
+    law_with<Hysteresis>};
 
 // What looks like a term unless the record is good: each makes the same change at the record's middle
 // amplitude.
@@ -131,7 +134,9 @@ class Choosing {
     settle();
     drop_terms();
     try_kin(beginning);
+    try_named_hysteresis(beginning);
     add_terms(beginning);
+    add_to_bounded();
     return chosen(laws);
   }
 
@@ -162,7 +167,9 @@ class Choosing {
     settle();
     drop_terms();
     try_kin(beginning);
+    try_named_hysteresis(beginning);
     add_terms(beginning);
+    add_to_bounded();
     return chosen({});
   }
 
@@ -202,6 +209,14 @@ class Choosing {
     drop_old_terms(base);
   }
 
+  // Who gives an exponent looks for hysteresis.
+  void try_named_hysteresis(const Beginning& beginning) {
+    if (options_.hysteresis_exponent == 1 || !beginning.linear.law.shares(springs)) return;
+    const Law law = law_of("viscous+hysteresis");
+    try_law(law, of_fit(candidates_.front(), law));
+    settle();
+  }
+
   // What stood in for a term that was missing may not be needed beside it: the best law without each of the
   // terms that it has from `before`.
   void drop_old_terms(const Law& before) {
@@ -215,25 +230,81 @@ class Choosing {
     drop_terms();
   }
 
-  // The best law with each addition, as long as something is left and one of them is chosen.
+  // The best law with each addition, and the closest that is not sure, as long as something is left and one
+  // of them is chosen or closer.
   void add_terms(const Beginning& beginning) {
-    for (int round = 0; round < 2 && !watch_.interrupted(); ++round) {
+    for (int round = 0; round < 2 + (closest() != best_) && !watch_.interrupted(); ++round) {
       const LawFit base = candidates_[best_];
       if (!something_is_left(record_, base)) return;
-      for (const Law& addition : additions) {
-        if (base.law.contains(addition)) continue;
-        // A hysteretic force damps by itself, and bends the spring: it stands in the place of all else.
-        const Law law = addition.has<Hysteresis>()
-                            ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
-                            : base.law.with(addition);
-        const bool from_base = options_.drive.kind != DriveKind::none || law.has<Hysteresis>() || round > 0;
-        try_law(law, from_base ? of_fit(base, law) : beginning.known(law, record_));
-      }
-      const std::size_t before = best_;
+      const std::size_t before = best_, closest_before = closest();
+      add_each(base, beginning, round);
+      if (closest_before != before) add_each(LawFit(candidates_[closest_before]), beginning, round);
       settle();
       drop_old_terms(base.law);
+      if (best_ == before && closest() == closest_before) return;
+    }
+  }
+
+  // A body that feeds itself is looked for among fewer laws: whatever else damps or bends it is tried.
+  void add_to_bounded() {
+    for (int round = 0; round < 3 && !watch_.interrupted(); ++round) {
+      const std::size_t before = best_;
+      const LawFit base = candidates_[before];
+      if (!base.law.shares(bounding_terms)) return;
+      for (const Law& addition :
+           {law_with<Drag>, law_with<Friction>, law_with<Cubic>, law_with<OddQuadratic>})
+        if (!base.law.contains(addition))
+          try_law(base.law.with(addition), of_fit(base, base.law.with(addition)));
+      settle();
+      drop_terms();
       if (best_ == before) return;
     }
+  }
+
+  void add_each(const LawFit& base, const Beginning& beginning, int round) {
+    for (const Law& addition : additions) {
+      if (base.law.contains(addition)) continue;
+      // Without a spring there is no place to pull back to.
+      if (!base.law.shares(springs) && addition.shares(terms_of_position)) continue;
+      // A hysteretic force damps by itself, and bends the spring: it stands in the place of all else.
+      const Law law = addition.has<Hysteresis>()
+                          ? Law{base.law.terms & springs.terms}.with(law_with<Viscous>).with(addition)
+                          : base.law.with(addition);
+      if (tried(law)) continue;
+      const bool recorded = options_.drive.kind == DriveKind::recorded;
+      if (recorded && law.contains(law_with<OddQuadratic, Quintic>)) {
+        LawFitOptions one = options_;
+        one.law = law;
+        try_law(law, begin_fit(record_, one, watch_).known(law, record_));
+        continue;
+      }
+      try_law(law, nearer_start(base, law, beginning, round));
+    }
+  }
+
+  // From a fit of most of the law, or along the record's amplitudes: at first along these, then from where
+  // less is left.
+  KnownMotion nearer_start(const LawFit& base, const Law& law, const Beginning& beginning, int round) const {
+    const KnownMotion from_base = of_fit(base, law);
+    if (options_.drive.kind != DriveKind::none || law.has<Hysteresis>()) return from_base;
+    const KnownMotion along = beginning.known(law, record_);
+    constexpr double close = 0.95;  // of the motion's squares
+    if (round == 0 || base.explained < close) return along;
+    const auto left = [&](const KnownMotion& known) {
+      const std::vector<double> r =
+          motion_residuals(known.motion, {}, record_, motion_step(known.motion.angular_frequency(), 0, 1));
+      double sum = r.size() == record_.t.size() ? 0 : HUGE_VAL;
+      for (const double each : r) sum += each * each;
+      return sum;
+    };
+    return left(along) < left(from_base) ? along : from_base;
+  }
+
+  // A candidate that leaves much less than the best, of terms that are not sure; else the best.
+  std::size_t closest() const {
+    const std::optional<std::size_t> other = runner_up(candidates_, best_);
+    const bool closer = other && candidates_[*other].residual.rms < 0.7 * candidates_[best_].residual.rms;
+    return closer ? *other : best_;
   }
 
   // A law that beats the chosen one, but for terms that are not sure, is tried without each of them.

@@ -48,7 +48,7 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
   const LawFit& best = candidates[chosen];
   if (best.status != FitStatus::converged || !best.law.shares(springs)) return {};
   const std::optional<MeanDecay> decay = mean_decay(best, record);
-  if (!decay || !(decay->rate.low > 0)) return {};  // no damping is seen, whichever it be
+  if (!decay || !(decay->rate.low > 0 || is_fed(best))) return {};  // no damping is seen, whichever it be
   std::vector<const LawFit*> rivals;
   for (const LawFit& rival : candidates) {
     if (&rival == &best || rival.status != FitStatus::converged || rival.bic > best.bic + strong_evidence)
@@ -71,10 +71,9 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
                         : i + 1 == std::min(most, rivals.size()) ? " or "
                                                                  : ", ",
                         to_text(rivals[i]->law), coefficients(*rivals[i]));
-  return fmt::format(
-      "this record cannot tell {} from {}: the uncertainties hold only if the law is right. Known "
-      "whichever it is: {}",
-      to_text(best.law), list, to_text(*decay));
+  const std::string known = is_fed(best) ? "" : ". Known whichever it is: " + to_text(*decay);
+  return fmt::format("this record cannot tell {} from {}: the uncertainties hold only if the law is right{}",
+                     to_text(best.law), list, known);
 }
 
 }  // namespace cromer

@@ -45,19 +45,14 @@ std::string rise(const Record& record, double period, double noise) {
   // An amplitude over a window of 16 samples or more is known to half the noise, and to a rounding step.
   if (to.amplitude - from.amplitude < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
   return fmt::format(
-      "the amplitude rises {} between {:.4g} and {:.4g} s, and a free swing's never does: something drives "
-      "or pushes it, or two motions beat. The frequency may then be the drive's, and the stiffness not the "
-      "spring's",
+      "the amplitude rises {} between {:.4g} and {:.4g} s: something drives or pushes it, two motions beat, "
+      "or "
+      "negative damping feeds it, as in viscous+van-der-pol. The frequency may then be the drive's, and the "
+      "stiffness not the spring's",
       to.amplitude < 2 * from.amplitude
           ? fmt::format("by {:.0f} %", 100 * (to.amplitude / from.amplitude - 1))
           : fmt::format("{:.2g}-fold", to.amplitude / from.amplitude),
       middle(from), middle(to));
-}
-
-// Negative damping feeds the swing.
-bool is_fed(const LawFit& fit) {
-  const Estimate* viscous = fit.find("decay_rate");
-  return viscous && viscous->high < 0;
 }
 
 // Largest amplitude over the smallest.
@@ -81,7 +76,11 @@ std::string steadiness(const Record& record, const LawFit& fit, double periods) 
       "the swing does not die down over {:.0f} periods. If something drives it, {}", periods, then);
   if (is_fed(fit)) {
     const bool steady = range_of_amplitudes(record, two_pi / fit.angular_frequency().value) < 1.1;
-    return steady ? lasts : "";
+    if (!steady) return {};
+    return fmt::format(
+        "the swing keeps itself over {:.0f} periods: negative damping feeds it as much as the rest takes. A "
+        "steady drive looks much the same: then {}",
+        periods, then);
   }
   // The terms may be traded for each other: what falls is known of their sum.
   const std::optional<MeanDecay> decay = mean_decay(fit, record);

@@ -62,6 +62,11 @@ bool dampings_are_collinear(const LawFit& fit) {
   return found;
 }
 
+bool is_fed(const LawFit& fit) {
+  const Estimate* viscous = fit.find(Viscous::coefficients[0].parameter);
+  return viscous && viscous->high < 0;
+}
+
 std::string to_text(const MeanDecay& decay) {
   return fmt::format("decay rate {} at the record's mean amplitude",
                      format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s"));

@@ -20,6 +20,9 @@ std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record);
 /// Two damping terms are traded for each other: their estimates' correlation is below -0.9.
 bool dampings_are_collinear(const LawFit& fit);
 
+/// Negative damping surely feeds the swing.
+bool is_fed(const LawFit& fit);
+
 /// "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude"
 std::string to_text(const MeanDecay& decay);
 

@@ -59,7 +59,7 @@ FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParamete
     add("drive_frequency", &Motion::drive_frequency);
   }
   if (!held.equilibrium) add("equilibrium", &Motion::equilibrium, true);
-  add("position", &Motion::position);
+  if (!held.position) add("position", &Motion::position);
   add("velocity", &Motion::velocity);
   return fitted;
 }

@@ -112,6 +112,7 @@ struct FittedParameters {
 struct HeldParameters {
   bool equilibrium = false;
   bool force_offset = false;
+  bool position = false;
 };
 
 /// What a fit of `law` under a drive adjusts, in the order of the law's terms, the drive's numbers, then

@@ -221,6 +221,8 @@ std::optional<Motion> forced_start(const Record& record, const ForceRecord& forc
   OnGrid grid = on_grid(record, force);
   const bool sprung = law.shares(springs);
   const std::vector<Bend> bends = record.derivative == 0 ? bends_of(law) : std::vector<Bend>{};
+  double mean_force = 0;
+  for (const double u : grid.u) mean_force += u / static_cast<double>(grid.u.size());
   // The derivative of a linear motion is the motion under the force's derivative.
   std::vector<double> first_forces;
   for (int d = 0; d < record.derivative; ++d) {
@@ -257,9 +259,12 @@ std::optional<Motion> forced_start(const Record& record, const ForceRecord& forc
   start.set_decay_rate(0.5 * resistance_now);
   const double slope = first_slope(z, h, sprung ? std::sqrt(s1) : w_line);
   if (!sprung) {
-    start.position = z.front() + grid.level;
-    start.velocity = slope;
-    start.force_offset = found[gain] != 0 ? found[bias] / found[gain] : 0;
+    const bool place = record.derivative == 0;
+    if (place) start.position = z.front() + grid.level;
+    start.velocity = place ? slope : record.derivative == 1 ? z.front() + grid.level : 0;
+    // On average the force drives against the resistance.
+    const double balance = place ? found[bias] : resistance_now * grid.level - found[gain] * mean_force;
+    start.force_offset = found[gain] != 0 ? balance / found[gain] : 0;
     return start;
   }
   const FoundSpring spring{found[bias], s1, bends, &found[first_bend]};

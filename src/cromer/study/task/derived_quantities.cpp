@@ -4,11 +4,14 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "cromer/analysis/amplitude_decay.h"
+#include "cromer/analysis/limit_cycle.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/dual.h"
 #include "cromer/identify/describe_fit.h"
+#include "cromer/identify/diagnose/mean_decay.h"
 
 namespace cromer {
 namespace {
@@ -44,13 +47,37 @@ LawAtAmplitude law_at_amplitude(const LawFit& fit) {
   return law;
 }
 
-Estimate estimate_of(const Real& number, const LawFit& fit) {
+Estimate estimate_of(double value, std::span<const double> slope, const LawFit& fit) {
   const std::size_t n = fit.names.size();
   double variance = 0;
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      variance += number.derivative[i] * fit.covariance[i * n + j] * number.derivative[j];
-  return make_estimate(number.value, std::sqrt(std::max(0.0, variance)), fit.student);
+    for (std::size_t j = 0; j < n; ++j) variance += slope[i] * fit.covariance[i * n + j] * slope[j];
+  return make_estimate(value, std::sqrt(std::max(0.0, variance)), fit.student);
+}
+
+Estimate estimate_of(const Real& number, const LawFit& fit) {
+  return estimate_of(number.value, number.derivative, fit);
+}
+
+// Where something surely feeds the swing, and something surely bounds it. By differences: the cycle has no
+// closed form.
+std::optional<Estimate> limit_cycle(const LawFit& fit, double near, double period) {
+  const Estimate* bound = fit.find(VanDerPol::coefficients[0].parameter);
+  if (!is_fed(fit) || !bound || !(bound->low > 0)) return std::nullopt;
+  const FittedParameters fitted = fitted_parameters(fit.law, fit.drive.kind, {}, fit.motion);
+  const auto value = limit_cycle_amplitude(fit.motion.per_mass, near, period);
+  if (!value) return std::nullopt;
+  std::vector<double> slope(fit.names.size(), 0.0);
+  for (std::size_t i = 0; i < fit.names.size(); ++i) {
+    const int place = fitted.place_of(fit.names[i]);
+    const double step = 0.1 * fit.estimates[i].standard_error;
+    if (place < 0 || !fitted.of[place].coefficient || !(step > 0)) continue;
+    Motion motion = fit.motion;
+    fitted.of[place].set(motion, fit.estimates[i].value + step);
+    if (const auto moved = limit_cycle_amplitude(motion.per_mass, *value, period))
+      slope[i] = (*moved - *value) / step;
+  }
+  return estimate_of(*value, slope, fit);
 }
 
 std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const LawFit& fit,
@@ -63,13 +90,14 @@ std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const
   std::vector<NamedEstimate> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
                                   {"period", estimate_of(period, fit), "s"},
                                   {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
+  // What grows has no quality factor, and a limit cycle only where something surely bounds it.
   const bool fed = value_of(g) < 0;
-  if (!fed) list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
+  if (!fed && !(value_of(equivalent) < 0))
+    list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
   list.push_back({"logarithmic_decrement", estimate_of(equivalent * period, fit), "1"});
   list.push_back({"at_amplitude", estimate_of(A, fit), unit});
-  if (fed)
-    if (const std::optional<Real> limit = law.decay.limit_amplitude(value_of(A)))
-      list.push_back({"limit_cycle_amplitude", estimate_of(*limit, fit), unit});
+  if (const auto limit = limit_cycle(fit, value_of(A), value_of(period)))
+    list.push_back({"limit_cycle_amplitude", *limit, unit});
   return list;
 }
 

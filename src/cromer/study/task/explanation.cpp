@@ -83,7 +83,8 @@ std::string explanation(const CompareResult& comparison) {
   const std::string method = method_adds(law, unit);
   if (law.law == law_of("viscous"))
     return fmt::format("One decay rate is enough: {}, and {}.{}", left, amplitude_at_the_end(one), method);
-  if (rates.empty() || constant)
+  if (rates.empty()) return fmt::format("One decay rate is not enough: {}, {}.{}", left, with_law, method);
+  if (constant)
     return fmt::format(
         "One decay rate describes the amplitude, but not the motion: {}, {}. The frequency changes as the "
         "swing dies down.{}",

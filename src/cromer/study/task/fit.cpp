@@ -297,6 +297,11 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
                                 const FitOptions& options, const Watch& watch) {
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
+  // The inner force is no parameter of the fit.
+  if (fitted && options.from && fitted->fit.law.has<Hysteresis>())
+    fitted->warnings.push_back(
+        "the hysteretic force is taken as 0 at the first sample used, --from: where the body had moved before, "
+        "its coefficients and the stiffness are off, and their uncertainties do not hold");
   if (fitted && options.hysteresis_exponent != 1 && !fitted->fit.law.has<Hysteresis>())
     fitted->warnings.push_back(
         fmt::format("--hysteresis-exponent has no effect on the law {}, which has no hysteresis",

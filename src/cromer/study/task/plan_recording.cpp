@@ -30,8 +30,9 @@ const std::vector<std::string_view>& known_quantities() {
       if (member == &CoefficientInfo::parameter)
         for (const std::string_view start : {"equilibrium", "position", "velocity"}) add(start);
     }
-    for (const std::string_view derived : {"drag_coefficient", "frequency", "period", "damping_ratio",
-                                           "quality_factor", "logarithmic_decrement"})
+    for (const std::string_view derived :
+         {"drag_coefficient", "frequency", "period", "damping_ratio", "quality_factor",
+          "logarithmic_decrement", "limit_cycle_amplitude"})
       add(derived);
     return names;
   }();

@@ -123,14 +123,16 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   same.to = free.series.t.back();
   // A drive must account for what the free law leaves, without the help of another law: one fit tells most
   // free motions.
-  if (!refused) same.law = to_text(free.fit.law);
+  // A swing that feeds itself may be a driven one in disguise, of another law.
+  const bool loses = !free.fit.law.shares(bounding_terms);
+  if (!refused && loses) same.law = to_text(free.fit.law);
   Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
   if (!driven || watch.interrupted()) return free;
   MotionJudgement judgement = judged(free, *driven, false);
   const bool settled = (driven->fit.has_values() && !drive_helps(*driven, free)) ||
                        (driven->fit.status == FitStatus::converged &&
                         (judgement.kind == MotionKind::free || judgement.kind == MotionKind::two_modes));
-  if (!refused && !settled) {
+  if (!refused && loses && !settled) {
     same.law = options.law;
     driven = fit_driven(motion, free.file, same, watch);
     if (!driven || watch.interrupted()) return free;

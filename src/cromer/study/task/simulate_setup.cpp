@@ -326,6 +326,8 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
       if (options.law.*T::template members<double>[i] != 0)
         add_once(fmt::format("--{} has no effect without --{}", T::coefficients[i].option,
                              T::coefficients[0].option));
+    if (HasInnerState<T> && options.law.hysteresis_exponent != 1)
+      add_once(fmt::format("--hysteresis-exponent has no effect without --{}", T::coefficients[0].option));
   });
   for (const auto& run : runs) {
     if (options.tolerance && !uses_tolerance(run.method))
