@@ -236,6 +236,28 @@ TEST(ForcedFit, VelocitiesAndAccelerationsAreFittedAsThat) {
   }
 }
 
+// Where it is, a velocity does not show; what moves it, it does.
+TEST(ForcedFit, ABodyWithoutASpringMayBeSeenByItsVelocity) {
+  const ForcedTruth truth{.w0 = 0, .g = 0.8, .position = 0, .velocity = 0.2};
+  int inside = 0, all = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const auto record = forced_synthetic(truth, multisine(20, seed + 1), 800, 0.02, 5e-3, seed, 1);
+    const LawFit fit = fit_forced(record, law_with<Viscous>, BetweenSamples::band_limited);
+    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    EXPECT_EQ(fit.find("position"), nullptr);
+    EXPECT_NEAR(fit.residual.rms, 5e-3, 1e-3);
+    const auto count = [&](const Estimate& e, double value) {
+      inside += e.low <= value && value <= e.high;
+      ++all;
+    };
+    count(fit.decay_rate(), truth.g);
+    count(fit["force_gain"], truth.gain);
+    count(fit["force_offset"], 0);
+    count(fit.velocity(), truth.velocity);
+  }
+  EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 4 * std::sqrt(0.05 * 0.95 / all));
+}
+
 TEST(ForcedFit, ACurvedSpringShowsInAccelerations) {
   const ForcedTruth truth{.quadratic = 40, .cubic = 900};
   for (const int derivative : {1, 2}) {

@@ -149,8 +149,11 @@ std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool on
   const bool line = leaves_a_line(record, fit, residuals, fit.angular_frequency().value);
   const std::string stop = rises.empty() ? sudden_stop(record, period, unit) : "";
   say(stop);
-  if (stop.empty()) say(wandering_zero(record, residuals, unit));
-  if (line) say(not_described(fit, noise, only_law));
+  const std::string zero = stop.empty() ? wandering_zero(record, residuals, unit) : "";
+  say(zero);
+  constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail
+  const bool named = !stop.empty() || !zero.empty();
+  if (line || (!named && fit.explained < most)) say(not_described(fit, noise, only_law));
   return found;
 }
 
