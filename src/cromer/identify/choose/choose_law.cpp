@@ -131,12 +131,7 @@ class Choosing {
         watch_.progress(progress_end * static_cast<double>(i) / static_cast<double>(laws.size()));
       try_law(laws[i], beginning.known(laws[i], record_));
     }
-    settle();
-    drop_terms();
-    try_kin(beginning);
-    try_named_hysteresis(beginning);
-    add_terms(beginning);
-    add_to_bounded();
+    try_rare_terms(beginning);
     return chosen(laws);
   }
 
@@ -164,12 +159,7 @@ class Choosing {
       if (watch_.progress)
         watch_.progress(0.15 + 0.85 * static_cast<double>(i + 1) / static_cast<double>(laws.size()));
     }
-    settle();
-    drop_terms();
-    try_kin(beginning);
-    try_named_hysteresis(beginning);
-    add_terms(beginning);
-    add_to_bounded();
+    try_rare_terms(beginning);
     return chosen({});
   }
 
@@ -195,6 +185,15 @@ class Choosing {
     one.law = law;
     LawFit fit = fit_motion(record_, one, known, watch_, true);
     if (!watch_.interrupted()) add(std::move(fit), false);
+  }
+
+  void try_rare_terms(const Beginning& beginning) {
+    settle();
+    drop_terms();
+    try_kin(beginning);
+    try_named_hysteresis(beginning);
+    add_terms(beginning);
+    add_to_bounded();
   }
 
   // The best law with a term that is met rarely in the place of one that is met often.

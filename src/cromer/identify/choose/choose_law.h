@@ -15,10 +15,14 @@ struct LawChoice {
   /// Of a free motion: all sums of viscous, drag and friction, each with a linear spring, with cubic and with
   /// odd-quadratic, for angles also as a pendulum. Of a driven motion: the viscous law, and it with cubic,
   /// with quadratic, with both and with odd-quadratic (only where there is a spring), each of these also with
-  /// drag and with friction. Then, of either, the best law with van-der-pol in the place of drag, and with
-  /// quintic in that of cubic, each also beside viscous damping alone; as long as something is left, and for
-  /// two rounds at most, the best law with one more term, or with quadratic and cubic together; hysteresis
-  /// beside the viscous law.
+  /// drag and with friction. Then, of either:
+  /// - the best law with van-der-pol in the place of drag, and with quintic in that of cubic, each also
+  /// beside
+  ///   viscous damping alone; hysteresis where its exponent is given;
+  /// - as long as something is left, for two rounds or three, the best law with one more term, with quadratic
+  ///   and cubic together, or with odd-quadratic and quintic; hysteresis beside the viscous law; the same of
+  ///   a law that leaves much less but has terms that are not sure;
+  /// - a law with van-der-pol with drag, friction, cubic or odd-quadratic as well.
   ///
   /// The viscous law comes first, and it alone if it was refused. Only the chosen law and the one of lowest
   /// BIC beside it are fitted to the last digit, the others well enough to be compared. Where the reading of
