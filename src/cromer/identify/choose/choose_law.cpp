@@ -342,8 +342,18 @@ class Choosing {
       best_ = choose_candidate(candidates_, record_.resolution);
       next = runner_up(candidates_, best_);
       if (!fine_[best_]) next = best_;
+      if (const auto open = left_unsettled()) next = open;
       if (next && (fine_[*next] || candidates_[*next].bic > candidates_[best_].bic + close)) break;
     }
+  }
+
+  // A law that leaves less, whose rough fit ran out of steps.
+  std::optional<std::size_t> left_unsettled() const {
+    for (std::size_t i = 0; i < candidates_.size(); ++i)
+      if (!fine_[i] && candidates_[i].status == FitStatus::iteration_limit && candidates_[i].has_values() &&
+          candidates_[i].bic < candidates_[best_].bic - strong_evidence)
+        return i;
+    return std::nullopt;
   }
 
   LawChoice alone() {
