@@ -71,9 +71,13 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
                         : i + 1 == std::min(most, rivals.size()) ? " or "
                                                                  : ", ",
                         to_text(rivals[i]->law), coefficients(*rivals[i]));
-  const std::string known = is_fed(best) ? "" : ". Known whichever it is: " + to_text(*decay);
-  return fmt::format("this record cannot tell {} from {}: the uncertainties hold only if the law is right{}",
-                     to_text(best.law), list, known);
+  if (is_fed(best))
+    return fmt::format("this record cannot tell {} from {}: the uncertainties hold only if the law is right",
+                       to_text(best.law), list);
+  return fmt::format(
+      "this record cannot tell {} from {}: the uncertainties hold only if the law is right. Known "
+      "whichever it is: {}",
+      to_text(best.law), list, to_text(*decay));
 }
 
 }  // namespace cromer

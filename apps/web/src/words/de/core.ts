@@ -22,6 +22,7 @@ a time⇒eine Zeit
 a frequency⇒eine Frequenz
 a temperature⇒eine Temperatur
 it must be positive, not {}⇒das muss größer als 0 sein, nicht {}
+it must not be negative without --van-der-pol, not {}⇒das darf ohne --van-der-pol nicht negativ sein: {}
 it must not be negative, not {}⇒das darf nicht negativ sein: {}
 it must lie between 100 K and 1900 K…⇒das muss zwischen 100 K und 1900 K liegen, zum Beispiel bei "20 °C"
 it must lie between {} and {}, not {}⇒das muss zwischen {} und {} liegen, nicht bei {}
@@ -188,7 +189,10 @@ the amplitude falls by {} % only over {} periods (quality factor {}): a drive…
 the frequency is the drive's, and the stiffness that follows…⇒Frequenz und Federkonstante sind dann nicht die der Feder
 the law {} does not describe this recording: what is left is {} times…⇒das Gesetz {} beschreibt diese Aufnahme nicht: übrig bleibt das {}-Fache des Rauschens, und den Unsicherheiten ist nicht zu trauen
 no law tried describes this recording: what is left is {} times…⇒kein Gesetz beschreibt diese Aufnahme: übrig bleibt das {}-Fache des Rauschens, und den Unsicherheiten ist nicht zu trauen
-the amplitude rises {} between {} and {} s, and a free…⇒die Amplitude steigt zwischen {2} und {3} s ({1}), was die einer freien Schwingung nie tut: etwas treibt sie, oder zwei Bewegungen schweben. Frequenz und Federkonstante sind dann vielleicht nicht die der Feder
+the amplitude rises {} between {} and {} s: something…⇒die Amplitude steigt zwischen {2} und {3} s ({1}): etwas treibt sie, zwei Bewegungen schweben, oder eine negative Dämpfung nährt sie wie in viscous+van-der-pol. Frequenz und Federkonstante sind dann vielleicht nicht die der Feder
+the swing keeps itself over {} periods: negative…⇒die Schwingung hält sich über {} Perioden selbst: eine negative Dämpfung gibt ihr, was der Rest nimmt. Ein gleichmäßiger Antrieb sähe fast genauso aus: dann sind Frequenz und Federkonstante nicht die der Feder
+the hysteretic force is taken as 0 at the first sample…⇒die hysteretische Kraft gilt beim ersten benutzten Messwert, --from, als 0: hat der Körper sich vorher bewegt, so stimmen ihre Beiwerte und die Federkonstante nicht, und ihre Unsicherheiten gelten nicht
+--hysteresis-exponent has no effect on the law {}, which…⇒--hysteresis-exponent bewirkt beim Gesetz {} nichts: es hat keine Hysterese
 by {} %⇒um {} %
 {}-fold⇒auf das {}-Fache
 the residuals are correlated ({} from sample to sample), but…⇒die Reste hängen zusammen ({} von Messwert zu Messwert), doch nicht bei der Frequenz der Schwingung: nur die Unsicherheit der Ruhelage ist geweitet
@@ -196,6 +200,7 @@ the residuals are correlated ({} from sample to sample): the…of {} independent
 the frequency changes along the record: one decaying sinusoid accounts for {} %…⇒die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur {} % der Streuung
 the record does not tell after…likelihood of {} %, …⇒die Aufnahme sagt nicht, nach wie vielen halben Schwingungen die Bewegung zur Ruhe kam: eine andere Zahl ist zu {} % wahrscheinlich, die Bereiche enthalten beide
 this record cannot tell {} from {}:…Known whichever it is: {}⇒diese Aufnahme kann {} und {} nicht trennen: die Unsicherheiten gelten nur, wenn das Gesetz stimmt. In jedem Fall bekannt: {}
+this record cannot tell {} from {}: the uncertainties hold only if the law is right⇒diese Aufnahme kann {} und {} nicht trennen: die Unsicherheiten gelten nur, wenn das Gesetz stimmt
 the laws were compared on {} of the {} samples…⇒die Gesetze wurden an {} von {} Messwerten verglichen; das gewählte ist an alle angepasst
 the {} is on its bound 0: the…⇒{} liegt an der Grenze 0: die Aufnahme zeigt nichts davon
 the 95 % interval of the {} is cut at its bound 0:…⇒der 95-%-Bereich ist an der Grenze 0 abgeschnitten ({}): die Aufnahme zeigt nicht, ob es das gibt
