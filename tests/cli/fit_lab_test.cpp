@@ -113,7 +113,9 @@ TEST(FitLab, RefusesADriveThatTheSamplesDoNotShow) {
 
 TEST(FitLab, RefusesWhatAMassAtRestDoesNotHave) {
   for (const std::vector<std::string>& asked :
-       {std::vector<std::string>{"--hysteresis-exponent", "2"}, std::vector<std::string>{"--law", "viscous"}}) {
+       {std::vector<std::string>{"--hysteresis-exponent", "2"}, std::vector<std::string>{"--law", "viscous"},
+        std::vector<std::string>{"--force-column", "F", "--no-spring"},
+        std::vector<std::string>{"--force-column", "F", "--between-samples", "hold"}}) {
     std::vector<std::string> all{"fit", disc, "--static", "--masses", "40, 60 g"};
     all.insert(all.end(), asked.begin(), asked.end());
     const Finished end = Folder().run(all);

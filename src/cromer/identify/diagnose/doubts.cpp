@@ -31,9 +31,13 @@ double noise_of(std::span<const double> r) {
 
 double middle(const AmplitudeWindow& window) { return 0.5 * (window.from + window.to); }
 
+std::vector<AmplitudeWindow> amplitudes(const Record& record, double period) {
+  return amplitude_windows(record, 4 * period, 16);
+}
+
 // The largest rise of the amplitude from an earlier window to a later.
 std::string rise(const Record& record, double period, double noise) {
-  const std::vector<AmplitudeWindow> windows = amplitude_windows(record, 4 * period, 16);
+  const std::vector<AmplitudeWindow> windows = amplitudes(record, period);
   if (windows.size() < 3) return {};
   AmplitudeWindow lowest = windows.front(), from = lowest, to = lowest;
   double largest = lowest.amplitude;
@@ -58,7 +62,7 @@ std::string rise(const Record& record, double period, double noise) {
 // Largest amplitude over the smallest.
 double range_of_amplitudes(const Record& record, double period) {
   double lowest = HUGE_VAL, largest = 0;
-  for (const AmplitudeWindow& window : amplitude_windows(record, 4 * period, 16)) {
+  for (const AmplitudeWindow& window : amplitudes(record, period)) {
     lowest = std::min(lowest, window.amplitude);
     largest = std::max(largest, window.amplitude);
   }

@@ -90,7 +90,7 @@ std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const
   std::vector<NamedEstimate> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
                                   {"period", estimate_of(period, fit), "s"},
                                   {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
-  // What grows has no quality factor, and a limit cycle only where something surely bounds it.
+  // What is fed, or grows, has no quality factor.
   const bool fed = value_of(g) < 0;
   if (!fed && !(value_of(equivalent) < 0))
     list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
