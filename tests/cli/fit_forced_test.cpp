@@ -11,6 +11,7 @@ namespace cromer::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // Cromer's own motion under a force of three lines, as `simulate --drive-file` gives it.
 std::string rig(const Folder& folder) {
@@ -55,6 +56,16 @@ std::string rig(const Folder& folder) {
   both = a + ",Force (N)\n";
   while (std::getline(motion, a) && std::getline(forces, b)) both += a + b.substr(b.find(',')) + '\n';
   return both;
+}
+
+// A body that a recorded force shakes swings in no way of its own: the column that may hold it is named.
+TEST(FitForced, NamesTheColumnOfAForceWhereNoFreeLawAccountsForTheMotion) {
+  const Folder folder;
+  folder.write("rig.csv", rig(folder));
+  const Finished free = folder.run({"fit", "rig.csv"});
+  EXPECT_THAT(free.err, HasSubstr("drives the motion, say --force-column \"Force\""));
+  const Finished forced = folder.run({"fit", "rig.csv", "--force-column", "Force"});
+  EXPECT_THAT(forced.err, Not(HasSubstr("say --force-column")));
 }
 
 TEST(FitForced, FindsTheSimulatedLaw) {

@@ -32,6 +32,15 @@ TEST(Refusal, NoiseIsNoOscillation) {
             << correlation << ' ' << n << ' ' << seed;
 }
 
+TEST(Refusal, LeavesUnsaidWhatTheParametersWouldWarnOf) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const SyntheticRecord record = noise_record(3000, 0.99, seed);
+    const LawFit fit = fit_law(record.record(), {});
+    ASSERT_NE(fit.status, FitStatus::converged) << seed;
+    EXPECT_TRUE(fit.warnings.empty()) << seed << ": " << fit.warnings.front();
+  }
+}
+
 TEST(Refusal, DriftAndStepsAreNoOscillation) {
   SyntheticRecord ramp{even_times(500, 0.01), {}, 0}, step = ramp, spike = ramp;
   for (double t : ramp.t) {

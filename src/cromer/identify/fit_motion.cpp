@@ -232,8 +232,7 @@ void refuse_what_explains_too_little(LawFit& fit) {
   constexpr double least = 0.3;
   if (fit.drive.kind == DriveKind::none || fit.status != FitStatus::converged || fit.explained >= least)
     return;
-  fit.status = FitStatus::too_noisy;
-  fit.message = explains_too_little(fit);
+  refuse(fit, {FitStatus::too_noisy, explains_too_little(fit)});
 }
 
 // The frequency of a large swing depends on its amplitude: a start from the whole record's viscous fit would
@@ -430,11 +429,8 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   describe_fit(fit, record, described);
   spread_over(fit, fitted, minima);
   set_status(fit, minimum.bounded.reason);
-  for (const auto& refuse : {refuse_frequency, refuse_harmonic})
-    if (const auto refusal = refuse(fit); refusal && fit.status == FitStatus::converged) {
-      fit.status = refusal->status;
-      fit.message = refusal->message;
-    }
+  for (const auto& reason : {refuse_frequency, refuse_harmonic})
+    if (const auto refusal = reason(fit); refusal && fit.status == FitStatus::converged) refuse(fit, *refusal);
   refuse_what_explains_too_little(fit);
   return fit;
 }

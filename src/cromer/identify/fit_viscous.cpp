@@ -148,10 +148,7 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
         "{:.5g} rad/s fits nearly as well as {:.5g} rad/s: how many periods passed in the gaps is "
         "not certain",
         start->rival, motion.angular_frequency()));
-  if (const auto refusal = refuse_fit(record, fit)) {
-    fit.status = refusal->status;
-    fit.message = refusal->message;
-  }
+  if (const auto refusal = refuse_fit(record, fit)) refuse(fit, *refusal);
   return fit;
 }
 

@@ -69,6 +69,12 @@ LawFit refused(const Refusal& refusal, const LawFitOptions& options) {
   return fit;
 }
 
+void refuse(LawFit& fit, const Refusal& refusal) {
+  fit.status = refusal.status;
+  fit.message = refusal.message;
+  fit.warnings.clear();
+}
+
 std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& options) {
   const bool driven = options.drive.kind != DriveKind::none;
   if (!options.law.shares(springs) && options.drive.kind != DriveKind::recorded)

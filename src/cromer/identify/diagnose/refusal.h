@@ -15,6 +15,9 @@ struct Refusal {
 /// A fit that was not made.
 LawFit refused(const Refusal& refusal, const LawFitOptions& options);
 
+/// A fit that was made and is not to be believed: what its parameters would have warned of is not said.
+void refuse(LawFit& fit, const Refusal& refusal);
+
 /// Before any fit of the law: too few samples for its parameters, nothing moves, no spring and no force.
 std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& options);
 

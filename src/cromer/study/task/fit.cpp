@@ -294,9 +294,22 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
   return fit_forced(*series, *force, file, options, watch);
 }
 
+// A column that may hold what drives the motion; "" where none does, or where one is named.
+std::string column_of_a_force(const Recording& recording, const FitOptions& options) {
+  if (!options.force_column.empty()) return "";
+  for (const Column& column : recording.table.columns)
+    if (column.quantity == "force") return column.name;
+  return "";
+}
+
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
                                 const FitOptions& options, const Watch& watch) {
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
+  constexpr double well = 0.9;  // of the variance: what drives a motion leaves more than that unexplained
+  if (fitted && !(fitted->succeeded() && fitted->fit.explained > well))
+    if (const std::string force = column_of_a_force(recording, options); !force.empty())
+      fitted->warnings.push_back(
+          fmt::format("if what column \"{0}\" holds drives the motion, say --force-column \"{0}\"", force));
   // The inner force is no parameter of the fit.
   if (fitted && options.from && fitted->fit.law.has<Hysteresis>())
     fitted->warnings.push_back(

@@ -151,7 +151,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   } else {
     driven->warnings.push_back(fmt::format(
         "the motion is driven, at {:.6g} Hz: a free motion would leave {:.3g}, this leaves {:.3g}; say "
-        "--drive-frequency if it is known, or choose a free part with --from and --to",
+        "fit --drive-frequency if it is known, or choose a free part with --from and --to",
         driven->fit.motion.drive_frequency / two_pi, free.fit.residual.rms, driven->fit.residual.rms));
   }
   return *std::move(driven);

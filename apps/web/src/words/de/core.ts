@@ -80,6 +80,7 @@ several columns are alike: {}; …⇒mehrere Spalten gleichen einander: {}; bitt
 several columns may be meant: what is said of times and outliers is that of {}…⇒mehrere Spalten kommen infrage: von Zeiten und Ausreißern ist die Rede in {}
 there is no column beside…⇒neben der Zeit gibt es keine Spalte
 there is no motion beside the time: {} {}; to fit one…⇒neben der Zeit gibt es keine Bewegung: {} {}; soll sie dennoch angepasst werden, bitte wählen
+if what column {} holds drives the motion…⇒falls die Spalte {} enthält, was die Bewegung antreibt: mit cromer fit --force-column anpassen
 holds a frequency⇒enthält eine Frequenz
 hold frequencies⇒enthalten Frequenzen
 no column is known to be a position, angle or velocity: {} is taken⇒keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: {} wird genommen

@@ -1,6 +1,6 @@
 // What the core and the server say is English already; what they name by options stands elsewhere in the page.
 const inThePage: [RegExp, string][] = [
-  [/; say --drive-frequency if it is known, or choose a free part with --from and --to/, '; choose a free part with the handles'],
+  [/; say fit --drive-frequency if it is known, or choose a free part with --from and --to/, '; choose a free part with the handles'],
   [/ with --from and --to, or another --column/, ' with the handles, or another column'],
   [/ (with|by) --from( and --to)?/, ' with the handles'],
   [/give the samples per second with --rate, or name the column with --time-column/, 'give the samples per second'],
