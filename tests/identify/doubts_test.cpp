@@ -34,6 +34,20 @@ TEST(Doubts, NoneAboutAFreeDecay) {
   }
 }
 
+// A linear law loses step with a bent spring and sees no decay: the record does.
+TEST(Doubts, AWrongLawIsNoSwingThatDoesNotDieDown) {
+  const FreeSwing truth{.angular_frequency = 6, .decay_rate = 0.05, .cubic = 40, .position = 0.3};
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SyntheticRecord record{even_times(2000, 0.02), {}, 0};
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, 5e-4);
+    for (const double x : free_motion(truth, record.t, 0.005).x) record.y.push_back(x + normal(engine));
+    const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
+    for (const std::string& sentence : doubts(record.record(), fit, true))
+      EXPECT_THAT(sentence, testing::Not(HasSubstr("does not die down"))) << seed;
+  }
+}
+
 TEST(Doubts, NoAmplitudesInWindowsShorterThanRounding) {
   const SyntheticRecord record = viscous_record({}, even_times(100, 0.01), 3e-4);
   const Record later =

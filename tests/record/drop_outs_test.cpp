@@ -84,6 +84,39 @@ TEST(DropOuts, MotionsHaveNone) {
   EXPECT_THAT(swing([](int, double x) { return std::nearbyint(100 * x) / 100; }).outliers, IsEmpty());
 }
 
+/// A swing of 1 Hz that dies down, at these times.
+Series swing_at(const std::vector<double>& times, double noise, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> bell(0, noise);
+  std::uniform_real_distribution<double> turn(0, 6.283185307179586);
+  const double phase = turn(random);
+  std::string text = "Time (s),Position (m)\n";
+  for (const double t : times)
+    text += concat({shortest(t), ",",
+                    shortest(std::exp(-0.12 * t) * std::cos(6.283185307179586 * t + phase) + bell(random)), "\n"});
+  return *take_series(*read_recording(text, "lab.csv", {}), "", 1, {});
+}
+
+TEST(DropOuts, AFewSamplesInAPeriodAreNone) {
+  for (const double in_a_period : {4.05, 4.3, 4.7, 5.0})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      std::vector<double> times;
+      for (int i = 0; i < 200; ++i) times.push_back(i / in_a_period);
+      EXPECT_THAT(swing_at(times, 0.02, seed).outliers, IsEmpty()) << in_a_period << ' ' << seed;
+    }
+}
+
+TEST(DropOuts, UnevenTimesHaveNone) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::bernoulli_distribution kept(0.5);
+    std::vector<double> times;
+    for (int i = 0; i < 800; ++i)
+      if (kept(random)) times.push_back(i / 25.0);
+    EXPECT_THAT(swing_at(times, 0.01, seed).outliers, IsEmpty()) << seed;
+  }
+}
+
 TEST(DropOuts, PulsesOfAForceAreNone) {
   EXPECT_THAT(swing([](int i, double x) { return i >= 700 && i < 705 ? 5 : x; }, "Force (N)").outliers,
               IsEmpty());

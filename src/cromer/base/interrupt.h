@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,15 @@ struct Watch {
   std::function<void(const std::vector<std::string>&)>
       warn{};  ///< called once, before long work, with what is wrong about it
 
-  bool interrupted() const { return interrupt && interrupt->load(std::memory_order_relaxed); }
+  std::shared_ptr<std::atomic<double>> steps_left{};  ///< of integrations, before the work ends; empty: no bound
+
+  void take_steps(double count) const {
+    if (steps_left) *steps_left = *steps_left - count;
+  }
+  bool out_of_steps() const { return steps_left && *steps_left < 0; }
+  bool interrupted() const {
+    return (interrupt && interrupt->load(std::memory_order_relaxed)) || out_of_steps();
+  }
 };
 
 }  // namespace cromer

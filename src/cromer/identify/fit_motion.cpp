@@ -36,7 +36,7 @@ class Problem {
         [this, part, h](const Parameters& parameters) {
           return motion_equations(fitted_, parameters, options_.drive, part, h);
         },
-        watch_);
+        watch_, steps_through(part.t, h));
   }
   auto model(double h) const { return model(record_, h); }
 
@@ -107,6 +107,18 @@ struct Thinned {
 // Of a recorded force's motion no step is longer than between two samples, or than half a radian.
 double recorded_step(double spacing, double w) { return w > 0 ? std::min(spacing, 0.5 / w) : spacing; }
 
+// A motion much faster than the record's, by a start that is far off, is not worth its steps: how often the
+// record goes through its mean tells how fast it is [rad/s].
+double fastest_seen(const Record& record, double w0) {
+  double mean = 0;
+  for (const double y : record.y) mean += y / static_cast<double>(record.y.size());
+  int crossings = 0;
+  for (std::size_t i = 1; i < record.y.size(); ++i)
+    crossings += (record.y[i] > mean) != (record.y[i - 1] > mean);
+  const double seen = crossings * std::numbers::pi / (record.t.back() - record.t.front());
+  return std::max(4 * w0, 2 * seen);
+}
+
 // How long the steps of a motion may be.
 class StepLength {
  public:
@@ -120,7 +132,7 @@ class StepLength {
         problem.options().drive.kind == DriveKind::none && w0 > 0 && std::isfinite(far) &&
         !first.law.has<Pendulum>())
       if (const double w = Swing<double>{first.per_mass}.angular_frequency(far); std::isfinite(w))
-        w_ = std::max(w_, w);
+        w_ = std::max(w_, std::min(w, fastest_seen(record, w0)));
     const double duration = record.t.back() - record.t.front();
     duration_ = std::min(duration, 3 / std::max(known.decay_rate, 1e-300));
     amplitude_ = std::hypot(first.position, first.velocity / w0) * std::pow(w0, record.derivative);
@@ -150,8 +162,11 @@ class StepLength {
     const double rms = std::max(std::sqrt(at.equations.sum_of_squares / samples),
                                 least * centred_norm(problem_.record().y) / std::sqrt(n));
     if (!recorded()) return motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
-    // A standard error moves the motion by one residual's rms in all.
-    for (int halvings = 0; halvings < 6; ++halvings, h /= 2) {
+    // A standard error moves the motion by one residual's rms in all. A motion that no step follows is none
+    // of the record's.
+    constexpr double shortest = 1.0 / 256;
+    const double least_step = shortest * recorded_step(problem_.options().drive.force.spacing, w_);
+    for (int halvings = 0; halvings < 6 && h > least_step; ++halvings, h /= 2) {
       const double error = problem_.method_error(at.parameters, problem_.record().t.size(), h);
       if (error * error * n <= 0.01 * rms * rms) break;
     }
@@ -407,7 +422,7 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
     minima.front() = minimum.bounded;
   }
 
-  if (watch.interrupted()) return interrupted_fit(options);
+  if (watch.interrupted()) return interrupted_fit(options, watch);
   fit.iterations = found.iterations;
   fit.step = found.h;
   const Motion motion = fitted.unpack(minimum.bounded.parameters);

@@ -35,8 +35,25 @@ HeldParameters held_parameters(const Record& record, const Law& law, DriveKind d
   return {.equilibrium = amid, .force_offset = !amid};
 }
 
-LawFit interrupted_fit(const LawFitOptions& options) {
-  return refused({FitStatus::iteration_limit, "interrupted before the fit was done"}, options);
+Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
+  if (watch.steps_left) return watch;
+  constexpr double any = 1e7, of_a_sample = 2000, of_a_forced_sample = 20'000;
+  const double each = drive == DriveKind::recorded ? of_a_forced_sample : of_a_sample;
+  Watch bound = watch;
+  bound.steps_left =
+      std::make_shared<std::atomic<double>>(any + each * static_cast<double>(record.t.size()));
+  return bound;
+}
+
+std::string why_ended(const Watch& watch) {
+  return watch.out_of_steps()
+             ? "the laws' motions take more steps than a record of so few samples is worth, as noise that looks "
+               "fast does: ended"
+             : "interrupted";
+}
+
+LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch) {
+  return refused({FitStatus::iteration_limit, why_ended(watch) + " before the fit was done"}, options);
 }
 
 Record first_periods(const Record& record, double angular_frequency, double periods) {

@@ -16,10 +16,17 @@ LeastSquaresOptions least_squares_options(const Record& record, const LawFitOpti
 /// tell.
 HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive);
 
-/// A model that an interruption makes impossible everywhere, so that no further step is tried for long.
+/// Steps of at most h that a motion takes through the times.
+inline double steps_through(std::span<const double> t, double h) {
+  return (t.back() - t.front()) / h + static_cast<double>(t.size());
+}
+
+/// A model that an interruption makes impossible everywhere, so that no further step is tried for long. Each
+/// call takes so many of the watch's steps.
 template <class Model>
-auto interruptible(Model model, const Watch& watch) {
-  return [model = std::move(model), &watch](const Parameters& parameters) {
+auto interruptible(Model model, const Watch& watch, double steps = 0) {
+  return [model = std::move(model), &watch, steps](const Parameters& parameters) {
+    watch.take_steps(steps);
     if (!watch.interrupted()) return model(parameters);
     NormalEquations nowhere;
     nowhere.sum_of_squares = HUGE_VAL;
@@ -27,8 +34,16 @@ auto interruptible(Model model, const Watch& watch) {
   };
 }
 
+/// The watch with a bound on the steps that all motions of a record's fits may take, many times what any
+/// recorded swing has been seen to need: noise of thousands of periods between few samples would take minutes.
+/// The same watch where it has a bound.
+Watch within_steps(const Watch& watch, const Record& record, DriveKind drive);
+
 /// A fit without values: a half-finished minimum would look like a result.
-LawFit interrupted_fit(const LawFitOptions& options);
+LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch);
+
+/// Why the work ended early.
+std::string why_ended(const Watch& watch);
 
 /// The first so many periods, of at least 32 samples.
 Record first_periods(const Record& record, double angular_frequency, double periods);

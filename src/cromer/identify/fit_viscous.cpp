@@ -100,7 +100,7 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
     return fit;
   }
   const Minimum minimum = fit_phasor(record, *start, options, watch);
-  if (watch.interrupted()) return interrupted_fit(options);
+  if (watch.interrupted()) return interrupted_fit(options, watch);
   fit.iterations = minimum.bounded.iterations;
   const Parameters& p = minimum.bounded.parameters;
   FittedParameters fitted = fitted_parameters(fit.law);

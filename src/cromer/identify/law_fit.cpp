@@ -61,7 +61,7 @@ namespace {
 
 LawFit fit_every_sample(const Record& record, const LawFitOptions& options, const Watch& watch) {
   if (const auto refusal = refuse_record(record, options)) return refused(*refusal, options);
-  if (watch.interrupted()) return interrupted_fit(options);
+  if (watch.interrupted()) return interrupted_fit(options, watch);
   if (options.drive.kind == DriveKind::none && options.law == law_of("viscous"))
     return fit_viscous(record, options, watch);
   if (options.start) return fit_motion(record, options, *options.start, watch);
@@ -81,7 +81,8 @@ bool is_phasor(const LawFit& fit, const Record& record) {
 
 }  // namespace
 
-LawFit fit_law(const Record& record, const LawFitOptions& options, const Watch& watch) {
+LawFit fit_law(const Record& record, const LawFitOptions& options, const Watch& given) {
+  const Watch watch = within_steps(given, record, options.drive.kind);
   const auto fit_all = [&](const Record& samples) { return fit_every_sample(samples, options, watch); };
   if (options.every_sample) return fit_all(record);
   auto [fit, aside] = fit_without_outliers(record, fit_all, residuals_of);

@@ -57,7 +57,7 @@ std::vector<LeastSquaresSummary> rest_minima(const Record& record, const FittedP
 
   const auto model = interruptible(
       [&](const Parameters& parameters) { return motion_equations(fitted, parameters, {}, record, h); },
-      watch);
+      watch, steps_through(record.t, h));
   LeastSquaresOptions settings = options;
   settings.error_tolerance = 0.1;
   settings.iteration_limit = 10;
@@ -120,7 +120,7 @@ LeastSquaresSummary end_of_band_minimum(const Record& record, const FittedParame
         equations.sum_of_squares += weight * off * off;
         return equations;
       },
-      watch);
+      watch, steps_through(record.t, h));
   LeastSquaresOptions settings = options;
   settings.error_tolerance = 1e-2;
   LeastSquaresSummary at = minimise(model, found.parameters, settings);

@@ -3,16 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/choose/readings.h"
 #include "cromer/identify/choose/rival_laws.h"
+#include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_motion.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/model/law_force.h"
 
 namespace cromer {
@@ -191,6 +194,7 @@ class Choosing {
     settle();
     drop_terms();
     try_kin(beginning);
+    try_quadratic(beginning);
     try_named_hysteresis(beginning);
     add_terms(beginning);
     add_to_bounded();
@@ -206,6 +210,24 @@ class Choosing {
           try_law(law, beginning.known(law, record_));
     settle();
     drop_old_terms(base);
+  }
+
+  // A spring that is not symmetric leaves little about the swing's frequency: the middle of the swing moves as
+  // it dies down, and there is a second harmonic. A zero that wanders leaves the first alone.
+  void try_quadratic(const Beginning& beginning) {
+    const LawFit base = candidates_[best_];
+    const Law law = base.law.with(law_with<Quadratic>);
+    const std::vector<double> left = residuals_of(base, record_);
+    if (!base.law.shares(springs) || tried(law) || left.size() != record_.t.size()) return;
+    try_law(law, nearer_start(base, law, beginning, 1));
+    if (!tried(law)) return;
+    const double if_it_wanders = base.residual.rms * std::sqrt(1 - wandering_share(record_, left));
+    if (!(candidates_.back().residual.rms < if_it_wanders)) {
+      candidates_.pop_back();
+      fine_.pop_back();
+    }
+    settle();
+    drop_old_terms(base.law);
   }
 
   // Who gives an exponent looks for hysteresis.
@@ -358,12 +380,12 @@ class Choosing {
 
   LawChoice alone() {
     LawChoice choice{candidates_.front(), candidates_};
-    if (watch_.interrupted()) mark_interrupted(choice, {});
+    if (watch_.interrupted()) mark_interrupted(choice, {}, watch_);
     return choice;
   }
   LawChoice chosen(const std::vector<Law>& laws) {
     LawChoice choice{candidates_[best_], candidates_};
-    if (watch_.interrupted()) mark_interrupted(choice, laws);
+    if (watch_.interrupted()) mark_interrupted(choice, laws, watch_);
     if (const std::string rivals = rival_laws(record_, candidates_, best_); !rivals.empty())
       choice.chosen.warnings.push_back(rivals);
     return choice;
@@ -371,7 +393,7 @@ class Choosing {
 
  public:
   // A choice among some of the laws is none: which ones it lacks is said.
-  static void mark_interrupted(LawChoice& choice, const std::vector<Law>& laws) {
+  static void mark_interrupted(LawChoice& choice, const std::vector<Law>& laws, const Watch& watch) {
     LawFit& fit = choice.chosen;
     if (fit.status != FitStatus::converged) return;
     fit.status = FitStatus::iteration_limit;
@@ -381,12 +403,10 @@ class Choosing {
                                     [&](const LawFit& candidate) { return candidate.law == law; });
       if (!done) missing += (missing.empty() ? "" : ", ") + to_text(law);
     }
-    fit.message = missing.empty()
-                      ? "interrupted before all laws were tried"
-                      : fmt::format(
-                            "interrupted before all laws were tried: {} is only the best of {}, and not "
-                            "compared yet are {}",
-                            to_text(fit.law), choice.candidates.size(), missing);
+    fit.message = why_ended(watch) + " before all laws were tried";
+    if (!missing.empty())
+      fit.message += fmt::format(": {} is only the best of {}, and not compared yet are {}", to_text(fit.law),
+                                 choice.candidates.size(), missing);
   }
 
  private:
@@ -406,7 +426,7 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
   if (!is_comparable(viscous)) return {viscous, {viscous}};
   if (watch.interrupted()) {
     LawChoice choice{viscous, {viscous}};
-    Choosing::mark_interrupted(choice, free_candidates(options.angle));
+    Choosing::mark_interrupted(choice, free_candidates(options.angle), watch);
     return choice;
   }
   const Selection part = select(record, viscous.angular_frequency().value);
@@ -419,7 +439,7 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
     one.start = KnownMotion{choice.chosen.motion, part.end, viscous.decay_rate().value};
     choice.chosen = fit_law(record, one, watch);
   }
-  if (watch.interrupted()) Choosing::mark_interrupted(choice, free_candidates(options.angle));
+  if (watch.interrupted()) Choosing::mark_interrupted(choice, free_candidates(options.angle), watch);
   choice.chosen.warnings.push_back(fmt::format(
       "the laws were compared on {} of the {} samples, one in {} up to {:.6g} s; the one chosen is "
       "fitted to all",
@@ -476,8 +496,9 @@ LawChoice choose_on(const Record& record, const LawFitOptions& options, const Gi
 
 }  // namespace
 
-LawChoice choose_law(const Record& record, const LawFitOptions& options, const Watch& watch,
+LawChoice choose_law(const Record& record, const LawFitOptions& options, const Watch& caller,
                      const GivenLaw& given) {
+  const Watch watch = within_steps(caller, record, options.drive.kind);
   // All candidates see the same samples: those that are no outliers from the chosen one.
   LawFitOptions every = options;
   every.every_sample = true;

@@ -17,8 +17,8 @@ struct LawChoice {
   /// with quadratic, with both and with odd-quadratic (only where there is a spring), each of these also with
   /// drag and with friction. Then, of either:
   /// - the best law with van-der-pol in the place of drag, and with quintic in that of cubic, each also
-  /// beside
-  ///   viscous damping alone; hysteresis where its exponent is given;
+  ///   beside viscous damping alone; with quadratic, where that leaves less than a zero that wanders would;
+  ///   hysteresis where its exponent is given;
   /// - as long as something is left, for two rounds or three, the best law with one more term, with quadratic
   ///   and cubic together, or with odd-quadratic and quintic; hysteresis beside the viscous law; the same of
   ///   a law that leaves much less but has terms that are not sure;

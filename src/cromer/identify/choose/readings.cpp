@@ -12,6 +12,15 @@ namespace {
 
 bool converged(const LawFit& fit) { return fit.status == FitStatus::converged; }
 
+// Place of the fit that leaves least.
+std::size_t best_of(const std::vector<LawFit>& fits) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < fits.size(); ++i)
+    if (converged(fits[i]) && (!converged(fits[best]) || fits[i].residual.rms < fits[best].residual.rms))
+      best = i;
+  return best;
+}
+
 // What one fit makes of the parameters that another makes otherwise, in its own standard errors.
 std::string differences(const LawFit& chosen, const LawFit& other) {
   std::string text;
@@ -87,11 +96,21 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
       bent.rms_to_beat = std::min(bent.rms_to_beat, by_reading.back().residual.rms);
     if (watch.progress) watch.progress(0.15 * static_cast<double>(by_reading.size()));
   }
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < by_reading.size(); ++i)
-    if (converged(by_reading[i]) &&
-        (!converged(by_reading[best]) || by_reading[i].residual.rms < by_reading[best].residual.rms))
-      best = i;
+  // A search that ended in a false minimum is made again from where another reading's ended.
+  constexpr double false_minimum = 1.5;  // times what that one leaves
+  const LawFit leading = by_reading[best_of(by_reading)];
+  for (std::size_t i = 0; i < by_reading.size() && converged(leading) && !watch.interrupted(); ++i) {
+    if (converged(by_reading[i]) && by_reading[i].residual.rms < false_minimum * leading.residual.rms) continue;
+    LawFitOptions again = bent;
+    again.law = leading.law;
+    again.drive.force.between = readings[i];
+    again.rms_to_beat = HUGE_VAL;
+    // Through much of a strongly bent motion the two part: from its beginning on.
+    again.start = KnownMotion{leading.motion, std::min<std::size_t>(record.t.size(), 50), 0};
+    LawFit fit = fit_law(record, again, watch);
+    if (converged(fit) && !(fit.residual.rms > by_reading[i].residual.rms)) by_reading[i] = std::move(fit);
+  }
+  const std::size_t best = best_of(by_reading);
   one.drive.force.between = readings[best];
   if (by_reading[best].has_values() && given.law)
     one.start = KnownMotion{by_reading[best].motion, record.t.size(), 0};

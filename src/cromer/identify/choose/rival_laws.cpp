@@ -55,8 +55,6 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
       continue;
     const int terms = rival.fitted;
     if (terms != best.fitted && terms != best.fitted + 1) continue;
-    // In a driven motion little tells of the swing itself, and most terms more would move its numbers.
-    if (best.drive.kind != DriveKind::none && terms > best.fitted && rival.bic > best.bic) continue;
     if (moves_the_numbers(best, rival) || (terms == best.fitted && has_other_damping(best, rival)))
       rivals.push_back(&rival);
   }

@@ -41,11 +41,13 @@ Step best_step(std::span<const double> r, double variance) {
   return best;
 }
 
-}  // namespace
+struct Wandering {
+  double line = 0, slope = 0;  ///< share of the variance, and size in time
+  Step step;
+};
 
-std::string wandering_zero(const Record& record, std::span<const double> r, std::string_view unit) {
+Wandering wandering_of(const Record& record, std::span<const double> r) {
   const auto n = static_cast<double>(r.size());
-  if (r.size() < 32) return {};
   double mean = 0, time = 0;
   for (std::size_t i = 0; i < r.size(); ++i) mean += r[i] / n, time += record.t[i] / n;
   double variance = 0, times = 0, product = 0;
@@ -56,16 +58,28 @@ std::string wandering_zero(const Record& record, std::span<const double> r, std:
     product += dt * dr / n;
   }
   if (!(variance > 0)) return {};
+  return {product * product / (times * variance), product / times, best_step(r, variance)};
+}
+
+}  // namespace
+
+double wandering_share(const Record& record, std::span<const double> r) {
+  if (r.size() < 2) return 0;
+  const Wandering wandering = wandering_of(record, r);
+  return std::max(wandering.line, wandering.step.share);
+}
+
+std::string wandering_zero(const Record& record, std::span<const double> r, std::string_view unit) {
   constexpr double enough = 0.3;  // of the variance
-  const double line = product * product / (times * variance);
-  const Step step = best_step(r, variance);
-  if (std::max(line, step.share) < enough) return {};
+  if (r.size() < 32) return {};
+  const Wandering wandering = wandering_of(record, r);
+  if (std::max(wandering.line, wandering.step.share) < enough) return {};
   const double duration = record.t.back() - record.t.front();
-  if (line >= step.share)
+  if (wandering.line >= wandering.step.share)
     return fmt::format("the zero drifts, by {} over the record: take the drift off, or choose a shorter part",
-                       with_unit(product / times * duration, unit));
+                       with_unit(wandering.slope * duration, unit));
   return fmt::format("the zero jumps by {} at {:.4g} s: choose one side of it with --from and --to",
-                     with_unit(step.size, unit), record.t[step.at]);
+                     with_unit(wandering.step.size, unit), record.t[wandering.step.at]);
 }
 
 std::string sudden_stop(const Record& record, double period, std::string_view unit) {

@@ -14,6 +14,9 @@ namespace cromer {
 /// variance. Empty where neither does.
 std::string wandering_zero(const Record& record, std::span<const double> residuals, std::string_view unit);
 
+/// Share of the residuals' variance that the better of the two accounts for.
+double wandering_share(const Record& record, std::span<const double> residuals);
+
 /// From one period to the next the swing ends, a tenth of its amplitude left, and does not come back. Empty
 /// where it does not; a law with friction ends so too, and then describes the record.
 std::string sudden_stop(const Record& record, double period, std::string_view unit);

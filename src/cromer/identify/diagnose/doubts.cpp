@@ -90,7 +90,9 @@ std::string steadiness(const Record& record, const LawFit& fit, double periods) 
   const std::optional<MeanDecay> decay = mean_decay(fit, record);
   if (!decay) return {};
   const Estimate& rate = decay->rate;
-  if (!(rate.low > 0)) return lasts;
+  // A law that does not fit may see no decay where there is one.
+  if (!(rate.low > 0))
+    return range_of_amplitudes(record, two_pi / fit.angular_frequency().value) < 1.5 ? lasts : "";
   const double fall = 1 - std::exp(-rate.value * (record.t.back() - record.t.front()));
   const double quality = fit.angular_frequency().value / (2 * rate.value);
   if (fall > 0.1 || (fall > 0.02 && quality < 5000)) return {};

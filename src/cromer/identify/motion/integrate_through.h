@@ -54,8 +54,12 @@ class MotionSample {
   double t_, length_, share_;
 };
 
-/// A motion that needs more steps than this is not followed to its end: no record is worth them.
-inline constexpr long long most_steps = 100'000'000;
+/// A motion that needs many times the steps of length h that the times take is not followed to its end: its
+/// law is none of the record's.
+inline double most_steps(std::span<const double> t, double h) {
+  constexpr double many = 20, few = 10'000;
+  return few + many * ((t.back() - t.front()) / h + static_cast<double>(t.size()));
+}
 
 /// Calls visit(i, sample) at every time, strictly increasing, in steps of at most h. Stops where the motion
 /// is no longer finite.
@@ -66,8 +70,9 @@ void integrate_freely(const Motion& motion, const typename Code::Drive& drive, s
   OnPath path(motion, drive);
   const double origin = t.front();
   double now = 0;
-  long long steps = 0;
-  for (std::size_t i = 0; i < t.size() && steps < most_steps; ++steps) {
+  const double most = most_steps(t, h);
+  double steps = 0;
+  for (std::size_t i = 0; i < t.size() && steps < most; ++steps) {
     const double length = path.step(now, h);
     for (; i < t.size() && t[i] - origin <= now + length; ++i) {
       const double at = t[i] - origin;

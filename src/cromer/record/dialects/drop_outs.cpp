@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "cromer/record/dialects/series_shape.h"
 
@@ -10,7 +12,16 @@ namespace {
 
 constexpr std::size_t reach = 20;  // changes on either side that say what is usual here
 
-/// The signal with its changes from sample to sample; what a gap in the times hides is no change.
+constexpr double hidden = -1;  // a change across a gap in the times, which says nothing
+
+/// Of those that are not hidden; 0 where all are.
+double median_change(std::span<const double> changes) {
+  std::vector<double> seen;
+  std::copy_if(changes.begin(), changes.end(), std::back_inserter(seen), [](double c) { return c != hidden; });
+  return seen.empty() ? 0 : median(std::move(seen));
+}
+
+/// The signal with its changes from sample to sample.
 struct Signal {
   std::span<const double> y;
   std::vector<double> changes;
@@ -18,11 +29,14 @@ struct Signal {
   double floor;  ///< and than this
 
   double usual(std::size_t first, std::size_t end) const {
-    const auto at = [&](std::size_t k) { return changes.begin() + static_cast<std::ptrdiff_t>(k); };
+    const std::span all(changes);
     double livelier = 0;
-    if (first > 5) livelier = median({at(first - 1 - std::min(first - 1, reach)), at(first - 1)});
+    if (first > 5) {
+      const std::size_t from = first - 1 - std::min(first - 1, reach);
+      livelier = median_change(all.subspan(from, first - 1 - from));
+    }
     if (end + 5 < y.size())
-      livelier = std::max(livelier, median({at(end), at(std::min(end + reach, changes.size()))}));
+      livelier = std::max(livelier, median_change(all.subspan(end, std::min(reach, changes.size() - end))));
     return livelier;
   }
 };
@@ -61,8 +75,8 @@ std::vector<DropOut> drop_outs(std::span<const double> t, std::span<const double
   if (n < 2 * reach) return found;
   Signal signal{y, std::vector<double>(n - 1), deviations * robust, 0};
   for (std::size_t i = 0; i + 1 < n; ++i)
-    signal.changes[i] = t[i + 1] - t[i] < 1.5 * step ? std::fabs(y[i + 1] - y[i]) : 0;
-  signal.floor = std::max(6 * resolution, signal.limit * median(signal.changes));
+    signal.changes[i] = t[i + 1] - t[i] < 1.5 * step ? std::fabs(y[i + 1] - y[i]) : hidden;
+  signal.floor = std::max(6 * resolution, signal.limit * median_change(signal.changes));
   std::size_t lost = 0;
   for (std::size_t i = 1; i + 1 < n;) {
     if (signal.changes[i - 1] <= signal.floor) {

@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace cromer::dialects {
 namespace {
+
+constexpr std::size_t reach = 20;  // samples on either side that say what is usual here
+constexpr double robust = 1.4826, limit = 12;
 
 /// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
 /// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
@@ -51,26 +56,46 @@ double usual_small_change(std::span<const double> y) {
   return *quarter;
 }
 
+/// Whether times are about a step apart, as the cubic takes them to be.
+bool are_even(std::span<const double> t, double step) {
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (const double h = t[i] - t[i - 1]; h < 0.5 * step || h > 1.5 * step) return false;
+  return t.back() - t.front() < static_cast<double>(t.size() - 1) * 1.25 * step;
+}
+
+constexpr double nothing_seen = -1;  // of samples that are not even
+
+/// The median of those that were seen; 0 where none was.
+double median_seen(std::span<const double> sizes) {
+  std::vector<double> seen;
+  std::copy_if(sizes.begin(), sizes.end(), std::back_inserter(seen), [](double s) { return s != nothing_seen; });
+  return seen.empty() ? 0 : median(std::move(seen));
+}
+
 /// Distance of y[i] from the cubic through its four neighbours, evenly spaced.
 double distance_from_cubic(std::span<const double> y, std::size_t i) {
   return y[i] - (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
 }
 
 /// The first and last two samples have no neighbours on one side: they stick out where the cubic through the
-/// next four misses them by far, and the four fit the one behind them.
+/// next four misses them by far, and the four fit the one behind them. `least` is what sticks out anywhere; a
+/// swing that dies down is missed by more where it is large.
 std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span<const double> y, double step,
-                                            std::span<const double> size, double floor) {
+                                            std::span<const double> size, double least) {
   std::vector<std::size_t> found;
   const std::size_t n = y.size();
-  for (const bool front : {true, false})
+  for (const bool front : {true, false}) {
+    const auto near = front ? size.subspan(4, reach) : size.subspan(n - 4 - reach, reach);
+    const double floor = std::max(least, limit * robust * median_seen(near));
     for (const std::size_t from_end : {std::size_t{1}, std::size_t{0}}) {
       const auto at = [&](std::size_t k) { return front ? from_end + k : n - 1 - from_end - k; };
       const double missed = y[at(0)] - 4 * y[at(1)] + 6 * y[at(2)] - 4 * y[at(3)] + y[at(4)];
-      const bool even = std::fabs(t[at(4)] - t[at(0)]) < 4 * 1.25 * step;
+      const bool even = are_even(t.subspan(std::min(at(0), at(4)), 5), step);
       if (!even || size[at(3)] > floor || std::fabs(missed) <= 6 * floor) continue;
       found.push_back(at(0));
       break;
     }
+  }
   return found;
 }
 
@@ -85,8 +110,15 @@ double median(std::vector<double> values) {
 }
 
 double rounding_step(std::span<const double> all) {
-  if (all.size() < 3) return 0;
-  const std::vector<double> values = even_choice(all);
+  std::vector<double> values = even_choice(all);
+  // A value of 1e30 among them tells nothing of the others' decimals.
+  constexpr double wild = 1e9;  // times the usual distance from the middle
+  const double middle = median(values);
+  std::vector<double> distances;
+  for (const double value : values) distances.push_back(std::fabs(value - middle));
+  if (const double usual = median(std::move(distances)); usual > 0)
+    std::erase_if(values, [&](double value) { return std::fabs(value - middle) > wild * usual; });
+  if (values.size() < 3) return 0;
   std::vector<double> distinct = values;
   std::sort(distinct.begin(), distinct.end());
   const double range = distinct.back() - distinct.front();
@@ -126,19 +158,17 @@ double rounding_step(std::span<const double> all) {
 
 std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
                                 double resolution) {
-  constexpr std::size_t reach = 20;  // samples on either side that say what is usual here
-  constexpr double robust = 1.4826, limit = 12;
   std::vector<std::size_t> found;
   const std::size_t n = y.size();
   if (n < 2 * reach) return found;
-  std::vector<double> distance(n, 0), size(n, 0);
+  std::vector<double> distance(n, 0), size(n, nothing_seen);
   for (std::size_t i = 2; i + 2 < n; ++i) {
-    const bool even = t[i + 2] - t[i - 2] < 4 * 1.25 * step;
+    const bool even = are_even(t.subspan(i - 2, 5), step);
     distance[i] = even ? distance_from_cubic(y, i) : 0;
-    size[i] = std::fabs(distance[i]);
+    size[i] = even ? std::fabs(distance[i]) : nothing_seen;
   }
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
-  const double everywhere = robust * median(size);
+  const double everywhere = robust * median_seen(size);
   if (*low == *high) return found;
   const double floor =
       std::max({limit * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
@@ -156,10 +186,10 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
     if (!alone) continue;
     // Motion may set in on one side only: the livelier side says what is usual.
     const std::size_t from = i > reach + 2 ? i - reach - 2 : 2, to = std::min(i + reach + 3, n - 2);
-    const auto at = [&](std::size_t k) { return size.begin() + static_cast<std::ptrdiff_t>(k); };
+    const std::span all(size);
     double usual = 0;
-    if (i - from > 4) usual = std::max(usual, median({at(from), at(i - 2)}));
-    if (to - i > 5) usual = std::max(usual, median({at(i + 3), at(to)}));
+    if (i - from > 4) usual = std::max(usual, median_seen(all.subspan(from, i - 2 - from)));
+    if (to - i > 5) usual = std::max(usual, median_seen(all.subspan(i + 3, to - i - 3)));
     if (size[i] > limit * robust * usual) found.push_back(i);
   }
   std::sort(found.begin(), found.end());

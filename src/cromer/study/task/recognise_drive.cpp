@@ -125,14 +125,16 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   // free motions.
   // A swing that feeds itself may be a driven one in disguise, of another law.
   const bool loses = !free.fit.law.shares(bounding_terms);
-  if (!refused && loses) same.law = to_text(free.fit.law);
+  if (loses) same.law = refused ? "viscous" : to_text(free.fit.law);
   Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
   if (!driven || watch.interrupted()) return free;
   MotionJudgement judgement = judged(free, *driven, false);
   const bool settled = (driven->fit.has_values() && !drive_helps(*driven, free)) ||
                        (driven->fit.status == FitStatus::converged &&
                         (judgement.kind == MotionKind::free || judgement.kind == MotionKind::two_modes));
-  if (!refused && loses && !settled) {
+  // What no free law accounts for a drive must, for more than half.
+  const bool worth_more = !refused || driven->fit.explained > 0.5;
+  if (loses && !settled && worth_more) {
     same.law = options.law;
     driven = fit_driven(motion, free.file, same, watch);
     if (!driven || watch.interrupted()) return free;
