@@ -1,6 +1,11 @@
 #include "http_connection.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -8,6 +13,9 @@
 #include <boost/beast/http.hpp>
 #include <chrono>
 #include <optional>
+#include <sstream>
+
+#include "cromer/record/live/descriptor.h"
 
 namespace cromer::cli {
 
@@ -24,16 +32,14 @@ std::chrono::milliseconds in_ms(double seconds) {
 
 std::string text(boost::string_view view) { return {view.data(), view.size()}; }
 
-/// What every answer says: nothing is guessed, framed, cached or leaked to others; the page's own script,
-/// style and worker run, and nothing from elsewhere.
+/// What every answer says: nothing is guessed, framed, cached or leaked to others, and nothing runs but what
+/// `policy` lets run.
 template <class Message>
-void add_safety(Message& message) {
-  message.set(
-      "Content-Security-Policy",
-      "default-src 'none'; script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:; style-src "
-      "'unsafe-inline'; img-src data: blob:; font-src data:; connect-src 'self' data: blob:; base-uri "
-      "'none'; "
-      "form-action 'none'; frame-ancestors 'none'");
+void add_safety(Message& message, const std::string& policy) {
+  const std::string_view none =
+      "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
+  message.set("Content-Security-Policy",
+              (policy.empty() ? std::string(none) : policy) + "; frame-ancestors 'none'");
   message.set("X-Content-Type-Options", "nosniff");
   message.set("Referrer-Policy", "no-referrer");
   message.set("Cross-Origin-Resource-Policy", "same-origin");
@@ -56,12 +62,14 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   }
   bool idle() const { return idle_; }
   bool listens() const { return listens_; }
+  bool answers() const { return answers_; }
   void send_events();
 
  private:
   void take(Failure failed);
   void handle();
   void answer(HttpAnswer what, bool keep);
+  void send_next();
   void begin_events(const HttpAnswer& what);
   void linger();
 
@@ -70,8 +78,13 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_{64 << 10};
   std::optional<http::request_parser<http::string_body>> parser_;
-  http::response<http::string_body> response_;
   bool idle_ = true, listens_ = false, busy_ = false;
+  // The answer being sent: its head and, read a piece at a time, its body.
+  bool answers_ = false, keep_ = false;
+  std::shared_ptr<const std::string> body_;
+  Descriptor file_;
+  std::size_t sent_bytes_ = 0, left_ = 0;  ///< of the body
+  std::string piece_;
   EventCursor cursor_;
   std::string events_;
   std::chrono::steady_clock::time_point sent_{};
@@ -134,20 +147,64 @@ void HttpConnection::handle() {
 }
 
 void HttpConnection::answer(HttpAnswer what, bool keep) {
-  const bool head = parser_ && parser_->get().method() == http::verb::head;
-  response_ = {};
-  response_.version(11);
-  response_.result(static_cast<unsigned>(what.status));
-  response_.set(http::field::content_type, what.type);
-  add_safety(response_);
-  for (const auto& [name, value] : what.headers) response_.insert(name, value);
-  response_.keep_alive(keep);
-  response_.content_length(what.body.size());
-  if (!head) response_.body() = std::move(what.body);
+  const bool head_alone = parser_ && parser_->get().method() == http::verb::head;
+  file_.close();
+  body_ = what.shared ? what.shared : std::make_shared<const std::string>(std::move(what.body));
+  std::size_t length = body_->size();
+  if (!what.file.empty()) {
+    file_ = Descriptor(::open(what.file.c_str(), O_RDONLY | O_CLOEXEC));
+    struct stat found {};
+    if (!file_.is_open() || ::fstat(file_.number(), &found) != 0)
+      return answer(refused(errno == ENOENT ? 404 : 503, "the recording cannot be read now"), keep);
+    length = static_cast<std::size_t>(found.st_size);
+  }
+  http::response<http::empty_body> head;
+  head.version(11);
+  head.result(static_cast<unsigned>(what.status));
+  head.set(http::field::content_type, what.type);
+  add_safety(head, what.policy);
+  for (const auto& [name, value] : what.headers) head.insert(name, value);
+  head.keep_alive(keep);
+  head.content_length(length);
+  std::ostringstream text;
+  text << head.base();
+  piece_ = text.str();
+  answers_ = true;
+  keep_ = keep;
+  sent_bytes_ = 0;
+  left_ = head_alone ? 0 : length;
+  send_next();
+}
+
+// Whoever does not read what is sent costs a piece, not a recording.
+void HttpConnection::send_next() {
+  constexpr std::size_t of_file = 16 << 10, of_memory = 256 << 10;  // bytes
+  asio::const_buffer body;
+  if (file_.is_open() && left_ > 0) {
+    const std::size_t before = piece_.size();
+    piece_.resize(before + std::min(left_, of_file));
+    const ssize_t got = ::pread(file_.number(), piece_.data() + before, piece_.size() - before,
+                                static_cast<off_t>(sent_bytes_));
+    if (got <= 0) return close();  // it has become shorter than was promised
+    piece_.resize(before + static_cast<std::size_t>(got));
+    sent_bytes_ += static_cast<std::size_t>(got);
+    left_ -= static_cast<std::size_t>(got);
+  } else if (left_ > 0) {
+    const std::size_t count = std::min(left_, of_memory);
+    body = asio::buffer(body_->data() + sent_bytes_, count);
+    sent_bytes_ += count;
+    left_ -= count;
+  }
   stream_.expires_after(in_ms(all_.limits.answer));
-  http::async_write(stream_, response_, [self = shared_from_this(), keep](Failure failed, std::size_t) {
+  const std::array<asio::const_buffer, 2> buffers{asio::buffer(piece_), body};
+  asio::async_write(stream_, buffers, [self = shared_from_this()](Failure failed, std::size_t) {
     if (failed) return self->close();
-    keep ? self->read() : self->linger();
+    self->piece_.clear();
+    if (self->left_ > 0) return self->send_next();
+    self->answers_ = false;
+    self->body_.reset();
+    self->file_.close();
+    self->keep_ ? self->read() : self->linger();
   });
 }
 
@@ -170,7 +227,7 @@ void HttpConnection::begin_events(const HttpAnswer& what) {
   http::fields head;
   head.set(http::field::content_type, "text/event-stream");
   head.set(http::field::connection, "close");
-  add_safety(head);
+  add_safety(head, what.policy);
   for (const auto& [name, value] : what.headers) head.insert(name, value);
   events_ = "HTTP/1.1 200 OK\r\n";
   for (const auto& field : head) events_ += text(field.name_string()) + ": " + text(field.value()) + "\r\n";
@@ -212,12 +269,21 @@ std::size_t HttpConnections::listeners() const {
       std::count_if(open_.begin(), open_.end(), [](const auto& each) { return each.second->listens(); }));
 }
 
-void HttpConnections::drop_oldest_idle() {
-  const auto oldest =
-      std::find_if(open_.begin(), open_.end(), [](const auto& each) { return each.second->idle(); });
-  if (oldest == open_.end()) return;
-  const auto connection = oldest->second;
-  connection->close();
+void HttpConnections::make_room() {
+  for (const auto may_go : {&HttpConnection::idle, &HttpConnection::listens, &HttpConnection::answers}) {
+    const auto oldest = std::find_if(open_.begin(), open_.end(),
+                                     [&](const auto& each) { return (each.second.get()->*may_go)(); });
+    if (oldest == open_.end()) continue;
+    const auto connection = oldest->second;
+    return connection->close();
+  }
+}
+
+void HttpConnections::end_all() {
+  while (!open_.empty()) {
+    const auto connection = open_.begin()->second;
+    connection->close();
+  }
 }
 
 void HttpConnections::send_events() {

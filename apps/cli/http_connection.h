@@ -25,8 +25,10 @@ class HttpConnections {
   std::size_t count() const { return open_.size(); }
   std::size_t listeners() const;
 
-  /// Closes the oldest that is waiting for a request, if there is one.
-  void drop_oldest_idle();
+  /// Closes the oldest that waits for a request; without one the oldest that listens, or takes its answer
+  /// slowly.
+  void make_room();
+  void end_all();
   /// To each listener, unless it is still busy with what it was sent before.
   void send_events();
 

@@ -9,6 +9,7 @@
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
+#include <new>
 
 #include "cromer/study/json/live.h"
 #include "http_connection.h"
@@ -21,14 +22,16 @@ using Failure = boost::system::error_code;
 
 constexpr auto tick = std::chrono::milliseconds(100);
 
-/// As many connections as the system allows, some descriptors kept for files.
+/// As many connections as the system allows, some descriptors kept for files and devices; and no more than
+/// their requests and pieces of answers fit into a few ten megabytes.
 std::size_t most_connections() {
+  constexpr rlim_t most = 1024, kept = 32, fewest = 8;
   rlimit files{};
-  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return 512;
-  files.rlim_cur = std::min<rlim_t>(files.rlim_max, 8192);
+  if (::getrlimit(RLIMIT_NOFILE, &files) != 0) return 256;
+  files.rlim_cur = std::max(files.rlim_cur, std::min<rlim_t>(files.rlim_max, 2 * most));
   ::setrlimit(RLIMIT_NOFILE, &files);
   ::getrlimit(RLIMIT_NOFILE, &files);
-  return files.rlim_cur > 128 ? static_cast<std::size_t>(files.rlim_cur) - 64 : 64;
+  return static_cast<std::size_t>(files.rlim_cur > kept + fewest ? std::min(most, files.rlim_cur - kept) : fewest);
 }
 
 }  // namespace
@@ -43,8 +46,7 @@ struct HttpServer::State {
   void accept() {
     acceptor.async_accept([this](Failure failed, asio::ip::tcp::socket socket) {
       if (!acceptor.is_open()) return;
-      // Full: who has waited longest without asking for anything makes room.
-      if (failed || connections.count() >= most) connections.drop_oldest_idle();
+      if (failed || connections.count() >= most) connections.make_room();
       if (failed) {
         pause.expires_after(std::chrono::milliseconds(20));
         pause.async_wait([this](Failure stopped) {
@@ -52,14 +54,22 @@ struct HttpServer::State {
         });
         return;
       }
-      connections.begin(std::move(socket));
+      try {
+        connections.begin(std::move(socket));
+      } catch (const std::bad_alloc&) {
+        connections.end_all();
+      }
       accept();
     });
   }
 
   void send_events(const std::function<bool()>& stop) {
     if (stop()) return context.stop();
-    connections.send_events();
+    try {
+      connections.send_events();
+    } catch (const std::bad_alloc&) {
+      connections.end_all();
+    }
     timer.expires_after(tick);
     timer.async_wait([this, &stop](Failure failed) {
       if (!failed) send_events(stop);
@@ -104,7 +114,15 @@ int HttpServer::port() const {
 void HttpServer::run(const std::function<bool()>& stop) {
   state_->accept();
   state_->send_events(stop);
-  state_->context.run();
+  // Out of memory nobody is served for a while, and what is recorded meanwhile is not ended by it.
+  for (;;) {
+    try {
+      state_->context.run();
+      return;
+    } catch (const std::bad_alloc&) {
+      state_->connections.end_all();
+    }
+  }
 }
 
 }  // namespace cromer::cli

@@ -26,7 +26,10 @@ struct HttpAnswer {
   std::string type = "application/json";
   std::string body{};
   std::vector<std::pair<std::string, std::string>> headers{};
-  bool events = false;  ///< the connection stays open for server-sent events
+  bool events = false;                          ///< the connection stays open for server-sent events
+  std::shared_ptr<const std::string> shared{};  ///< in place of the body: one for all who ask
+  std::string policy{};  ///< of its content; where empty nothing runs and nothing is fetched
+  std::string file{};  ///< in place of the body: the file of this path as it is now, sent piece by piece
 };
 
 /// A status other than 200, and why in a sentence.
@@ -39,10 +42,10 @@ struct EventCursor {
 };
 
 struct HttpLimits {
-  std::size_t header = 8 << 10, body = 64 << 10;  // bytes
-  double request = 5;                             // [s] for a whole request, idleness before it included
-  double answer = 30;                             // [s] for the other side to take an answer
-  std::size_t listeners = 64;                     ///< of events at the same time
+  std::size_t header = 8 << 10, body = 4 << 10;  // bytes
+  double request = 5;                            // [s] for a whole request, idleness before it included
+  double answer = 30;                            // [s] for the other side to take a piece of an answer
+  std::size_t listeners = 64;                    ///< of events at the same time
 };
 
 class HttpServer {

@@ -1,6 +1,8 @@
 #include "lab.h"
 
 #include <charconv>
+#include <functional>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -10,13 +12,6 @@
 
 namespace cromer::cli {
 namespace {
-
-HttpAnswer page(const std::string& path) {
-  if (path.empty()) return {503, "text/html; charset=utf-8", page_is_missing()};
-  auto bytes = read_file(path);
-  return bytes ? HttpAnswer{200, "text/html; charset=utf-8", *std::move(bytes)}
-               : HttpAnswer{503, "text/html; charset=utf-8", page_is_missing()};
-}
 
 /// Of two digits.
 std::optional<char> hexadecimal(std::string_view digits) {
@@ -52,6 +47,26 @@ Result<std::optional<double>> duration_in(const std::string& body) {
   return std::optional(length->value);
 }
 
+/// The policy that a page states for itself; "" where it has none.
+std::string policy_of(std::string_view page) {
+  constexpr std::string_view tag = "http-equiv=\"Content-Security-Policy\" content=\"";
+  const std::size_t begin = page.find(tag);
+  if (begin == std::string_view::npos) return "";
+  const std::string_view rest = page.substr(begin + tag.size());
+  const std::string_view policy = rest.substr(0, rest.find('"'));
+  return policy.find_first_of("\r\n") == std::string_view::npos ? std::string(policy) : "";
+}
+
+void answer_later(TaskQueue& queue, const HttpServer::Respond& respond, std::function<HttpAnswer()> work) {
+  queue.add([respond, work = std::move(work)] {
+    try {
+      respond(work());
+    } catch (const std::bad_alloc&) {
+      respond({.status = 503});
+    }
+  });
+}
+
 }  // namespace
 
 void Lab::handle(const HttpRequest& request, const Respond& respond) {
@@ -68,7 +83,7 @@ void Lab::handle(const HttpRequest& request, const Respond& respond) {
     if (!get || (request.method == "HEAD" && path == "/api/events"))
       return respond(refused(405, "that is asked for with GET"));
     if (path == "/") {
-      HttpAnswer answer = page(page_);
+      HttpAnswer answer = page();
       keep_token(guard_, answer);
       // Browsers heed it from this computer alone, and complain elsewhere.
       if (!guard_.beyond_this_computer)
@@ -87,17 +102,16 @@ void Lab::record(const HttpRequest& request, const Respond& respond) {
     return respond(refused(415, "the body must be application/json"));
   auto duration = duration_in(request.body);
   if (!duration) return respond(refused(400, duration.error().message));
-  slow_.add([this, duration = *duration, respond] {
+  answer_later(starts_, respond, [this, duration = *duration] {
     const auto name = session_.start(duration);
-    respond(name ? HttpAnswer{200, "application/json", session_.status()}
-                 : refused(409, name.error().message));
+    return name ? HttpAnswer{200, "application/json", session_.status()} : refused(409, name.error().message);
   });
 }
 
 void Lab::stop(const Respond& respond) {
-  slow_.add([this, respond] {
+  answer_later(stops_, respond, [this] {
     session_.stop();
-    respond({200, "application/json", session_.status()});
+    return HttpAnswer{200, "application/json", session_.status()};
   });
 }
 
@@ -105,11 +119,22 @@ void Lab::stop(const Respond& respond) {
 void Lab::recording(const std::string& name, const Respond& respond) {
   const auto path = session_.path_of(percent_decoded(name));
   if (!path) return respond(refused(404, "there is no such recording"));
-  slow_.add([path = *path, respond] {
-    auto bytes = read_file(path);
-    respond(bytes ? HttpAnswer{200, "text/csv; charset=utf-8", *std::move(bytes)}
-                  : refused(404, "the recording is gone"));
-  });
+  respond({.type = "text/csv; charset=utf-8", .file = *path});
+}
+
+/// Read again where the file is another than before.
+HttpAnswer Lab::page() {
+  std::error_code failed;
+  const auto time = page_.empty() ? page_time_ : std::filesystem::last_write_time(page_, failed);
+  if (!page_.empty() && (!page_bytes_ || failed || time != page_time_)) {
+    auto bytes = read_file(page_);
+    page_bytes_ = bytes ? std::make_shared<const std::string>(*std::move(bytes)) : nullptr;
+    page_policy_ = page_bytes_ ? policy_of(*page_bytes_) : "";
+    page_time_ = time;
+  }
+  HttpAnswer answer{.type = "text/html; charset=utf-8", .shared = page_bytes_, .policy = page_policy_};
+  if (!page_bytes_) answer.status = 503, answer.body = page_is_missing();
+  return answer;
 }
 
 }  // namespace cromer::cli

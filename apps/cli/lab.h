@@ -1,6 +1,8 @@
 // What the server of the lab answers: its page and its interface.
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
 
 #include "guard.h"
@@ -24,11 +26,16 @@ class Lab {
   void record(const HttpRequest& request, const Respond& respond);
   void stop(const Respond& respond);
   void recording(const std::string& name, const Respond& respond);
+  HttpAnswer page();
 
   LiveSession& session_;
   Guard guard_;
   std::string page_;
-  TaskQueue slow_;  ///< what waits for devices and disks, one after the other
+  std::shared_ptr<const std::string> page_bytes_;  ///< as the file was at
+  std::filesystem::file_time_type page_time_{};
+  std::string page_policy_;
+  // What waits for devices, one after the other; a stop does not wait for a start.
+  TaskQueue starts_, stops_;
 };
 
 }  // namespace cromer::cli

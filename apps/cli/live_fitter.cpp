@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 
 namespace cromer::cli {
 
@@ -18,7 +19,18 @@ std::shared_ptr<const FittedRecording> LiveFitter::latest() const {
   return latest_;
 }
 
+// Out of memory there is no fit for a while; the recording goes on.
 void LiveFitter::work() {
+  while (!stop_) {
+    try {
+      fit_again_and_again();
+    } catch (const std::bad_alloc&) {
+      std::this_thread::sleep_for(std::chrono::seconds(1));
+    }
+  }
+}
+
+void LiveFitter::fit_again_and_again() {
   Rows rows;
   std::size_t seen = 0;  // of the recorder's rows
   double next = steady_seconds() + 1;

@@ -24,6 +24,7 @@ class LiveFitter {
 
  private:
   void work();
+  void fit_again_and_again();
 
   const Recorder& recorder_;
   std::string column_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "cromer/study/json/live.h"
@@ -11,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t batch = 5000;  // rows in one event
+constexpr std::size_t batch = 10'000;  // numbers in one event: 64 listeners may each have one in memory
 constexpr double shown = 10;         // [s] on the page
 
 /// The path itself, or the first of NAME-2.csv, ... that does not exist or is empty.
@@ -41,12 +42,21 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   if (!setup_) return Error{"cromer serve was started without --from: there is nothing to record from"};
   if (const auto before = active(); before && before->recorder->status().running)
     return Error{"a recording is going on; stop it first"};
+  const auto stops = [this] {
+    const std::lock_guard lock(mutex_);
+    return stops_;
+  };
+  const std::size_t stops_before = stops();
   auto next = std::make_shared<Active>();
   const std::string path = free_path(options_.output);
   next->name = fs::path(path).filename().string();
   next->duration = duration ? duration : options_.duration;
   next->recorder = make_recorder(*setup_, next->duration, path, command_);
   if (auto good = next->recorder->start(); !good) return good.error();
+  if (stops() != stops_before) {
+    next->recorder->stop();
+    return Error{"stopped before it had begun"};
+  }
   next->fitter = std::make_unique<LiveFitter>(*next->recorder, options_.column);
   const std::lock_guard lock(mutex_);
   next->number = ++recordings_;
@@ -56,6 +66,10 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
 }
 
 void LiveSession::stop() {
+  {
+    const std::lock_guard lock(mutex_);
+    ++stops_;
+  }
   if (const auto now = active()) now->recorder->stop();
 }
 
@@ -83,7 +97,8 @@ std::string LiveSession::events(EventCursor& cursor) const {
     if (is_new) cursor.rows = now->recorder->first_within(shown);
   }
   if (now) {
-    const Rows rows = now->recorder->rows_since(cursor.rows, batch);
+    const std::size_t columns = std::max<std::size_t>(now->recorder->headings().size(), 1);
+    const Rows rows = now->recorder->rows_since(cursor.rows, batch / columns);
     if (rows.size() > 0) text += event("samples", live_samples_json(cursor.rows, rows)) + "\n";
     cursor.rows += rows.size();
     const auto notices = now->recorder->notices_since(cursor.notices);

@@ -22,7 +22,8 @@ class LiveSession {
   /// Begins a recording into -o, or into NAME-2.csv, NAME-3.csv, ... where that is taken; its name.
   /// `duration` in seconds; that of the command line where it is not given. Connecting may take seconds.
   Result<std::string> start(std::optional<double> duration);
-  /// Ends it, where one is going on; its file is complete then.
+  /// Ends it, where one is going on; its file is complete then. One that still waits for its device is not
+  /// begun.
   void stop();
 
   std::string status() const;
@@ -49,7 +50,7 @@ class LiveSession {
   mutable std::mutex mutex_;  ///< over what follows
   std::shared_ptr<Active> active_;
   std::map<std::string, std::string> paths_;
-  std::size_t recordings_ = 0;
+  std::size_t recordings_ = 0, stops_ = 0;
 };
 
 }  // namespace cromer::cli

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "cromer/base/utf8.h"
 #include "exit_status.h"
 
 namespace cromer::cli {
@@ -18,7 +19,7 @@ void fall_silent() {
 
 void complain(std::string_view message) {
   if (silent) return;
-  std::fprintf(stderr, "cromer: %.*s\n", static_cast<int>(message.size()), message.data());
+  std::fprintf(stderr, "cromer: %s\n", printable(message).c_str());
 }
 
 int refuse(std::string_view message) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "cromer/base/utf8.h"
 #include "cromer/cluster/tables_file.h"
 #include "cromer/report/file.h"
 
@@ -74,7 +75,8 @@ Result<void> write_plot(const std::string& path, const Figure& figure) {
 }
 
 bool print(std::string_view text) {
-  return std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  const std::string shown = printable(text);
+  return std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size() && std::fflush(stdout) == 0;
 }
 
 }  // namespace cromer::cli

@@ -41,7 +41,7 @@ Result<void> check_outputs(const OutputOptions& options, const std::vector<std::
 /// Draws the figure and writes it.
 Result<void> write_plot(const std::string& path, const Figure& figure);
 
-/// Standard output; false if it could not take all of it.
+/// On standard output, what could drive a terminal spelled out; false if it could not take all of it.
 bool print(std::string_view text);
 
 }  // namespace cromer::cli

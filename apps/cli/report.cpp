@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "commands.h"
+#include "cromer/base/utf8.h"
 #include "cromer/study/json/study.h"
 #include "cromer/study/write_report.h"
 #include "cromer/version.h"
@@ -32,7 +33,7 @@ std::string today() {
 StudyProgress progress_line(bool quiet) {
   if (quiet || !isatty(STDERR_FILENO)) return {};
   return [](const std::string& what, double fraction) {
-    std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, what.c_str());
+    std::fprintf(stderr, "\r\033[K%3.0f %%  %s", 100 * fraction, printable(what).c_str());
   };
 }
 

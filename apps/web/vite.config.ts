@@ -1,4 +1,5 @@
 // Builds the page as one file, build/page/cromer-lab.html: script, style and core inlined, no request made.
+import { createHash } from 'node:crypto'
 import { existsSync, readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import { svelte } from '@sveltejs/vite-plugin-svelte'
@@ -30,7 +31,19 @@ function core(): Plugin {
   }
 }
 
-/** Puts script and style into the html, which becomes cromer-lab.html. */
+/** What the page may do, wherever it is opened: run its own script, style and workers, and ask its own origin. */
+function policyOf(html: string): string {
+  const own = (tag: string) =>
+    [...html.matchAll(new RegExp(`<${tag}[^>]*>([\\s\\S]*?)</${tag}>`, 'g'))]
+      .map(([, text]) => `'sha256-${createHash('sha256').update(text!).digest('base64')}'`)
+      .join(' ')
+  return [
+    "default-src 'none'", `script-src ${own('script')} 'wasm-unsafe-eval'`, `style-src ${own('style')}`, 'worker-src blob:',
+    'img-src data:', "connect-src 'self'", "base-uri 'none'", "form-action 'none'",
+  ].join('; ')
+}
+
+/** Puts script and style into the html, which becomes cromer-lab.html; its policy stands before them. */
 function oneFile(): Plugin {
   return {
     name: 'cromer-one-file',
@@ -50,7 +63,8 @@ function oneFile(): Plugin {
           delete bundle[file]
         }
       }
-      html.source = text
+      const policy = `<meta http-equiv="Content-Security-Policy" content="${policyOf(text)}" />`
+      html.source = text.replace('<meta charset="utf-8" />', (charset) => `${charset}\n    ${policy}`)
       html.fileName = 'cromer-lab.html'
     },
   }

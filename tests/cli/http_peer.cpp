@@ -8,7 +8,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <utility>
 
 #include "live_devices.h"
@@ -94,7 +96,7 @@ std::string body_of(const std::string& answer) {
 }
 
 Served::Served(const Folder& folder, std::vector<std::string> more) : folder_(folder) {
-  folder.write("page.html", "<!doctype html><title>stand-in for the lab</title>\n");
+  folder.write("page.html", "<!DOCTYPE html><html><head><title>stand-in for the lab</title></head></html>\n");
   more.insert(more.begin(), {"serve", "--port", "0", "--page", "page.html"});
   process_ = folder.start(more);
   for (int i = 0; i < 1000 && address_.find('\n') == std::string::npos; ++i) {
@@ -109,6 +111,13 @@ Served::Served(const Folder& folder, std::vector<std::string> more) : folder_(fo
 Served::~Served() {
   ::kill(process_, SIGTERM);
   folder_.wait(process_);
+}
+
+double Served::memory() const {
+  std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return std::stod(line.substr(6)) / 1024;
+  return HUGE_VAL;
 }
 
 bool Served::is_up() const {

@@ -48,6 +48,8 @@ class Served {
   int port() const { return port_; }
   const std::string& address() const { return address_; }  ///< as it was printed
   bool is_up() const;
+  /// The most memory it has held so far [MB].
+  double memory() const;
 
  private:
   const Folder& folder_;

@@ -15,6 +15,26 @@
 #include <utility>
 
 namespace cromer::test {
+namespace {
+
+/// A socket that listens at a port of this computer; at a free one where that is 0, which is then told.
+int listen_at(int& port) {
+  const int listener = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  const int on = 1;
+  setsockopt(listener, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<in_port_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  bind(listener, reinterpret_cast<sockaddr*>(&address), sizeof address);
+  listen(listener, 8);
+  socklen_t size = sizeof address;
+  getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size);
+  port = ntohs(address.sin_port);
+  return listener;
+}
+
+}  // namespace
 
 double swing(double t) {
   return 0.2 + 0.05 * std::exp(-swing_decay_rate * t) * std::cos(2 * M_PI * swing_frequency * t);
@@ -74,20 +94,11 @@ Phone::Phone(double rate, bool measuring) : rate_(rate) {
   thread_ = std::thread([this] { serve(); });
 }
 
-void Phone::open() {
-  listener_ = socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
-  const int on = 1;
-  setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<in_port_t>(port_));
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address);
-  listen(listener_, 8);
-  socklen_t size = sizeof address;
-  getsockname(listener_, reinterpret_cast<sockaddr*>(&address), &size);
-  port_ = ntohs(address.sin_port);
-}
+void Phone::open() { listener_ = listen_at(port_); }
+
+SilentPort::SilentPort() { listener_ = listen_at(port_); }
+
+SilentPort::~SilentPort() { close(listener_); }
 
 Phone::~Phone() {
   stop_ = true;

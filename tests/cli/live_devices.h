@@ -64,6 +64,17 @@ class Phone {
   std::thread thread_;
 };
 
+/// Takes connections and never says a word.
+class SilentPort {
+ public:
+  SilentPort();
+  ~SilentPort();
+  int port() const { return port_; }
+
+ private:
+  int listener_ = -1, port_ = 0;
+};
+
 /// Seconds of a clock that never jumps.
 double now();
 void sleep_until(double time);

@@ -1,8 +1,10 @@
 #include "program.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +14,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "tests/support/xml.h"
 
 namespace cromer::test {
 namespace {
@@ -37,8 +41,15 @@ Folder::Folder() {
   path_ = mkdtemp(pattern.data());
 }
 
+// Whatever a test has drawn and written is a document that others can read.
 Folder::~Folder() {
   std::error_code ignored;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path_, ignored)) {
+    const std::string ending = entry.path().extension().string();
+    if (ending != ".svg" && ending != ".html") continue;
+    const std::string document = slurp(entry.path().string());
+    EXPECT_EQ(ending == ".svg" ? xml_fault(document) : html_fault(document), "") << entry.path();
+  }
   std::filesystem::remove_all(path_, ignored);
 }
 
@@ -68,6 +79,7 @@ pid_t Folder::start(const std::vector<std::string>& arguments) const {
   argv.push_back(nullptr);
   const pid_t process = fork();
   if (process != 0) return process;
+  if (const rlimit most{descriptors, descriptors}; descriptors > 0) setrlimit(RLIMIT_NOFILE, &most);
   if (chdir(path_.c_str()) != 0) _exit(126);
   redirect(STDOUT_FILENO, path(out_name));
   redirect(STDERR_FILENO, path(err_name));

@@ -1,6 +1,7 @@
 // The program under test, run in a folder of its own.
 #pragma once
 
+#include <sys/resource.h>
 #include <sys/types.h>
 
 #include <nlohmann/json.hpp>
@@ -35,6 +36,8 @@ class Folder {
 
   Finished run(const std::vector<std::string>& arguments) const { return wait(start(arguments)); }
   pid_t start(const std::vector<std::string>& arguments) const;
+  /// How many files the program may have open; 0 for as many as this one.
+  rlim_t descriptors = 0;
   /// At most 60 s; then the process is killed, and its status is -9.
   Finished wait(pid_t process) const;
 

@@ -74,7 +74,6 @@ TEST_P(Serial, LosesNoSampleAndKeepsTheDevicesTimes) {
   const SerialLine serial;
   const pid_t process = start_recording(folder, {"record", "--from", "serial:" + serial.path(), "--heading",
                                                  "Position (m)", "-o", "out.csv", "--json"});
-  serial.write("\n");  // ends the line that the program may have come in the middle of
   write_by_the_clock(serial, rate, 3, timed_line);
   sleep_until(now() + 0.3);
   kill(process, SIGINT);
@@ -106,7 +105,6 @@ TEST_P(SerialValues, AreStampedByTheRateThatIsFound) {
   const SerialLine serial;
   const pid_t process = start_recording(
       folder, {"record", "--from", "serial:" + serial.path() + ":9600", "-o", "out.csv", "--json"});
-  serial.write("\n");
   write_by_the_clock(serial, rate, 4, value_line);
   sleep_until(now() + 0.1);  // what is still held back is written at the end
   kill(process, SIGINT);

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <fstream>
 #include <vector>
 
 #include "http_peer.h"
@@ -232,6 +233,94 @@ TEST(ServeAttack, ListenersThatReadNothingHoldNobodyUp) {
   // Only so many are let in.
   EXPECT_EQ(status_of(listeners.front().receive(0.5)), 200);
   EXPECT_EQ(status_of(listeners.back().receive(0.5)), 503);
+}
+
+/// What a phone sends in a second, in a file that then grows to many megabytes.
+void record_much(const Folder& folder, int port, std::size_t megabytes) {
+  ASSERT_EQ(status_of(ask(port, request(port, "POST /api/record"))), 200);
+  sleep_until(now() + 1);
+  ASSERT_EQ(status_of(ask(port, request(port, "POST /api/stop"))), 200);
+  std::string row = "0.5,1.25\n", megabyte;
+  while (megabyte.size() < 1 << 20) megabyte += row;
+  std::ofstream file(folder.path("swing.csv"), std::ios::app);
+  for (std::size_t i = 0; i < megabytes; ++i) file << megabyte;
+}
+
+TEST(ServeAttack, DownloadsThatNobodyReadsTakeLittleMemory) {
+  const Folder folder;
+  const Phone phone(100, true);
+  const Served served(folder,
+                      {"--from", "phyphox:127.0.0.1:" + std::to_string(phone.port()), "-o", "swing.csv"});
+  const int port = served.port();
+  record_much(folder, port, 40);
+  const double before = served.memory();
+  std::vector<Peer> deaf;
+  for (int i = 0; i < 60; ++i) {
+    deaf.emplace_back(port);
+    deaf.back().send(request(port, "GET /api/recordings/swing.csv"));
+  }
+  EXPECT_LT(time_of_an_answer(port), soon);
+  EXPECT_LT(served.memory() - before, 10);
+  // Whoever reads gets all of it.
+  const std::string answer = ask(port, request(port, "GET /api/recordings/swing.csv"), 30);
+  EXPECT_EQ(status_of(answer), 200);
+  EXPECT_EQ(body_of(answer), folder.read("swing.csv"));
+  EXPECT_LT(served.memory() - before, 10);
+}
+
+TEST(ServeAttack, PagesThatNobodyReadsTakeLittleMemory) {
+  const Folder folder;
+  const Served served(folder);
+  const int port = served.port();
+  folder.write("page.html", "<html><!-- " + std::string(2 << 20, 'x') + " --></html>\n");
+  EXPECT_EQ(body_of(ask(port, request(port, "GET /"))), folder.read("page.html"));
+  const double before = served.memory();
+  std::vector<Peer> deaf;
+  for (int i = 0; i < 200; ++i) {
+    deaf.emplace_back(port);
+    deaf.back().send(request(port, "GET /"));
+  }
+  EXPECT_LT(time_of_an_answer(port), soon);
+  EXPECT_LT(served.memory() - before, 10);
+}
+
+TEST(ServeAttack, FewDescriptorsLeaveRoomForOthersAndForARecording) {
+  Folder folder;
+  folder.descriptors = 64;
+  const Phone phone(100, true);
+  const Served served(folder,
+                      {"--from", "phyphox:127.0.0.1:" + std::to_string(phone.port()), "-o", "swing.csv"});
+  const int port = served.port();
+  std::vector<Peer> listeners, idle;
+  for (int i = 0; i < 100; ++i) {
+    listeners.emplace_back(port);
+    listeners.back().send(request(port, "GET /api/events"));
+  }
+  EXPECT_EQ(status_of(ask(port, request(port, "GET /api/status"))), 200);
+  for (int i = 0; i < 300; ++i) idle.emplace_back(port);
+  EXPECT_EQ(status_of(ask(port, request(port, "GET /api/status"))), 200);
+  EXPECT_EQ(status_of(ask(port, request(port, "POST /api/record"))), 200);
+  sleep_until(now() + 1);
+  EXPECT_EQ(status_of(ask(port, request(port, "POST /api/stop"))), 200);
+  EXPECT_EQ(status_of(ask(port, request(port, "GET /api/recordings/swing.csv"))), 200);
+}
+
+TEST(ServeAttack, AStopDoesNotWaitForADeviceThatDoesNotAnswer) {
+  const Folder folder;
+  // A port that takes a connection and says nothing: the phone is waited for.
+  const SilentPort silent;
+  const Served served(folder,
+                      {"--from", "phyphox:127.0.0.1:" + std::to_string(silent.port()), "-o", "swing.csv"});
+  const int port = served.port();
+  const Peer recorder(port);
+  recorder.send(request(port, "POST /api/record"));
+  sleep_until(now() + 0.3);
+  const double begin = now();
+  EXPECT_EQ(status_of(ask(port, request(port, "POST /api/stop"))), 200);
+  EXPECT_LT(now() - begin, soon);
+  EXPECT_EQ(status_of(recorder.receive(20)), 409);
+  EXPECT_THAT(ask(port, request(port, "GET /api/status")), HasSubstr("\"running\":false"));
+  EXPECT_FALSE(folder.has("swing.csv"));
 }
 
 }  // namespace

@@ -30,7 +30,15 @@ TEST(Serve, ServesThePageWithHeadersThatKeepItSafe) {
   EXPECT_THAT(answer, HasSubstr("Content-Security-Policy: default-src 'none';"));
   EXPECT_THAT(answer, HasSubstr("frame-ancestors 'none'"));
   EXPECT_THAT(answer, HasSubstr("X-Content-Type-Options: nosniff\r\n"));
+  EXPECT_THAT(answer, Not(HasSubstr("script-src")));
   EXPECT_THAT(body_of(answer), HasSubstr("stand-in for the lab"));
+  // A page that states what it needs gets that, and no more.
+  folder.write("page.html",
+               "<html><head><meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+               "script-src 'sha256-abc='\" /></head></html>\n");
+  EXPECT_THAT(ask(served.port(), request(served.port(), "GET /")),
+              HasSubstr("Content-Security-Policy: default-src 'none'; script-src 'sha256-abc='; "
+                        "frame-ancestors 'none'\r\n"));
   EXPECT_EQ(body_of(ask(served.port(), request(served.port(), "HEAD /"))), "");
 }
 

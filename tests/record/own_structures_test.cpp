@@ -100,6 +100,12 @@ TEST(LabView, BadCellsAreNamed) {
   EXPECT_THAT(refusal(labview("One") + labview_segment), HasSubstr("no segment with rows"));
 }
 
+TEST(LabView, ASeparatorWithinANumberIsNoRemark) {
+  EXPECT_THAT(refusal(labview("One") + labview_segment +
+                      "X_Value\tPos\tU\tComment\r\n0\t1.5\t2.5\r\n1\t1\t.5\t2.5\r\n2\t1.5\t2.5\tsaid\r\n"),
+              HasSubstr("lab.txt:19: there are more values than the 3 columns"));
+}
+
 TEST(Peer, ReadsBothHeadersAndStopsAtItsCount) {
   const std::string titles_of =
       "PEER DATABASE\nSomewhere, 1/2/1999\nACCELERATION TIME SERIES IN UNITS OF G\n";

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cromer/base/concat.h"
@@ -24,6 +25,42 @@ std::string refusal(std::string_view text, const ReadOptions& options = {}) {
 }
 
 const Column& column(const Recording& recording, std::size_t j) { return recording.table.columns.at(j); }
+
+std::string rows_of(int count, const char* row) {
+  std::string text = "Time (s);Position (m)\n";
+  for (int i = 0; i < count; ++i) text += concat({"0,", std::to_string(10 + i), ";", row, "\n"});
+  return text;
+}
+
+// A logger that lost power.
+TEST(LastLine, CutWithinItsNumberIsLeftOut) {
+  for (const char* cut : {"0,35;0", "0,35;0,", "0,35;0,3", "0,35;-0,3", "0,"}) {
+    const Recording r = read(rows_of(20, "-0,34") + cut);
+    EXPECT_EQ(r.table.rows(), 20u) << cut;
+    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("the last line, 22, ends within a number"))) << cut;
+  }
+  EXPECT_EQ(read(rows_of(20, "1,25E-03") + "0,35;1,25E-0").table.rows(), 20u);
+}
+
+TEST(LastLine, WholeWithoutItsEndIsARowLikeAnyOther) {
+  for (const std::string& text : {rows_of(20, "-0,34") + "0,35;0,36", rows_of(20, "-0,34") + "0,35;0,3\n",
+                                  rows_of(20, "0,34") + "0,35;", rows_of(3, "0,34") + "0,35;0,3"}) {
+    const Recording r = read(text);
+    EXPECT_EQ(r.lines.size(), static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) -
+                                  (text.back() == '\n' ? 1 : 0));
+    EXPECT_THAT(r.warnings, testing::Each(testing::Not(HasSubstr("last line"))));
+  }
+}
+
+TEST(LastLine, ThatMayBeCutIsKeptAndSaid) {
+  // Whole numbers, and decimals without their last noughts, of which a shorter one may be whole.
+  for (const std::string& text : {rows_of(20, "1234") + "0,35;12", rows_of(10, "0,34") + rows_of(9, "0,345").substr(22) + "0,35;0"}) {
+    const Recording r = read(text);
+    EXPECT_EQ(r.table.columns[1].values.back(), text.back() == '2' ? 12 : 0);
+    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("the last line, ")));
+    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("it is kept")));
+  }
+}
 
 TEST(ReadRecording, HeadedComma) {
   const Recording r = read("Time (s),Position (m)\n0.0,0.5\n0.1,-0.25\n0.2,1e-3\n");

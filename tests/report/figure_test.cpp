@@ -11,6 +11,7 @@
 #include "cromer/report/layout.h"
 #include "cromer/report/process.h"
 #include "cromer/report/tidy_svg.h"
+#include "tests/support/xml.h"
 
 namespace cromer {
 namespace {
@@ -276,29 +277,6 @@ TEST(FigureFormat, IsTheEndingOfTheName) {
   EXPECT_THAT(figure_format("x.jpg").error().message, HasSubstr(".svg, .png or .pdf"));
 }
 
-// Every tag that opens is closed by its own name, every attribute is quoted, every & is a reference.
-void expect_well_formed(const std::string& xml) {
-  std::vector<std::string> open;
-  for (std::size_t i = 0; (i = xml.find('<', i)) != std::string::npos;) {
-    const std::size_t end = xml.find('>', i);
-    ASSERT_NE(end, std::string::npos);
-    const std::string tag = xml.substr(i + 1, end - i - 1);
-    ASSERT_EQ(std::count(tag.begin(), tag.end(), '"') % 2, 0) << tag;
-    const std::string name = tag.substr(tag[0] == '/', tag.find_first_of(" \n/", 1) - (tag[0] == '/'));
-    if (tag[0] == '/') {
-      ASSERT_FALSE(open.empty());
-      ASSERT_EQ(open.back(), tag.substr(1));
-      open.pop_back();
-    } else if (tag.back() != '/') {
-      open.push_back(name);
-    }
-    i = end;
-  }
-  EXPECT_TRUE(open.empty());
-  for (std::size_t i = 0; (i = xml.find('&', i)) != std::string::npos; ++i)
-    ASSERT_LT(xml.find(';', i) - i, 8u);
-}
-
 bool have_gnuplot() {
   const auto version = run_process({"gnuplot", "--version"}, "");
   return version.ok() && version->exit_status == 0;
@@ -309,7 +287,7 @@ TEST(Draw, DrawsEveryExampleInAllThreeFormats) {
   for (const Figure& figure : examples()) {
     const auto svg = draw(figure, FigureFormat::svg);
     ASSERT_TRUE(svg.ok()) << svg.error().message;
-    expect_well_formed(*svg);
+    EXPECT_EQ(test::xml_fault(*svg), "");
     EXPECT_LT(svg->size(), 150000u);
     EXPECT_THAT(*svg, HasSubstr("role=\"img\""));
     EXPECT_THAT(*svg, HasSubstr("aria-label=\"What is seen: x &amp; more\""));
@@ -327,6 +305,20 @@ TEST(Draw, DrawsEveryExampleInAllThreeFormats) {
   ASSERT_TRUE(pdf.ok()) << pdf.error().message;
   EXPECT_EQ(pdf->substr(0, 5), "%PDF-");
   EXPECT_THAT(*pdf, HasSubstr("/MediaBox [ 0 0 570 3"));  // 760 px of 3/4 pt
+}
+
+TEST(Draw, IsWellFormedWhateverTheNames) {
+  if (!have_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  for (const std::string name : {"a]]>b", "x<y>z & \"q\"", "\x1b[31mred\a", "broken \xff\xc3", "\xEF\xBF\xBE"}) {
+    Figure figure = of({three_methods()});
+    figure.title = name;
+    for (std::string* text :
+         {&figure.panels[0].curves[0].name, &figure.panels[0].x.name, &figure.panels[0].title})
+      *text = name;
+    const auto svg = draw(figure, FigureFormat::svg);
+    ASSERT_TRUE(svg.ok()) << svg.error().message;
+    EXPECT_EQ(test::xml_fault(*svg), "") << name;
+  }
 }
 
 TEST(Draw, RunsNoCommandHiddenInAName) {

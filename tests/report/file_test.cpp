@@ -1,10 +1,13 @@
 #include "cromer/report/file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -119,6 +122,54 @@ TEST_F(WriteFile, ALinkStaysALink) {
   ASSERT_TRUE(write_file(path("link"), "2").ok());
   EXPECT_TRUE(fs::is_symlink(path("link")));
   EXPECT_EQ(content(path("target")), "2");
+}
+
+TEST_F(WriteFile, ALinkToNothingIsFollowedToo) {
+  fs::create_directory(path("sub"));
+  fs::create_symlink("sub/target", path("link"));
+  fs::create_symlink("link", path("link to the link"));
+  ASSERT_TRUE(write_file(path("link to the link"), "1").ok());
+  EXPECT_TRUE(fs::is_symlink(path("link to the link")));
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(content(path("sub/target")), "1");
+}
+
+TEST_F(WriteFile, AKilledProgramLeavesNothing) {
+  int ready[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    (void)write_file(path("new.csv"), [&](const PieceSink& write) {
+      (void)write("half a li");
+      (void)!::write(ready[1], "x", 1);
+      ::pause();
+      return Result<void>{};
+    });
+    ::_exit(0);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  ::close(ready[0]), ::close(ready[1]);
+  const int unnamed = ::open(folder_.c_str(), O_TMPFILE | O_RDWR, 0600);
+  if (unnamed < 0) GTEST_SKIP() << "this file system has no files without a name";
+  ::close(unnamed);
+  EXPECT_EQ(entries(), 0u);
+}
+
+TEST_F(WriteFile, WhatKilledProgramsLeftLongAgoGoes) {
+  const auto leave = [&](const std::string& name, int hours) {
+    std::ofstream(path(name)) << "x";
+    fs::last_write_time(path(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+  };
+  leave(".cromer-a1B2c3", 2);
+  leave(".cromer-Z9y8x7", 0);
+  leave(".cromer-notes.txt", 2);
+  ASSERT_TRUE(write_file(path("new.csv"), "1").ok());
+  EXPECT_FALSE(fs::exists(path(".cromer-a1B2c3")));
+  EXPECT_TRUE(fs::exists(path(".cromer-Z9y8x7"))) << "somebody may be writing it";
+  EXPECT_TRUE(fs::exists(path(".cromer-notes.txt")));
 }
 
 }  // namespace

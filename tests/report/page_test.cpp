@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/report/page_text.h"
+#include "tests/support/xml.h"
 
 namespace cromer {
 namespace {
@@ -92,6 +93,16 @@ TEST(Page, IsOneDocumentThatOpensOffline) {
   EXPECT_THAT(html, Not(HasSubstr("<?xml")));
   EXPECT_THAT(html, HasSubstr("href=\"#content\""));
   EXPECT_THAT(html, HasSubstr("<main id=\"content\">"));
+}
+
+TEST(Page, LetsNothingRunOrBeFetched) {
+  Page page = example();
+  page.title = "a]]>b <script>alert(1)</script> \x1b[31m \xff";
+  const std::string html = to_html(page);
+  EXPECT_EQ(test::html_fault(html), "");
+  EXPECT_THAT(html, HasSubstr("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none';"));
+  EXPECT_THAT(html, Not(HasSubstr("script-src")));
+  EXPECT_THAT(html, Not(HasSubstr("<script")));
 }
 
 TEST(Page, NumbersHeadingsAndTables) {

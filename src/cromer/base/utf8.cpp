@@ -1,6 +1,10 @@
-#include "cromer/record/dialects/utf8.h"
+#include "cromer/base/utf8.h"
 
-namespace cromer::dialects {
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace cromer {
 namespace {
 
 /// Bytes of the valid UTF-8 sequence that begins at `i`, 0 if there is none.
@@ -23,7 +27,73 @@ std::size_t sequence_length(std::string_view s, std::size_t i) {
   return 0;
 }
 
+/// Of one whole sequence.
+std::uint32_t code_point(std::string_view sequence) {
+  auto code = static_cast<std::uint32_t>(static_cast<unsigned char>(sequence.front()));
+  if (sequence.size() > 1) code &= 0x7Fu >> sequence.size();
+  for (const char c : sequence.substr(1)) code = (code << 6) | (static_cast<unsigned char>(c) & 0x3Fu);
+  return code;
+}
+
+bool is_control(std::uint32_t code) {
+  return (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7F && code < 0xA0);
+}
+
+/// Unicode Standard Annex 9, table of the bidirectional formatting characters; and the ends of line and
+/// paragraph.
+bool turns_writing(std::uint32_t code) {
+  return code == 0x061C || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+/// The text with what `replace` gives for what may not be shown: a code point, or a byte that is part of none.
+template <class Replace>
+std::string without_hidden(std::string_view text, const Replace& replace) {
+  std::string plain;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte >= 0x20 && byte < 0x7F) {
+      ++i;
+      continue;
+    }
+    const std::size_t length = sequence_length(text, i);
+    const std::uint32_t code = length > 0 ? code_point(text.substr(i, length)) : byte;
+    const std::size_t next = i + std::max<std::size_t>(length, 1);
+    if (length == 0 || is_control(code) || turns_writing(code)) {
+      plain += text.substr(kept, i - kept);
+      plain += replace(code, length == 0);
+      kept = next;
+    }
+    i = next;
+  }
+  return plain += text.substr(kept);
+}
+
 }  // namespace
+
+std::string as_utf8(std::string_view text) {
+  if (is_utf8(text)) return std::string(text);
+  std::string valid;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = sequence_length(text, i);
+    valid += length > 0 ? text.substr(i, length) : "\uFFFD";
+    i += std::max<std::size_t>(length, 1);
+  }
+  return valid;
+}
+
+std::string printable(std::string_view text) {
+  return without_hidden(text, [](std::uint32_t code, bool) {
+    return code < 0x100 ? fmt::format("\\x{:02x}", code) : fmt::format("\\u{:04x}", code);
+  });
+}
+
+std::string printable_json(std::string_view document) {
+  return without_hidden(document, [](std::uint32_t code, bool broken) {
+    return broken ? std::string("\uFFFD") : fmt::format("\\u{:04x}", code);
+  });
+}
 
 bool is_utf8(std::string_view s) {
   for (std::size_t i = 0; i < s.size();) {
@@ -63,4 +133,4 @@ void append_utf8(std::string& text, std::uint32_t code) {
   }
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer

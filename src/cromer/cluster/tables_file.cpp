@@ -1,21 +1,13 @@
 #include "cromer/cluster/tables_file.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
-
+#include "cromer/base/replacement.h"
 #include "cromer/cluster/disk.h"
 #include "cromer/cluster/load_hdf5.h"
 
 namespace cromer {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t message_room = 512;
 
@@ -98,26 +90,10 @@ Result<void> can_write_tables() {
 }
 
 Result<void> write_tables(const std::string& path, const std::vector<Hdf5Table>& tables) {
-  std::error_code failed;
-  // The file that a symbolic link stands for, so that the link stays one.
-  const fs::path target = fs::is_symlink(path, failed) ? fs::weakly_canonical(path, failed) : fs::path(path);
-  const std::string folder = target.parent_path().empty() ? "." : target.parent_path().string();
-  std::string temporary = folder + "/.cromer-XXXXXX";
-  const int made = ::mkstemp(temporary.data());
-  if (made < 0) return Error{fmt::format("cannot write {}: {}", path, std::strerror(errno))};
-  ::close(made);
-  auto good = fill(temporary, path, tables);
-  if (good) {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    struct stat before {};
-    const mode_t mode = ::stat(target.c_str(), &before) == 0 ? before.st_mode & 07777 : 0666 & ~mask;
-    if (::chmod(temporary.c_str(), mode) != 0)
-      good = Error{fmt::format("cannot write {}: {}", path, std::strerror(errno))};
-  }
-  if (good) good = rename_file(temporary, target.string());
-  if (!good) ::unlink(temporary.c_str());
-  return good;
+  auto fresh = Replacement::named_beside(path);
+  if (!fresh) return fresh.error();
+  if (auto good = fill(fresh->name(), path, tables); !good) return good;
+  return fresh->take_place();
 }
 
 }  // namespace cromer

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "cromer/base/utf8.h"
+
 namespace cromer {
 namespace {
 
@@ -12,7 +14,8 @@ constexpr std::size_t longest_number = 32;
 constexpr std::size_t block = 4096;  // rows that memory is taken for at their longest
 
 // Text as a cell: quoted where it holds what would end one.
-std::string cell_text(const std::string& text) {
+std::string cell_text(const std::string& name) {
+  const std::string text = printable(name);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {
@@ -38,7 +41,7 @@ void append_csv(std::string& out, std::span<const CsvColumn> columns, std::span<
   for (std::string comment : comments) {
     for (std::size_t i = 0; (i = comment.find('\n', i)) != std::string::npos; i += 3)
       comment.insert(i + 1, "# ");
-    out.append("# ").append(comment).append("\n");
+    out.append("# ").append(printable(comment)).append("\n");
   }
   if (with_header) {
     for (std::size_t c = 0; c < columns.size(); ++c) {

@@ -6,16 +6,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <system_error>
-#include <vector>
+
+#include "cromer/base/replacement.h"
 
 namespace cromer {
 namespace {
-
-namespace fs = std::filesystem;
 
 Error cannot_write(const std::string& path, int number) {
   return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
@@ -29,25 +25,6 @@ bool write_all(int file, std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
   return true;
-}
-
-// The file the path stands for: symbolic links are followed, so that the link stays one.
-std::string target_of(const std::string& path) {
-  std::error_code failed;
-  if (!fs::is_symlink(path, failed)) return path;
-  const fs::path target = fs::weakly_canonical(path, failed);
-  return failed ? path : target.string();
-}
-
-std::string folder_of(const std::string& path) {
-  const fs::path folder = fs::path(path).parent_path();
-  return folder.empty() ? "." : folder.string();
-}
-
-mode_t default_permissions() {
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  return 0666 & ~mask;
 }
 
 /// What `make` gives, into an open file; `path` is what it is called.
@@ -81,21 +58,10 @@ Result<void> write_file(const std::string& path, const PiecesMaker& make) {
   if (exists && !S_ISREG(found.st_mode)) return write_directly(path, make);
   if (exists && ::access(path.c_str(), W_OK) != 0) return cannot_write(path, errno);
 
-  const std::string target = target_of(path);
-  std::string temporary = folder_of(target) + "/.cromer-XXXXXX";
-  const int file = ::mkstemp(temporary.data());
-  if (file < 0) return cannot_write(path, errno);
-  const mode_t mode = exists ? found.st_mode & 07777 : default_permissions();
-  const auto written = write_pieces(file, path, make);
-  bool done = written && ::fchmod(file, mode) == 0;
-  int number = errno;
-  if (::close(file) != 0 && done) done = false, number = errno;
-  if (done && ::rename(temporary.c_str(), target.c_str()) != 0) done = false, number = errno;
-  if (!done) {
-    ::unlink(temporary.c_str());
-    return written ? Result<void>(cannot_write(path, number)) : written;
-  }
-  return {};
+  auto fresh = Replacement::beside(path);
+  if (!fresh) return fresh.error();
+  if (auto written = write_pieces(fresh->descriptor(), path, make); !written) return written;
+  return fresh->take_place();
 }
 
 Result<void> check_writable(const std::string& path) {

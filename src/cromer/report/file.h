@@ -9,10 +9,9 @@
 
 namespace cromer {
 
-/// Writes to a temporary name in the same folder, then renames. On failure nothing is left and the Error
-/// names path and reason. "-" is standard output. A path that is no regular file (/dev/null, a pipe) is
-/// written to directly; a symbolic link keeps pointing, its target is replaced. An existing file keeps its
-/// permissions.
+/// By a Replacement: on failure nothing is left and the Error names path and reason. "-" is standard output. A
+/// path that is no regular file (/dev/null, a pipe) is written to directly; a symbolic link keeps pointing,
+/// its target is replaced or made. An existing file keeps its permissions.
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
 /// Takes the next bytes of a file; an Error where they cannot be written.

@@ -105,6 +105,13 @@ std::string shorter_path(std::string_view d) {
   return out;
 }
 
+// Text of gnuplot, which leaves > as it is: XML has no ]]> in text.
+std::string closed(std::string_view text) {
+  std::string out;
+  for (const char c : text) c == '>' ? out += "&gt;" : out += c;
+  return out;
+}
+
 class Tidy {
  public:
   explicit Tidy(std::string_view source) : source_(source) {}
@@ -258,13 +265,13 @@ class Tidy {
       const Tag tag = parse(spans.substr(i + 1, end - i - 1));
       i = end + 1;
       if (tag.name != "tspan") continue;
-      const std::string_view text = spans.substr(i, std::min(spans.find('<', i), spans.size()) - i);
+      const std::string text = closed(spans.substr(i, std::min(spans.find('<', i), spans.size()) - i));
       std::string attributes;
       for (const auto& [name, value] : tag.attributes) {
         if (name != "font-family" && name != "xml:space")
           fmt::format_to(std::back_inserter(attributes), " {}=\"{}\"", name, trimmed(value));
       }
-      out_ += attributes.empty() ? std::string(text) : fmt::format("<tspan{}>{}</tspan>", attributes, text);
+      out_ += attributes.empty() ? text : fmt::format("<tspan{}>{}</tspan>", attributes, text);
     }
     out_ += "</text>\n";
   }
@@ -279,7 +286,7 @@ class Tidy {
 }  // namespace
 
 std::string tidy_svg(std::string_view from_gnuplot, std::string_view alternative_text) {
-  return Tidy(from_gnuplot).rewrite(alternative_text);
+  return well_formed(Tidy(from_gnuplot).rewrite(alternative_text));
 }
 
 }  // namespace cromer

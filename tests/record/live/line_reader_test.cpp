@@ -88,15 +88,71 @@ TEST(LineReader, AnEndlessLineTakesNoMemory) {
   EXPECT_EQ(reading.rows.size(), 2u);
 }
 
-TEST(LineReader, OpenedWithinALineLeavesItsRestOut) {
-  Reading reading({}, true);
-  reading.take(".07 1.5\n0.08 1\n");
-  EXPECT_THAT(reading.rows.t, ElementsAre(0.08));
-  reading.take("0.09 1");
-  reading.reader.connection_lost();
-  reading.take("9 7\n0.10 2\n");
-  EXPECT_THAT(reading.rows.t, ElementsAre(0.08, 0.10));
+/// Of a serial line, opened at 100 s.
+struct SerialReading : Reading {
+  SerialReading() : Reading({}, true) { reader.connected(100); }
+};
+
+TEST(LineReader, OpenedWithinALineLeavesItsRestOutAndSaysSo) {
+  for (const char* rest : {".07 1.5", "7 1.5", "07 1.5", "1.5", "5", "nds Time", "70 1.5"}) {
+    SerialReading reading;
+    reading.take(std::string(rest) + "\n12.08 1\n12.09 1\n", 100.001);
+    EXPECT_THAT(reading.rows.t, ElementsAre(12.08, 12.09)) << rest;
+    EXPECT_EQ(reading.reader.garbage(), 0u) << rest;
+    ASSERT_EQ(reading.notices.size(), 1u) << rest;
+    EXPECT_THAT(reading.notices[0].text, HasSubstr(rest));
+  }
+  // From what is left of 19.99 to 20.00.
+  SerialReading reading;
+  reading.take("9.99 1\n20.00 1\n", 100.001);
+  EXPECT_THAT(reading.rows.t, ElementsAre(20.00));
+}
+
+TEST(LineReader, KeepsAFirstLineThatIsWhole) {
+  SerialReading next_has_its_form;
+  next_has_its_form.take("12.07 1.5\n12.08 1\n", 100.001);
+  EXPECT_THAT(next_has_its_form.rows.t, ElementsAre(12.07, 12.08));
+  SerialReading a_digit_more;
+  a_digit_more.take("990 1.5\n1000 1\n", 100.001);
+  EXPECT_THAT(a_digit_more.rows.t, ElementsAre(990, 1000));
+  SerialReading after_silence;  // as of a device that is reset when it is opened
+  after_silence.take("Time (ms),x\n7,1.5\n8,1\n", 101.5);
+  EXPECT_THAT(after_silence.rows.t, ElementsAre(0.007, 0.008));
+  SerialReading values_after_silence;
+  values_after_silence.take("1\n2\n", 100.2);
+  values_after_silence.reader.end(101, values_after_silence.rows, values_after_silence.notices);
+  EXPECT_THAT(values_after_silence.rows.values, ElementsAre(1, 2));
+  for (const Reading* each : {&static_cast<Reading&>(next_has_its_form), &static_cast<Reading&>(a_digit_more),
+                              &static_cast<Reading&>(after_silence), &static_cast<Reading&>(values_after_silence)})
+    EXPECT_TRUE(each->notices.empty());
+}
+
+TEST(LineReader, BeginsAnewWithEachConnection) {
+  Reading reading;
+  reading.take("0.08 1\n0.09 1");
+  reading.reader.connection_lost(reading.rows, reading.notices);
+  reading.reader.connected(105);
+  reading.take("0.10 2\n0.11 2\n", 105);
+  EXPECT_THAT(reading.rows.t, ElementsAre(0.08, 0.10, 0.11));
+  EXPECT_TRUE(reading.notices.empty());
+
+  SerialReading serial;
+  serial.take("\n0.08 1\n0.09 1", 100.01);
+  serial.reader.connection_lost(serial.rows, serial.notices);
+  serial.reader.connected(105);
+  serial.take("9 7\n0.10 2\n", 105.001);
+  EXPECT_THAT(serial.rows.t, ElementsAre(0.08, 0.10));
+  EXPECT_EQ(serial.notices.size(), 1u);
+}
+
+TEST(LineReader, AByteOrderMarkCostsNoSample) {
+  Reading reading;
+  reading.take("\xEF\xBB\xBF" "0.00 1.5\n0.01 1\n");
+  EXPECT_THAT(reading.rows.t, ElementsAre(0.00, 0.01));
   EXPECT_EQ(reading.reader.garbage(), 0u);
+  Reading heading;
+  heading.take("\xEF\xBB\xBF" "Time (ms),x (cm)\n10,1\n");
+  EXPECT_THAT(heading.reader.headings(), ElementsAre("Time (s)", "x (cm)"));
 }
 
 TEST(LineReader, ValuesAloneAreStampedByArrival) {

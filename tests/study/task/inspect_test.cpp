@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -29,6 +30,18 @@ TEST(Inspect, DescribesTheMainColumn) {
   EXPECT_NEAR(found->gaps[0].length, 0.3, 1e-15);
   ASSERT_EQ(found->series.size(), 1u);
   EXPECT_EQ(found->series[0].column, "Position (m)");
+}
+
+TEST(Inspect, ListsWhatSticksOutOfTheOtherColumnsToo) {
+  std::string text = "Time (s),Position (m),Velocity (m/s)\n";
+  for (int i = 0; i < 200; ++i)
+    text += std::to_string(0.01 * i) + "," + std::to_string(std::cos(0.1 * i)) + "," +
+            (i == 120 ? "1e30" : std::to_string(std::sin(0.1 * i))) + "\n";
+  const auto found = inspect(text, "lab.csv", {});
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(found->column, "Position (m)");
+  EXPECT_THAT(found->warnings,
+              Contains("column \"Velocity (m/s)\": 1 outlier, the first in line 122: 1e+30"));
 }
 
 TEST(Inspect, DescribesAllRuns) {

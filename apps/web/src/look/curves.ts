@@ -35,10 +35,6 @@ export function token(name: string): string {
 /** What was asked before, theme by theme: an answer of the browser's makes it style the whole page first. */
 const tokens = new Map<string, string>()
 
-/** A token's colour with `part` of it opaque: what is below shows through. */
-export const faded = (name: string, part: number): string =>
-  token(name) + Math.round(255 * part).toString(16).padStart(2, '0')
-
 /** `exact`, `measured`, `fitted`, `model` (dashed grey), `drive` or a method's name. `road`: drawn as the exact solution is. */
 export function lookOf(meaning: Meaning, road = meaning === 'exact'): CurveLook {
   if (road) return { line: token('line-exact'), word: token('word-exact'), dash: [], width: 4 }

@@ -9,6 +9,8 @@ export interface Curve {
   road?: boolean // drawn as the exact solution is: wide, grey, lowest
   dots?: boolean // measured: ink dots, a band where they are dense
   dashed?: boolean // keeps its colour
+  smooth?: boolean // between its points it bends as they do; else a line joins them
+  steps?: boolean // its points are the steps of a method: dots where they can be told apart
   note?: string // second line of its word: "grows without end"
   unbounded?: boolean // leaves the limits, which do not follow it
   data?: () => { x: Float64Array; y: Float64Array } // where x and y are a picture of it: what is saved, and read as numbers

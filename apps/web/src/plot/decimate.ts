@@ -65,12 +65,47 @@ export function everyPoint(
   return points.subarray(0, n)
 }
 
-/** y at `x`, between two samples on the line that joins them; NaN outside. */
-export function valueAtX(xs: Float64Array, ys: Float64Array, x: number): number {
+/** y at `x`, between two points on the line that joins them, of `smooth` curves on a cubic; NaN outside. */
+export function valueAtX(xs: Float64Array, ys: Float64Array, x: number, smooth = false): number {
   const i = firstFrom(xs, x)
-  if (i >= xs.length) return NaN
+  const last = xs.length - 1
+  // n steps that fill the run may end a rounding before it
+  if (i > last) return x - xs[last]! <= 1e-12 * Math.abs(x) ? ys[last]! : NaN
   if (xs[i] === x) return ys[i]!
   if (i === 0) return NaN
-  const part = (x - xs[i - 1]!) / (xs[i]! - xs[i - 1]!)
-  return ys[i - 1]! + part * (ys[i]! - ys[i - 1]!)
+  const step = xs[i]! - xs[i - 1]!
+  const rise = ys[i]! - ys[i - 1]!
+  const part = (x - xs[i - 1]!) / step
+  const bend = smooth ? bendOf(xs, ys, i, part) : 0
+  return ys[i - 1]! + part * (rise + (1 - part) * bend)
+}
+
+const gap = 3 // times as long as the steps beside it: what happens in it is not known
+
+/** What the cubic between points i - 1 and i, with the slopes of parabolas through three points, adds to the line. */
+function bendOf(xs: Float64Array, ys: Float64Array, i: number, part: number): number {
+  const step = xs[i]! - xs[i - 1]!
+  const rise = ys[i]! - ys[i - 1]!
+  const before = i > 1 ? xs[i - 1]! - xs[i - 2]! : Infinity
+  const after = i + 1 < xs.length ? xs[i + 1]! - xs[i]! : Infinity
+  if (xs.length < 3 || step > gap * Math.min(before, after)) return 0
+  const bend = (1 - part) * (step * slopeAt(xs, ys, i - 1) - rise) - part * (step * slopeAt(xs, ys, i) - rise)
+  return Number.isFinite(bend) ? bend : 0
+}
+
+function slopeAt(xs: Float64Array, ys: Float64Array, i: number): number {
+  const first = Math.max(0, Math.min(xs.length - 3, i - 1))
+  const [a, b, c] = [xs[first]!, xs[first + 1]!, xs[first + 2]!]
+  const secant = (ys[first + 1]! - ys[first]!) / (b - a)
+  const next = (ys[first + 2]! - ys[first + 1]!) / (c - b)
+  return secant + ((next - secant) / (c - a)) * (2 * xs[i]! - a - b)
+}
+
+/** Of a smooth curve that has few points for its width: more of them, a pixel apart. */
+export function bent(x: Float64Array, y: Float64Array, toX: ToPixel, from: number, to: number): { x: Float64Array; y: Float64Array } {
+  const [a, b] = [Math.max(from, x[0] ?? Infinity), Math.min(to, x.at(-1) ?? -Infinity)]
+  const count = Math.ceil(toX(b) - toX(a))
+  if (!(count > 0) || firstFrom(x, b) - firstFrom(x, a) > count) return { x, y }
+  const at = Float64Array.from({ length: count + 1 }, (_, i) => (i < count ? a + ((b - a) * i) / count : b))
+  return { x: at, y: at.map((each) => valueAtX(x, y, each, true)) }
 }

@@ -13,7 +13,7 @@ export function drawDots(pen: Pen, frame: Frame, { x, y }: Curve, colour: string
     return
   }
   // Not as dark as single dots: what lies on it has to be seen.
-  for (const band of bands(frame, x, y, begin, end)) pen.fill(band, `${colour}6b`)
+  for (const band of bands(frame, x, y, begin, end)) pen.fill(band, { colour, opacity: 0.42 })
 }
 
 /** Heights of an outline [x, y, x, y, …] as far out as those beside them. */

@@ -1,7 +1,7 @@
 // The still layer of a plot: grid, axes, curves and their words.
 import { lookOf, token } from '../look/curves'
 import type { Axis, Curve, Frame, Limits } from './curve'
-import { everyPoint, firstFrom, lineOf, valueAtX } from './decimate'
+import { bent, everyPoint, firstFrom, lineOf, valueAtX } from './decimate'
 import { drawDots } from './dots'
 import { extentOf } from './extent'
 import { spread } from './labels'
@@ -14,6 +14,9 @@ export interface Look {
   phase: boolean // curves may go back in x
   faint: boolean // the last good picture behind an error
 }
+
+/** [px] between the dots of a method's steps, at least. */
+const apart = 6
 
 const named = (axis: Axis): string => (axis.unit ? `${axis.name} (${axis.unit})` : axis.name)
 const looksOf = (curve: Curve) => lookOf(curve.meaning, curve.road ?? curve.meaning === 'exact')
@@ -59,9 +62,12 @@ export function drawCurves(pen: Pen, frame: Frame, curves: Curve[], look: Look):
         drawDots(pen, frame, curve, line)
         continue
       }
-      const points = look.phase ? everyPoint(curve.x, curve.y, toX, toY) : lineOf(curve.x, curve.y, toX, toY, ...frame.x)
+      const { x, y } = curve.smooth && !look.phase ? bent(curve.x, curve.y, toX, ...frame.x) : curve
+      const points = look.phase ? everyPoint(x, y, toX, toY) : lineOf(x, y, toX, toY, ...frame.x)
       const dashes = curve.dashed ? [6, 4] : dash
       pen.line(points, { colour: line, width: look.phase && width > 3 ? 3 : width, dash: dashes })
+      if (curve.steps && apart * points.length <= 2 * (look.phase ? 2 * (right - left + bottom - top) : right - left))
+        for (let i = 0; i < points.length; i += 2) pen.dot(points[i]!, points[i + 1]!, 2, line)
     }
   })
 }
@@ -86,7 +92,7 @@ export function endWords(pen: Pen, curves: Curve[], y: Limits, look: Look): numb
 /** Where the word of `curve` wants to stand: at its end; of one that grows at its last peak, or where it left. */
 function wordHeight(frame: Frame, curve: Curve): number {
   const lastX = Math.min(curve.x.at(-1) ?? frame.x[1], frame.x[1])
-  let y = valueAtX(curve.x, curve.y, lastX)
+  let y = valueAtX(curve.x, curve.y, lastX, curve.smooth)
   if (curve.unbounded)
     for (let i = firstFrom(curve.x, lastX - (lastX - frame.x[0]) / 8); i < curve.x.length && curve.x[i]! <= lastX; ++i)
       if (!(curve.y[i]! <= y)) y = curve.y[i]!

@@ -18,7 +18,7 @@ export function drawMoving(
       if (!knob) return
       for (const curve of curves) {
         if (curve.dots) continue
-        const y = valueAtX(curve.x, curve.y, cursor)
+        const y = valueAtX(curve.x, curve.y, cursor, curve.smooth)
         if (!(y >= frame.y[0] && y <= frame.y[1])) continue
         pen.dot(at, frame.toY(y), 4.5, lookOf(curve.meaning, curve.road).line, surface)
       }

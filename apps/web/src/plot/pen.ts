@@ -14,11 +14,16 @@ export interface Lettering {
   align?: 'left' | 'center' | 'right'
 }
 
+/** Opaque, or what is below shows through. A colour's text is never changed: builds write #ffffff as #fff. */
+export type Paint = string | { colour: string; opacity: number }
+export const paintOf = (paint: Paint): { colour: string; opacity: number } =>
+  typeof paint === 'string' ? { colour: paint, opacity: 1 } : paint
+
 /** Texts hold *variables* between stars: they become italic. y is the middle of the line. */
 export interface Pen {
   line(points: ArrayLike<number>, stroke: Stroke): void
-  fill(points: ArrayLike<number>, colour: string): void
-  box(x: number, y: number, width: number, height: number, fill: string, edge?: string, radius?: number): void
+  fill(points: ArrayLike<number>, fill: Paint): void
+  box(x: number, y: number, width: number, height: number, fill: Paint, edge?: string, radius?: number): void
   dot(x: number, y: number, radius: number, fill: string, edge?: string): void
   text(x: number, y: number, text: string, lettering: Lettering): void
   width(text: string, lettering: { size: number; bold?: boolean }): number
@@ -79,9 +84,13 @@ export function canvasPen(context: CanvasRenderingContext2D): Pen {
     }
   }
   /** The shape traced last. */
-  function paint(fill: string, edge?: string): void {
-    c.fillStyle = fill
+  function paint(fill: Paint, edge?: string): void {
+    const { colour, opacity } = paintOf(fill)
+    const before = c.globalAlpha
+    c.fillStyle = colour
+    c.globalAlpha = before * opacity
     c.fill()
+    c.globalAlpha = before
     if (!edge) return
     c.strokeStyle = edge
     c.lineWidth = 1.5
@@ -107,10 +116,9 @@ export function canvasPen(context: CanvasRenderingContext2D): Pen {
         c.stroke()
       }
     },
-    fill(points, colour) {
+    fill(points, fill) {
       trace(points)
-      c.fillStyle = colour
-      c.fill()
+      paint(fill)
     },
     box(x, y, width, height, fill, edge, radius = 0) {
       c.beginPath()

@@ -9,7 +9,7 @@ export function spokenPlot(w: Words['shell']['plot'], x: Axis, y: Axis, limits: 
   const value = (v: number, axis: Axis) => withUnit(significant(v, 3), axis.unit)
   const said = curves.slice(0, 6).map((curve) => {
     if (curve.unbounded) return w.grows(curve.name, value(extentOf(curve.y).size, y))
-    const last = valueAtX(curve.x, curve.y, Math.min(limits[1], curve.x.at(-1) ?? 0))
+    const last = valueAtX(curve.x, curve.y, Math.min(limits[1], curve.x.at(-1) ?? 0), curve.smooth)
     return Number.isFinite(last) ? w.ends(curve.name, value(last, y)) : ''
   })
   const capital = y.plain.charAt(0).toUpperCase() + y.plain.slice(1)

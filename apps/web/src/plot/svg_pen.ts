@@ -1,12 +1,11 @@
 // A pen that writes SVG: what is seen, as a figure that can be printed at any size.
-import { pieces, sans, type Pen } from './pen'
+import { paintOf, pieces, sans, type Paint, type Pen } from './pen'
 
 const short = (value: number): string => String(Math.round(value * 100) / 100)
-/** SVG 1.1 knows no #rrggbbaa. */
-const filled = (colour: string): string =>
-  colour.length === 9
-    ? ` fill="${colour.slice(0, 7)}" fill-opacity="${short(parseInt(colour.slice(7), 16) / 255)}"`
-    : ` fill="${colour}"`
+function filled(fill: Paint): string {
+  const { colour, opacity } = paintOf(fill)
+  return ` fill="${colour}"${opacity < 1 ? ` fill-opacity="${short(opacity)}"` : ''}`
+}
 const safe = (text: string): string => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('"', '&quot;')
 
 let clips = 0 // of all figures: several stand in one printed page
@@ -36,7 +35,7 @@ export function svgPen(measure: Pen['width']): Pen & { done(width: number, heigh
         `<path d="${path(points)}" fill="none" stroke="${colour}" stroke-width="${width}" stroke-linejoin="round"${cap}${dashes}/>`,
       )
     },
-    fill: (points, colour) => void parts.push(`<path d="${path(points)}Z"${filled(colour)}/>`),
+    fill: (points, fill) => void parts.push(`<path d="${path(points)}Z"${filled(fill)}/>`),
     box(x, y, width, height, fill, edge, radius = 0) {
       const line = edge ? ` stroke="${edge}" stroke-width="1.5"` : ''
       parts.push(

@@ -1,46 +1,65 @@
 // From runs to what the plots show.
-import type { Motion } from '../core/types'
+import type { Motion, States } from '../core/types'
 import type { Curve } from '../plot/curve'
+import { valueAtX } from '../plot/decimate'
 import { extentOf } from '../plot/extent'
 import { isLinear, referenceOf } from './law'
+import { everyOf } from './options'
 import type { SimulateState } from './state'
 
+/** `between`: the states at the steps and between them, of a method that knows those. */
+export interface Run extends Motion {
+  between: States | null
+}
+
+/** Of a method that knows no more, on the line between two steps; NaN after the end. */
+export function stateAt({ between, states }: Run, t: number): { x: number; v: number } {
+  const of = between ?? states
+  return { x: valueAtX(of.t, of.x, t, between !== null), v: valueAtX(of.t, of.v, t, between !== null) }
+}
+
 /** Not to be followed by a plot's limits: it grows by the method's fault. */
-export function isUnbounded(run: Motion, runs: Motion[], s: SimulateState): boolean {
+export function isUnbounded(run: Run, runs: Run[], s: SimulateState): boolean {
   if (run.status === 'not_finite' || run.stable === false) return true
   const reference = runs.find((each) => each.method === referenceOf(s))
   if (isLinear(s) || !reference || run === reference) return false
   return extentOf(run.states.x).size > 3 * extentOf(reference.states.x).size
 }
 
-export type Pick = (run: Motion) => { x: Float64Array; y: Float64Array }
+export type Pick = (states: States) => { x: Float64Array; y: Float64Array }
 
-export const positions: Pick = (run) => ({ x: run.states.t, y: run.states.x })
-export const velocities: Pick = (run) => ({ x: run.states.t, y: run.states.v })
-export const energies: Pick = (run) => ({ x: run.states.t, y: run.states.energy })
-export const phases: Pick = (run) => ({ x: run.states.x, y: run.states.v })
+export const positions: Pick = ({ t, x }) => ({ x: t, y: x })
+export const velocities: Pick = ({ t, v }) => ({ x: t, y: v })
+export const energies: Pick = ({ t, energy }) => ({ x: t, y: energy })
+export const phases: Pick = ({ x, v }) => ({ x, y: v })
 
 /** x less that of the reference, state by state: both have the same times. */
-export function differences(reference: Motion | undefined): Pick {
-  return (run) => {
-    const count = reference ? Math.min(run.states.x.length, reference.states.x.length) : 0
+export function differences(reference: Run | undefined): Pick {
+  return ({ t, x }) => {
+    const count = reference ? Math.min(x.length, reference.states.x.length) : 0
     const y = new Float64Array(count)
-    for (let i = 0; i < count; ++i) y[i] = run.states.x[i]! - reference!.states.x[i]!
-    return { x: run.states.t.subarray(0, count), y }
+    for (let i = 0; i < count; ++i) y[i] = x[i]! - reference!.states.x[i]!
+    return { x: t.subarray(0, count), y }
   }
 }
 
-/** One for each run the reader asked for. `note`: said of those that leave the plot. */
+/** One for each run the reader asked for. `note`: said of those that leave the plot. `compared`: at the steps, with the reference. */
 export function curvesOf(
-  runs: Motion[], s: SimulateState, names: Record<string, string>, pick: Pick, note: string, withoutReference = false,
+  runs: Run[], s: SimulateState, names: Record<string, string>, pick: Pick, note: string, compared = false,
 ): Curve[] {
   const reference = referenceOf(s)
   const shown = runs.filter(
-    ({ method }) => method !== reference || (!withoutReference && (s.methods.includes('exact') || s.methods.includes(reference))),
+    ({ method }) => method !== reference || (!compared && (s.methods.includes('exact') || s.methods.includes(reference))),
   )
   return shown.map((run) => {
     const road = run.method === reference && (reference === 'exact' || s.methods.includes('exact'))
     const unbounded = isUnbounded(run, runs, s)
-    return { meaning: run.method, name: names[run.method] ?? run.method, road, unbounded, note: unbounded ? note : undefined, ...pick(run) }
+    const { states } = run
+    const between = compared ? null : run.between
+    return {
+      meaning: run.method, name: names[run.method] ?? run.method, road, unbounded, note: unbounded ? note : undefined, ...pick(between ?? states),
+      smooth: between !== null, steps: run.between === null && everyOf(s) === 1,
+      data: between && between !== states ? () => pick(states) : undefined,
+    }
   })
 }

@@ -6,6 +6,8 @@ import { allZero, terms } from './terms'
 export const isLinear = (s: SimulateState): boolean => allZero(s, terms)
 /** The closed form, or what stands in where there is none. */
 export const referenceOf = (s: SimulateState): string => (isLinear(s) ? 'exact' : 'dormand-prince')
+/** Of the methods that know the motion between their steps: the closed form, and the one with dense output. */
+export const isContinuous = (method: string): boolean => method === 'exact' || method === 'dormand-prince'
 /** [s]; one where nothing swings. */
 export const period = (linear: LinearPart | null): number => (linear?.natural_frequency ? (2 * Math.PI) / linear.natural_frequency : 1)
 /** The drive's force at `t` [N], for its arrow. */

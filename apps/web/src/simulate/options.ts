@@ -1,5 +1,5 @@
 // The state as options of `cromer simulate`: for the core, for a command line, for a study file.
-import { isLinear, referenceOf } from './law'
+import { isContinuous, isLinear, referenceOf } from './law'
 import type { SimulateState } from './state'
 import { terms } from './terms'
 
@@ -27,13 +27,32 @@ export function methodsOf(s: SimulateState, withReference = s.methods.includes('
   return first ? [reference, ...others] : others
 }
 
+/** Of a method's steps one in so many is kept. */
+export const everyOf = (s: SimulateState): number => Math.max(1, Math.ceil(s.until / s.step / mostKept))
+const runMethods = (s: SimulateState): string[] => methodsOf(s, s.methods.includes('exact') || s.quantity === 'difference')
+
+function runOptions(s: SimulateState, methods: string[], step: number): Option[] {
+  return [...lawOptions(s), ...methods.map((name): Option => ['method', name]), ['step', String(step)], ['until', String(s.until)]]
+}
+
 export function coreOptions(s: SimulateState): Option[] {
-  const every = Math.ceil(s.until / s.step / mostKept)
-  const options = lawOptions(s)
-  for (const method of methodsOf(s, s.methods.includes('exact') || s.quantity === 'difference')) options.push(['method', method])
-  options.push(['step', String(s.step)], ['until', String(s.until)])
-  if (every > 1) options.push(['every', String(every)])
+  const options = runOptions(s, runMethods(s), s.step)
+  if (everyOf(s) > 1) options.push(['every', String(everyOf(s))])
   return options
+}
+
+const perPeriod = 64 // points that draw a smooth swing
+const mostBetween = 100_000
+
+/** The same run between the steps, of the methods that know it; null where there are none or the steps are fine enough. */
+export function betweenOptions(s: SimulateState): Option[] | null {
+  const methods = runMethods(s).filter(isContinuous)
+  const fastest = Math.max(Math.sqrt(Math.abs(s.stiffness) / s.mass), s.damping / s.mass, s.driveAmplitude !== 0 ? s.driveFrequency : 0)
+  // a spring that hardens swings faster than its stiffness says
+  const wanted = ((isLinear(s) ? 1 : 4) * perPeriod * fastest) / (2 * Math.PI)
+  const kept = s.step * everyOf(s)
+  const pieces = Math.ceil(kept * Math.min(wanted, mostBetween / s.until))
+  return methods.length > 0 && pieces > 1 ? runOptions(s, methods, kept / pieces) : null
 }
 
 /** Where the motion must be stepped until it settles the curve has fewer points. */

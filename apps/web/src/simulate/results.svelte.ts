@@ -2,15 +2,16 @@
 import { untrack } from 'svelte'
 import { ask, askAside, openCore } from '../core/ask'
 import { answerAtOnce, learn } from '../core/at_once'
-import type { Answer, LinearPart, MethodList, Motion, Options, Resonance } from '../core/types'
+import type { Answer, LinearPart, MethodList, Options, Resonance } from '../core/types'
 import { page } from '../state/page.svelte'
-import { isLinear } from './law'
-import { coreOptions, resonanceOptions } from './options'
+import type { Run } from './curves'
+import { isContinuous, isLinear } from './law'
+import { betweenOptions, coreOptions, resonanceOptions } from './options'
 import { resonanceRange } from './ranges'
 import type { SimulateState } from './state'
 
 interface Results {
-  runs: Motion[]
+  runs: Run[]
   linear: LinearPart | null // null until the core has said it
   /** Why there is no newer picture: the core's own words. */
   message: string
@@ -26,38 +27,63 @@ function put(part: Partial<Results>): void {
   current = { ...untrack(() => current), ...part }
 }
 
-function show(answer: Answer<'motion'>, nothing: boolean): void {
-  if (answer.status === 2) put({ message: answer.document.message })
-  else put({ runs: nothing ? [] : answer.document.runs, linear: answer.document.linear_part, message: '' })
+/** `between`: the same run between the steps, where that was asked for. */
+function show([answer, between]: Answer<'motion'>[], nothing: boolean): void {
+  if (answer!.status === 2) return put({ message: answer!.document.message })
+  const { runs, linear_part } = answer!.document
+  const finer = between && between.status !== 2 ? between.document.runs : runs
+  const known = (method: string) => finer.find((each) => each.method === method)?.states ?? null
+  put({
+    runs: nothing ? [] : runs.map((run) => ({ ...run, between: isContinuous(run.method) ? known(run.method) : null })),
+    linear: linear_part, message: '',
+  })
+}
+
+let busy = false
+let next: (() => Promise<void>) | undefined
+/** Of the questions that come while one is with the worker only the newest is put. */
+async function oneByOne(question: () => Promise<void>): Promise<void> {
+  next = question
+  if (busy) return
+  busy = true
+  try {
+    while (next) {
+      const now: typeof question = next
+      next = undefined
+      await now()
+    }
+  } finally {
+    busy = false
+  }
 }
 
 let [turn, shown] = [0, 0]
 /** Puts the new curves in place, in the same frame where that is possible. `then`: once they are the newest. */
 function simulate(state: SimulateState, then: () => void): void {
   const mine = ++turn
-  const options = coreOptions(state)
-  const methods = options.filter(([name]) => name === 'method').map(([, name]) => name)
-  const nothing = methods.length === 0 // but what the law is known by
+  const [options, between] = [coreOptions(state), betweenOptions(state)]
+  const nothing = methodsIn(options).length === 0 // but what the law is known by
   if (nothing) options.push(['method', 'euler-cromer'])
+  const all = between ? [options, between] : [options]
   // Of linear laws every step costs the same; others may take any number of iterations, or of steps of their own.
-  const alike = isLinear(state) && !methods.includes('dormand-prince')
-  const [kind, steps] = [methods.join(), (Math.max(1, methods.length) * state.until) / state.step]
-  const atOnce = alike ? answerAtOnce('motion', options, kind, steps) : null
-  if (atOnce) {
+  const alike = isLinear(state) && !methodsIn(options).includes('dormand-prince')
+  const cost = (asked: Options): [kind: string, steps: number] =>
+    [methodsIn(asked).join(), (methodsIn(asked).length * state.until) / Number(new Map(asked).get('step'))]
+  const done = (answers: Answer<'motion'>[]) => {
     shown = mine
-    show(atOnce, nothing)
-    return then()
-  }
-  void ask('motion', options, { channel: 'simulate' }).then((answer) => {
-    if (!answer) return
-    if (alike) learn(kind, steps, answer.took)
-    // The page itself may have been faster with a newer question.
-    if (mine < shown) return
-    shown = mine
-    show(answer, nothing)
+    show(answers, nothing)
     then()
+  }
+  const atOnce = alike ? all.map((asked) => answerAtOnce('motion', asked, ...cost(asked))) : [null]
+  if (atOnce.every((answer) => answer !== null)) return done(atOnce)
+  void oneByOne(async () => {
+    const answers = (await Promise.all(all.map((asked) => ask('motion', asked)))).map((answer) => answer!) // of no channel
+    if (alike) answers.forEach(({ took }, i) => learn(...cost(all[i]!), took))
+    // The page itself may have been faster with a newer question.
+    if (mine >= shown) done(answers)
   })
 }
+const methodsIn = (options: Options): string[] => options.filter(([name]) => name === 'method').map(([, name]) => name)
 
 const patience = 250 // [ms] after which a curve that is no longer wanted is given up
 let curves: ReturnType<typeof openCore> | null = null

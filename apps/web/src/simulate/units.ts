@@ -31,4 +31,5 @@ export const energyUnit = (curves: Curve[]): Unit => fit(curves, energies)
 
 /** y times `factor`. */
 export const scaled = (curves: Curve[], factor: number): Curve[] =>
-  factor === 1 ? curves : curves.map((curve) => ({ ...curve, y: curve.y.map((value) => value * factor) }))
+  factor === 1 ? curves : curves.map((curve) => ({ ...curve, ...times(curve, factor), data: curve.data && (() => times(curve.data!(), factor)) }))
+const times = ({ x, y }: { x: Float64Array; y: Float64Array }, factor: number) => ({ x, y: y.map((value) => value * factor) })

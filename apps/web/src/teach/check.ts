@@ -28,7 +28,7 @@ export function answerOf(text: string, unit: string): { value: string; uncertain
   return { value: brackets[1]!, uncertainty: (Number(brackets[2]) / 10 ** places).toFixed(places) }
 }
 
-/// Right: within twice the larger of the own ± and the least that is possible. A value is not held against a
+/// Right: within twice the own ±, or so near that it is right whatever the ±. A value is not held against a
 /// student for a ± that claims too much; the ± is.
 export function check(value: string, uncertainty: string, expected: Expected): Checked {
   if (value.trim() === '') return plain('empty')
@@ -40,7 +40,7 @@ export function check(value: string, uncertainty: string, expected: Expected): C
   const error = given - expected.value
   const off = Math.abs(error) / own
   const above = error > 0
-  if (Math.abs(error) > 2 * Math.max(own, expected.least))
+  if (Math.abs(error) > Math.max(2 * own, expected.within))
     return { verdict: 'notYet', off, above, slip: slipOf(given, expected) }
   // An honest ± is hardly below half of the least possible one.
   const verdict = own < expected.least / 2 ? 'tooSmall' : own > expected.most ? 'tooLarge' : 'right'

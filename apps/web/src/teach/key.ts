@@ -1,5 +1,6 @@
-// The answers that a recording has, found by the core on the same motion recorded almost without noise.
-import type { Answer, Fits, Comparisons, Options, Task } from '../core/types'
+// The answers that a recording has, found by the core on the same motion recorded almost without noise; and what it
+// finds in the recording itself, which is right too.
+import type { Answer, Comparisons, Fit, Fits, Options, Task } from '../core/types'
 import { massText, discText, recordingOptions, type Truth } from './truth'
 
 export const questions = ['frequency', 'stiffness', 'rate', 'reynolds', 'off'] as const
@@ -13,9 +14,12 @@ export interface Expected {
   unit: string
   /// Its sign is not asked for.
   unsigned?: boolean
-  /// The uncertainty that a careful evaluation cannot do without, and the largest that still says something.
+  /// The uncertainty that a careful evaluation cannot do without, which is the page's own; and the largest that still
+  /// says something.
   least: number
   most: number
+  /// So far off is right whatever the ±: twice the least one, and at least as far as the page's own value.
+  within: number
   slips: { name: string; value: number }[]
 }
 
@@ -29,87 +33,75 @@ export type AskCore = <T extends Task>(
 
 const quiet = 1e-5 // [m] noise: a thirtieth of the students' own
 
-/// Null where the core could not be asked.
-export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
-  const made = await ask('synthetic', recordingOptions(truth, quiet))
+/// A recording of `truth`, to be fitted; null where the core could not be asked.
+async function recorded(truth: Truth, ask: AskCore, noise?: number) {
+  const made = await ask('synthetic', recordingOptions(truth, noise))
   if (!made || made.status !== 0) return null
   const asking = { file: new TextEncoder().encode(made.document.text), fileName: 'truth.csv' }
-  const fit = async (options: Options) => {
+  const fit = async (options: Options): Promise<Fit | null> => {
     const answer = await ask('fit', options, asking)
-    const found = answer && answer.status !== 2 ? (answer.document as Fits).fits[0]! : null
-    return found?.status === 'converged' ? found : null
+    const first = answer && answer.status !== 2 ? (answer.document as Fits).fits[0]! : null
+    return first?.status === 'converged' ? first : null
   }
-  const whole = await fit([
-    ['law', 'viscous+drag'],
-    ['mass', massText(truth)],
-    ['disc-diameter', discText(truth)]
-  ])
+  const compare = async (options: Options) => {
+    const answer = await ask('compare', options, asking)
+    return answer && answer.status !== 2 ? (answer.document as Comparisons).comparisons[0]!.curves : null
+  }
+  return { fit, compare }
+}
+type Recorded = NonNullable<Awaited<ReturnType<typeof recorded>>>
+
+interface Found {
+  value: number
+  error: number // the ± that the page gives
+}
+const lastDigit = 0.05 // [%] of how far off one constant rate is: the page gives no ± of it
+
+const rateOf = (fit: Fit): Found => found(fit.parameters.decay_rate)
+const found = (of: { value: number | null; standard_error: number | null } | undefined): Found =>
+  ({ value: of?.value ?? NaN, error: of?.standard_error ?? NaN })
+
+/// What the page says where it is used as lab two asks for.
+async function answersIn({ fit, compare }: Recorded, truth: Truth): Promise<(Record<Question, Found> & { whole: Fit }) | null> {
+  const whole = await fit([['law', 'viscous+drag'], ['mass', massText(truth)], ['disc-diameter', discText(truth)]])
   const middle = await fit([['law', 'viscous'], ['from', '30'], ['to', '60']])
-  const early = await fit([['law', 'viscous'], ['from', '0'], ['to', '30']])
-  const all = await fit([['law', 'viscous']])
-  const compared = await ask('compare', [['law', 'viscous+drag']], asking)
-  if (!whole || !middle || !early || !all || !compared || compared.status === 2) return null
-  const constant = (compared.document as Comparisons).comparisons[0]!.curves[0]!
-  const frequency = whole.derived.frequency?.value
-  const reynolds = whole.reynolds?.max
-  if (!frequency || !reynolds || constant.amplitude_ratio_end === null) return null
-  const rate = (each: typeof whole) => each.parameters.decay_rate!.value! // of a fit that converged
-  const off = Math.abs(constant.amplitude_ratio_end - 1) * 100
-  const massShare = truth.massUncertainty / truth.massRead
+  const constant = (await compare([['law', 'viscous+drag']]))?.[0]
+  if (!whole || !middle || !whole.reynolds || constant?.amplitude_ratio_end == null) return null
   return {
-    frequency: {
-      value: frequency,
-      unit: units.frequency,
-      least: 3e-7 * frequency,
-      most: 0.01 * frequency,
-      slips: [
-        { name: 'angular', value: 2 * Math.PI * frequency },
-        { name: 'period', value: 1 / frequency }
-      ]
-    },
-    stiffness: {
-      value: truth.stiffness,
-      unit: units.stiffness,
-      least: 0.8 * massShare * truth.stiffness,
-      most: 0.03 * truth.stiffness,
-      slips: [
-        { name: 'grams', value: truth.stiffness * 1000 },
-        { name: 'hertz', value: truth.stiffness / (4 * Math.PI ** 2) }
-      ]
-    },
-    rate: {
-      value: rate(middle),
-      unit: units.rate,
-      least: 0.003 * rate(middle),
-      most: 0.3 * rate(middle),
-      slips: [
-        { name: 'first', value: rate(early) },
-        { name: 'whole', value: rate(all) },
-        { name: 'viscousOnly', value: rate(whole) },
-        { name: 'perCycle', value: rate(middle) / frequency }
-      ]
-    },
-    reynolds: {
-      value: reynolds,
-      unit: units.reynolds,
-      least: 0.001 * reynolds,
-      most: 0.15 * reynolds,
-      slips: [
-        { name: 'radius', value: reynolds / 2 },
-        { name: 'centimetres', value: reynolds * 100 },
-        { name: 'thousands', value: reynolds / 1000 }
-      ]
-    },
-    off: {
-      value: off,
-      unit: units.off,
-      unsigned: true,
-      least: 0.05,
-      most: off / 2,
-      slips: [
-        { name: 'fraction', value: off / 100 },
-        { name: 'ratio', value: 100 - off }
-      ]
-    }
+    whole,
+    frequency: found(whole.derived.frequency),
+    stiffness: found(whole.parameters.stiffness),
+    rate: rateOf(middle),
+    reynolds: { value: whole.reynolds.max, error: whole.reynolds.standard_error ?? NaN },
+    off: { value: Math.abs(constant.amplitude_ratio_end - 1) * 100, error: lastDigit }
+  }
+}
+
+/// Null where the core could not be asked.
+export async function keyOf(truth: Truth, ask: AskCore): Promise<Key | null> {
+  const [still, own] = [await recorded(truth, ask, quiet), await recorded(truth, ask)]
+  if (!still || !own) return null
+  const [right, said] = [await answersIn(still, truth), await answersIn(own, truth)]
+  const early = await still.fit([['law', 'viscous'], ['from', '0'], ['to', '30']])
+  const all = await still.fit([['law', 'viscous']])
+  if (!right || !said || !early || !all) return null
+  if (!questions.every((each) => Number.isFinite(right[each].value + said[each].value + said[each].error))) return null
+  const expected = (question: Question, value: number, most: number, slips: [name: string, value: number][]): Expected => {
+    const { value: seen, error: least } = said[question]
+    const within = Math.max(2 * least, Math.abs(seen - value) + least)
+    return { value, unit: units[question], least, most, within, slips: slips.map(([name, value]) => ({ name, value })) }
+  }
+  const { stiffness } = truth
+  const [frequency, rate, reynolds, off] = [right.frequency.value, right.rate.value, right.reynolds.value, right.off.value]
+  return {
+    frequency: expected('frequency', frequency, 0.01 * frequency, [['angular', 2 * Math.PI * frequency], ['period', 1 / frequency]]),
+    stiffness: expected('stiffness', stiffness, 0.03 * stiffness, [['grams', stiffness * 1000], ['hertz', stiffness / (4 * Math.PI ** 2)]]),
+    rate: expected('rate', rate, 0.3 * rate, [
+      ['first', rateOf(early).value], ['whole', rateOf(all).value], ['viscousOnly', rateOf(right.whole).value], ['perCycle', rate / frequency],
+    ]),
+    reynolds: expected('reynolds', reynolds, 0.15 * reynolds, [
+      ['radius', reynolds / 2], ['centimetres', reynolds * 100], ['thousands', reynolds / 1000],
+    ]),
+    off: { ...expected('off', off, off / 2, [['fraction', off / 100], ['ratio', 100 - off]]), unsigned: true }
   }
 }

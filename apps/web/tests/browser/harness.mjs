@@ -1,5 +1,6 @@
 // Opens the built page from disk in Chromium and keeps account of what must not happen: errors and requests.
-import { existsSync } from 'node:fs'
+import { existsSync, readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
 import { dirname, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { chromium } from 'playwright-core'
@@ -9,6 +10,9 @@ export const file = process.env.CROMER_PAGE ?? resolve(here, '../../../../build/
 export const address = `file://${file}`
 if (!existsSync(file)) throw new Error(`${file} is not there: run "npm run build" first`)
 
+/** The accessibility rules, to be evaluated in the page: its policy lets no script be added. */
+export const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
+
 const options = [
   '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync',
@@ -17,7 +21,7 @@ const options = [
 export const launch = () => chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: options })
 
 /** A page of its own profile, `watch` run in it before its own scripts; `faults` fills with console errors, exceptions and requests. */
-export async function open(browser, { width = 1440, height = 900, hash = '', watch, ...others } = {}) {
+export async function open(browser, { width = 1440, height = 900, at = address, hash = '', watch, ...others } = {}) {
   const context = await browser.newContext({
     viewport: { width, height }, locale: 'en-GB', reducedMotion: 'reduce', acceptDownloads: true, ...others,
   })
@@ -27,12 +31,34 @@ export async function open(browser, { width = 1440, height = 900, hash = '', wat
   page.on('console', (message) => ['error', 'warning'].includes(message.type()) && faults.push(message.text()))
   page.on('pageerror', (error) => faults.push(error.stack))
   page.on('request', (request) => {
-    if (!/^(file|blob|data):/.test(request.url())) faults.push(`request: ${request.url()}`)
+    if (!/^(file|blob|data):/.test(request.url()) && !request.url().startsWith(at)) faults.push(`request: ${request.url()}`)
   })
-  await page.goto(address + hash)
+  await page.goto(at + hash)
   await page.waitForFunction(() => document.querySelector('[data-drawn]'))
   return { page, context, faults }
 }
+
+/** Pixels of the page's curves in the middle of 9 × 9 dark ones: no line and no letter of the light theme is as thick. */
+export const slabs = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('[role=img] canvas')].reduce((sum, canvas) => {
+      const { width, height } = canvas
+      const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })
+      copy.drawImage(canvas, 0, 0)
+      const { data } = copy.getImageData(0, 0, width, height)
+      // how many dark ones end at a pixel, in its row, and rows of nine of them in its column
+      const down = new Uint16Array(width)
+      for (let y = 0; y < height; ++y)
+        for (let x = 0, run = 0; x < width; ++x) {
+          const at = 4 * (y * width + x)
+          const light = 255 - (data[at + 3] / 255) * (255 - (data[at] + data[at + 1] + data[at + 2]) / 3)
+          run = light < 128 ? run + 1 : 0
+          down[x] = run >= 9 ? down[x] + 1 : 0
+          if (down[x] >= 9) ++sum
+        }
+      return sum
+    }, 0),
+  )
 
 let failed = 0
 /** Runs one check; a failed one is told, and the others go on. */

@@ -4,12 +4,11 @@ import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
 import { existsSync } from 'node:fs'
 import { mkdtemp, readFile, rm } from 'node:fs/promises'
-import { createRequire } from 'node:module'
 import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { check, file, finish, launch, open } from './harness.mjs'
+import { axe, check, file, finish, launch, open } from './harness.mjs'
 
 const program = resolve(process.env.CROMER_PROGRAM ?? fileURLToPath(new URL('../../../../build/ci/cromer', import.meta.url)))
 if (!existsSync(program)) {
@@ -17,7 +16,6 @@ if (!existsSync(program)) {
   process.exit(0)
 }
 
-const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
 const frequency = 1.5 // [Hz]
 const sockets = new Set()
 /** `time value` a hundred times a second: a swing with a decay rate of 0.1 1/s. */
@@ -91,7 +89,7 @@ const numberIn = (text) => Number(text.replace(/[\u202f\u00a0]/g, '').replace(',
 const spoken = (page, sentence) =>
   page.waitForFunction((text) => document.querySelector('[aria-live=polite]').textContent.includes(text), sentence, { timeout: 10000 })
 const faultless = async (page, what) => {
-  await page.addScriptTag({ content: await readFile(axe, 'utf8') })
+  await page.evaluate(axe)
   const found = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }))
   const serious = found.violations.filter((each) => ['serious', 'critical'].includes(each.impact))
   assert.deepEqual(serious.map((each) => `${each.id}: ${each.nodes[0].html.slice(0, 160)}`), [], what)

@@ -2,13 +2,11 @@
 import assert from 'node:assert/strict'
 import { existsSync } from 'node:fs'
 import { readFile } from 'node:fs/promises'
-import { createRequire } from 'node:module'
 import { basename } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { flawed, longSwing, recordings, swingIn, twoRuns } from './dialects.mjs'
-import { check, finish, launch, open } from './harness.mjs'
+import { axe, check, finish, launch, open, slabs } from './harness.mjs'
 
-const axe = createRequire(import.meta.url).resolve('axe-core/axe.min.js')
 const browser = await launch()
 
 async function measure(options = {}) {
@@ -34,7 +32,7 @@ const settled = async (page, seconds) => {
 const value = (page, quantity) => page.locator(`[data-quantity=${quantity}]`).innerText()
 const numberIn = (text) => Number(text.replace(/\u202f/g, '').match(/[\d.]+/)[0])
 const faultless = async (page, what) => {
-  await page.addScriptTag({ path: axe })
+  await page.evaluate(axe)
   const found = await page.evaluate(() => axe.run(document, { resultTypes: ['violations'] }))
   const serious = found.violations.filter((each) => ['serious', 'critical'].includes(each.impact))
   assert.deepEqual(serious.map((each) => `${each.id}: ${each.nodes[0].html.slice(0, 160)} ${each.nodes[0].failureSummary}`), [], what)
@@ -133,6 +131,15 @@ const faultless = async (page, what) => {
     await page.mouse.move(box.x + box.width / 2 + 100, box.y + 60, { steps: 6 })
     await page.mouse.up()
     assert.ok(Number(await start.getAttribute('aria-valuenow')) > 8)
+  })
+  await check('what is not used pales, and no dark slab lies on it', async () => {
+    await settled(page)
+    assert.equal(await slabs(page), 0)
+    await page.getByRole('button', { name: 'Save figure or data' }).click()
+    const [saved] = await Promise.all([page.waitForEvent('download'), page.locator('[data-save="recording.svg"]').click()])
+    const svg = await readFile(await saved.path(), 'utf8')
+    assert.match(svg, /fill-opacity="0\.5"/)
+    for (const [, colour] of svg.matchAll(/(?:fill|stroke)="([^"]*)"/g)) assert.match(colour, /^(none|#[\da-f]{3}|#[\da-f]{6})$/)
   })
   await check('the page is alive while it fits, and a fit can be superseded', async () => {
     const end = page.getByRole('slider', { name: 'end of the free part' })

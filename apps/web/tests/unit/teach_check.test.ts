@@ -1,7 +1,9 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { compile, read, start } from '../../src/core/core'
-import type { Fits } from '../../src/core/types'
+import type { Comparisons, Fits } from '../../src/core/types'
+import { percent } from '../../src/look/numbers'
+import { withUncertainty } from '../../src/measure/uncertain'
 import { answerOf, check } from '../../src/teach/check'
 import { keyOf, type AskCore, type Expected } from '../../src/teach/key'
 import { seedOf } from '../../src/teach/seed'
@@ -12,6 +14,7 @@ const expected: Expected = {
   unit: '',
   least: 2.5,
   most: 380,
+  within: 5,
   slips: [{ name: 'radius', value: 1266 }]
 }
 
@@ -37,11 +40,11 @@ describe('an answer', () => {
     expect(check('1500', '5', expected).slip).toBe('')
   })
   it('may be typed with its unit, and with its ± in one', () => {
-    const stiffness: Expected = { value: 17.04, unit: 'N/m', least: 0.02, most: 0.5, slips: [] }
+    const stiffness: Expected = { value: 17.04, unit: 'N/m', least: 0.02, most: 0.5, within: 0.04, slips: [] }
     for (const [value, uncertainty] of [['17,04 N/m', '0,03 N/m'], ['17.05', '0.03'], ['17.04\u00a0N/m', '0.03']])
       expect(check(value!, uncertainty!, stiffness).verdict, value).toBe('right')
     expect(check('17.04 N', '0.03', stiffness).verdict).toBe('noNumber')
-    expect(check('-3.8 %', '0.3', { value: 3.8, unit: '%', unsigned: true, least: 0.05, most: 2, slips: [] }).verdict).toBe('right')
+    expect(check('-3.8 %', '0.3', { value: 3.8, unit: '%', unsigned: true, least: 0.05, most: 2, within: 0.1, slips: [] }).verdict).toBe('right')
     expect(answerOf('1,408 ± 0,002 Hz', 'Hz')).toEqual({ value: '1,408', uncertainty: '0,002' })
     expect(answerOf('(17.04 +/- 0.03) N/m', 'N/m')).toEqual({ value: '17.04', uncertainty: '0.03' })
     expect(answerOf('1.408 398 8(9) Hz', 'Hz')).toEqual({ value: '1.408 398 8', uncertainty: '0.0000009' })
@@ -82,5 +85,36 @@ describe.skipIf(!core)('the key of a recording (skipped where the core is not bu
     expect(check(String(middle.value), String(middle.standard_error), key.rate).verdict).toBe('right')
     const early = (await fit([['law', 'viscous'], ['to', '30']])).parameters.decay_rate!
     expect(check(String(early.value), '0.0001', key.rate)).toMatchObject({ verdict: 'notYet', slip: 'first' })
+  })
+
+  it.each([['7F3A', '19'], ['practice', '1'], ['C', '4'], ['C', '11']])('calls right what the page itself says of recording %s-%s', { timeout: 60_000 }, async (course, student) => {
+    const opened = await start(await compile(new Uint8Array(readFileSync(core))))
+    const ask: AskCore = async (task, options, asking) =>
+      read(opened.answer(task, asking?.fileName ? [...options, ['file-name', asking.fileName]] : options, asking?.file))
+    const truth = truthOf(seedOf(course, student))
+    const key = (await keyOf(truth, ask))!
+    const made = await ask('synthetic', recordingOptions(truth))
+    const asking = { file: new TextEncoder().encode((made!.document as { text: string }).text), fileName: 'own.csv' }
+    const lab: [string, string][] = [['mass', massText(truth)], ['disc-diameter', discText(truth)]]
+    const fit = async (options: [string, string][]) => ((await ask('fit', [...options, ...lab], asking))!.document as Fits).fits[0]!
+    const whole = await fit([['law', 'viscous+drag']])
+    const middle = await fit([['law', 'viscous'], ['from', '30'], ['to', '60']])
+    const compared = (await ask('compare', [['law', 'viscous+drag'], ...lab], asking))!.document as Comparisons
+    const said = {
+      frequency: whole.derived.frequency!,
+      stiffness: whole.parameters.stiffness!,
+      rate: middle.parameters.decay_rate!,
+      reynolds: { value: whole.reynolds!.max, standard_error: whole.reynolds!.standard_error },
+    }
+    // as the page writes them, pasted into one field
+    for (const question of ['frequency', 'stiffness', 'rate', 'reynolds'] as const) {
+      const { value, standard_error } = said[question]
+      const text = withUncertainty(value!, standard_error, key[question].unit)
+      if (student === '19' && question === 'reynolds') expect(text).toBe('2120.0\u00a0±\u00a00.9')
+      const answer = answerOf(text, key[question].unit)
+      expect([text, check(answer.value, answer.uncertainty!, key[question]).verdict]).toEqual([text, 'right'])
+    }
+    const off = percent(compared.comparisons[0]!.curves[0]!.amplitude_ratio_end! - 1, 3)
+    expect([off, check(off, '0.1', key.off).verdict]).toEqual([off, 'right'])
   })
 })

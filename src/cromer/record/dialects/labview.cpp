@@ -143,7 +143,7 @@ Result<Sets> read_labview(const Source& source) {
   Sets found{.dialect = "LabVIEW", .separator = file.separator, .decimal = '.', .sets = {}, .warnings = {}};
   for (std::size_t from = file.end; from < lines.size();) {
     const LabviewSegment segment = labview_segment(lines, from, file.separator);
-    if (segment.names >= lines.size()) break;
+    if (segment.names >= lines.size() || (segment.names + 1 == lines.size() && is_blank(lines.back()))) break;
     // The rows end at a blank line, at the next segment's tags, or with the file.
     std::size_t to = segment.names + 1;
     while (to < lines.size() && !trimmed(lines[to]).starts_with("Channels")) ++to;
@@ -165,6 +165,7 @@ Result<Sets> read_labview(const Source& source) {
     if (rows->lines.empty()) continue;
     for (std::size_t j = 0; j < set.columns.size(); ++j) set.columns[j].values = std::move(rows->columns[j]);
     set.lines = std::move(rows->lines);
+    if (!rows->last_line.empty()) found.warnings.push_back(rows->last_line);
     if (file.times == Times::none)
       if (const auto computed = compute_times(set, segment); !computed) return computed.error();
     say_contradictions(set, segment, file.times, found.warnings);

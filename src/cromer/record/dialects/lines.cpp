@@ -11,9 +11,10 @@ std::vector<std::string_view> split_lines(std::string_view text) {
     std::string_view line = text.substr(0, length);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     lines.push_back(line);
-    if (length == std::string_view::npos) break;
+    if (length == std::string_view::npos) return lines;
     text.remove_prefix(length + 1);
   }
+  lines.emplace_back();
   return lines;
 }
 

@@ -7,7 +7,7 @@
 namespace cromer::dialects {
 
 /// The lines of a text ended by LF, CR LF or (where there is no LF) CR, without their ends. Line i of the
-/// file is lines[i - 1].
+/// file is lines[i - 1]. The last one is empty, but for a text that ends within a line.
 std::vector<std::string_view> split_lines(std::string_view text);
 
 /// Without blanks, tabs and no-break spaces at both ends.

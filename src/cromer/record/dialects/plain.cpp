@@ -81,6 +81,7 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   for (std::size_t j = 0; j < layout->columns; ++j) columns[j].values = std::move(rows->columns[j]);
   recording.named = !header.headings.empty();
   say_bad_rows(*rows, recording.warnings);
+  if (!rows->last_line.empty()) recording.warnings.push_back(rows->last_line);
   recording.lines = std::move(rows->lines);
   drop_unnamed_empty(recording);
   if (split_stacked_runs(recording))

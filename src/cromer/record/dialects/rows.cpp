@@ -18,6 +18,64 @@ std::string complaint(std::string_view cell, const std::string& name, char decim
   return text.append(cure);
 }
 
+/// How a number is written.
+struct Written {
+  std::size_t length = 0, decimals = 0, exponent = 0;  // characters
+};
+
+Written written(std::string_view cell, char decimal) {
+  const std::size_t exponent = std::min(cell.find_first_of("eE"), cell.size()),
+                    mark = std::min(cell.find(decimal), exponent);
+  return {cell.size(), exponent - std::min(mark + 1, exponent),
+          cell.size() - std::min(exponent + 1, cell.size())};
+}
+
+std::string cut_line(const std::string& line, const std::string& shown) {
+  return concat({"the last line, ", line, ", ends within a number, ", shown, ": it is left out"});
+}
+
+/// Of a line without its end, which a row may have been.
+bool begins_a_number(std::string_view line) {
+  const std::size_t last = line.find_last_not_of("0123456789.,+-eE");
+  return line.find_first_of("0123456789") != std::string_view::npos && last + 1 < line.size();
+}
+
+/// Looks at the last number of the last row, in a text that ends within its line, beside those above it.
+void judge_last_line(Rows& rows, const std::vector<std::string_view>& lines, const Layout& layout,
+                     std::size_t lines_before) {
+  constexpr std::size_t enough = 1000, fewest = 8;  // rows
+  std::vector<std::string_view> cells;
+  split_cells(lines.back(), layout, cells);
+  if (cells.empty() || read_cell(cells.back(), layout.decimal).kind != CellKind::number) return;
+  const std::size_t place = cells.size() - 1;
+  const std::string shown = quoted(cells.back());
+  const Written last = written(cells.back(), layout.decimal);
+  Written least{last.length + 1, last.decimals + 1, last.exponent + 1}, first{};
+  std::size_t seen = 0;
+  bool alike = true;
+  for (std::size_t k = rows.lines.size() - 1; k-- > 0 && seen < enough;) {
+    split_cells(lines[static_cast<std::size_t>(rows.lines[k]) - 1 - lines_before], layout, cells);
+    if (place >= cells.size() || read_cell(cells[place], layout.decimal).kind != CellKind::number) continue;
+    const Written one = written(cells[place], layout.decimal);
+    if (seen++ == 0) first = one;
+    alike = alike && one.decimals == first.decimals && one.exponent == first.exponent;
+    least = {std::min(least.length, one.length), std::min(least.decimals, one.decimals),
+             std::min(least.exponent, one.exponent)};
+  }
+  if (seen < fewest) return;
+  const std::string line = std::to_string(rows.lines.back());
+  if (alike && (last.decimals < first.decimals || last.exponent < first.exponent)) {
+    for (auto& column : rows.columns) column.pop_back();
+    rows.lines.pop_back();
+    rows.last_line = cut_line(line, shown);
+  } else if (alike && first.decimals + first.exponent > 0) {
+    return;  // all its decimals are there, and a cut takes the last ones first
+  } else if (last.length < least.length || last.decimals < least.decimals || last.exponent < least.exponent) {
+    rows.last_line =
+        concat({"the last line, ", line, ", has no end and may end within a number, ", shown, ": it is kept"});
+  }
+}
+
 }  // namespace
 
 Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
@@ -61,7 +119,8 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
       }
       if (!reader.next(text)) break;
       if (count >= layout.columns) {
-        if (rules.ignore_beyond) break;
+        // A number behind the last column is no remark: a separator stands within a number before it.
+        if (rules.ignore_beyond && read_cell(text, layout.decimal).kind != CellKind::number) break;
         if (text.empty()) continue;
         complain([&] {
           return concat(
@@ -75,6 +134,10 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
       row[count++] = cell.value;
     }
     const long number = static_cast<long>(rules.lines_before + i) + 1;
+    if (!bad.empty() && i + 1 == lines.size() && !rows.lines.empty() && begins_a_number(line)) {
+      rows.last_line = cut_line(std::to_string(number), quoted(line));
+      break;
+    }
     if (!bad.empty()) {
       if (!rules.skip_bad_rows) return Error{concat({":", std::to_string(number), ": ", bad})};
       if (rows.bad_rows++ == 0) {
@@ -87,6 +150,10 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
     for (std::size_t j = 0; j < layout.columns; ++j) rows.columns[j].push_back(row[j]);
     rows.lines.push_back(number);
   }
+  const bool ends_within = rules.to == lines.size() && !lines.empty() && !lines.back().empty();
+  if (ends_within && rows.lines.size() > 1 &&
+      rows.lines.back() == static_cast<long>(rules.lines_before + lines.size()))
+    judge_last_line(rows, lines, layout, rules.lines_before);
   return rows;
 }
 

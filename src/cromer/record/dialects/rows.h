@@ -16,6 +16,7 @@ struct Rows {
   std::size_t bad_rows = 0;                  ///< dropped because the caller wanted that
   long first_bad_line = 0;
   std::string first_complaint;  ///< what is wrong in that line
+  std::string last_line;        ///< what is to be said of it, where the text ends within it
 };
 
 /// Which lines of the file hold rows, and what to make of those that are none.
@@ -28,7 +29,8 @@ struct RowRules {
 
 /// Reads rows of numbers. `names` are the columns' for messages. A word, more values than columns, or commas
 /// that cannot be told apart, are an Error that begins with ":LINE: " (the caller puts the file's name in
-/// front), unless `skip_bad_rows`.
+/// front), unless `skip_bad_rows`. Where the text ends within a line (a logger that lost power) its last number
+/// may be cut: with fewer decimals than all before have, who have equally many, the row is left out.
 Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
                        const std::vector<std::string>& names, const RowRules& rules);
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "cromer/base/concat.h"
-#include "cromer/record/dialects/utf8.h"
+#include "cromer/base/utf8.h"
 
 namespace cromer::dialects {
 namespace {

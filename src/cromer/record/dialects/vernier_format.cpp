@@ -86,6 +86,7 @@ Result<Sets> read_vernier_format(const Source& source) {
     }
     for (std::size_t j = 0; j < set.columns.size(); ++j) set.columns[j].values = std::move(rows->columns[j]);
     set.lines = std::move(rows->lines);
+    if (!rows->last_line.empty()) found.warnings.push_back(rows->last_line);
     found.sets.push_back(std::move(set));
   }
   if (found.sets.empty()) return Error{": the file holds no set of rows"};

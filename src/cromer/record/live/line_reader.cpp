@@ -34,6 +34,29 @@ bool is_heading(const std::vector<std::string>& words, std::size_t fields) {
   return fields > 1 || words.front().find_first_of("([") != std::string::npos;
 }
 
+/// Digits before the decimal mark of the number that a text begins with; nothing where it begins with none.
+std::optional<std::size_t> leading_digits(std::string_view text) {
+  const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
+  return count > 0 ? std::optional(count) : std::nullopt;
+}
+
+/// Whether a line of a time and values is whole, as the next one shows: a time that lost its first digits has
+/// fewer of them, or has lost its decimal mark, or does not come before the next.
+bool has_form_of(std::string_view text, std::string_view next) {
+  const Line line = read_line(text), after = read_line(next);
+  if (line.kind != LineKind::numbers || after.kind != LineKind::numbers) return false;
+  if (line.numbers.size() != after.numbers.size() || line.numbers.size() < 2) return false;
+  const double t = line.numbers.front(), later = after.numbers.front();
+  const auto digits = leading_digits(trimmed(text)), digits_after = leading_digits(trimmed(next));
+  if (!digits || !digits_after || !(t < later)) return false;
+  const auto has_mark = [](std::string_view line_text, std::size_t place) {
+    return place < line_text.size() && line_text[place] == '.';
+  };
+  if (has_mark(trimmed(text), *digits) != has_mark(trimmed(next), *digits_after)) return false;
+  // From 9.99 to 10.00 a digit is added; from what is left of 19.99 to 20.00 it is not by a step as small.
+  return digits == digits_after || (*digits_after == *digits + 1 && later - t < 0.1 * later);
+}
+
 std::vector<std::string> names_in(std::string_view text) {
   std::vector<std::string> names;
   for (;;) {
@@ -46,7 +69,15 @@ std::vector<std::string> names_in(std::string_view text) {
 
 }  // namespace
 
+void LineReader::connected(double at) {
+  connected_ = at;
+  at_beginning_ = true;
+  surely_whole_ = !may_begin_within_line_;
+}
+
 void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::vector<Notice>& notices) {
+  constexpr double silence = 0.03;  // [s] more than the bytes of a line wait for each other, on USB too
+  if (at_beginning_ && !lost_ && partial_.empty() && arrival - connected_ > silence) surely_whole_ = true;
   while (!bytes.empty()) {
     const std::size_t end = bytes.find_first_of("\n\r");
     const std::string_view piece = bytes.substr(0, end);
@@ -54,23 +85,42 @@ void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::v
     if (!too_long_) partial_ += piece;
     if (partial_.size() > longest_line) {
       ++line_;
-      if (!within_line_) refuse(partial_, line_, notices);
+      refuse(partial_, line_, notices);
       partial_.clear();
       too_long_ = true;
     }
     if (end == std::string_view::npos) return;
-    if (!partial_.empty()) {
-      ++line_;
-      if (!within_line_) take_line(partial_, arrival, rows, notices);
-      partial_.clear();
-    }
-    within_line_ = too_long_ = false;
+    if (!partial_.empty()) take_any_line(std::exchange(partial_, ""), arrival, rows, notices);
+    at_beginning_ = too_long_ = false;
+    surely_whole_ = true;
+  }
+}
+
+void LineReader::take_any_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  ++line_;
+  if (at_beginning_ && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  if (first_) judge_first(text, rows, notices);
+  if (surely_whole_)
+    take_line(text, arrival, rows, notices);
+  else
+    first_ = FirstLine{std::string(text), arrival};
+}
+
+void LineReader::judge_first(std::string_view next, Rows& rows, std::vector<Notice>& notices) {
+  const FirstLine first = *std::exchange(first_, std::nullopt);
+  if (has_form_of(first.text, next)) {
+    take_line(first.text, first.arrival, rows, notices);
+  } else {
+    notices.push_back({NoticeKind::connection,
+                       fmt::format("what came first may be the end of a line, and is left out: \"{}\"",
+                                   shown(first.text))});
   }
 }
 
 void LineReader::end(double arrival, Rows& rows, std::vector<Notice>& notices) {
-  if (!partial_.empty() && !within_line_) ++line_, take_line(partial_, arrival, rows, notices);
-  partial_.clear();
+  if (!partial_.empty()) take_any_line(std::exchange(partial_, ""), arrival, rows, notices);
+  if (first_) judge_first("", rows, notices);
   release_all(rows, notices);
 }
 
@@ -98,10 +148,11 @@ SampleTimes LineReader::times() const {
   return settings_.rate > 0 ? SampleTimes{TimesBy::count} : arrivals_.sample_times();
 }
 
-void LineReader::connection_lost() {
+void LineReader::connection_lost(Rows& rows, std::vector<Notice>& notices) {
+  if (first_) judge_first("", rows, notices);
   partial_.clear();
   too_long_ = false;
-  within_line_ = true;
+  lost_ = true;
 }
 
 void LineReader::refuse(std::string_view text, long line, std::vector<Notice>& notices) {

@@ -1,6 +1,7 @@
 // From the bytes of a device that writes `time value` or `value` lines to rows. Pure.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,13 +24,19 @@ struct LineSettings {
 /// The first line of numbers says how many there are in each; one number is a value, more are a time and
 /// values. A line of words right before it is a heading if it has a name for each number and states a unit or
 /// more than one name; `Time (ms)` scales the times. All else is garbage: counted, reported with its number
-/// (of the lines that are not empty) and text (of a device that is opened in the middle of a line the first
-/// one is left out without a word). Lines without a time, where no rate is given, are held back for a while:
+/// (of the lines that are not empty) and text. The first line of a device that may be opened in the middle of
+/// one is taken where the device was silent before, or where its time has the form of the next line's, after a
+/// lost connection only there; else it is left out and reported. Lines without a time, where no rate is given, are held back for a while:
 /// ArrivalClock.
 class LineReader {
  public:
-  LineReader(LineSettings settings, bool begins_within_line)
-      : settings_(std::move(settings)), clock_(settings_.rate), within_line_(begins_within_line) {}
+  LineReader(LineSettings settings, bool may_begin_within_line)
+      : settings_(std::move(settings)), clock_(settings_.rate), may_begin_within_line_(may_begin_within_line) {
+    connected(0);
+  }
+
+  /// A connection has been made, the first or another, at this time [s]: what comes begins anew.
+  void connected(double at);
 
   /// Adds what the bytes complete to `rows` and `notices`; the rest is kept for the next time.
   void take(std::string_view bytes, double arrival, Rows& rows, std::vector<Notice>& notices);
@@ -42,7 +49,7 @@ class LineReader {
 
   /// The input has ended: a last line without its end is taken, or after a lost connection dropped.
   void end(double arrival, Rows& rows, std::vector<Notice>& notices);
-  void connection_lost();
+  void connection_lost(Rows& rows, std::vector<Notice>& notices);
 
   /// Empty until the first row.
   const Headings& headings() const { return headings_; }
@@ -51,7 +58,14 @@ class LineReader {
   SampleTimes times() const;
 
  private:
+  struct FirstLine {
+    std::string text;
+    double arrival;  // [s]
+  };
+
+  void take_any_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices);
   void take_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices);
+  void judge_first(std::string_view next, Rows& rows, std::vector<Notice>& notices);
   double in_seconds(double device) const;
   void begin(std::size_t fields);
   void refuse(std::string_view text, long line, std::vector<Notice>& notices);
@@ -61,7 +75,12 @@ class LineReader {
   Timekeeper clock_;
   ArrivalClock arrivals_;
   std::vector<double> held_;  ///< values that wait for their times
-  bool within_line_;          ///< what comes up to the next line's end is no whole line
+  bool may_begin_within_line_;
+  double connected_ = 0;             // [s]
+  bool lost_ = false;                ///< the connection was: what comes may be the rest of what was lost
+  bool at_beginning_ = true;         ///< no line has come since
+  bool surely_whole_ = true;         ///< the line that comes is not what is left of one
+  std::optional<FirstLine> first_{};  ///< that waits for the next one to be judged by
   bool too_long_ = false;     ///< what comes up to the next line's end is part of a line already refused
   std::string partial_;
   long line_ = 0;

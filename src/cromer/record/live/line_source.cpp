@@ -20,12 +20,14 @@ Result<void> LineSource::open() {
   auto line = connect_();
   if (!line) return line.error();
   line_ = *std::move(line);
+  reader_.connected(steady_seconds());
   return {};
 }
 
 bool LineSource::come_back(double seconds, std::vector<Notice>& notices) {
   if (auto line = connect_()) {
     line_ = *std::move(line);
+    reader_.connected(steady_seconds());
     notices.push_back({NoticeKind::connection,
                        fmt::format("{} is back after {:.3g} s", name_, steady_seconds() - lost_at_)});
   } else {
@@ -57,7 +59,7 @@ bool LineSource::read(double seconds, Rows& rows, std::vector<Notice>& notices) 
   }
   line_.close();
   lost_at_ = arrival;
-  reader_.connection_lost();
+  reader_.connection_lost(rows, notices);
   notices.push_back(
       {NoticeKind::connection, fmt::format("{} is gone; it is tried again until it is back", name_)});
   return true;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
 
 #include "cromer/record/live/headings.h"
 
@@ -15,6 +16,13 @@ constexpr double too_fast = 50;  // a device's clock over the computer's, which 
 constexpr double grace = 2;      // [s] that samples may be late before the duration is over without them
 constexpr double between_syncs = 0.4;      // [s] with what a sample may be held back, less than one second
 constexpr std::size_t kept_notices = 200;  // of a device that writes garbage all the time
+constexpr std::size_t at_once = 10000;     // rows brought to the disk
+
+/// Room for more at the end, so that adding them cannot fail.
+void make_room(std::vector<double>& values, std::size_t more) {
+  const std::size_t needed = values.size() + more;
+  if (needed > values.capacity()) values.reserve(std::max(needed, values.capacity() + values.capacity() / 2));
+}
 
 /// Nothing where there is one, or none was named.
 std::optional<Notice> missing_column(const Headings& headings, const std::string& name) {
@@ -60,6 +68,24 @@ void Recorder::fail(const Error& error) {
 // Arrivals are stamped while the disk, which may take its time, is waited for: hence a thread of its own.
 void Recorder::keep_on_disk() {
   std::size_t written = 0;
+  bool headed = false;
+  Result<void> good;
+  for (bool done = false; !done;) {
+    try {
+      good = write_rows(written, headed);
+      if (good) good = write_end();
+      done = true;
+    } catch (const std::bad_alloc&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+  }
+  file_.drop_if_empty();
+  if (!good) fail(good.error());
+  running_ = false;
+}
+
+/// Those that come after the first `written`, until no more will.
+Result<void> Recorder::write_rows(std::size_t& written, bool& headed) {
   double synced = steady_seconds();
   Result<void> good;
   for (bool over = false; !over && good;) {
@@ -68,32 +94,39 @@ void Recorder::keep_on_disk() {
       more_.wait_for(lock, std::chrono::milliseconds(100), [&] { return over_ || rows_.size() > written; });
       over = over_;
     }
-    const Rows rows = rows_since(written);
-    if (written == 0 && rows.size() > 0) good = file_.begin(settings_.comments, headings());
+    const Rows rows = rows_since(written, at_once);
+    over = over && rows.size() < at_once;
+    if (!headed && rows.size() > 0) {
+      good = file_.begin(settings_.comments, headings());
+      headed = true;
+    }
     if (good && rows.size() > 0) good = file_.append(rows);
     written += rows.size();
     if (!good || steady_seconds() - synced < between_syncs) continue;
     good = file_.sync();
     synced = steady_seconds();
   }
-  if (good) good = write_end();
-  file_.drop_if_empty();
-  if (!good) fail(good.error());
-  running_ = false;
+  return good;
 }
 
 void Recorder::record() {
   const double begun = steady_seconds();
   double first_arrival = 0;
-  bool whole = false;
+  bool whole = false, starved = false;
   Rows rows;
   std::vector<Notice> notices;
   for (bool more = true; more && !stop_;) {
-    more = source_->receive(wait, rows, notices);
-    if (first_arrival == 0 && rows.size() > 0) first_arrival = steady_seconds();
-    if (!publish(rows, notices)) {
-      whole = true;
-      break;
+    // Out of memory what is being read may be lost, and what has been is published later.
+    try {
+      more = source_->receive(wait, rows, notices);
+      if (first_arrival == 0 && rows.size() > 0) first_arrival = steady_seconds();
+      if (!publish(rows, notices)) {
+        whole = true;
+        break;
+      }
+    } catch (const std::bad_alloc&) {
+      starved = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     if (settings_.duration) {
       const double since = steady_seconds() - (first_arrival > 0 ? first_arrival : begun);
@@ -101,6 +134,8 @@ void Recorder::record() {
     }
   }
   source_->finish(rows, notices);
+  if (starved)
+    notices.push_back({NoticeKind::gap, "this computer ran out of memory: samples may be missing"});
   const double took = steady_seconds() - first_arrival;
   if (settings_.duration && whole && source_->times().by == TimesBy::device &&
       took < *settings_.duration / too_fast)
@@ -143,6 +178,8 @@ bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
       if (auto missing = missing_column(headings_, settings_.column)) notices.push_back(*std::move(missing));
     }
     times_ = source_->times();
+    make_room(rows_.t, rows.t.size());
+    make_room(rows_.values, rows.values.size());
     rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
     rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
     for (auto& notice : notices) {

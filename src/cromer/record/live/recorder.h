@@ -60,6 +60,7 @@ class Recorder {
  private:
   void record();
   void keep_on_disk();
+  Result<void> write_rows(std::size_t& written, bool& headed);
   bool publish(Rows& rows, std::vector<Notice>& notices);
   void fail(const Error& error);
   Result<void> write_end();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cromer/base/utf8.h"
 #include "cromer/record/dialects/recording.h"
 
 #ifdef CROMER_PAGE       // which has no JSON library
@@ -28,7 +29,7 @@ inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_li
 #ifdef CROMER_PAGE
   return document.text();
 #else
-  return document.dump(on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return printable_json(document.dump(on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace)) + "\n";
 #endif
 }
 

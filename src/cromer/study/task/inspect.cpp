@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 
+#include "cromer/base/concat.h"
+#include "cromer/base/quantity.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/time.h"
 
@@ -48,6 +50,23 @@ InspectedColumn look_at(const Recording& recording, std::size_t j, std::optional
   return found;
 }
 
+/// What a run's other columns hold beside their motion: a description is not only of the one that a fit takes.
+std::vector<std::string> outliers_elsewhere(const Recording& recording, int run, const std::string& inspected,
+                                            const ReadOptions& options) {
+  std::vector<std::string> found;
+  for (const Column& column : recording.table.columns) {
+    const std::string title = column_title(column);
+    if (column.run != run || column.quantity == "time" || column.quantity == "index" || title == inspected)
+      continue;
+    const auto series = take_series(recording, title, run, options);
+    if (!series || series->outliers.empty()) continue;
+    found.push_back(concat({"column \"", title, "\": ", counted(series->outliers.size(), "outlier"),
+                            ", the first in line ", std::to_string(series->outliers.front().line), ": ",
+                            shortest(series->outliers.front().value)}));
+  }
+  return found;
+}
+
 }  // namespace
 
 Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
@@ -78,6 +97,9 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
       continue;
     }
     for (const std::string& warning : series->warnings) say(warning);
+    for (const std::string& warning :
+         outliers_elsewhere(inspection.recording, run, series->column, options))
+      say(warning);
     inspection.gaps.insert(inspection.gaps.end(), series->gaps.begin(), series->gaps.end());
     inspection.outliers.insert(inspection.outliers.end(), series->outliers.begin(), series->outliers.end());
     const double duration = series->t.back() - series->t.front();

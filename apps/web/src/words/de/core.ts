@@ -80,6 +80,12 @@ several columns are alike: {}; …⇒mehrere Spalten gleichen einander: {}; bitt
 several columns may be meant: what is said of times and outliers is that of {}…⇒mehrere Spalten kommen infrage: von Zeiten und Ausreißern ist die Rede in {}
 there is no column beside…⇒neben der Zeit gibt es keine Spalte
 there is no motion beside the time: {} {}; to fit one…⇒neben der Zeit gibt es keine Bewegung: {} {}; soll sie dennoch angepasst werden, bitte wählen
+the last line, {}, ends within a number, {}: it is left out⇒die letzte Zeile, {}, endet in einer Zahl, {}: sie bleibt weg
+the last line, {}, has no end and may end within a number, {}: it is kept⇒die letzte Zeile, {}, hat kein Ende und bricht vielleicht in einer Zahl ab, {}: sie bleibt
+the laws' motions take more steps than a record of so few samples is worth, as noise that looks fast does: ended before all laws were tried…⇒die Bewegungen der Gesetze brauchen mehr Schritte, als eine Aufzeichnung mit so wenigen Werten wert ist, wie bei Rauschen, das schnell aussieht: beendet, bevor alle Gesetze versucht waren
+the laws' motions take more steps than a record of so few samples is worth, as noise that looks fast does: ended before the fit was done⇒die Bewegungen der Gesetze brauchen mehr Schritte, als eine Aufzeichnung mit so wenigen Werten wert ist, wie bei Rauschen, das schnell aussieht: beendet, bevor die Anpassung fertig war
+column {}: {} outliers, the first in line {}: {}⇒Spalte {}: {} Ausreißer, der erste in Zeile {}: {}
+column {}: {} outlier, the first in line {}: {}⇒Spalte {}: {} Ausreißer, der erste in Zeile {}: {}
 if what column {} holds drives the motion…⇒falls die Spalte {} enthält, was die Bewegung antreibt: mit cromer fit --force-column anpassen
 holds a frequency⇒enthält eine Frequenz
 hold frequencies⇒enthalten Frequenzen

@@ -211,12 +211,13 @@ export const teach: typeof en = {
       noNumber: 'keine Zahl'
     },
     within: (part) => `Innerhalb des Doppelten Ihrer Unsicherheit: um ${part} Ihres ± daneben.`,
+    beyond: 'Näher kommt man mit dieser Aufnahme kaum; Ihr ± verspricht mehr.',
     massLimits: 'Begrenzt wird sie durch die Masse.',
     tooSmall: {
       frequency: 'Der Wert ist gut. Seine Unsicherheit nicht: So viele Stellen gibt die Aufnahme nicht her.',
       stiffness: 'Der Wert ist gut. Seine Unsicherheit nicht: Allein die Masse ist auf etwa 0,1 % bekannt. Welches ± folgt daraus?',
       rate: 'Der Wert ist gut. Seine Unsicherheit nicht: Was sagt die Anpassung dieser 30 s?',
-      reynolds: 'Der Wert ist gut. Seine Unsicherheit nicht: Allein die Geschwindigkeit ist auf etwa 0,1 % bekannt. Welches ± folgt daraus?',
+      reynolds: 'Der Wert ist gut. Seine Unsicherheit nicht: Was sagt die Anpassung der ganzen Aufnahme?',
       off: 'Der Wert ist gut. Seine Unsicherheit nicht: Allein das Rauschen am Ende ist mehr.'
     },
     tooLarge: 'Der Wert ist gut. Seine Unsicherheit sagt weniger, als die Aufnahme weiß: auf den Bereich der Anpassung sehen.',

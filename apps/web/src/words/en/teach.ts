@@ -220,12 +220,13 @@ export const teach = {
       noNumber: 'no number'
     },
     within: (part: string) => `Within twice your uncertainty: off by ${part} of your ±.`,
+    beyond: 'This recording hardly brings anyone nearer; your ± promises more.',
     massLimits: 'The mass is what limits it.',
     tooSmall: {
       frequency: 'The value is good. Its uncertainty is not: the recording does not give that many digits.',
       stiffness: 'The value is good. Its uncertainty is not: the mass alone is known to about 0.1 %. Which ± follows from that?',
       rate: 'The value is good. Its uncertainty is not: what does the fit of these 30 s say?',
-      reynolds: 'The value is good. Its uncertainty is not: the speed alone is known to about 0.1 %. Which ± follows from that?',
+      reynolds: 'The value is good. Its uncertainty is not: what does the fit of the whole recording say?',
       off: 'The value is good. Its uncertainty is not: the noise at the end alone is more.'
     },
     tooLarge: 'The value is good. Its uncertainty says less than the recording knows: look at the interval of the fit.',
