@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -11,6 +12,8 @@
 #include <vector>
 
 #include "targets.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // of a recording
 
 namespace cromer::fuzz {
 namespace {
@@ -59,7 +62,7 @@ std::string changed(std::string text, const std::string& other, std::mt19937& en
 }
 
 struct Fuzzed {
-  const char* name;
+  const char *name, *folder;
   Target target;
   int times;
 };
@@ -69,9 +72,11 @@ void PrintTo(const Fuzzed& fuzzed, std::ostream* out) { *out << fuzzed.name; }
 class MutatedSeeds : public testing::TestWithParam<Fuzzed> {};
 
 TEST_P(MutatedSeeds, AreReadOrRefused) {
-  const auto [name, target, times] = GetParam();
-  const std::vector<std::string> seeds =
-      seeds_in(fs::path(CROMER_SOURCE_DIR) / "tests" / "fuzz" / "seeds" / name);
+  const auto [name, folder, target, usual] = GetParam();
+  const std::vector<std::string> seeds = seeds_in(fs::path(CROMER_SOURCE_DIR) / "tests" / "fuzz" / folder);
+  // Many more by hand: CROMER_FUZZ_TIMES=50000 test_fuzz_targets
+  const char* wanted = std::getenv("CROMER_FUZZ_TIMES");
+  const int times = wanted ? std::atoi(wanted) : usual;
   ASSERT_GE(seeds.size(), 3u);
   std::mt19937 engine(7);
   for (int i = 0; i < times; ++i) {
@@ -86,8 +91,10 @@ TEST_P(MutatedSeeds, AreReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, MutatedSeeds,
-                         testing::Values(Fuzzed{"live_lines", live_lines, 40000},
-                                         Fuzzed{"quantity", quantity, 40000}, Fuzzed{"study", study, 4000}),
+                         testing::Values(Fuzzed{"live_lines", "seeds/live_lines", live_lines, 40000},
+                                         Fuzzed{"quantity", "seeds/quantity", quantity, 40000},
+                                         Fuzzed{"study", "seeds/study", study, 4000},
+                                         Fuzzed{"recording", "corpus", LLVMFuzzerTestOneInput, 3000}),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace
