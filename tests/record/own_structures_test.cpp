@@ -160,6 +160,27 @@ TEST(VernierFormat, SetsFollowEachOther) {
               HasSubstr("lab.txt:9: column \"Position (cm)\""));
 }
 
+TEST(VernierFormat, WhatIsMissingIsNamedWithItsLine) {
+  const std::string head = "Vernier Format 2\r\nlab.cmbl 3/4/2020 12:00:00\r\n", rows = "0\t1\r\n1\t2\r\n2\t1\r\n";
+  const std::string names = "Time\tPosition\r\nt\tx\r\ns\tcm\r\n\r\n";
+  EXPECT_THAT(refusal(head + "Run 1\r\n\r\nt\tx\r\ns\tcm\r\n" + rows),
+              HasSubstr("lab.txt:4: the names of the columns of set \"Run 1\" are missing"));
+  EXPECT_THAT(refusal(head + "\r\nRun 1\r\n\r\nt\tx\r\ns\tcm\r\n" + rows), HasSubstr("lab.txt:5: the names"));
+  const std::size_t most = 2000;
+  std::string wide = "a";
+  for (std::size_t j = 1; j < most; ++j) wide += "\ta";
+  EXPECT_THAT(refusal(head + "Run 1\r\n" + wide + "\ta\r\nt\r\ns\r\n\r\n" + rows),
+              HasSubstr("lab.txt:4: there are more than 2000 columns"));
+  EXPECT_THAT(refusal(head + "Run 1\r\n" + names), HasSubstr("lab.txt: the file holds no set of rows"));
+  EXPECT_THAT(read(head + "Empty\r\n" + names + "\r\nRun 2\r\n" + names + rows).warnings,
+              Contains("set \"Empty\" has no rows"));
+}
+
+TEST(LabView, AChannelMustBeNamed) {
+  EXPECT_THAT(refusal(labview("One") + labview_segment + "X_Value\r\n0\r\n1\r\n2\r\n"),
+              HasSubstr("lab.txt:17: no channel is named"));
+}
+
 TEST(DataStudio, RunsBelowEachOther) {
   const std::string time = "Time ( s )\t";
   const Recording r = read("Voltage, ChA, Run #1\r\n" + time + "Voltage ( V )\r\n0\t1\r\n1\t2\r\n2\t4\r\n" +
