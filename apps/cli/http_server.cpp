@@ -31,7 +31,8 @@ std::size_t most_connections() {
   files.rlim_cur = std::max(files.rlim_cur, std::min<rlim_t>(files.rlim_max, 2 * most));
   ::setrlimit(RLIMIT_NOFILE, &files);
   ::getrlimit(RLIMIT_NOFILE, &files);
-  return static_cast<std::size_t>(files.rlim_cur > kept + fewest ? std::min(most, files.rlim_cur - kept) : fewest);
+  return static_cast<std::size_t>(files.rlim_cur > kept + fewest ? std::min(most, files.rlim_cur - kept)
+                                                                 : fewest);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct HttpAnswer {
   bool events = false;                          ///< the connection stays open for server-sent events
   std::shared_ptr<const std::string> shared{};  ///< in place of the body: one for all who ask
   std::string policy{};  ///< of its content; where empty nothing runs and nothing is fetched
-  std::string file{};  ///< in place of the body: the file of this path as it is now, sent piece by piece
+  std::string file{};    ///< in place of the body: the file of this path as it is now, sent piece by piece
 };
 
 /// A status other than 200, and why in a sentence.

@@ -14,9 +14,15 @@ TEST(Printable, SpellsOutWhatDrivesATerminal) {
   EXPECT_EQ(printable("\x1b[31mred"), "\\x1b[31mred");
   EXPECT_EQ(printable("\x1b]0;title\a"), "\\x1b]0;title\\x07");
   EXPECT_EQ(printable("a\rb\x7f"), "a\\x0db\\x7f");
-  EXPECT_EQ(printable("\xC2\x9B" "31m"), "\\x9b31m");                  // U+009B, the short CSI
-  EXPECT_EQ(printable("\xE2\x80\xAE" "cba"), "\\u202ecba");            // writes backwards
-  EXPECT_EQ(printable("\xE2\x81\xA6" "\xD8\x9C"), "\\u2066\\u061c");  // isolates, Arabic mark
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m"),
+            "\\x9b31m");  // U+009B, the short CSI
+  EXPECT_EQ(printable("\xE2\x80\xAE"
+                      "cba"),
+            "\\u202ecba");  // writes backwards
+  EXPECT_EQ(printable("\xE2\x81\xA6"
+                      "\xD8\x9C"),
+            "\\u2066\\u061c");  // isolates, Arabic mark
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\x00b");
 }
 
@@ -29,7 +35,7 @@ TEST(Printable, IsUtf8Always) {
     }
   EXPECT_EQ(printable("caf\xe9"), "caf\\xe9");
   EXPECT_EQ(as_utf8("caf\xe9!"), "caf\uFFFD!");
-  EXPECT_EQ(printable("\xC0\x80"), "\\xc0\\x80");          // overlong
+  EXPECT_EQ(printable("\xC0\x80"), "\\xc0\\x80");           // overlong
   EXPECT_EQ(printable("\xED\xA0\x80"), "\\xed\\xa0\\x80");  // half of a pair
 }
 

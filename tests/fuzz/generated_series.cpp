@@ -1,7 +1,9 @@
-// generated_series COUNT [SEED [show]]: fits of series that no oscillator made, or hardly; which took longest.
+// generated_series COUNT [SEED [show]]: fits of series that no oscillator made, or hardly; which took
+// longest.
 //
 // Every fit must end: the exit status is 1 where one takes more than ten seconds of processor time, and those
-// of more than two are listed; or where a sentence has a number that is none. Ten thousand take about a quarter of an hour.
+// of more than two are listed; or where a sentence has a number that is none. Ten thousand take about a
+// quarter of an hour.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -47,16 +49,19 @@ std::vector<double> values_of(Engine& engine, const std::vector<double>& t) {
   const double step = t[1] - t[0], duration = t.back() - t.front();
   // Some of several ingredients.
   if (chance(engine, 0.6)) {
-    const double w = log_uniform(engine, 1 / duration, 4 / step), g = chance(engine, 0.5) ? 0 : log_uniform(engine, 0.1, 20) / duration;
+    const double w = log_uniform(engine, 1 / duration, 4 / step),
+                 g = chance(engine, 0.5) ? 0 : log_uniform(engine, 0.1, 20) / duration;
     const double bend = chance(engine, 0.3) ? uniform(engine, -0.5, 0.5) : 0;
-    for (std::size_t i = 0; i < n; ++i) y[i] += std::exp(-g * t[i]) * std::cos(w * t[i] * (1 + bend * t[i] / duration));
+    for (std::size_t i = 0; i < n; ++i)
+      y[i] += std::exp(-g * t[i]) * std::cos(w * t[i] * (1 + bend * t[i] / duration));
   }
   if (chance(engine, 0.2)) {
     const double w = log_uniform(engine, 1 / duration, 4 / step), size = log_uniform(engine, 0.01, 10);
     for (std::size_t i = 0; i < n; ++i) y[i] += size * std::sin(w * t[i]);
   }
   if (chance(engine, 0.7)) {
-    const double size = log_uniform(engine, 1e-4, 3), memory = chance(engine, 0.5) ? 0 : uniform(engine, 0.5, 1);
+    const double size = log_uniform(engine, 1e-4, 3),
+                 memory = chance(engine, 0.5) ? 0 : uniform(engine, 0.5, 1);
     double noise = 0;
     for (double& each : y) each += noise = memory * noise + size * normal(engine);
   }
@@ -131,6 +136,7 @@ int main(int count, char** words) {
                options.drive_frequency.empty() ? "" : ", --drive-frequency auto");
     std::fflush(stdout);
   }
-  fmt::print("{} series in {:.0f} s, the slowest in {:.2f} s, {} over {} s\n", many, total, slowest, too_long, listed);
+  fmt::print("{} series in {:.0f} s, the slowest in {:.2f} s, {} over {} s\n", many, total, slowest, too_long,
+             listed);
   return slowest > most || nonsense > 0 ? 1 : 0;
 }

@@ -1,5 +1,6 @@
-// Each target on its seeds and on what becomes of them by some thousands of changes, the same in every run. The
-// fuzzers themselves reach further (see CMakeLists.txt); this sees what a change of the code breaks at once.
+// Each target on its seeds and on what becomes of them by some thousands of changes, the same in every run.
+// The fuzzers themselves reach further (see CMakeLists.txt); this sees what a change of the code breaks at
+// once.
 #include <gtest/gtest.h>
 
 #include <algorithm>

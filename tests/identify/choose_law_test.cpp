@@ -32,7 +32,8 @@ TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
   EXPECT_LT(fit["drag"].standard_error, 0.6 * choice.candidates[1]["drag"].standard_error);
 }
 
-// Its second harmonic and the middle that moves as the swing dies down stand apart from the swing's frequency.
+// Its second harmonic and the middle that moves as the swing dies down stand apart from the swing's
+// frequency.
 TEST(ChooseLaw, ASpringThatIsNotSymmetricIsFound) {
   Motion truth{.law = law_of("viscous+quadratic"), .position = 0.05};
   truth.set_angular_frequency(6);

@@ -65,17 +65,21 @@ TEST(ChooseCandidate, TakesTheSimplerOfTwoWithinSix) {
   EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -5.9)}), "viscous");
   EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -6.1)}), "viscous+drag");
   // Two terms more, and one between.
-  EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -20), candidate("viscous+drag+cubic", -25)}),
-            "viscous+drag");
-  EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -20), candidate("viscous+drag+cubic", -27)}),
-            "viscous+drag+cubic");
+  EXPECT_EQ(
+      choice({candidate("viscous", 0), candidate("viscous+drag", -20), candidate("viscous+drag+cubic", -25)}),
+      "viscous+drag");
+  EXPECT_EQ(
+      choice({candidate("viscous", 0), candidate("viscous+drag", -20), candidate("viscous+drag+cubic", -27)}),
+      "viscous+drag+cubic");
 }
 
 TEST(ChooseCandidate, OfAsManyTermsTheOneMetOftenUnlessTheOtherIsClearlyBetter) {
-  EXPECT_EQ(choice({candidate("viscous", 50), candidate("viscous+drag", 0), candidate("viscous+cubic", -4.9)}),
-            "viscous+drag");
-  EXPECT_EQ(choice({candidate("viscous", 50), candidate("viscous+drag", 0), candidate("viscous+cubic", -5.1)}),
-            "viscous+cubic");
+  EXPECT_EQ(
+      choice({candidate("viscous", 50), candidate("viscous+drag", 0), candidate("viscous+cubic", -4.9)}),
+      "viscous+drag");
+  EXPECT_EQ(
+      choice({candidate("viscous", 50), candidate("viscous+drag", 0), candidate("viscous+cubic", -5.1)}),
+      "viscous+cubic");
 }
 
 TEST(ChooseCandidate, ATermThatMayBeNoneMustBeWorthSix) {
@@ -86,18 +90,21 @@ TEST(ChooseCandidate, ATermThatMayBeNoneMustBeWorthSix) {
   EXPECT_EQ(choice({candidate("friction", 100), drag}), "friction");
   // Nor one with two such terms of which one is worth nothing, however low it is.
   const LawFit both = unsure(unsure(candidate("viscous+drag+cubic", -60), "drag"), "cubic");
-  EXPECT_EQ(choice({candidate("viscous", 0), candidate("viscous+drag", -58), candidate("viscous+cubic", 0), both}),
-            "viscous+drag");
+  EXPECT_EQ(
+      choice({candidate("viscous", 0), candidate("viscous+drag", -58), candidate("viscous+cubic", 0), both}),
+      "viscous+drag");
 }
 
 TEST(WithoutUnsureTerms, LeavesOutWhatMayBeNoneAndCanBeLeftOut) {
   EXPECT_THAT(without_unsure_terms(candidate("viscous+drag+cubic", 0)), IsEmpty());
-  EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+drag", 0), "drag")), ElementsAre(law_of("viscous")));
+  EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+drag", 0), "drag")),
+              ElementsAre(law_of("viscous")));
   EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+drag", 0), "decay_rate")),
               ElementsAre(law_of("drag")));
   // A lone damping may be as small as it is.
   EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+cubic", 0), "decay_rate")), IsEmpty());
-  EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+cubic", 0), "cubic")), ElementsAre(law_of("viscous")));
+  EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+cubic", 0), "cubic")),
+              ElementsAre(law_of("viscous")));
 }
 
 }  // namespace

@@ -47,8 +47,7 @@ TEST(HardRecords, NoStepsAreWastedOnAMotionThatIsFasterThanTheSamplesShow) {
 
 TEST(HardRecords, NoStepsAreWastedOnAForcedMotionThatNoneFollows) {
   const ForcedSynthetic record = read("strongly_bent_under_a_force.csv");
-  const LawFit fit =
-      fit_forced(record, law_of("viscous+quadratic+cubic"), BetweenSamples::band_limited);
+  const LawFit fit = fit_forced(record, law_of("viscous+quadratic+cubic"), BetweenSamples::band_limited);
   EXPECT_GE(fit.step, record.spacing / 1024) << fit.message;
 }
 

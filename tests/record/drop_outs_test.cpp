@@ -93,7 +93,8 @@ Series swing_at(const std::vector<double>& times, double noise, unsigned seed) {
   std::string text = "Time (s),Position (m)\n";
   for (const double t : times)
     text += concat({shortest(t), ",",
-                    shortest(std::exp(-0.12 * t) * std::cos(6.283185307179586 * t + phase) + bell(random)), "\n"});
+                    shortest(std::exp(-0.12 * t) * std::cos(6.283185307179586 * t + phase) + bell(random)),
+                    "\n"});
   return *take_series(*read_recording(text, "lab.csv", {}), "", 1, {});
 }
 

@@ -161,7 +161,8 @@ TEST(VernierFormat, SetsFollowEachOther) {
 }
 
 TEST(VernierFormat, WhatIsMissingIsNamedWithItsLine) {
-  const std::string head = "Vernier Format 2\r\nlab.cmbl 3/4/2020 12:00:00\r\n", rows = "0\t1\r\n1\t2\r\n2\t1\r\n";
+  const std::string head = "Vernier Format 2\r\nlab.cmbl 3/4/2020 12:00:00\r\n",
+                    rows = "0\t1\r\n1\t2\r\n2\t1\r\n";
   const std::string names = "Time\tPosition\r\nt\tx\r\ns\tcm\r\n\r\n";
   EXPECT_THAT(refusal(head + "Run 1\r\n\r\nt\tx\r\ns\tcm\r\n" + rows),
               HasSubstr("lab.txt:4: the names of the columns of set \"Run 1\" are missing"));

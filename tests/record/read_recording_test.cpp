@@ -54,7 +54,8 @@ TEST(LastLine, WholeWithoutItsEndIsARowLikeAnyOther) {
 
 TEST(LastLine, ThatMayBeCutIsKeptAndSaid) {
   // Whole numbers, and decimals without their last noughts, of which a shorter one may be whole.
-  for (const std::string& text : {rows_of(20, "1234") + "0,35;12", rows_of(10, "0,34") + rows_of(9, "0,345").substr(22) + "0,35;0"}) {
+  for (const std::string& text :
+       {rows_of(20, "1234") + "0,35;12", rows_of(10, "0,34") + rows_of(9, "0,345").substr(22) + "0,35;0"}) {
     const Recording r = read(text);
     EXPECT_EQ(r.table.columns[1].values.back(), text.back() == '2' ? 12 : 0);
     EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("the last line, ")));

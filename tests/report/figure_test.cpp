@@ -309,7 +309,8 @@ TEST(Draw, DrawsEveryExampleInAllThreeFormats) {
 
 TEST(Draw, IsWellFormedWhateverTheNames) {
   if (!have_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-  for (const std::string name : {"a]]>b", "x<y>z & \"q\"", "\x1b[31mred\a", "broken \xff\xc3", "\xEF\xBF\xBE"}) {
+  for (const std::string name :
+       {"a]]>b", "x<y>z & \"q\"", "\x1b[31mred\a", "broken \xff\xc3", "\xEF\xBF\xBE"}) {
     Figure figure = of({three_methods()});
     figure.title = name;
     for (std::string* text :

@@ -18,7 +18,8 @@ struct Watch {
   std::function<void(const std::vector<std::string>&)>
       warn{};  ///< called once, before long work, with what is wrong about it
 
-  std::shared_ptr<std::atomic<double>> steps_left{};  ///< of integrations, before the work ends; empty: no bound
+  std::shared_ptr<std::atomic<double>>
+      steps_left{};  ///< of integrations, before the work ends; empty: no bound
 
   void take_steps(double count) const {
     if (steps_left) *steps_left = *steps_left - count;

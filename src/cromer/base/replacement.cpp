@@ -24,10 +24,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view prefix = ".cromer-";
 constexpr std::size_t suffix = 6;  // characters
 
-Error cannot_write(const std::string& path, int number) {
-  return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
-}
-
 std::string pattern_in(const std::string& folder) {
   return fmt::format("{}/{}{}", folder, prefix, std::string(suffix, 'X'));
 }
@@ -60,7 +56,14 @@ void sweep(const std::string& folder) {
   }
 }
 
+// The way to an open file that has no name.
+std::string place_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+
 }  // namespace
+
+Error cannot_write(const std::string& path, int number) {
+  return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
+}
 
 std::string target_of(const std::string& path) {
   constexpr int most = 40;  // links, as the system follows them
@@ -118,7 +121,7 @@ Replacement::~Replacement() {
 
 // A link cannot take the place of a file that is there: for a moment it has a name of its own.
 bool Replacement::give_name() {
-  const std::string unnamed = fmt::format("/proc/self/fd/{}", descriptor_);
+  const std::string unnamed = place_of(descriptor_);
   for (int tries = 0; tries < 100; ++tries) {
     std::string free = pattern_in(folder_of(target_));
     const int taken = ::mkostemp(free.data(), O_CLOEXEC);
@@ -139,8 +142,8 @@ Result<void> Replacement::take_place() {
   const mode_t mode = ::stat(target_.c_str(), &before) == 0 ? before.st_mode & 07777 : default_permissions();
   if (::fchmod(descriptor_, mode) != 0) return cannot_write(path_, errno);
   if (temporary_.empty()) {
-    const std::string unnamed = fmt::format("/proc/self/fd/{}", descriptor_);
-    if (::linkat(AT_FDCWD, unnamed.c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) == 0) return {};
+    if (::linkat(AT_FDCWD, place_of(descriptor_).c_str(), AT_FDCWD, target_.c_str(), AT_SYMLINK_FOLLOW) == 0)
+      return {};
     if (errno != EEXIST || !give_name()) return cannot_write(path_, errno);
   }
   // Over a network a file may turn out not to be written when it is closed.

@@ -11,12 +11,15 @@ namespace cromer {
 /// not, so that a link stays one.
 std::string target_of(const std::string& path);
 
+/// "cannot write PATH: REASON", by the number of the system's error.
+Error cannot_write(const std::string& path, int number);
+
 /// The folder that a file of this path lies in.
 std::string folder_of(const std::string& path);
 
 /// Until it takes its place it has no name, where the file system has such files (Linux, open(2), O_TMPFILE):
-/// whoever kills the program leaves nothing. Elsewhere it is called .cromer-XXXXXX, in the same folder; those
-/// that an hour ago were left by killed programs go when the next one is made.
+/// whoever kills the program leaves nothing. Elsewhere its name begins with .cromer-, in the same folder;
+/// those that killed programs left more than an hour ago go when the next one is made.
 class Replacement {
  public:
   /// An Error names `path` and the reason. The folder must be there.

@@ -445,7 +445,8 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   spread_over(fit, fitted, minima);
   set_status(fit, minimum.bounded.reason);
   for (const auto& reason : {refuse_frequency, refuse_harmonic})
-    if (const auto refusal = reason(fit); refusal && fit.status == FitStatus::converged) refuse(fit, *refusal);
+    if (const auto refusal = reason(fit); refusal && fit.status == FitStatus::converged)
+      refuse(fit, *refusal);
   refuse_what_explains_too_little(fit);
   return fit;
 }

@@ -40,16 +40,15 @@ Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
   constexpr double any = 1e7, of_a_sample = 2000, of_a_forced_sample = 20'000;
   const double each = drive == DriveKind::recorded ? of_a_forced_sample : of_a_sample;
   Watch bound = watch;
-  bound.steps_left =
-      std::make_shared<std::atomic<double>>(any + each * static_cast<double>(record.t.size()));
+  bound.steps_left = std::make_shared<std::atomic<double>>(any + each * static_cast<double>(record.t.size()));
   return bound;
 }
 
 std::string why_ended(const Watch& watch) {
-  return watch.out_of_steps()
-             ? "the laws' motions take more steps than a record of so few samples is worth, as noise that looks "
-               "fast does: ended"
-             : "interrupted";
+  return watch.out_of_steps() ? "the laws' motions take more steps than a record of so few samples is worth, "
+                                "as noise that looks "
+                                "fast does: ended"
+                              : "interrupted";
 }
 
 LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch) {

@@ -16,11 +16,6 @@ LeastSquaresOptions least_squares_options(const Record& record, const LawFitOpti
 /// tell.
 HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive);
 
-/// Steps of at most h that a motion takes through the times.
-inline double steps_through(std::span<const double> t, double h) {
-  return (t.back() - t.front()) / h + static_cast<double>(t.size());
-}
-
 /// A model that an interruption makes impossible everywhere, so that no further step is tried for long. Each
 /// call takes so many of the watch's steps.
 template <class Model>
@@ -35,8 +30,8 @@ auto interruptible(Model model, const Watch& watch, double steps = 0) {
 }
 
 /// The watch with a bound on the steps that all motions of a record's fits may take, many times what any
-/// recorded swing has been seen to need: noise of thousands of periods between few samples would take minutes.
-/// The same watch where it has a bound.
+/// recorded swing has been seen to need: noise of thousands of periods between few samples would take
+/// minutes. The same watch where it has a bound.
 Watch within_steps(const Watch& watch, const Record& record, DriveKind drive);
 
 /// A fit without values: a half-finished minimum would look like a result.

@@ -13,10 +13,6 @@
 namespace cromer {
 namespace {
 
-Error cannot_write(const std::string& path, int number) {
-  return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
-}
-
 bool write_all(int file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(file, bytes.data(), bytes.size());

@@ -9,8 +9,8 @@
 
 namespace cromer {
 
-/// By a Replacement: on failure nothing is left and the Error names path and reason. "-" is standard output. A
-/// path that is no regular file (/dev/null, a pipe) is written to directly; a symbolic link keeps pointing,
+/// By a Replacement: on failure nothing is left and the Error names path and reason. "-" is standard output.
+/// A path that is no regular file (/dev/null, a pipe) is written to directly; a symbolic link keeps pointing,
 /// its target is replaced or made. An existing file keeps its permissions.
 Result<void> write_file(const std::string& path, std::string_view bytes);
 

@@ -68,8 +68,9 @@ class Writer {
     add(out_, "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n",
         escaped(page.language));
     // Nothing is run and nothing is fetched, whatever the names in the data are.
-    add(out_, "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-              "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n");
+    add(out_,
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
+        "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n");
     add(out_, "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n",
         plain_words(page.title));
     add(out_, "<link rel=\"icon\" href=\"data:,\">\n<style>\n{}</style>\n</head>\n<body>\n", page_style());

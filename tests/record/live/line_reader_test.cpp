@@ -122,8 +122,9 @@ TEST(LineReader, KeepsAFirstLineThatIsWhole) {
   values_after_silence.take("1\n2\n", 100.2);
   values_after_silence.reader.end(101, values_after_silence.rows, values_after_silence.notices);
   EXPECT_THAT(values_after_silence.rows.values, ElementsAre(1, 2));
-  for (const Reading* each : {&static_cast<Reading&>(next_has_its_form), &static_cast<Reading&>(a_digit_more),
-                              &static_cast<Reading&>(after_silence), &static_cast<Reading&>(values_after_silence)})
+  for (const Reading* each :
+       {&static_cast<Reading&>(next_has_its_form), &static_cast<Reading&>(a_digit_more),
+        &static_cast<Reading&>(after_silence), &static_cast<Reading&>(values_after_silence)})
     EXPECT_TRUE(each->notices.empty());
 }
 
@@ -147,11 +148,15 @@ TEST(LineReader, BeginsAnewWithEachConnection) {
 
 TEST(LineReader, AByteOrderMarkCostsNoSample) {
   Reading reading;
-  reading.take("\xEF\xBB\xBF" "0.00 1.5\n0.01 1\n");
+  reading.take(
+      "\xEF\xBB\xBF"
+      "0.00 1.5\n0.01 1\n");
   EXPECT_THAT(reading.rows.t, ElementsAre(0.00, 0.01));
   EXPECT_EQ(reading.reader.garbage(), 0u);
   Reading heading;
-  heading.take("\xEF\xBB\xBF" "Time (ms),x (cm)\n10,1\n");
+  heading.take(
+      "\xEF\xBB\xBF"
+      "Time (ms),x (cm)\n10,1\n");
   EXPECT_THAT(heading.reader.headings(), ElementsAre("Time (s)", "x (cm)"));
 }
 

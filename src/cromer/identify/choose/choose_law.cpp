@@ -212,8 +212,8 @@ class Choosing {
     drop_old_terms(base);
   }
 
-  // A spring that is not symmetric leaves little about the swing's frequency: the middle of the swing moves as
-  // it dies down, and there is a second harmonic. A zero that wanders leaves the first alone.
+  // A spring that is not symmetric leaves little about the swing's frequency: the middle of the swing moves
+  // as it dies down, and there is a second harmonic. A zero that wanders leaves the first alone.
   void try_quadratic(const Beginning& beginning) {
     const LawFit base = candidates_[best_];
     const Law law = base.law.with(law_with<Quadratic>);

@@ -100,7 +100,8 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   constexpr double false_minimum = 1.5;  // times what that one leaves
   const LawFit leading = by_reading[best_of(by_reading)];
   for (std::size_t i = 0; i < by_reading.size() && converged(leading) && !watch.interrupted(); ++i) {
-    if (converged(by_reading[i]) && by_reading[i].residual.rms < false_minimum * leading.residual.rms) continue;
+    if (converged(by_reading[i]) && by_reading[i].residual.rms < false_minimum * leading.residual.rms)
+      continue;
     LawFitOptions again = bent;
     again.law = leading.law;
     again.drive.force.between = readings[i];

@@ -58,7 +58,7 @@ class MotionSample {
 /// law is none of the record's.
 inline double most_steps(std::span<const double> t, double h) {
   constexpr double many = 20, few = 10'000;
-  return few + many * ((t.back() - t.front()) / h + static_cast<double>(t.size()));
+  return few + many * steps_through(t, h);
 }
 
 /// Calls visit(i, sample) at every time, strictly increasing, in steps of at most h. Stops where the motion

@@ -27,6 +27,11 @@ struct Drive {
 /// power in its growth factor. Between 1/600 and 1/20 of a period.
 double motion_step(double angular_frequency, double duration, double error);
 
+/// How many steps of at most h a motion takes through the times, its turns left out.
+inline double steps_through(std::span<const double> t, double h) {
+  return (t.back() - t.front()) / h + static_cast<double>(t.size());
+}
+
 /// Displacement and velocity at the times t [s], strictly increasing, of the motion that has its position and
 /// velocity at t[0]. Steps of at most h. Shorter than t where the motion runs away. Times of a recorded
 /// force's own only, beginning to end within it.

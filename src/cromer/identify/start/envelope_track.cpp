@@ -174,8 +174,8 @@ double third_harmonic(const Swing<double>& swing, double A, double w) {
   return 2 * sum / points / (8 * w * w);
 }
 
-// By the frequency that springs have at each amplitude, not just to the first order: steps of Gauss and Newton
-// from `per_mass`. Empty where they lead nowhere.
+// By the frequency that springs have at each amplitude, not just to the first order: steps of Gauss and
+// Newton from `per_mass`. Empty where they lead nowhere.
 std::optional<SpringsAlong> springs_along(const EnvelopeTrack& track, const std::vector<TermAlong>& terms,
                                           const std::vector<std::size_t>& bending,
                                           Oscillator<double> per_mass) {

@@ -2,26 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <utility>
 
 #include "cromer/record/dialects/series_shape.h"
 
 namespace cromer::dialects {
 namespace {
 
-constexpr std::size_t reach = 20;  // changes on either side that say what is usual here
-
-constexpr double hidden = -1;  // a change across a gap in the times, which says nothing
-
-/// Of those that are not hidden; 0 where all are.
-double median_change(std::span<const double> changes) {
-  std::vector<double> seen;
-  std::copy_if(changes.begin(), changes.end(), std::back_inserter(seen), [](double c) { return c != hidden; });
-  return seen.empty() ? 0 : median(std::move(seen));
-}
-
-/// The signal with its changes from sample to sample.
+/// The signal with its changes from sample to sample; those across a gap in the times are unseen.
 struct Signal {
   std::span<const double> y;
   std::vector<double> changes;
@@ -33,10 +20,10 @@ struct Signal {
     double livelier = 0;
     if (first > 5) {
       const std::size_t from = first - 1 - std::min(first - 1, reach);
-      livelier = median_change(all.subspan(from, first - 1 - from));
+      livelier = median_seen(all.subspan(from, first - 1 - from));
     }
     if (end + 5 < y.size())
-      livelier = std::max(livelier, median_change(all.subspan(end, std::min(reach, changes.size() - end))));
+      livelier = std::max(livelier, median_seen(all.subspan(end, std::min(reach, changes.size() - end))));
     return livelier;
   }
 };
@@ -68,15 +55,14 @@ bool is_drop_out(const Signal& signal, std::size_t first, std::size_t end, bool 
 
 std::vector<DropOut> drop_outs(std::span<const double> t, std::span<const double> y, double step,
                                double resolution) {
-  constexpr double robust = 1.4826, deviations = 12;
   constexpr std::size_t longest = 10;
   std::vector<DropOut> found;
   const std::size_t n = y.size();
   if (n < 2 * reach) return found;
   Signal signal{y, std::vector<double>(n - 1), deviations * robust, 0};
   for (std::size_t i = 0; i + 1 < n; ++i)
-    signal.changes[i] = t[i + 1] - t[i] < 1.5 * step ? std::fabs(y[i + 1] - y[i]) : hidden;
-  signal.floor = std::max(6 * resolution, signal.limit * median_change(signal.changes));
+    signal.changes[i] = t[i + 1] - t[i] < 1.5 * step ? std::fabs(y[i + 1] - y[i]) : unseen;
+  signal.floor = std::max(6 * resolution, signal.limit * median_seen(signal.changes));
   std::size_t lost = 0;
   for (std::size_t i = 1; i + 1 < n;) {
     if (signal.changes[i - 1] <= signal.floor) {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "cromer/record/dialects/utf16.h"
 #include "cromer/base/utf8.h"
+#include "cromer/record/dialects/utf16.h"
 
 namespace cromer::dialects {
 namespace {

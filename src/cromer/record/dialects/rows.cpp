@@ -71,8 +71,8 @@ void judge_last_line(Rows& rows, const std::vector<std::string_view>& lines, con
   } else if (alike && first.decimals + first.exponent > 0) {
     return;  // all its decimals are there, and a cut takes the last ones first
   } else if (last.length < least.length || last.decimals < least.decimals || last.exponent < least.exponent) {
-    rows.last_line =
-        concat({"the last line, ", line, ", has no end and may end within a number, ", shown, ": it is kept"});
+    rows.last_line = concat(
+        {"the last line, ", line, ", has no end and may end within a number, ", shown, ": it is kept"});
   }
 }
 

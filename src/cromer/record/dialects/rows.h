@@ -29,8 +29,8 @@ struct RowRules {
 
 /// Reads rows of numbers. `names` are the columns' for messages. A word, more values than columns, or commas
 /// that cannot be told apart, are an Error that begins with ":LINE: " (the caller puts the file's name in
-/// front), unless `skip_bad_rows`. Where the text ends within a line (a logger that lost power) its last number
-/// may be cut: with fewer decimals than all before have, who have equally many, the row is left out.
+/// front), unless `skip_bad_rows`. Where the text ends within a line (a logger that lost power) its last
+/// number may be cut: with fewer decimals than all before have, who have equally many, the row is left out.
 Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
                        const std::vector<std::string>& names, const RowRules& rules);
 

@@ -10,9 +10,6 @@
 namespace cromer::dialects {
 namespace {
 
-constexpr std::size_t reach = 20;  // samples on either side that say what is usual here
-constexpr double robust = 1.4826, limit = 12;
-
 /// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
 /// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
 double decimal_step(std::span<const double> values) {
@@ -63,15 +60,6 @@ bool are_even(std::span<const double> t, double step) {
   return t.back() - t.front() < static_cast<double>(t.size() - 1) * 1.25 * step;
 }
 
-constexpr double nothing_seen = -1;  // of samples that are not even
-
-/// The median of those that were seen; 0 where none was.
-double median_seen(std::span<const double> sizes) {
-  std::vector<double> seen;
-  std::copy_if(sizes.begin(), sizes.end(), std::back_inserter(seen), [](double s) { return s != nothing_seen; });
-  return seen.empty() ? 0 : median(std::move(seen));
-}
-
 /// Distance of y[i] from the cubic through its four neighbours, evenly spaced.
 double distance_from_cubic(std::span<const double> y, std::size_t i) {
   return y[i] - (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
@@ -86,7 +74,7 @@ std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span
   const std::size_t n = y.size();
   for (const bool front : {true, false}) {
     const auto near = front ? size.subspan(4, reach) : size.subspan(n - 4 - reach, reach);
-    const double floor = std::max(least, limit * robust * median_seen(near));
+    const double floor = std::max(least, deviations * robust * median_seen(near));
     for (const std::size_t from_end : {std::size_t{1}, std::size_t{0}}) {
       const auto at = [&](std::size_t k) { return front ? from_end + k : n - 1 - from_end - k; };
       const double missed = y[at(0)] - 4 * y[at(1)] + 6 * y[at(2)] - 4 * y[at(3)] + y[at(4)];
@@ -107,6 +95,12 @@ double median(std::vector<double> values) {
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
   return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+double median_seen(std::span<const double> sizes) {
+  std::vector<double> seen;
+  std::copy_if(sizes.begin(), sizes.end(), std::back_inserter(seen), [](double s) { return s != unseen; });
+  return seen.empty() ? 0 : median(std::move(seen));
 }
 
 double rounding_step(std::span<const double> all) {
@@ -161,17 +155,17 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
   std::vector<std::size_t> found;
   const std::size_t n = y.size();
   if (n < 2 * reach) return found;
-  std::vector<double> distance(n, 0), size(n, nothing_seen);
+  std::vector<double> distance(n, 0), size(n, unseen);
   for (std::size_t i = 2; i + 2 < n; ++i) {
     const bool even = are_even(t.subspan(i - 2, 5), step);
     distance[i] = even ? distance_from_cubic(y, i) : 0;
-    size[i] = even ? std::fabs(distance[i]) : nothing_seen;
+    size[i] = even ? std::fabs(distance[i]) : unseen;
   }
   const auto [low, high] = std::minmax_element(y.begin(), y.end());
   const double everywhere = robust * median_seen(size);
   if (*low == *high) return found;
-  const double floor =
-      std::max({limit * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
+  const double floor = std::max(
+      {deviations * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
   // A spike at an end spoils the distances next to it.
   found = spikes_at_the_ends(t, y, step, size, floor);
   const auto spoilt = [&, at_ends = found](std::size_t i) {
@@ -190,7 +184,7 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
     double usual = 0;
     if (i - from > 4) usual = std::max(usual, median_seen(all.subspan(from, i - 2 - from)));
     if (to - i > 5) usual = std::max(usual, median_seen(all.subspan(i + 3, to - i - 3)));
-    if (size[i] > limit * robust * usual) found.push_back(i);
+    if (size[i] > deviations * robust * usual) found.push_back(i);
   }
   std::sort(found.begin(), found.end());
   return found;

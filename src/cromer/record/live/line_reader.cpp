@@ -96,7 +96,8 @@ void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::v
   }
 }
 
-void LineReader::take_any_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices) {
+void LineReader::take_any_line(std::string_view text, double arrival, Rows& rows,
+                               std::vector<Notice>& notices) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   ++line_;
   if (at_beginning_ && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());

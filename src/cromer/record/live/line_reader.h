@@ -25,13 +25,15 @@ struct LineSettings {
 /// values. A line of words right before it is a heading if it has a name for each number and states a unit or
 /// more than one name; `Time (ms)` scales the times. All else is garbage: counted, reported with its number
 /// (of the lines that are not empty) and text. The first line of a device that may be opened in the middle of
-/// one is taken where the device was silent before, or where its time has the form of the next line's, after a
-/// lost connection only there; else it is left out and reported. Lines without a time, where no rate is given, are held back for a while:
-/// ArrivalClock.
+/// one is taken where the device was silent before, or where its time has the form of the next line's, after
+/// a lost connection only there; else it is left out and reported. Lines without a time, where no rate is
+/// given, are held back for a while: ArrivalClock.
 class LineReader {
  public:
   LineReader(LineSettings settings, bool may_begin_within_line)
-      : settings_(std::move(settings)), clock_(settings_.rate), may_begin_within_line_(may_begin_within_line) {
+      : settings_(std::move(settings)),
+        clock_(settings_.rate),
+        may_begin_within_line_(may_begin_within_line) {
     connected(0);
   }
 
@@ -76,10 +78,10 @@ class LineReader {
   ArrivalClock arrivals_;
   std::vector<double> held_;  ///< values that wait for their times
   bool may_begin_within_line_;
-  double connected_ = 0;             // [s]
-  bool lost_ = false;                ///< the connection was: what comes may be the rest of what was lost
-  bool at_beginning_ = true;         ///< no line has come since
-  bool surely_whole_ = true;         ///< the line that comes is not what is left of one
+  double connected_ = 0;              // [s]
+  bool lost_ = false;                 ///< the connection was: what comes may be the rest of what was lost
+  bool at_beginning_ = true;          ///< no line has come since
+  bool surely_whole_ = true;          ///< the line that comes is not what is left of one
   std::optional<FirstLine> first_{};  ///< that waits for the next one to be judged by
   bool too_long_ = false;     ///< what comes up to the next line's end is part of a line already refused
   std::string partial_;

@@ -9,16 +9,13 @@
 #include <cerrno>
 #include <cstring>
 
+#include "cromer/base/replacement.h"
 #include "cromer/record/live/row_text.h"
 
 namespace cromer {
 namespace {
 
 constexpr std::size_t piece = 4096;  // bytes at most in one write, but for a longer line
-
-Error cannot_write(const std::string& path, int number) {
-  return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
-}
 
 }  // namespace
 

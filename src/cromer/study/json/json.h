@@ -29,7 +29,8 @@ inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_li
 #ifdef CROMER_PAGE
   return document.text();
 #else
-  return printable_json(document.dump(on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace)) + "\n";
+  return printable_json(document.dump(on_one_line ? -1 : 2, ' ', false, Json::error_handler_t::replace)) +
+         "\n";
 #endif
 }
 

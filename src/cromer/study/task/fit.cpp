@@ -15,6 +15,7 @@
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/record/dialects/column_kind.h"
+#include "cromer/record/dialects/columns.h"
 #include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
@@ -294,11 +295,13 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
   return fit_forced(*series, *force, file, options, watch);
 }
 
-// A column that may hold what drives the motion; "" where none does, or where one is named.
-std::string column_of_a_force(const Recording& recording, const FitOptions& options) {
+// Another column than the fitted one that may hold what drives its motion; "" where none does, or where one
+// is named.
+std::string column_of_a_force(const Recording& recording, const std::string& fitted,
+                              const FitOptions& options) {
   if (!options.force_column.empty()) return "";
   for (const Column& column : recording.table.columns)
-    if (column.quantity == "force") return column.name;
+    if (column.quantity == "force" && column_title(column) != fitted) return column.name;
   return "";
 }
 
@@ -307,7 +310,8 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
   constexpr double well = 0.9;  // of the variance: what drives a motion leaves more than that unexplained
   if (fitted && !(fitted->succeeded() && fitted->fit.explained > well))
-    if (const std::string force = column_of_a_force(recording, options); !force.empty())
+    if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
+        !force.empty())
       fitted->warnings.push_back(
           fmt::format("if what column \"{0}\" holds drives the motion, say --force-column \"{0}\"", force));
   // The inner force is no parameter of the fit.

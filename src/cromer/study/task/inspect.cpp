@@ -50,7 +50,8 @@ InspectedColumn look_at(const Recording& recording, std::size_t j, std::optional
   return found;
 }
 
-/// What a run's other columns hold beside their motion: a description is not only of the one that a fit takes.
+/// What a run's other columns hold beside their motion: a description is not only of the one that a fit
+/// takes.
 std::vector<std::string> outliers_elsewhere(const Recording& recording, int run, const std::string& inspected,
                                             const ReadOptions& options) {
   std::vector<std::string> found;
@@ -97,8 +98,7 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
       continue;
     }
     for (const std::string& warning : series->warnings) say(warning);
-    for (const std::string& warning :
-         outliers_elsewhere(inspection.recording, run, series->column, options))
+    for (const std::string& warning : outliers_elsewhere(inspection.recording, run, series->column, options))
       say(warning);
     inspection.gaps.insert(inspection.gaps.end(), series->gaps.begin(), series->gaps.end());
     inspection.outliers.insert(inspection.outliers.end(), series->outliers.begin(), series->outliers.end());
