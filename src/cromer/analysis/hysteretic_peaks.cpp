@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -26,22 +27,41 @@ std::size_t power_of_two(double least) {
   return n;
 }
 
-/// Values for each sample: slow oscillators follow nothing fast.
-std::size_t refinement(double period, double h) {
-  std::size_t values = 1;
-  while (values < 8 && period * static_cast<double>(values) < 40 * h) values *= 2;
-  return values;
+/// Values for each sample: 8 in the fastest cycle that was recorded, 16 where the oscillator is as fast.
+std::size_t refinement(double period, double h) { return period > 10 * h ? 4 : 8; }
+
+/// Where the quartic through five values, one apart, is highest beside the middle one, the highest of them.
+double top_of_quartic(const std::array<double, 5>& y) {
+  const double slope = (y[0] - 8 * y[1] + 8 * y[3] - y[4]) / 12;
+  const double bend = (-y[0] + 16 * y[1] - 30 * y[2] + 16 * y[3] - y[4]) / 24;
+  const double third = (-y[0] + 2 * y[1] - 2 * y[3] + y[4]) / 12;
+  const double fourth = (y[0] - 4 * y[1] + 6 * y[2] - 4 * y[3] + y[4]) / 24;
+  double t = 0;
+  for (int i = 0; i < 4; ++i) {
+    const double curvature = 2 * bend + t * (6 * third + t * 12 * fourth);
+    if (!(curvature < 0)) return y[2];
+    t = std::clamp(t - (slope + t * (2 * bend + t * (3 * third + t * 4 * fourth))) / curvature, -1.0, 1.0);
+  }
+  return std::max(y[2], y[2] + t * (slope + t * (bend + t * (third + t * fourth))));
 }
 
-/// The largest magnitude, by a parabola through it and its neighbours.
+/// The largest magnitude between the values of a motion without end: each of those that may hide it between
+/// two values is looked into.
 double peak_of(const std::vector<double>& x) {
-  std::size_t top = 0;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (std::abs(x[i]) > std::abs(x[top])) top = i;
-  const double before = std::abs(x[(top + x.size() - 1) % x.size()]), here = std::abs(x[top]);
-  const double after = std::abs(x[(top + 1) % x.size()]);
-  const double bend = 2 * here - before - after;
-  return bend > 0 ? here + (after - before) * (after - before) / (8 * bend) : here;
+  const auto magnitude = [&](std::size_t i) { return std::abs(x[i % x.size()]); };
+  double most = 0;
+  for (const double value : x) most = std::max(most, std::abs(value));
+  double peak = most;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (magnitude(i) < 0.9 * most || magnitude(i + 1) > magnitude(i) ||
+        magnitude(i + x.size() - 1) > magnitude(i))
+      continue;
+    std::array<double, 5> values;
+    for (std::size_t k = 0; k < 5; ++k)
+      values[k] = std::copysign(1.0, x[i]) * x[(i + x.size() + k - 2) % x.size()];
+    peak = std::max(peak, top_of_quartic(values));
+  }
+  return peak;
 }
 
 }  // namespace
@@ -74,7 +94,7 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
       answer[i] = ground[i] * std::polar(steady.amplitude, -steady.phase_lag);
     }
     // The highest frequency stands for two halves, which part where there is more room.
-    if (values > 1) answer[ground.size() - 1] *= 0.5;
+    answer[ground.size() - 1] *= 0.5;
     std::vector<double> x;
     fft.inv(x, answer, static_cast<Eigen::Index>(n * values));
     peaks.push_back(static_cast<double>(values) * peak_of(x));
