@@ -124,6 +124,19 @@ TEST(Peer, ReadsBothHeadersAndStopsAtItsCount) {
   }
 }
 
+// A line with NPTS and DT makes no such file: numbers must follow it.
+TEST(Peer, AHeadFollowedByWordsIsNone) {
+  const std::string table = "Time (s),Force (N)\n0,1\n1,2\n2,3\n";
+  for (const char* head :
+       {"NPTS=      5, DT=   .5000 SEC,\n", "NPTS of this copy: 3, DT 1 s\n", "5 0.5 NPTS, DT\n"}) {
+    const Recording r = read(concat({"Made of a PEER file\n", head, table}));
+    EXPECT_EQ(r.dialect.name, "") << head;
+    EXPECT_THAT(titles(r), ElementsAre("1 Time (s)", "1 Force (N)")) << head;
+    EXPECT_THAT(values(r, 1), ElementsAre(1, 2, 3)) << head;
+  }
+  EXPECT_EQ(read("NPTS=  3, DT=   .5000 SEC,\n\n 1 2 3\n").dialect.name, "PEER");
+}
+
 TEST(Peer, VelocitiesAndDisplacements) {
   const auto si = [](std::string_view words, std::string_view file) {
     const auto r = read(concat({"NRC\nb\nc\nd\n", words, "\nf\nNPTS= 2, DT= 0.1 SEC\n1 2\n"}), file);

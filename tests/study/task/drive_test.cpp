@@ -74,6 +74,38 @@ TEST(Drive, MeetsChoprasTheoreticalHalfSine) {
   for (std::size_t i = 0; i < 11; ++i) EXPECT_NEAR(only.trajectory.x[i], table[i], 2e-4) << i;
 }
 
+// The least that is a recording: two rows, a straight line between them, and no run beyond the second.
+TEST(Drive, TwoRowsAreARamp) {
+  const auto two =
+      read_drive_record("Time (s),Force (N)\n0,0\n0.5,3\n", "two.csv", {.quantity = "force"}, {});
+  ASSERT_TRUE(two.ok()) << two.error().message;
+  EXPECT_EQ(two->values, (std::vector<double>{0, 3}));
+  EXPECT_EQ(two->spacing, 0.5);
+  EXPECT_TRUE(two->warnings.empty());
+  SimulateOptions options = recorded({}, 0);
+  options.drive_record = *two;
+  options.mass = 2;
+  options.stiffness = 50;
+  options.damping = 0;
+  options.position = 0;
+  options.method = {"exact"};
+  options.step = 0.25;
+  options.until = 0.5;
+  const SimulatedRun only = run(options);
+  ASSERT_EQ(only.trajectory.size(), 3u);
+  const double w = 5, slope = 3 / 0.5 / 2;  // [m/s^3] of the force on a unit mass
+  for (std::size_t i = 0; i <= 2; ++i) {
+    const double t = 0.25 * static_cast<double>(i);
+    EXPECT_NEAR(only.trajectory.x[i], slope / (w * w) * (t - std::sin(w * t) / w), 1e-15) << i;
+  }
+  options.until = 0.51;
+  EXPECT_THAT(simulate(options).error().message, HasSubstr("the recording ends at 0.5 s"));
+  const auto one = read_drive_record("Time (s),Force (N)\n0,1\n", "one.csv", {.quantity = "force"}, {});
+  ASSERT_FALSE(one.ok());
+  EXPECT_EQ(one.error().message,
+            "one.csv: column \"Force\" has one sample, and a drive needs at least two samples");
+}
+
 TEST(Drive, MeetsChoprasPeaksOfElCentro) {
   const std::string bytes = measured("ground-motion/elcentro_chopra.csv");
   if (bytes.empty()) GTEST_SKIP() << "no ../shared/data";

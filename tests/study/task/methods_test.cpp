@@ -102,6 +102,44 @@ TEST(ListMethods, SayWhatAStepTooLongDoesToAStiffLaw) {
   EXPECT_THAT(row_of("implicit-euler", undamped).words, testing::HasSubstr("0.12 % too slow"));
 }
 
+// Without damping: what keeps the energy says so, what feeds it or takes it says how fast. By the closed
+// forms ln(1 + (w h)^2)/(2 h), atan(w h)/h, 2 asin(w h/2)/h, 2 atan(w h/2)/h; beyond w h = 2 verlet grows.
+TEST(ListMethods, SayWhatTheyDoToAnUndampedLaw) {
+  struct Said {
+    double step;
+    const char *method, *words;
+  };
+  const Said all[] = {
+      {0.01, "forward-euler", "adds growth of 0.1797 1/s and swings at 5.99282 rad/s, 0.12 % too slow"},
+      {0.01, "euler-cromer", "adds no damping and swings at 6.0009 rad/s, 0.015 % too fast"},
+      {0.01, "implicit-euler", "adds damping of 0.1797 1/s and swings at 5.99282 rad/s, 0.12 % too slow"},
+      {0.01, "verlet", "adds no damping and swings at 6.0009 rad/s, 0.015 % too fast"},
+      {0.01, "newmark", "adds no damping and swings at 5.9982 rad/s, 0.03 % too slow"},
+      {0.01, "implicit-midpoint", "adds no damping and swings at 5.9982 rad/s, 0.03 % too slow"},
+      {0.01, "generalized-alpha",
+       "adds damping of 8.879e-07 1/s and swings at 5.9981 rad/s, 0.032 % too slow"},
+      {0.01, "heun", "adds growth of 0.000162 1/s and swings at 6.0036 rad/s, 0.06 % too fast"},
+      {0.01, "rk4", "adds no damping and keeps your 6 rad/s"},
+      {0.01, "yoshida4", "adds no damping and keeps your 6 rad/s"},
+      {0.01, "gauss-legendre4", "adds no damping and keeps your 6 rad/s"},
+      {0.01, "exact", "adds no damping and keeps your 6 rad/s"},
+      {0.4, "forward-euler", "adds growth of 2.389 1/s and swings at 2.94001 rad/s, 51 % too slow"},
+      {0.4, "euler-cromer", "grows, with another sign each step"},
+      {0.4, "implicit-euler", "adds damping of 2.389 1/s and swings at 2.94001 rad/s, 51 % too slow"},
+      {0.4, "verlet", "grows, with another sign each step"},
+      {0.4, "newmark", "adds no damping and swings at 4.38029 rad/s, 27 % too slow"},
+      {0.4, "implicit-midpoint", "adds no damping and swings at 4.38029 rad/s, 27 % too slow"},
+      {0.4, "generalized-alpha", "adds damping of 0.01905 1/s and swings at 4.32341 rad/s, 28 % too slow"},
+      {0.4, "heun", "adds growth of 2.787 1/s and swings at 5.58823 rad/s, 6.9 % too slow"},
+      {0.4, "rk4", "adds damping of 1.699 1/s and swings at 7.37752 rad/s, 23 % too fast"},
+      {0.4, "yoshida4", "grows without swinging"},
+      {0.4, "gauss-legendre4", "adds no damping and swings at 5.80944 rad/s, 3.2 % too slow"},
+      {0.4, "exact", "adds no damping and keeps your 6 rad/s"},
+  };
+  for (const auto& [step, method, words] : all)
+    EXPECT_EQ(row_of(method, {.natural_frequency = 6, .step = step}).words, words) << method << ' ' << step;
+}
+
 TEST(ListMethods, OptionsReachTheMethods) {
   auto options = theory;
   options.beta = 0;

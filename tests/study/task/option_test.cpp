@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "cromer/study/task/compare.h"
 #include "cromer/study/task/simulate.h"
@@ -115,6 +118,54 @@ TEST_F(SimulateTable, CheckFindsValuesThatWereSetDirectly) {
   EXPECT_FALSE(check(find(table, "mass")).ok());
   options.drive_frequency = {1, -1};
   EXPECT_FALSE(check(find(table, "drive-frequency")).ok());
+}
+
+// Each range at its limits, and just outside them: the options of all commands keep to one of these.
+TEST(Range, IsKeptToTheLastValue) {
+  const double tiny = 5e-324;
+  const auto above = [](double value) { return std::nextafter(value, HUGE_VAL); };
+  const auto below = [](double value) { return std::nextafter(value, -HUGE_VAL); };
+  struct Limits {
+    Range range;
+    std::vector<double> good, bad;
+    std::string_view said;
+  };
+  const Limits all[] = {
+      {Range::any, {-1e300, 0, 1e300}, {}, ""},
+      {Range::positive, {tiny, 1e300}, {0, -tiny, -1}, "be positive"},
+      {Range::not_negative, {0, tiny}, {-tiny, -1}, "not be negative"},
+      {Range::not_negative_unless_bounded, {-1, 0, 1}, {}, "not be negative without --van-der-pol"},
+      {Range::at_least_one, {1, 1e300}, {below(1), 0}, "be at least 1"},
+      {Range::fraction, {0, 1}, {-tiny, above(1)}, "lie between 0 and 1"},
+      {Range::tolerance, {1e-15, 1e-2}, {below(1e-15), above(1e-2), 0}, "lie between 1e-15 and 1e-2"},
+      {Range::accuracy, {1e-9, 0.5}, {below(1e-9), above(0.5)}, "lie between 1e-9 and 0.5"},
+      {Range::air_temperature,
+       {100, 1900},
+       {below(100), above(1900)},
+       "lie between 100 K and 1900 K (for instance \"20 °C\")"},
+  };
+  for (const auto& [range, good, bad, said] : all) {
+    EXPECT_EQ(constraint(range), said);
+    double target = 0;
+    const Option option{"limit", &target, "", range, "", "", ""};
+    for (const double value : good) {
+      target = value;
+      EXPECT_TRUE(check(option).ok()) << said << ' ' << value;
+    }
+    for (const double value : bad) {
+      target = value;
+      ASSERT_FALSE(check(option).ok()) << said << ' ' << value;
+      EXPECT_THAT(check(option).error().message,
+                  StartsWith("--limit: it must " + std::string(said) + ", not "));
+    }
+    for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+      target = value;
+      EXPECT_FALSE(check(option).ok()) << said << ' ' << value;
+    }
+  }
+  double target = NAN;
+  EXPECT_EQ(check({"any", &target, "m", Range::any, "", "", ""}).error().message,
+            "--any: it must be a finite number, not nan m");
 }
 
 TEST(FitTable, KeepsUncertaintiesWhereTheyAreUsed) {

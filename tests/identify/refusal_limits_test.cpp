@@ -1,0 +1,188 @@
+// When a fit is refused, on fits made by hand: at, below and above each limit, with the sentence that is
+// said.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "cromer/identify/diagnose/refusal.h"
+#include "tests/identify/synthetic.h"
+
+namespace cromer {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr double pi = std::numbers::pi;
+
+/// A fit of 10 s at 100 samples a second that accounts for nearly all.
+struct Seen {
+  double periods = 10;
+  double damping_ratio = 0.01;
+  double explained = 0.99;
+  double independent_samples = 1000;
+};
+
+constexpr double duration = 10;
+
+SyntheticRecord record_of(const Seen& seen) {
+  const double w0 = 2 * pi * seen.periods / duration;
+  return viscous_record({.w0 = w0, .g = 0, .equilibrium = 0, .position = 1, .velocity = 0},
+                        even_times(1001, duration / 1000));
+}
+
+LawFit fit_of(const Seen& seen) {
+  const double w = 2 * pi * seen.periods / duration;  // of the damped motion
+  const double w0 = w / std::sqrt(1 - seen.damping_ratio * seen.damping_ratio);
+  LawFit fit;
+  fit.names = {"angular_frequency", "decay_rate", "equilibrium", "position", "velocity"};
+  for (const double value : {w0, seen.damping_ratio * w0, 0.0, 1.0, 0.0})
+    fit.estimates.push_back({value, 1e-4, value - 2e-4, value + 2e-4});
+  fit.explained = seen.explained;
+  fit.independent_samples = seen.independent_samples;
+  return fit;
+}
+
+/// "too_short: the record holds ..."; empty where the fit is taken.
+std::string told(const std::optional<Refusal>& refusal) {
+  return refusal ? std::string(name(refusal->status)) + ": " + refusal->message : "";
+}
+
+std::string told(const Seen& seen) { return told(refuse_fit(record_of(seen).record(), fit_of(seen))); }
+
+TEST(RefusalLimits, OneAndAHalfPeriods) {
+  EXPECT_EQ(told({.periods = 1.501}), "");
+  EXPECT_EQ(told({.periods = 1.499}),
+            "too_short: the record holds 1.5 periods of 6.67 s: a fit needs at least 1.5");
+  EXPECT_EQ(told({.periods = 1.2}),
+            "too_short: the record holds 1.2 periods of 8.33 s: a fit needs at least 1.5");
+  // What accounts for little says so instead.
+  EXPECT_THAT(told({.periods = 1.2, .explained = 0.3}), StartsWith("too_noisy: "));
+}
+
+TEST(RefusalLimits, AMotionThatReturnsWithoutOscillating) {
+  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.94}), "");
+  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96}),
+            "overdamped: the motion returns without oscillating: damping ratio about 0.96");
+  // Within a period and a half less damping will do: g > 0.7 w.
+  EXPECT_THAT(told({.periods = 1.4, .damping_ratio = 0.56}), StartsWith("too_short: "));
+  EXPECT_EQ(told({.periods = 1.4, .damping_ratio = 0.58}),
+            "overdamped: the motion returns without oscillating: damping ratio about 0.58");
+}
+
+// Of long motions half the variance will do, or 300 times the noise; short ones are wandering noise sooner.
+TEST(RefusalLimits, HowFarALineStandsOut) {
+  EXPECT_EQ(told({.explained = 0.51, .independent_samples = 20}), "");
+  EXPECT_EQ(told({.explained = 0.231}), "");  // 0.231/0.769 of 1000: 300.4
+  EXPECT_EQ(told({.explained = 0.23}),
+            "too_noisy: too noisy: a sinusoid accounts for 23.0 % of the variance only");
+  EXPECT_EQ(told({.periods = 3, .explained = 0.334}), "");  // 501
+  EXPECT_THAT(told({.periods = 3, .explained = 0.333}), StartsWith("too_noisy: "));
+  EXPECT_EQ(told({.periods = 3, .explained = 0.91, .independent_samples = 6}), "");  // 60.7
+  EXPECT_THAT(told({.periods = 3, .explained = 0.91, .independent_samples = 5}),
+              StartsWith("no_oscillation: "));
+  // A motion that has died down after two periods has no more than those.
+  EXPECT_THAT(told({.periods = 20, .damping_ratio = 0.1, .explained = 0.3}), StartsWith("too_noisy: "));
+}
+
+TEST(RefusalLimits, NoiseOrNoOscillation) {
+  EXPECT_THAT(told({.explained = 0.0567}), StartsWith("too_noisy: "));  // 60.1
+  EXPECT_EQ(
+      told({.explained = 0.0565}),
+      "no_oscillation: no oscillation found: the best decaying sinusoid accounts for 5.7 % of the variance, "
+      "and noise like the rest could do as much; choose the part that oscillates with --from and --to, or "
+      "another --column");
+  // Noise that wanders is no noise that more samples would help against.
+  EXPECT_THAT(told({.explained = 0.2, .independent_samples = 501}), StartsWith("too_noisy: "));
+  EXPECT_THAT(told({.explained = 0.2, .independent_samples = 499}), StartsWith("no_oscillation: "));
+  EXPECT_THAT(told({.explained = -0.1}), HasSubstr("accounts for 0.0 % of the variance"));
+}
+
+TEST(RefusalLimits, ThreeLevelsShowNoTops) {
+  const Seen seen{.explained = 0.2, .independent_samples = 100};
+  SyntheticRecord record = record_of(seen);
+  record.resolution = 1;  // -1, 0 and 1
+  EXPECT_EQ(told(refuse_fit(record.record(), fit_of(seen))),
+            "too_noisy: the values take 3 levels only, 1 apart: the resolution is too coarse for a motion as "
+            "small as this");
+  record.resolution = 0.66;
+  EXPECT_THAT(told(refuse_fit(record.record(), fit_of(seen))), StartsWith("no_oscillation: "));
+}
+
+TEST(RefusalLimits, TopsCutOff) {
+  const Seen seen;
+  // A sinusoid stays 0.014 s within 1 mm of its top; half as much more and three samples may pass.
+  for (const auto& [top, said] : {std::pair{0.99, ""},  // 0.045 s
+                                  {0.98,
+                                   "clipped: the motion's tops are cut off at the same value again and "
+                                   "again: the sensor was out of its "
+                                   "range; choose the later part by --from"}})  // 0.064 s
+    for (const double sign : {1.0, -1.0}) {
+      SyntheticRecord record = record_of(seen);
+      record.resolution = 1e-3;
+      for (double& y : record.y) y = sign * std::min(top, std::round(1e3 * y) / 1e3);
+      EXPECT_EQ(told(refuse_fit(record.record(), fit_of(seen))), said) << top << ' ' << sign;
+    }
+}
+
+TEST(RefusalLimits, FrequenciesUnknown) {
+  LawFit fit = fit_of({});
+  fit.law = law_of("viscous+drag");
+  const double w = fit.angular_frequency().value;
+  const auto off_by = [&](double share) {
+    fit.find("angular_frequency")->standard_error = share * w;
+    return told(refuse_frequency(fit));
+  };
+  EXPECT_EQ(off_by(0.0499), "");
+  EXPECT_EQ(off_by(0.0501), "too_noisy: too noisy: the frequency is known to 5 % only");
+  EXPECT_EQ(off_by(0.98), "too_noisy: too noisy: the frequency is known to 98 % only");
+  EXPECT_EQ(off_by(1.02), "too_noisy: the law viscous+drag fits so badly that the frequency is unknown");
+  fit.names[0] = "mass";
+  EXPECT_EQ(told(refuse_frequency(fit)), "");
+}
+
+TEST(RefusalLimits, AHarmonicOfTheDrive) {
+  LawFit fit = fit_of({.damping_ratio = 0});
+  fit.names.emplace_back("drive_frequency");
+  const double w = fit.angular_frequency().value;
+  fit.find("angular_frequency")->standard_error = 0;
+  const auto driven_at = [&](double frequency) {
+    fit.estimates.resize(5);
+    fit.estimates.push_back({frequency, 0, frequency, frequency});
+    return told(refuse_harmonic(fit));
+  };
+  EXPECT_EQ(driven_at(w), "");
+  EXPECT_THAT(driven_at(w / 2),
+              HasSubstr("a steady oscillation at 0.5 Hz and its harmonic of order 2, which does not decay"));
+  EXPECT_THAT(driven_at(w / 3), HasSubstr("order 3"));
+  EXPECT_THAT(driven_at(w / 2 * (1 + 0.9e-4)), HasSubstr("order 2"));
+  EXPECT_EQ(driven_at(w / 2 * (1 + 1.1e-4)), "");
+  fit.find("angular_frequency")->standard_error = 0.001 * w;
+  EXPECT_THAT(driven_at(w / 2 * 1.0039), HasSubstr("order 2"));
+  EXPECT_EQ(driven_at(w / 2 * 1.0043), "");
+  fit.find("decay_rate")->low = 1e-6;  // it does decay
+  EXPECT_EQ(driven_at(w / 2), "");
+}
+
+TEST(RefusalLimits, FewestSamples) {
+  const auto with = [](std::size_t samples, const LawFitOptions& options) {
+    const SyntheticRecord record = viscous_record({}, even_times(samples, 0.01));
+    return told(refuse_record(record.record(), options));
+  };
+  EXPECT_EQ(with(8, {}), "");
+  EXPECT_EQ(with(7, {}), "too_short: 7 samples are too few: a fit of the law viscous needs at least 8");
+  EXPECT_EQ(with(9, {.law = law_of("viscous+drag")}), "");
+  EXPECT_EQ(with(8, {.law = law_of("viscous+drag")}),
+            "too_short: 8 samples are too few: a fit of the law viscous+drag needs at least 9");
+  const LawFitOptions driven{.drive = Drive::harmonic()};
+  EXPECT_EQ(with(32, driven), "");
+  EXPECT_THAT(with(31, driven), StartsWith("too_short: 31 samples are too few"));
+  const SyntheticRecord rest = viscous_record({.position = 0, .velocity = 0}, even_times(100, 0.01));
+  EXPECT_EQ(told(refuse_record(rest.record(), {})), "no_oscillation: all values are the same: nothing moves");
+}
+
+}  // namespace
+}  // namespace cromer
