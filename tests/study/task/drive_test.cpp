@@ -103,7 +103,7 @@ TEST(Drive, TwoRowsAreARamp) {
   const auto one = read_drive_record("Time (s),Force (N)\n0,1\n", "one.csv", {.quantity = "force"}, {});
   ASSERT_FALSE(one.ok());
   EXPECT_EQ(one.error().message,
-            "one.csv: column \"Force\" has one sample, and a drive needs at least two samples");
+            "one.csv: column \"Force (N)\" has one sample, and a drive needs at least two samples");
 }
 
 TEST(Drive, MeetsChoprasPeaksOfElCentro) {
