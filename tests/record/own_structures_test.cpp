@@ -130,7 +130,7 @@ TEST(Peer, AHeadFollowedByWordsIsNone) {
   for (const char* head :
        {"NPTS=      5, DT=   .5000 SEC,\n", "NPTS of this copy: 3, DT 1 s\n", "5 0.5 NPTS, DT\n"}) {
     const Recording r = read(concat({"Made of a PEER file\n", head, table}));
-    EXPECT_EQ(r.dialect.name, "") << head;
+    EXPECT_EQ(r.dialect.name, "plain") << head;
     EXPECT_THAT(titles(r), ElementsAre("1 Time (s)", "1 Force (N)")) << head;
     EXPECT_THAT(values(r, 1), ElementsAre(1, 2, 3)) << head;
   }
