@@ -66,7 +66,7 @@ Result<void> write_files(const Answer& answer, const OutputOptions& output, cons
   return {};
 }
 
-/// That the file of --motion can be written and nothing is lost by it.
+/// Checks that the --motion file can be written without losing another.
 Result<void> check_motion(const std::string& motion, const OutputOptions& output,
                           const std::vector<std::string>& inputs) {
   if (motion.empty()) return {};

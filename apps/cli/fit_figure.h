@@ -8,8 +8,9 @@
 
 namespace cromer::cli {
 
-/// Two panels for each recording that could be fitted, one above the other: motion and residual; one panel of
-/// measured samples otherwise.
+/// Motion and residual of each recording that could be fitted, one above the other, and what else its fit
+/// shows (decay, samples held out, hysteretic swings); measured samples alone of one that could not. More
+/// than three recordings stand in a grid.
 Figure fit_figure(const std::vector<FittedRecording>& fits);
 
 }  // namespace cromer::cli

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cromer/base/quantity.h"
+#include "cromer/identify/choose/criterion.h"
 #include "interval_text.h"
 #include "percent.h"
 #include "text_table.h"
@@ -40,6 +41,13 @@ std::string heading(const FittedRecording& fitted) {
          drive_in_words(fitted);
 }
 
+// Why a law of lower BIC was not taken: of those within strong evidence the one of fewest parameters is.
+std::string_view why_not(const Candidate& lower, double by) {
+  return by < strong_evidence ? "too little to speak against fewer or better known terms"
+         : lower.converged    ? "but with terms that are not sure"
+                              : "but its fit has not converged";
+}
+
 // The law that comes next, and by how much.
 std::string runner_up(const FittedRecording& fitted) {
   const Candidate* second = nullptr;
@@ -54,11 +62,9 @@ std::string runner_up(const FittedRecording& fitted) {
   return fmt::format("  chosen of {} laws; next is {}: residual {:.4g}{}, BIC {} than that of {}\n",
                      fitted.candidates.size(), to_text(second->law), second->rms,
                      unit.empty() ? "" : " " + unit,
-                     second->bic >= chosen->bic
-                         ? fmt::format("{:.3g} higher", second->bic - chosen->bic)
-                         : fmt::format("{:.3g} lower, {},", chosen->bic - second->bic,
-                                       chosen->bic - second->bic < 2 ? "too little to tell"
-                                                                     : "but with terms that are not sure"),
+                     second->bic >= chosen->bic ? fmt::format("{:.3g} higher", second->bic - chosen->bic)
+                                                : fmt::format("{:.3g} lower, {},", chosen->bic - second->bic,
+                                                              why_not(*second, chosen->bic - second->bic)),
                      to_text(chosen->law));
 }
 

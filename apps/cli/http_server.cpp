@@ -10,6 +10,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
 #include <new>
+#include <thread>
 
 #include "cromer/study/json/live.h"
 #include "http_connection.h"
@@ -43,16 +44,20 @@ struct HttpServer::State {
   asio::steady_timer timer{context}, pause{context};
   HttpConnections connections;
   std::size_t most = most_connections();
+  bool accepting = false, ticking = false;  // a handler is set, which it may not be where memory is out
 
   void accept() {
     acceptor.async_accept([this](Failure failed, asio::ip::tcp::socket socket) {
+      accepting = false;
       if (!acceptor.is_open()) return;
       if (failed || connections.count() >= most) connections.make_room();
       if (failed) {
         pause.expires_after(std::chrono::milliseconds(20));
         pause.async_wait([this](Failure stopped) {
+          accepting = false;
           if (!stopped) accept();
         });
+        accepting = true;
         return;
       }
       try {
@@ -62,9 +67,11 @@ struct HttpServer::State {
       }
       accept();
     });
+    accepting = true;
   }
 
   void send_events(const std::function<bool()>& stop) {
+    ticking = false;
     if (stop()) return context.stop();
     try {
       connections.send_events();
@@ -75,6 +82,7 @@ struct HttpServer::State {
     timer.async_wait([this, &stop](Failure failed) {
       if (!failed) send_events(stop);
     });
+    ticking = true;
   }
 };
 
@@ -113,15 +121,16 @@ int HttpServer::port() const {
 }
 
 void HttpServer::run(const std::function<bool()>& stop) {
-  state_->accept();
-  state_->send_events(stop);
   // Out of memory nobody is served for a while, and what is recorded meanwhile is not ended by it.
   for (;;) {
     try {
+      if (!state_->accepting) state_->accept();
+      if (!state_->ticking) state_->send_events(stop);
       state_->context.run();
       return;
     } catch (const std::bad_alloc&) {
       state_->connections.end_all();
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
     }
   }
 }

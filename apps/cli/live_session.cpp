@@ -42,23 +42,23 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   if (!setup_) return Error{"cromer serve was started without --from: there is nothing to record from"};
   if (const auto before = active(); before && before->recorder->status().running)
     return Error{"a recording is going on; stop it first"};
-  const auto stops = [this] {
+  const std::size_t stops_before = [this] {
     const std::lock_guard lock(mutex_);
     return stops_;
-  };
-  const std::size_t stops_before = stops();
+  }();
   auto next = std::make_shared<Active>();
   const std::string path = free_path(options_.output);
   next->name = fs::path(path).filename().string();
   next->duration = duration ? duration : options_.duration;
   next->recorder = make_recorder(*setup_, next->duration, path, command_);
   if (auto good = next->recorder->start(); !good) return good.error();
-  if (stops() != stops_before) {
+  next->fitter = std::make_unique<LiveFitter>(*next->recorder, options_.column);
+  std::unique_lock lock(mutex_);
+  if (stops_ != stops_before) {
+    lock.unlock();
     next->recorder->stop();
     return Error{"stopped before it had begun"};
   }
-  next->fitter = std::make_unique<LiveFitter>(*next->recorder, options_.column);
-  const std::lock_guard lock(mutex_);
   next->number = ++recordings_;
   paths_[next->name] = path;
   active_.swap(next);

@@ -70,7 +70,7 @@ void outermost(std::vector<double>& t, std::vector<double>& x, double window, do
 }
 
 double period_of(const FittedRecording& fitted) {
-  double w = fitted.fit.angular_frequency().value;
+  double w = fitted.fit.swing_frequency().value;
   if (const Estimate* drive = fitted.fit.find("drive_frequency")) w = std::min(w, drive->value);
   return w > 0 ? two_pi / w : 0;
 }
@@ -112,9 +112,7 @@ std::vector<double> smooth_times(const FittedRecording& fitted) {
 /// The column's value under the free law, less the equilibrium.
 std::vector<double> free_values(const FittedRecording& fitted, const std::vector<double>& t) {
   const std::vector<double> zeros(t.size(), 0.0);
-  const int derivative = fitted.series.quantity.find("velocity") != std::string::npos       ? 1
-                         : fitted.series.quantity.find("acceleration") != std::string::npos ? 2
-                                                                                            : 0;
+  const int derivative = std::max(0, derivative_order(fitted.series.quantity));
   std::vector<double> values =
       motion_residuals(fitted.fit.motion, {}, {t, zeros, 0, derivative}, fitted.fit.step);
   for (double& value : values) value = -value - fitted.fit.equilibrium().value;

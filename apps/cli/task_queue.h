@@ -12,7 +12,7 @@ namespace cromer::cli {
 class TaskQueue {
  public:
   TaskQueue() : thread_([this] { work(); }) {}
-  /// Ends the task at work; those still waiting are not begun.
+  /// Waits for the task at work; those still waiting are not begun.
   ~TaskQueue() {
     {
       const std::lock_guard lock(mutex_);

@@ -161,7 +161,7 @@ TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
   LawFit fit;
   fit.residual = {.rms = 1, .normality = 0, .autocorrelation = 0.99, .white = false};
   fit.independent_samples = 3000;
-  EXPECT_THAT(widening(fit, 3000), HasSubstr("only the equilibrium's"));
+  EXPECT_THAT(widening(fit, 3000), HasSubstr("of frequency and decay are hardly widened"));
   fit.independent_samples = 100;
   EXPECT_THAT(widening(fit, 3000), HasSubstr("those of 100 independent samples"));
   fit.residual.white = true;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "tests/identify/synthetic.h"
@@ -59,6 +61,27 @@ TEST(RivalLaws, NoneWhereTheRecordTells) {
   const LawChoice choice = choose_law(record_of(truth, 12000, 0.02, 2e-4, 1).record(), {});
   EXPECT_EQ(to_text(choice.chosen.law), "viscous+drag");
   EXPECT_THAT(choice.chosen.warnings, Not(Contains(HasSubstr("cannot tell"))));
+}
+
+// A rival is named where another number or another damping would follow from it, not for its name alone.
+TEST(RivalLaws, NoneWhereNoNumberWouldMove) {
+  const SyntheticRecord record = viscous_record({}, even_times(2000, 0.01), 1e-3);
+  std::vector<LawFit> candidates{fit_law(record.record(), {.law = law_of("viscous+cubic")})};
+  ASSERT_EQ(candidates[0].status, FitStatus::converged);
+  LawFit rival = candidates[0];
+  rival.law = law_of("viscous+odd-quadratic");
+  *std::find(rival.names.begin(), rival.names.end(), "cubic") = "odd_quadratic";
+  rival.bic = candidates[0].bic + 1;
+  candidates.push_back(rival);
+  EXPECT_EQ(rival_laws(record.record(), candidates, 0), "");
+  candidates[1].find("decay_rate")->value += 4 * rival.decay_rate().standard_error;
+  EXPECT_THAT(rival_laws(record.record(), candidates, 0), HasSubstr("viscous+odd-quadratic"));
+  candidates[1].bic = candidates[0].bic + 6.1;
+  EXPECT_EQ(rival_laws(record.record(), candidates, 0), "");
+  // Another damping is another number.
+  candidates[1] = rival;
+  candidates[1].law = law_of("drag+cubic");
+  EXPECT_THAT(rival_laws(record.record(), candidates, 0), HasSubstr("drag+cubic"));
 }
 
 TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {

@@ -87,6 +87,34 @@ void expect_found(const Law& law, Kind kind) {
   }
 }
 
+// In metres and in millimetres, whose z^n differ by a thousand to the n.
+TEST(TermsFit, AHystereticForceOfExponentTwoIsFoundAtAnySize) {
+  for (const double size : {1e-3, 1.0}) {
+    Motion motion{.law = law_of("viscous+hysteresis"), .position = size, .velocity = 0.3 * size};
+    motion.set_angular_frequency(6);
+    motion.set_decay_rate(0.04);
+    motion.per_mass.hysteresis_stiffness = 12;
+    motion.per_mass.hysteresis_beta = 0.4 / (size * size);
+    motion.per_mass.hysteresis_gamma = -0.1 / (size * size);
+    motion.per_mass.hysteresis_exponent = 2;
+    const std::vector<double> t = even_times(2000, 0.02);
+    std::vector<double> y = observed_motion(motion, {}, t, 0, 0.002);
+    std::mt19937_64 engine(3);
+    std::normal_distribution<double> normal(0, 1e-3 * size);
+    for (double& each : y) each += normal(engine);
+    const LawFit fit = fit_law({t, y}, {.law = motion.law, .hysteresis_exponent = 2});
+    ASSERT_EQ(fit.status, FitStatus::converged) << size << ": " << fit.message;
+    EXPECT_LT(fit.residual.rms, 1.1e-3 * size);
+    for (const auto& [name, truth] : {std::pair{"hysteresis_stiffness", 12.0},
+                                      {"hysteresis_beta", 0.4 / (size * size)},
+                                      {"hysteresis_gamma", -0.1 / (size * size)}})
+      EXPECT_NEAR(fit[name].value, truth, 4 * fit[name].standard_error) << size << ' ' << name;
+    // What swings is spring and hysteretic force together, known far better than each.
+    EXPECT_NEAR(fit.swing_frequency().value, std::sqrt(48), 4 * fit.swing_frequency().standard_error);
+    EXPECT_LT(fit.swing_frequency().standard_error, 0.3 * fit.angular_frequency().standard_error);
+  }
+}
+
 std::vector<Law> terms_to_add() {
   std::vector<Law> list;
   for (std::size_t i = 0; i < term_count; ++i) {

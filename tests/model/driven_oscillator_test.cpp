@@ -61,6 +61,7 @@ TEST(DrivenOscillator, OnlyTheLinearLawHasAClosedForm) {
     EXPECT_FALSE(why_not_exact(o).empty());
   }
   EXPECT_EQ(why_not_exact(Oscillator<double>{.drag = 1}), "drag");
+  EXPECT_EQ(why_not_exact(Oscillator<double>{.hysteresis_stiffness = 1}), "hysteresis-stiffness");
   EXPECT_EQ(why_not_exact(Oscillator<double>{.damping = 1}), "");
 }
 

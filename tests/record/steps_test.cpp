@@ -98,6 +98,10 @@ TEST(Steps, AGapAmongRoundedTimesIsOne) {
     ASSERT_EQ(steps.gaps.size(), 1u) << to;
     EXPECT_NEAR(steps.gaps[0].t, 499 / 70.0, to);
     EXPECT_NEAR(steps.gaps[0].length, 6 / 70.0, to);
+    // Its sides are times of the samples as they are taken.
+    const std::vector<double>& taken = steps.clock ? steps.clock->t : rounded_to(t, to);
+    EXPECT_EQ(steps.gaps[0].t, taken[499]) << to;
+    EXPECT_EQ(steps.gaps[0].t + steps.gaps[0].length, taken[500]) << to;
   }
 }
 

@@ -99,7 +99,8 @@ constexpr Dual<Real, N> sgn(const Dual<Real, N>& x) {
   return Dual<Real, N>(sgn(x.value));
 }
 
-/// The derivative at 0 is taken as 0: |v| appears in the law only as v|v|, where that is right.
+/// The derivative at 0 is taken as 0: right for v|v|; the hysteretic rate has a corner where v or z is 0,
+/// whose two slopes it lies between.
 template <class Real, std::size_t N>
 Dual<Real, N> abs(const Dual<Real, N>& x) {
   using std::abs;

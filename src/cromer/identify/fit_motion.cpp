@@ -274,25 +274,28 @@ KnownMotion known_driven(const Record& record, const Drive& drive, const Motion&
   constexpr double followed = 0.3;  // of the motion's squares
   const double norm = centred_norm(record.y);
   if (r.size() == record.t.size() && squares < followed * norm * norm) return known;
-  const double periods = w0 > 0 ? 6 * two_pi / w0 : 64 * spacing;
-  known.samples = std::min(record.t.size(), static_cast<std::size_t>(std::max(periods / spacing, 64.0)));
+  const std::size_t fewest = std::min<std::size_t>(64, record.t.size());
+  known.samples = w0 > 0 ? std::max(fewest, first_periods(record, w0, 6).t.size()) : fewest;
   return known;
 }
 
 // A hysteretic force beside the spring: shares of the stiffness that the linear law has, loops of the width
 // that the motion has, and most of the damping in them.
-std::vector<Motion> hysteretic_starts(const Motion& linear, const Law& law, double amplitude) {
+std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions& options, double amplitude) {
   std::vector<Motion> starts;
   const double stiffness = linear.angular_frequency() * linear.angular_frequency();
   for (const double share : {0.3, 0.6})
     for (const double width : {0.3, 1.0, 3.0}) {
       Motion motion = linear;
-      motion.law = law;
+      motion.law = options.law;
       motion.set_angular_frequency(std::sqrt((1 - share) * stiffness));
       motion.set_decay_rate(0.3 * linear.decay_rate());
-      motion.per_mass.hysteresis_stiffness = share * stiffness;
-      motion.per_mass.hysteresis_beta = 0.5 / (width * amplitude);
+      // It gives way where beta |z|^n = A: at z = 2 A times the width.
+      const double slope = share * stiffness, n = options.hysteresis_exponent;
+      motion.per_mass.hysteresis_stiffness = slope;
+      motion.per_mass.hysteresis_beta = slope / std::pow(2 * width * amplitude * slope, n);
       motion.per_mass.hysteresis_gamma = 0;
+      motion.per_mass.hysteresis_exponent = n;
       starts.push_back(motion);
     }
   return starts;
@@ -402,7 +405,7 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   KnownMotion from = known;
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
     const double amplitude = amplitude_of(record, known.motion.angular_frequency());
-    from = best_of(hysteretic_starts(known.motion, options.law, amplitude), known, problem);
+    from = best_of(hysteretic_starts(known.motion, options, amplitude), known, problem);
   }
   FoundMinimum found = find_minimum(problem, from, roughly);
   Minimum& minimum = found.minimum;

@@ -45,10 +45,10 @@ Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
 }
 
 std::string why_ended(const Watch& watch) {
-  return watch.out_of_steps() ? "the laws' motions take more steps than a record of so few samples is worth, "
-                                "as noise that looks "
-                                "fast does: ended"
-                              : "interrupted";
+  return watch.out_of_steps()
+             ? "following these laws takes more steps than so few samples are worth, as when "
+               "noise looks like a fast swing: stopped"
+             : "interrupted";
 }
 
 LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch) {

@@ -57,6 +57,17 @@ double LawFit::covariance_of(std::string_view a, std::string_view b) const {
   return covariance[row * names.size() + column];
 }
 
+Estimate LawFit::swing_frequency() const {
+  constexpr std::string_view spring = "angular_frequency", slip = Hysteresis::coefficients[0].parameter;
+  const Estimate w = (*this)[spring];
+  const Estimate* stiffness = find(slip);
+  if (!stiffness || !(w.value * w.value + stiffness->value > 0)) return w;
+  const double together = std::sqrt(w.value * w.value + stiffness->value);
+  const double variance = 4 * w.value * w.value * covariance_of(spring, spring) + covariance_of(slip, slip) +
+                          4 * w.value * covariance_of(spring, slip);
+  return make_estimate(together, std::sqrt(std::max(0.0, variance)) / (2 * together), student);
+}
+
 namespace {
 
 LawFit fit_every_sample(const Record& record, const LawFitOptions& options, const Watch& watch) {
@@ -66,7 +77,8 @@ LawFit fit_every_sample(const Record& record, const LawFitOptions& options, cons
     return fit_viscous(record, options, watch);
   if (options.start) return fit_motion(record, options, *options.start, watch);
   const Beginning beginning = begin_fit(record, options, watch);
-  if (!beginning.usable() || watch.interrupted()) {
+  if (watch.interrupted()) return interrupted_fit(options, watch);
+  if (!beginning.usable()) {
     LawFit fit = beginning.linear;
     fit.law = options.law;
     return fit;

@@ -51,8 +51,7 @@ constexpr Law law_where(Says says) {
   return law;
 }
 
-/// The smallest of some laws that has every term of the given one, the first of as small ones; nothing where
-/// none has.
+/// The smallest law that contains all terms of the given one; the first of equals; nothing if none does.
 constexpr std::optional<Law> smallest_containing(std::span<const Law> laws, Law law) {
   std::optional<Law> best;
   for (const Law each : laws)
@@ -107,12 +106,12 @@ constexpr Law law_of(const Oscillator<Real>& oscillator) {
 /// option of the term that prevents it.
 template <class Real>
 constexpr std::string_view why_not_exact(const Oscillator<Real>& oscillator) {
-  std::string_view name;
+  std::string_view option;
   const Law law = law_of(oscillator).without(linear_terms);
   for_each_term([&]<class T>() {
-    if (name.empty() && law.has<T>()) name = T::info.name;
+    if (option.empty() && law.has<T>()) option = T::coefficients[0].option;
   });
-  return name;
+  return option;
 }
 
 /// The oscillator per unit mass.
@@ -124,7 +123,7 @@ constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& oscillator) {
   for_each_term([&]<class T>() {
     for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
       const auto member = T::template members<Real>[i];
-      if (T::coefficients[i].fitted != FittedAs::with_any_mass)
+      if (T::coefficients[i].fitted != FittedAs::not_a_force)
         per_mass.*member = oscillator.*member / oscillator.mass;
       else if constexpr (HasInnerState<T>)
         per_mass.*member =

@@ -14,7 +14,7 @@ template <class Real>
 struct Oscillator {
   Real mass = 1;       // [kg] > 0
   Real stiffness = 1;  // [N/m] any sign: negative with a cubic is a double well
-  Real damping = 0;    // [kg/s] >= 0
+  Real damping = 0;    // [kg/s] >= 0, negative beside van-der-pol only
   Real drag = 0;       // [kg/m] >= 0
   Real friction = 0;   // [N] >= 0, while it slides
   Real cubic = 0;      // [N/m^3] any sign

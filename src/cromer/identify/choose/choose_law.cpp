@@ -386,8 +386,7 @@ class Choosing {
   LawChoice chosen(const std::vector<Law>& laws) {
     LawChoice choice{candidates_[best_], candidates_};
     if (watch_.interrupted()) mark_interrupted(choice, laws, watch_);
-    if (const std::string rivals = rival_laws(record_, candidates_, best_); !rivals.empty())
-      choice.chosen.warnings.push_back(rivals);
+    choice.rivals = rival_laws(record_, candidates_, best_);
     return choice;
   }
 
@@ -502,7 +501,11 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
   // All candidates see the same samples: those that are no outliers from the chosen one.
   LawFitOptions every = options;
   every.every_sample = true;
-  const auto choose = [&](const Record& samples) { return choose_on(samples, every, given, watch); };
+  const auto choose = [&](const Record& samples) {
+    LawChoice choice = choose_on(samples, every, given, watch);
+    if (!choice.rivals.empty()) choice.chosen.warnings.push_back(choice.rivals);
+    return choice;
+  };
   if (options.every_sample || options.drive.kind != DriveKind::none) return choose(record);
   auto [choice, aside] = fit_without_outliers(
       record, choose,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cromer/identify/law_fit.h"
@@ -28,6 +29,9 @@ struct LawChoice {
   /// BIC beside it are fitted to the last digit, the others well enough to be compared. Where the reading of
   /// a recorded force is not given, the fits under the other readings come last.
   std::vector<LawFit> candidates;
+  /// Which laws fit as well and give other numbers, in a sentence, by the samples that the laws were compared
+  /// on; empty where there are none. It is among the warnings of the chosen.
+  std::string rivals{};
 };
 
 /// What is given beforehand; all else is chosen.

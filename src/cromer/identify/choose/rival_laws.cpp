@@ -28,7 +28,8 @@ bool moves_the_numbers(const LawFit& chosen, const LawFit& rival) {
 }
 
 bool has_other_damping(const LawFit& chosen, const LawFit& rival) {
-  return Law{chosen.law.terms & dampings.terms}.without(rival.law) != law_of("viscous");
+  const Law of_energy = dampings.with(bounding_terms);
+  return Law{chosen.law.terms & of_energy.terms}.without(rival.law) != Law{};
 }
 
 std::string coefficients(const LawFit& fit) {

@@ -59,28 +59,28 @@ std::string rise(const Record& record, double period, double noise) {
       middle(from), middle(to));
 }
 
-// Largest amplitude over the smallest.
-double range_of_amplitudes(const Record& record, double period) {
+// Whether the largest amplitude is so many times the smallest at most; not where none can be seen.
+bool stays_within(double range, const Record& record, double period) {
   double lowest = HUGE_VAL, largest = 0;
   for (const AmplitudeWindow& window : amplitudes(record, period)) {
     lowest = std::min(lowest, window.amplitude);
     largest = std::max(largest, window.amplitude);
   }
-  return largest / lowest;
+  return largest > 0 && largest < range * lowest;
 }
 
 // What a drive would look like: an amplitude that hardly falls. Drives are steady to a few percent, and few
 // swings in air have a quality factor in the thousands.
-std::string steadiness(const Record& record, const LawFit& fit, double periods) {
+std::string steadiness(const Record& record, const LawFit& fit, double period) {
   constexpr double fewest = 20;  // periods
+  const double duration = record.t.back() - record.t.front(), periods = duration / period;
   if (periods < fewest) return {};
   const std::string then =
       "the frequency is the drive's, and the stiffness that follows from it is not the spring's";
   const std::string lasts = fmt::format(
       "the swing does not die down over {:.0f} periods. If something drives it, {}", periods, then);
   if (is_fed(fit)) {
-    const bool steady = range_of_amplitudes(record, two_pi / fit.angular_frequency().value) < 1.1;
-    if (!steady) return {};
+    if (!stays_within(1.1, record, period)) return {};
     return fmt::format(
         "the swing keeps itself over {:.0f} periods: negative damping feeds it as much as the rest takes. A "
         "steady drive looks much the same: then {}",
@@ -91,10 +91,9 @@ std::string steadiness(const Record& record, const LawFit& fit, double periods) 
   if (!decay) return {};
   const Estimate& rate = decay->rate;
   // A law that does not fit may see no decay where there is one.
-  if (!(rate.low > 0))
-    return range_of_amplitudes(record, two_pi / fit.angular_frequency().value) < 1.5 ? lasts : "";
-  const double fall = 1 - std::exp(-rate.value * (record.t.back() - record.t.front()));
-  const double quality = fit.angular_frequency().value / (2 * rate.value);
+  if (!(rate.low > 0)) return stays_within(1.5, record, period) ? lasts : "";
+  const double fall = 1 - std::exp(-rate.value * duration);
+  const double quality = fit.swing_frequency().value / (2 * rate.value);
   if (fall > 0.1 || (fall > 0.02 && quality < 5000)) return {};
   return fmt::format(
       "the amplitude falls by {:.2g} % only over {:.0f} periods (quality factor {:.2g}): a drive that is not "
@@ -140,19 +139,18 @@ std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool on
   const auto say = [&](std::string sentence) {
     if (!sentence.empty()) found.push_back(std::move(sentence));
   };
-  const double period = two_pi / fit.angular_frequency().value;
-  const double duration = record.t.back() - record.t.front();
+  const double period = two_pi / fit.swing_frequency().value;
   const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
   const std::string rises = is_fed(fit) ? "" : rise(record, period, noise);
   say(rises);
-  if (rises.empty()) say(steadiness(record, fit, duration / period));
-  say(few_samples(record, fit.angular_frequency().value));
+  if (rises.empty()) say(steadiness(record, fit, period));
+  say(few_samples(record, fit.swing_frequency().value));
   say(coarseness(record, fit, unit));
   if (residuals.size() != record.t.size() ||
-      !exceeds_noise(record, fit.residual, noise, fit.angular_frequency().value))
+      !exceeds_noise(record, fit.residual, noise, fit.swing_frequency().value))
     return found;
-  const bool line = leaves_a_line(record, fit, residuals, fit.angular_frequency().value);
+  const bool line = leaves_a_line(record, fit, residuals, fit.swing_frequency().value);
   const std::string stop = rises.empty() ? sudden_stop(record, period, unit) : "";
   say(stop);
   const std::string zero = stop.empty() ? wandering_zero(record, residuals, unit) : "";
@@ -170,7 +168,7 @@ std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
   const double noise = noise_of(residuals);
   const Record left{record.t, residuals, record.resolution, record.derivative};
   std::vector<std::string> found = second_drives(left, drive, unit);
-  const double fastest = std::max(fit.angular_frequency().value, drive);
+  const double fastest = std::max(fit.swing_frequency().value, drive);
   if (!found.empty() && exceeds_noise(record, fit.residual, noise, fastest))
     found.push_back(not_described(fit, noise, only_law));
   return found;
@@ -184,7 +182,7 @@ bool something_is_left(const Record& record, const LawFit& fit) {
   // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise,
   // whose power is not the same on both sides, does so often, and would be taken for terms.
   const double times = fit.residual.autocorrelation < 0.5 ? 12 : 30;
-  for (const double w : {fit.angular_frequency().value, fit.motion.drive_frequency})
+  for (const double w : {fit.swing_frequency().value, fit.motion.drive_frequency})
     for (int multiple = 1; w > 0 && multiple <= 3; ++multiple)
       if (leaves_a_line(record, fit, residuals, multiple * w, times)) return true;
   return false;
@@ -196,7 +194,7 @@ std::string widening(const LawFit& fit, std::size_t samples) {
                                              fit.residual.autocorrelation);
   if (fit.independent_samples > 0.95 * static_cast<double>(samples))
     return correlated +
-           ", but not at the swing's frequency: of its uncertainties only the equilibrium's is widened";
+           ", but not at the swing's frequency: the uncertainties of frequency and decay are hardly widened";
   return fmt::format("{}: the uncertainties are widened to those of {:.0f} independent samples", correlated,
                      fit.independent_samples);
 }

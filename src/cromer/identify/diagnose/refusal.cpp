@@ -171,7 +171,7 @@ std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
 
 std::optional<Refusal> refuse_frequency(const LawFit& fit) {
   if (!fit.find("angular_frequency")) return std::nullopt;
-  const Estimate w = fit.angular_frequency();
+  const Estimate w = fit.swing_frequency();
   if (w.standard_error <= 0.05 * w.value) return std::nullopt;
   return Refusal{
       FitStatus::too_noisy,

@@ -45,7 +45,7 @@ FrequencyBand own_band(const LawFit& fit) {
       if (p.law.has<T>() && !springs.has<T>())
         first += p.per_mass.*T::template members<double>[0] * cycle_average<T>(A, w).shift;
   });
-  return {std::min(w, std::max(first, 0.2 * w)), std::max(w, first), fit.angular_frequency().standard_error};
+  return {std::min(w, std::max(first, 0.2 * w)), std::max(w, first), fit.swing_frequency().standard_error};
 }
 
 double median_around(const std::vector<double>& a, std::size_t k, std::size_t reach) {

@@ -13,8 +13,8 @@ namespace cromer {
 /// noisy sample is ever differentiated (M. Shinbrot, Trans. ASME 79, 547 (1957)); here windowed sinusoids of
 /// all frequencies, weighted as errors of the position (C. Sanathanan & J. Koerner, IEEE Trans. Autom.
 /// Control 8, 56 (1963)). A quadratic and a cubic spring stand in the equation for whatever bends it, or an
-/// odd-quadratic and a quintic one where the law has both; a law that has them gets them. Empty where the
-/// force explains no spring. At least 16 samples.
+/// odd-quadratic and a quintic one where the law has both; a law that has them gets them. Where the
+/// force explains no spring the start is the record's strongest line. At least 16 samples.
 std::optional<Motion> forced_start(const Record& record, const ForceRecord& force, const Law& law);
 
 }  // namespace cromer

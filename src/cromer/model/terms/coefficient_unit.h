@@ -33,7 +33,7 @@ inline std::string unit_of_powers(std::initializer_list<std::pair<std::string_vi
 
 /// The SI unit of a coefficient: "N/m^3", "kg/(m^2 s)"; "1/m" of one that is none of a force.
 inline std::string unit_of(const CoefficientInfo& info, Powers powers = Powers::caret) {
-  if (info.fitted == FittedAs::with_any_mass)
+  if (info.fitted == FittedAs::not_a_force)
     return unit_of_powers({{"m", info.length}, {"s", info.time}}, powers);
   if (info.time == 0) return unit_of_powers({{"N", 1}, {"m", info.length}}, powers);
   // With times in it, in kilograms: N = kg m/s^2.

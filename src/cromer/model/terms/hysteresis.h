@@ -33,14 +33,14 @@ struct Hysteresis {
           .symbol = "beta",
           .meaning = "how soon the hysteretic force gives way, beta (N^(1-n)/m with an exponent n)",
           .length = -1,
-          .fitted = FittedAs::with_any_mass},
+          .fitted = FittedAs::not_a_force},
       CoefficientInfo{.option = "hysteresis-gamma",
                       .parameter = "hysteresis_gamma",
                       .in_si = "",
                       .symbol = "gamma",
                       .meaning = "what sets the shape of its loops, gamma (N^(1-n)/m)",
                       .length = -1,
-                      .fitted = FittedAs::with_any_mass}};
+                      .fitted = FittedAs::not_a_force}};
   template <class Real>
   static constexpr std::array members{&Oscillator<Real>::hysteresis_stiffness,
                                       &Oscillator<Real>::hysteresis_beta,

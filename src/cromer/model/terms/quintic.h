@@ -10,8 +10,8 @@ struct Quintic {
   static constexpr TermInfo info{.name = "quintic",
                                  .formula = "k5 x^5",
                                  .meaning =
-                                     "what a cubic spring leaves at large swings: the frequency changes with "
-                                     "the fourth power of the amplitude",
+                                     "a spring whose stiffness changes with the fourth power of the "
+                                     "displacement: what a cubic one leaves at large swings",
                                  .source = "A. H. Nayfeh & D. T. Mook, Nonlinear Oscillations, Wiley 1979"};
   static constexpr std::array coefficients{CoefficientInfo{.option = "quintic",
                                                            .parameter = "quintic",

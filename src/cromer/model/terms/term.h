@@ -15,15 +15,15 @@
 
 namespace cromer {
 
-/// Of what a fit of a motion per unit mass speaks.
+/// What a fit reports for a coefficient.
 enum class FittedAs {
-  itself,         ///< the coefficient over the mass
-  half,           ///< half of it: the decay rate c/2m
-  square_root,    ///< its root: the angular frequency of small swings
-  with_any_mass,  ///< the coefficient itself: it is none of a force
+  itself,       ///< the coefficient over the mass
+  half,         ///< half of it: the decay rate c/2m
+  square_root,  ///< its root: the angular frequency of small swings
+  not_a_force   ///< the coefficient itself, whatever the mass
 };
 
-/// What a fit speaks of, from a coefficient per unit mass; a root is 0 of what has none.
+/// What a fit reports of a coefficient per unit mass; the root of a negative one is reported as 0.
 template <class T>
 T as_fitted(FittedAs as, const T& coefficient) {
   using std::sqrt;
@@ -32,7 +32,7 @@ T as_fitted(FittedAs as, const T& coefficient) {
   return coefficient;
 }
 
-/// The coefficient per unit mass of what a fit speaks of.
+/// The coefficient per unit mass of what a fit reports.
 template <class T>
 T from_fitted(FittedAs as, const T& fitted) {
   if (as == FittedAs::half) return T(2) * fitted;

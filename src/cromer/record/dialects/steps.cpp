@@ -122,18 +122,19 @@ Steps describe_steps(std::span<const double> t) {
   if (t.size() < 2) return result;
   const double step = median(differences(t, 1)), rounding = noise_of(t) / step;
   const std::optional<EvenClock> clock = even_clock(t);
+  const std::span<const double> at = clock ? clock->t : t;
   result.rate = clock ? round_within(1 / clock->spacing, rounding) : round_within(1 / step, rounding);
 
   // A gap is no jitter.
   const double pace = clock ? clock->spacing : pace_of(t, step);
   const auto missing = [&](std::size_t i) {
-    if (clock) return clock->t[i + 1] - clock->t[i] > gap_of_steps * pace;
+    if (clock) return at[i + 1] - at[i] > gap_of_steps * pace;
     return t[i + 1] - t[i] > gap_of_steps * pace && lateness(t, i, pace) > lost_of_steps * pace;
   };
   std::vector<double> kept;
   for (std::size_t i = 0; i + 1 < t.size(); ++i)
     if (missing(i))
-      result.gaps.push_back({t[i], t[i + 1] - t[i]});
+      result.gaps.push_back({at[i], at[i + 1] - at[i]});
     else
       kept.push_back(t[i + 1] - t[i]);
   double mean = 0, squares = 0;
@@ -141,6 +142,7 @@ Steps describe_steps(std::span<const double> t) {
   for (const double h : kept) squares += (h - mean) * (h - mean);
   const double jitter = kept.empty() ? 0 : std::sqrt(squares / static_cast<double>(kept.size())) / step;
   result.jitter = jitter > rounding ? jitter : 0;
+  result.clock = clock;
   return result;
 }
 

@@ -9,10 +9,18 @@
 
 namespace cromer::dialects {
 
+/// The clock behind times that a logger wrote rounded.
+struct EvenClock {
+  std::vector<double> t;  // [s] the even times
+  double spacing;         // [s] between samples
+  double rounding;        // [s] of the times as written
+};
+
 struct Steps {
   double rate = 0;    // [1/s] one over the median step; a round number where the times agree with it
   double jitter = 0;  ///< standard deviation of the steps over their median; 0 below the rounding of doubles
   std::vector<Gap> gaps;
+  std::optional<EvenClock> clock{};  ///< where there is one; the gaps are then in its times
 };
 
 /// The steps of strictly rising times; all zero for fewer than two. A rate has 12 significant digits at most,
@@ -20,13 +28,6 @@ struct Steps {
 /// ones behind which the times stay late by more than half of one. A single late sample, jitter and rounding
 /// are none.
 Steps describe_steps(std::span<const double> t);
-
-/// The clock behind times that a logger wrote rounded.
-struct EvenClock {
-  std::vector<double> t;  // [s] the even times
-  double spacing;         // [s] between samples
-  double rounding;        // [s] of the times as written
-};
 
 /// Even times, samples missing or not, that agree with all of these to half their rounding, which must be a
 /// twentieth of a step at least. Empty where there are none, and where the times are even already.

@@ -90,11 +90,11 @@ void describe_times(Series& series, double rate) {
   series.rate = rate > 0 && series.t.size() > 1 ? rate : steps.rate;
   series.jitter = rate > 0 ? 0 : steps.jitter;
   series.gaps = std::move(steps.gaps);
-  if (auto clock = dialects::even_clock(series.t); clock && rate <= 0) {
-    series.t = std::move(clock->t);
+  if (steps.clock && rate <= 0) {
+    series.t = std::move(steps.clock->t);
     series.warnings.push_back(
-        concat({"the times are rounded to ", shortest(clock->rounding), " s and agree with even ones ",
-                rounded(clock->spacing, 6), " s apart, which are taken"}));
+        concat({"the times are rounded to ", shortest(steps.clock->rounding), " s and agree with even ones ",
+                rounded(steps.clock->spacing, 6), " s apart, which are taken"}));
   }
   if (series.gaps.empty()) return;
   const auto longest = std::max_element(series.gaps.begin(), series.gaps.end(),

@@ -21,7 +21,8 @@ struct Line {
 /// is one of numbers. Numbers and words mixed, or bytes that are no text, are garbage.
 Line read_line(std::string_view text);
 
-/// Text fit to be shown to a person: at most `longest` characters, what is not printable ASCII as "?".
+/// Text fit to be shown to a person: at most `longest` characters and then "...", what is not printable ASCII
+/// as "?".
 std::string shown(std::string_view text, std::size_t longest = 40);
 
 }  // namespace cromer

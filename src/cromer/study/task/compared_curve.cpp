@@ -19,8 +19,8 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Empty if there is one, in arcs where friction is all that is added to the linear law.
 std::string_view why_no_closed_form(const NamedLaw& law) {
-  const std::string_view term = why_not_exact(law.motion.per_mass);
-  return term == Friction::info.name ? "" : term;
+  const std::string_view option = why_not_exact(law.motion.per_mass);
+  return option == Friction::coefficients[0].option ? "" : option;
 }
 
 double rms_of_difference(const std::vector<double>& a, const std::vector<double>& b) {

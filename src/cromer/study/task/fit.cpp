@@ -242,7 +242,8 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const LawFit& candidate : choice->candidates)
     if (candidate.is_usable())
-      result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic});
+      result.candidates.push_back(
+          {candidate.law, candidate.residual.rms, candidate.bic, candidate.status == FitStatus::converged});
   if (!result.fit.is_usable()) return result;
 
   const Body body = body_of(options);
@@ -253,7 +254,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
   const FittedSamples good = without_outliers(result.series);
   const Record kept{good.t, good.y, record.resolution, record.derivative};
-  const DecaySegments segments = fit_segments(kept, two_pi / result.fit.angular_frequency().value,
+  const DecaySegments segments = fit_segments(kept, two_pi / result.fit.swing_frequency().value,
                                               options.segment, options.segments, watch);
   result.segments = segments.segments;
   result.decay_rate_mean = segments.mean;

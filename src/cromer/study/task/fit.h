@@ -63,6 +63,7 @@ struct Candidate {
   Law law;
   double rms;
   double bic;
+  bool converged;
   std::string between_samples{};  ///< how a recorded force was read; "" without one
 };
 

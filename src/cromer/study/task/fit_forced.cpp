@@ -35,6 +35,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
   for (const LawFit& candidate : choice.candidates)
     if (candidate.residual.rms > 0)
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic,
+                                   candidate.status == FitStatus::converged,
                                    has_force_column ? std::string(name(candidate.drive.force.between)) : ""});
   const LawFit& fit = result.fit;
   if (!fit.is_usable()) return;
@@ -63,7 +64,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
   if (fit.explained < 0.9 && fit.residual.autocorrelation > 0.5)
     result.warnings.push_back(
         fmt::format("the law accounts for {:.0f} % of the motion's variance, and what is left is no noise: "
-                    "something else drives it as well, or drives it instead",
+                    "something else drives it as well or instead, or its law is another",
                     100 * fit.explained));
   if (const std::string wide = widening(fit, result.series.t.size()); !wide.empty())
     result.warnings.push_back(wide);
@@ -126,7 +127,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   FitOptions cut;
   cut.from = t.front();
   if (fitted < t.size()) cut.to = t[fitted - 1];
-  result.series = *samples_in_use(result.series, cut);
+  result.series = *used_part(result.series, cut);
   LawFitOptions settings{.drive = Drive::recorded(recorded),
                          .hysteresis_exponent = options.hysteresis_exponent};
   if (options.no_spring) settings.law = settings.law.without(law_with<Spring>);
@@ -184,7 +185,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   if (series.t.front() < t.front()) {
     FitOptions later;
     later.from = t.front();
-    result.series = *samples_in_use(result.series, later);
+    result.series = *used_part(result.series, later);
   }
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;

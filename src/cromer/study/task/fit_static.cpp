@@ -7,24 +7,10 @@
 
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/masses.h"
+#include "cromer/study/task/used_samples.h"
 
 namespace cromer {
 namespace {
-
-/// The samples from --from to --to.
-Result<Series> used(const Series& series, const FitOptions& options) {
-  Series part = series;
-  part.t.clear();
-  part.y.clear();
-  for (std::size_t i = 0; i < series.t.size(); ++i) {
-    if (series.t[i] < options.from.value_or(-HUGE_VAL) || series.t[i] > options.to.value_or(HUGE_VAL))
-      continue;
-    part.t.push_back(series.t[i]);
-    part.y.push_back(series.y[i]);
-  }
-  if (part.t.empty()) return Error{fmt::format("--from, --to: no sample of run {} is left", series.run)};
-  return part;
-}
 
 Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& options) {
   const auto recording = read_recording(file.second, file.first, options.read);
@@ -39,7 +25,7 @@ Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& op
   for (const int run : options.run ? std::vector<int>{*options.run} : runs(*recording)) {
     const auto series = take_series(*recording, options.column, run, read);
     if (!series) return series.error();
-    auto part = used(*series, options);
+    auto part = used_part(*series, options);
     if (!part) return part.error();
     found.push_back(*std::move(part));
   }

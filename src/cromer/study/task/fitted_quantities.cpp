@@ -19,10 +19,9 @@ constexpr double pi = std::numbers::pi;
 // exponent n: beta |x'| |z|^(n-1) z is the rate of an acceleration z.
 std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, double n) {
   if (info.fitted == FittedAs::square_root) return "rad/s";
-  if (info.fitted == FittedAs::with_any_mass && n != 1)
+  if (info.fitted == FittedAs::not_a_force && n != 1)
     return fmt::format("s^{:.4g}/{}^{:.4g}", 2 * (n - 1), length.empty() ? "1" : length, n);
-  if (info.fitted == FittedAs::with_any_mass)
-    return unit_of_powers({{length, info.length}, {"s", info.time}});
+  if (info.fitted == FittedAs::not_a_force) return unit_of_powers({{length, info.length}, {"s", info.time}});
   return unit_of_powers({{length, 1 + info.length}, {"s", info.time - 2}});
 }
 
@@ -51,6 +50,12 @@ Estimate scaled(const Estimate& estimate, double c, double relative_uncertainty,
   result.high = value + c * widening * (estimate.high - estimate.value);
   if (estimate.low >= 0) result.low = std::max(result.low, 0.0);
   return result;
+}
+
+// Its interval is that of the root, squared.
+Estimate squared(const Estimate& root) {
+  const double low = std::max(0.0, root.low);
+  return {root.value * root.value, 2 * root.value * root.standard_error, low * low, root.high * root.high};
 }
 
 }  // namespace
@@ -89,10 +94,7 @@ std::vector<NamedEstimate> force_parameters(const LawFit& fit, const Body& body)
     for (const CoefficientInfo& info : T::coefficients) {
       const Estimate* fitted = fit.find(info.parameter);
       if (!fit.law.has<T>() || info.in_si.empty() || !fitted) continue;
-      const Estimate per_mass = info.fitted == FittedAs::square_root
-                                    ? make_estimate(fitted->value * fitted->value,
-                                                    2 * fitted->value * fitted->standard_error, fit.student)
-                                    : *fitted;
+      const Estimate per_mass = info.fitted == FittedAs::square_root ? squared(*fitted) : *fitted;
       const double times = from_fitted(info.fitted, 1.0) * m.value;
       result.push_back({std::string(info.in_si), scaled(per_mass, times, u_m, fit.student),
                         unit_of(info, Powers::superscript)});

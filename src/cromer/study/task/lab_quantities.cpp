@@ -17,9 +17,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 // KC = 2 pi A/D. The amplitude's error from those of the displacement and velocity at the first sample.
 void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
   const LawFit& fit = result.fit;
-  const std::string& quantity = result.series.quantity;
-  if (quantity != "position" && quantity != "velocity" && quantity != "acceleration" && !quantity.empty())
-    return;
+  if (!is_linear_quantity(result.series.quantity)) return;
   const double w = fit.angular_frequency().value;
   const double A = first_amplitude(fit);
   if (!(A > 0)) return;

@@ -31,9 +31,10 @@ double share_of_steady(const FittedRecording& driven) {
   const double steady = std::pow(w, std::max(0, derivative_order(driven.series.quantity))) *
                         driven.fit["drive_amplitude"].value /
                         std::hypot(w0 * w0 - w * w, 2 * law.decay_rate() * w);
+  const FittedSamples samples = without_outliers(driven.series);
   double square = 0;
-  for (const double y : driven.series.y) square += (y - law.equilibrium) * (y - law.equilibrium);
-  return steady / std::sqrt(2 * square / static_cast<double>(driven.series.y.size()));
+  for (const double y : samples.y) square += (y - law.equilibrium) * (y - law.equilibrium);
+  return steady / std::sqrt(2 * square / static_cast<double>(samples.y.size()));
 }
 
 // A drive that accounts for next to nothing is none.

@@ -38,7 +38,7 @@ std::string simulate_line(const LawFit& fit, const Series& series, double mass) 
       const CoefficientInfo& info = T::coefficients[i];
       double factor = mass;
       if constexpr (HasInnerState<T>)
-        if (info.fitted == FittedAs::with_any_mass) factor = 1 / T::shape_per_mass(mass, exponent);
+        if (info.fitted == FittedAs::not_a_force) factor = 1 / T::shape_per_mass(mass, exponent);
       const double value = motion.per_mass.*T::template members<double>[i];
       if (value != 0) add(info.option, factor * value);
     }

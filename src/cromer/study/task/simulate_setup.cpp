@@ -92,9 +92,9 @@ Result<void> set_times(const SimulateOptions& o, SimulatedRun& run) {
 
 Result<void> check_exact(const SimulatedRun& run) {
   const Oscillator<double>& law = run.oscillator;
-  const std::string_view term = why_not_exact(law);
-  if (run.method != "exact" || term.empty()) return {};
-  if (term == "friction") {
+  const std::string_view option = why_not_exact(law);
+  if (run.method != "exact" || option.empty()) return {};
+  if (option == Friction::coefficients[0].option) {
     if (run.drive.amplitude == 0 && !run.general) return {};
     return Error{fmt::format(
         "--method exact: with friction ({} N) there is no closed form under a drive; leave one of them "
@@ -103,14 +103,14 @@ Result<void> check_exact(const SimulatedRun& run) {
   }
   std::string value;
   for_each_term([&]<class T>() {
-    if (T::info.name == term)
+    if (T::coefficients[0].option == option)
       value =
           fmt::format("{} {}", shortest(law.*T::template members<double>[0]), unit_of(T::coefficients[0]));
   });
   return Error{fmt::format(
       "--method exact: there is no closed form with {} ({}); leave it out or choose another method, "
       "for instance rk4 with a short step",
-      term, value)};
+      option, value)};
 }
 
 /// What the states that carry an inner state along are not made for.

@@ -62,9 +62,11 @@ MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long 
   ChiSquared chi_squared(degrees, seed + 1);
   std::vector<double> k(static_cast<std::size_t>(trials));
   for (double& each : k) {
-    const double m = mass.value + mass.uncertainty * normal.next() +
-                     (spring.value + spring.uncertainty * normal.next()) / 3;
-    const double drawn = w.value + w.standard_error * normal.next() / std::sqrt(chi_squared.next());
+    // Drawn one by one: within one sum a compiler may draw them in any order.
+    const double of_mass = normal.next(), of_spring = normal.next(), of_frequency = normal.next();
+    const double m =
+        mass.value + mass.uncertainty * of_mass + (spring.value + spring.uncertainty * of_spring) / 3;
+    const double drawn = w.value + w.standard_error * of_frequency / std::sqrt(chi_squared.next());
     each = m * drawn * drawn;
   }
   const double n = static_cast<double>(trials), about = k.front();

@@ -82,8 +82,8 @@ there is no column beside…⇒neben der Zeit gibt es keine Spalte
 there is no motion beside the time: {} {}; to fit one…⇒neben der Zeit gibt es keine Bewegung: {} {}; soll sie dennoch angepasst werden, bitte wählen
 the last line, {}, ends within a number, {}: it is left out⇒die letzte Zeile, {}, endet in einer Zahl, {}: sie bleibt weg
 the last line, {}, has no end and may end within a number, {}: it is kept⇒die letzte Zeile, {}, hat kein Ende und bricht vielleicht in einer Zahl ab, {}: sie bleibt
-the laws' motions take more steps than a record of so few samples is worth, as noise that looks fast does: ended before all laws were tried…⇒die Bewegungen der Gesetze brauchen mehr Schritte, als eine Aufzeichnung mit so wenigen Werten wert ist, wie bei Rauschen, das schnell aussieht: beendet, bevor alle Gesetze versucht waren
-the laws' motions take more steps than a record of so few samples is worth, as noise that looks fast does: ended before the fit was done⇒die Bewegungen der Gesetze brauchen mehr Schritte, als eine Aufzeichnung mit so wenigen Werten wert ist, wie bei Rauschen, das schnell aussieht: beendet, bevor die Anpassung fertig war
+following these laws takes more steps than so few samples are worth, as when noise looks like a fast swing: stopped before all laws were tried…⇒diesen Gesetzen zu folgen braucht mehr Schritte, als so wenige Werte wert sind, wie bei Rauschen, das nach schnellem Schwingen aussieht: beendet, bevor alle Gesetze versucht waren
+following these laws takes more steps than so few samples are worth, as when noise looks like a fast swing: stopped before the fit was done⇒diesen Gesetzen zu folgen braucht mehr Schritte, als so wenige Werte wert sind, wie bei Rauschen, das nach schnellem Schwingen aussieht: beendet, bevor die Anpassung fertig war
 column {}: {} outliers, the first in line {}: {}⇒Spalte {}: {} Ausreißer, der erste in Zeile {}: {}
 column {}: {} outlier, the first in line {}: {}⇒Spalte {}: {} Ausreißer, der erste in Zeile {}: {}
 if what column {} holds drives the motion…⇒falls die Spalte {} enthält, was die Bewegung antreibt: mit cromer fit --force-column anpassen
@@ -202,10 +202,10 @@ the hysteretic force is taken as 0 at the first sample…⇒die hysteretische Kr
 --hysteresis-exponent has no effect on the law {}, which…⇒--hysteresis-exponent bewirkt beim Gesetz {} nichts: es hat keine Hysterese
 by {} %⇒um {} %
 {}-fold⇒auf das {}-Fache
-the residuals are correlated ({} from sample to sample), but…⇒die Reste hängen zusammen ({} von Messwert zu Messwert), doch nicht bei der Frequenz der Schwingung: nur die Unsicherheit der Ruhelage ist geweitet
+the residuals are correlated ({} from sample to sample), but…⇒die Reste hängen zusammen ({} von Messwert zu Messwert), doch nicht bei der Frequenz der Schwingung: die Unsicherheiten von Frequenz und Abklingrate sind kaum geweitet
 the residuals are correlated ({} from sample to sample): the…of {} independent…⇒die Reste hängen zusammen ({} von Messwert zu Messwert): die Unsicherheiten sind geweitet, wie von {} unabhängigen Messwerten
 the frequency changes along the record: one decaying sinusoid accounts for {} %…⇒die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur {} % der Streuung
-the record does not tell after…likelihood of {} %, …⇒die Aufnahme sagt nicht, nach wie vielen halben Schwingungen die Bewegung zur Ruhe kam: eine andere Zahl ist zu {} % wahrscheinlich, die Bereiche enthalten beide
+the record does not tell after…probability of {} %, …⇒die Aufnahme sagt nicht, nach wie vielen halben Schwingungen die Bewegung zur Ruhe kam: eine andere Zahl ist zu {} % wahrscheinlich, die Bereiche enthalten beide
 this record cannot tell {} from {}:…Known whichever it is: {}⇒diese Aufnahme kann {} und {} nicht trennen: die Unsicherheiten gelten nur, wenn das Gesetz stimmt. In jedem Fall bekannt: {}
 this record cannot tell {} from {}: the uncertainties hold only if the law is right⇒diese Aufnahme kann {} und {} nicht trennen: die Unsicherheiten gelten nur, wenn das Gesetz stimmt
 the laws were compared on {} of the {} samples…⇒die Gesetze wurden an {} von {} Messwerten verglichen; das gewählte ist an alle angepasst
@@ -253,7 +253,7 @@ the recording is gone⇒die Aufnahme ist weg
 column {}⇒Spalte {}
 "{}" is {}⇒"{}" ist {}`
 
-interface Entry {
+    interface Entry {
   pattern: RegExp
   german: string
 }
