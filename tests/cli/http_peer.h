@@ -1,4 +1,4 @@
-// The other end of the server's connections, well behaved or not: bytes in, bytes out.
+// Requests to a running `cromer serve`, and its answers.
 #pragma once
 
 #include <sys/types.h>
@@ -6,28 +6,9 @@
 #include <string>
 
 #include "program.h"
+#include "tests/support/peer.h"
 
 namespace cromer::test {
-
-/// A connection to a port of this computer; closed with the object.
-class Peer {
- public:
-  explicit Peer(int port);
-  ~Peer();
-  Peer(Peer&& other) noexcept;
-  Peer(const Peer&) = delete;
-
-  bool connected() const { return socket_ >= 0; }
-  /// False where the other side has closed or takes nothing within two seconds.
-  bool send(const std::string& bytes) const;
-  /// What comes until the other side closes, or `until` has come, or `seconds` are over.
-  std::string receive(double seconds, const std::string& until = "") const;
-  /// Whether the other side closes within `seconds`.
-  bool is_closed_within(double seconds) const;
-
- private:
-  int socket_ = -1;
-};
 
 /// "GET /" with a good Host and what else is given, each line with its end; "Connection: close".
 std::string request(int port, const std::string& first_line, const std::string& headers = "",

@@ -92,10 +92,11 @@ TEST_P(MutatedSeeds, AreReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, MutatedSeeds,
-                         testing::Values(Fuzzed{"live_lines", "seeds/live_lines", live_lines, 40000},
-                                         Fuzzed{"quantity", "seeds/quantity", quantity, 40000},
-                                         Fuzzed{"study", "seeds/study", study, 4000},
-                                         Fuzzed{"recording", "corpus", LLVMFuzzerTestOneInput, 3000}),
+                         testing::Values(Fuzzed{"live_lines", "seeds/live_lines", live_lines, 600000},
+                                         Fuzzed{"quantity", "seeds/quantity", quantity, 500000},
+                                         Fuzzed{"http", "seeds/http", http, 30000},
+                                         Fuzzed{"study", "seeds/study", study, 12000},
+                                         Fuzzed{"recording", "corpus", LLVMFuzzerTestOneInput, 120000}),
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace

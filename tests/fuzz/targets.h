@@ -15,4 +15,8 @@ int quantity(const std::uint8_t* data, std::size_t size);
 /// A study file: a study, or an Error that is UTF-8 and says something.
 int study(const std::uint8_t* data, std::size_t size);
 
+/// What a client sends to `cromer serve` at port 8000: nothing back, or an answer that is not the server's
+/// fault.
+int http(const std::uint8_t* data, std::size_t size);
+
 }  // namespace cromer::fuzz

@@ -80,5 +80,26 @@ TEST(Timekeeper, SeesADeviceInMilliseconds) {
   EXPECT_NEAR(clock.pace(), 1000, 1);
 }
 
+// One garbled digit made all later times one and the same.
+TEST(Timekeeper, ANumberThatIsNoTimeIsReplaced) {
+  for (const double garbled : {1.2e73, -1e15}) {
+    Timekeeper keeper;
+    EXPECT_EQ(keeper.of_device(12.00, 100.00).t, 12.00);
+    EXPECT_EQ(keeper.of_device(12.01, 100.01).t, 12.01);
+    const Stamp replaced = keeper.of_device(garbled, 100.02);
+    EXPECT_DOUBLE_EQ(replaced.t, 12.02);
+    ASSERT_TRUE(replaced.notice);
+    EXPECT_THAT(replaced.notice->text, HasSubstr("which is no time"));
+    const Stamp next = keeper.of_device(12.03, 100.03);
+    EXPECT_EQ(next.t, 12.03);
+    EXPECT_FALSE(next.notice);
+  }
+  // A huge time that repeats still rises.
+  Timekeeper keeper;
+  const double first = keeper.of_device(9e14, 100).t, second = keeper.of_device(9e14, 100.01).t;
+  EXPECT_GT(second, first);
+  EXPECT_GT(keeper.of_device(9e14, 100.02).t, second);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double least_step = 1e-6;       // [s]
 constexpr double clear_difference = 0.5;  // [s] which no computer's scheduling makes
+constexpr double longest = 1e15;          // [s] thirty million years: a number beyond is no time
 
 double to_microseconds(double t) { return std::round(t * 1e6) / 1e6; }
 
@@ -45,7 +46,18 @@ void Timekeeper::remember(double device, double arrival, double t) {
   ++samples_;
 }
 
+Stamp Timekeeper::instead_of(double device, double arrival) {
+  const double step = samples_ > 0 ? std::max({arrival - last_arrival_, usual_step(), least_step}) : 0;
+  const Stamp stamp{to_microseconds(last_t_ + step),
+                    Notice{NoticeKind::clock, fmt::format("the device gave {:.6g} s, which is no time; the "
+                                                          "computer's clock is taken at {:.6g} s",
+                                                          device, last_t_ + step)}};
+  remember(last_device_ + step, arrival, stamp.t);
+  return stamp;
+}
+
 Stamp Timekeeper::of_device(double device, double arrival) {
+  if (!(std::abs(device) < longest)) return instead_of(device, arrival);
   Stamp stamp{device + offset_};
   if (samples_ > 0) {
     const double step = device - last_device_, passed = arrival - last_arrival_, usual = usual_step();
@@ -66,7 +78,7 @@ Stamp Timekeeper::of_device(double device, double arrival) {
           Notice{NoticeKind::gap, fmt::format("nothing for {:.3g} s from {:.6g} s on", step, last_t_)};
     }
     // An offset rounds; the times still rise.
-    if (!(stamp.t > last_t_)) stamp.t = last_t_ + least_step;
+    if (!(stamp.t > last_t_)) stamp.t = std::max(last_t_ + least_step, std::nextafter(last_t_, HUGE_VAL));
   }
   remember(device, arrival, stamp.t);
   return stamp;

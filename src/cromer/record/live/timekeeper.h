@@ -25,7 +25,8 @@ class Timekeeper {
   /// A sample with the device's own time, which is kept. Where the device's clock jumps back (by any amount)
   /// or forward (by 0.5 s more than the computer's clock, while both had kept pace), the times go on from
   /// what the computer's clock says has passed. A step that both clocks saw, longer than 0.1 s and than five
-  /// of the usual ones, is a gap. A time that repeats is a jump back by nothing.
+  /// of the usual ones, is a gap. A time that repeats is a jump back by nothing. A garbled number of 1e15 s
+  /// and more is no time: the computer's clock stands in for it, and the device's goes on behind it.
   Stamp of_device(double device, double arrival);
 
   /// A sample without a time, at the known rate: 0 for the first, then by counting, begun anew at its arrival
@@ -39,6 +40,7 @@ class Timekeeper {
   static constexpr std::size_t window = 64;
   double usual_step() const;
   bool keeps_pace() const;
+  Stamp instead_of(double device, double arrival);
   void remember(double device, double arrival, double t);
 
   double rate_;

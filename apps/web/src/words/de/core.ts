@@ -231,6 +231,7 @@ did you mean {}?⇒ist {} gemeint?
 nothing for {} s from {} s on⇒{} s lang nichts, ab {} s
 line {} is no sample: {}⇒Zeile {} ist kein Messwert: {}
 # lines were no samples⇒{} Zeilen waren keine Messwerte
+the device gave {} s, which is no time; the…⇒das Gerät nannte {} s, was keine Zeit ist; dort gilt die Uhr des Rechners
 the device gave the time {} s twice⇒das Gerät nannte die Zeit {} s zweimal
 the device's clock jumped {} by {} s at {} s;…⇒die Uhr des Geräts sprang {} um {} s bei {} s; die Zeiten gehen nach dem Rechner weiter
 forward⇒vorwärts

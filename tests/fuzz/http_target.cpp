@@ -1,0 +1,57 @@
+// A lab without a device, in a thread of this program; each input is what one connection sends.
+#include <atomic>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "http_server.h"
+#include "lab.h"
+#include "live_session.h"
+#include "targets.h"
+#include "tests/support/peer.h"
+
+namespace cromer::fuzz {
+namespace {
+
+class Served {
+ public:
+  Served()
+      : server_([this](const cli::HttpRequest& request,
+                       const cli::HttpServer::Respond& respond) { lab_.handle(request, respond); },
+                [this](cli::EventCursor& cursor) { return session_.events(cursor); }, {.request = 0.2}) {
+    if (!server_.listen("127.0.0.1", 0)) std::abort();
+    thread_ = std::thread([this] { server_.run([this] { return stop_.load(); }); });
+  }
+  ~Served() {
+    stop_ = true;
+    thread_.join();
+  }
+  int port() const { return server_.port(); }
+
+ private:
+  std::atomic<bool> stop_ = false;
+  cli::LiveSession session_{{}, {}, "cromer serve"};
+  cli::Lab lab_{session_, {.port = 8000, .beyond_this_computer = false, .token = ""}, ""};
+  cli::HttpServer server_;
+  std::thread thread_;
+};
+
+}  // namespace
+
+int http(const std::uint8_t* data, std::size_t size) {
+  static Served served;
+  const test::Peer peer(served.port());
+  if (!peer.connected()) std::abort();
+  peer.send(std::string(reinterpret_cast<const char*>(data), size));
+  peer.finish();
+  const std::string answer = peer.receive(1, "event: status");
+  if (answer.empty()) return 0;
+  const bool whole = answer.starts_with("HTTP/1.1 ") && answer.find("\r\n\r\n") != std::string::npos;
+  const int status = whole ? std::atoi(answer.c_str() + 9) : 0;
+  // 503: no page is there.
+  if (!(status >= 200 && status < 500) && status != 501 && status != 503 && status != 505) std::abort();
+  return 0;
+}
+
+}  // namespace cromer::fuzz
