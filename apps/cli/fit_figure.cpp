@@ -93,12 +93,14 @@ void add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& ax
   add_motion(panel, fitted, axis, law_motion(fitted, axis, true), look);
 }
 
-/// The part of an irregular motion that shows most of the law.
-Panel swings_panel(const FittedRecording& fitted, std::string_view what) {
+/// The part of an irregular motion that shows most of the law; `which` says of what it is a part.
+Panel swings_panel(const FittedRecording& fitted, std::string_view which) {
   const FittedRecording part = largest_swings(fitted);
   const MeasuredAxis axis = measured_axis(part);
   Panel panel = measured_panel(part, axis);
-  panel.title = figure_text(fmt::format("{}, run {}, {}", part.series.column, part.series.run, what));
+  const bool all = part.series.t.size() == fitted.series.t.size();
+  panel.title = figure_text(fmt::format("{}, run {}{}{}", part.series.column, part.series.run, which,
+                                        all ? "" : ", about its largest swing"));
   Curve look;
   look.role = "fitted";
   look.name = "fitted";
@@ -116,7 +118,7 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
     return;
   }
   if (irregular(fitted)) {
-    figure.panels.push_back(swings_panel(fitted, "about its largest swing"));
+    figure.panels.push_back(swings_panel(fitted, ""));
   } else {
     add_law(motion, fitted, axis);
     figure.panels.push_back(std::move(motion));
@@ -124,7 +126,7 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
   figure.panels.push_back(residual_panel(fitted, axis));
   if (fitted.held_out && !fitted.held_out->t.empty() && fitted.driven) {
     const FittedRecording held = held_out_part(fitted);
-    figure.panels.push_back(swings_panel(held, "held out, about its largest swing"));
+    figure.panels.push_back(swings_panel(held, ", held out"));
     figure.panels.push_back(residual_panel(held, measured_axis(held)));
     figure.panels.back().title = "What the law leaves of what was held out";
   }

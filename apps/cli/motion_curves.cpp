@@ -205,6 +205,7 @@ FittedRecording largest_swings(const FittedRecording& fitted) {
   }
   const std::vector<double>& t = fitted.series.t;
   const double reach = periods * period_of(fitted);
+  if (reach == 0) return part;
   const auto first = std::lower_bound(t.begin(), t.end(), at - reach) - t.begin(),
              last = std::upper_bound(t.begin(), t.end(), at + reach) - t.begin();
   for (std::vector<double>* values : {&part.series.t, &part.series.y, &part.driven->motion}) {

@@ -32,7 +32,8 @@ Curve residual_curve(const FittedRecording& fitted, const MeasuredAxis& axis);
 /// Whether a recorded force drives it: its swings follow no envelope.
 bool irregular(const FittedRecording& fitted);
 
-/// Of an irregular motion some periods about its largest swing: `fitted` with those samples alone.
+/// Of an irregular motion some periods about its largest swing: `fitted` with those samples alone, or all of
+/// them where it has no period.
 FittedRecording largest_swings(const FittedRecording& fitted);
 
 /// What was held out, as a recording of its own.

@@ -136,5 +136,29 @@ TEST(FitForced, AFailedFitHasAStatus) {
   EXPECT_THAT(end.json()["message"].get<std::string>(), HasSubstr("too few"));
 }
 
+// A body without a spring has no period: the figure shows all of its motion.
+TEST(FitForced, WithoutASpringTheFigureShowsTheWholeMotion) {
+  std::ostringstream rows;
+  rows << "Time (s),Position (m),Force (N)\n";
+  double x = 0, v = 0;
+  for (int i = 0; i < 800; ++i) {
+    const auto force = [&](double t) { return std::sin(2 * t) + 0.5 * std::cos(5 * t); };
+    const double t = 0.01 * i;
+    rows << t << ',' << std::round(1e6 * x) / 1e6 << ',' << force(t) << '\n';
+    for (int k = 0; k < 100; ++k) {
+      v += 1e-4 * (force(t + 1e-4 * (k + 0.5)) - 0.8 * v) / 2;
+      x += 1e-4 * v;
+    }
+  }
+  const Folder folder;
+  folder.write("cart.csv", rows.str());
+  const Finished end = folder.run({"fit", "cart.csv", "--column", "Position (m)", "--force-column", "Force",
+                                   "--no-spring", "--law", "viscous", "--plot", "cart.svg"});
+  ASSERT_EQ(end.status, 0) << end.err;
+  const std::string figure = folder.read("cart.svg");
+  EXPECT_THAT(figure, HasSubstr("800 samples"));
+  EXPECT_THAT(figure, Not(HasSubstr("largest swing")));
+}
+
 }  // namespace
 }  // namespace cromer::test
