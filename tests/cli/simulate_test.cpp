@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -217,6 +218,44 @@ TEST(Simulate, PlotIsDrawn) {
   EXPECT_EQ(end.status, 0) << end.err;
   EXPECT_THAT(folder.names(), ElementsAre("run.svg"));
   EXPECT_THAT(folder.read("run.svg"), HasSubstr("</svg>"));
+}
+
+// Each table stands where it was asked for or where there is something to say, and nowhere else.
+TEST(Simulate, PrintsNoTableThatDoesNotApply) {
+  const std::vector<std::string> tables = {"steady motion", "transmissibility", "no events", "event\n",
+                                           "longest steps"};
+  struct Asked {
+    std::vector<std::string> options;
+    std::vector<std::string> printed;
+  };
+  const std::vector<std::string> driven{"--drive-amplitude", "1", "--drive-frequency", "2"};
+  const auto with = [](std::vector<std::string> all, const std::vector<std::string>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const Asked all[] = {
+      {{}, {}},
+      {driven, {"steady motion", "transmissibility"}},
+      {{"--drive-amplitude", "0", "--drive-frequency", "2"}, {}},
+      {with(driven, {"--cubic", "3"}), {}},
+      {{"--event", "position=-1"}, {"no events"}},
+      {{"--event", "position=-0.01"}, {"event\n"}},
+      {{"--accuracy", "1 %"}, {"longest steps"}},
+  };
+  const Folder folder;
+  for (const auto& [options, printed] : all) {
+    std::vector<std::string> arguments{"simulate", "--mass",   "1",   "--stiffness", "9", "--damping",
+                                       "0.2",      "--method", "rk4", "--until",     "10"};
+    if (options.empty() || options[0] != "--accuracy") arguments.insert(arguments.end(), {"--step", "0.01"});
+    const Finished end = folder.run(with(arguments, options));
+    EXPECT_EQ(end.status, 0) << end.err;
+    for (const std::string& table : tables) {
+      const bool wanted = std::find(printed.begin(), printed.end(), table) != printed.end();
+      EXPECT_EQ(end.out.find(table) != std::string::npos, wanted)
+          << table << " of " << (options.empty() ? "" : options[0]) << '\n'
+          << end.out;
+    }
+  }
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Result<Event> parse_event(std::string_view text) {
   if (quantity == "position")
     event.quantity = Event::Quantity::position;
   else if (quantity != "velocity" && quantity != "turning-point")
-    return wrong(text, fmt::format("\"{}\" is none that can be watched", quantity));
+    return wrong(text, fmt::format("\"{}\" is no event that can be watched", quantity));
   if (has_value == (quantity == "turning-point"))
     return wrong(text, has_value ? "a turning point has no value" : "the value is missing");
   if (has_value) {
