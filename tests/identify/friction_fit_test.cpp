@@ -150,5 +150,33 @@ TEST(Bounds, CoefficientsAreNeverNegativeAndIntervalsSayWhereTheyAreCut) {
   EXPECT_GE(covered, 26);
 }
 
+// Few half swings, whose number no envelope tells: every seed's fit is as low as the truth, and the intervals
+// hold it.
+TEST(FrictionFit, AMotionThatStopsAfterAFewHalfSwingsIsFound) {
+  for (const double friction : {0.4, 0.45, 0.6, 0.8, 1.0}) {
+    int held = 0, lowest = 0;
+    constexpr int seeds = 20;
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
+      const FreeSwing truth{
+          .angular_frequency = 6, .decay_rate = 0.02, .friction = friction, .position = 0.1};
+      SyntheticRecord record{even_times(301, 0.02), {}, 0};
+      std::mt19937_64 engine(seed);
+      std::normal_distribution<double> normal(0, 1e-3);
+      double of_truth = 0;
+      for (const double x : free_motion(truth, record.t, 0.01).x) {
+        const double noise = normal(engine);
+        record.y.push_back(0.3 + x + noise);
+        of_truth += noise * noise / 301;
+      }
+      const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+friction")});
+      lowest += fit.residual.rms * fit.residual.rms < 1.002 * of_truth;
+      const Estimate found = fit["friction"];
+      held += fit.status == FitStatus::converged && found.low <= friction && friction <= found.high;
+    }
+    EXPECT_GE(lowest, seeds - 1) << friction;
+    EXPECT_GE(held, seeds - 4) << friction;
+  }
+}
+
 }  // namespace
 }  // namespace cromer

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "cromer/analysis/cycle_average.h"
@@ -301,6 +305,53 @@ std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions&
   return starts;
 }
 
+// Of a motion that friction stops within a few half swings no envelope tells how many: what the friction
+// takes in each of so many, beside how much other damping, and where in the band that it holds the body came
+// to rest. The frequency is that of turning points, which a fit of damped swings through the rest gets wrong.
+std::vector<Motion> gliding_starts(const Motion& known, const Record& record) {
+  std::vector<Motion> starts;
+  const std::span<const double> end = record.y.last(std::max<std::size_t>(1, record.y.size() / 10));
+  const double rest = std::accumulate(end.begin(), end.end(), 0.0) / static_cast<double>(end.size());
+  const double first = record.y.front();
+  const double amplitude = std::hypot(first - rest, known.velocity / known.angular_frequency());
+  for (const double faster : {0.9, 1.0, 1.1})
+    for (const double damping : {0.02, 0.2})
+      for (const double half_swings : {0.7, 1.0, 1.3, 1.6, 2.0, 2.4, 2.9, 3.4, 4.0, 4.7, 5.5})
+        for (const double place : {-0.7, 0.0, 0.7}) {
+          Motion motion = known;
+          const double w = faster * known.angular_frequency();
+          motion.set_angular_frequency(w);
+          for_each_term([&]<class T>() {
+            if constexpr (T::info.damps) motion.per_mass.*T::template members<double>[0] *= damping;
+          });
+          const double band = amplitude / (2 * half_swings);
+          motion.per_mass.friction = band * w * w;
+          motion.equilibrium = rest - place * band;
+          motion.position = first - motion.equilibrium;
+          starts.push_back(motion);
+        }
+  return starts;
+}
+
+// Of each number of half swings before the rest the two of least squares: a search seldom leads from one
+// number to another.
+std::vector<Motion> closest_of_each(const std::vector<Motion>& starts, const Problem& problem, double h) {
+  std::map<int, std::vector<std::pair<double, std::size_t>>> sums;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    double sum = 0;
+    for (const double r : motion_residuals(starts[i], {}, problem.record(), h)) sum += r * r;
+    const Rest rest = rest_of(problem.fitted(), problem.fitted().pack(starts[i]), problem.record(), h);
+    if (std::isfinite(sum)) sums[rest.half_swings].emplace_back(sum, i);
+  }
+  std::vector<Motion> best;
+  for (auto& [number, each] : sums) {
+    std::sort(each.begin(), each.end());
+    for (std::size_t i = 0; i < std::min<std::size_t>(2, each.size()); ++i)
+      best.push_back(starts[each[i].second]);
+  }
+  return best;
+}
+
 // The one of several starts from which a few steps lead furthest down.
 KnownMotion best_of(const std::vector<Motion>& starts, const KnownMotion& known, const Problem& problem) {
   KnownMotion best = known;
@@ -358,6 +409,12 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
   Beginning beginning;
   if (options.drive.kind == DriveKind::none) {
     beginning.linear = fit_viscous(record, options, watch);
+    // Where friction stops the motion after a swing, damping is a wrong law: its frequency may be unknown,
+    // and that of the right one not.
+    if (refuse_frequency(beginning.linear) && beginning.linear.explained > 0.9) {
+      beginning.linear.status = FitStatus::converged;
+      beginning.linear.message.clear();
+    }
     if (!beginning.usable() || watch.interrupted()) return beginning;
     beginning.known_motion = linear_motion(record, options, beginning.linear, watch);
     beginning.track = track_envelope(record, beginning.known_motion.motion.angular_frequency(),
@@ -406,6 +463,16 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   if (options.law.has<Hysteresis>() && !(known.motion.per_mass.hysteresis_stiffness > 0)) {
     const double amplitude = amplitude_of(record, known.motion.angular_frequency());
     from = best_of(hysteretic_starts(known.motion, options, amplitude), known, problem);
+  }
+  // More than a fifth of the amplitude in a period: a few half swings may be all there are.
+  const bool glides = options.drive.kind == DriveKind::none && options.law.has<Friction>() &&
+                      record.derivative == 0 && options.law.shares(springs) &&
+                      known.decay_rate * two_pi > 0.2 * known.motion.angular_frequency();
+  if (glides) {
+    const double h = coarsest * two_pi / known.motion.angular_frequency();
+    std::vector<Motion> starts = closest_of_each(gliding_starts(known.motion, record), problem, h);
+    starts.push_back(known.motion);
+    from = best_of(starts, known, problem);
   }
   FoundMinimum found = find_minimum(problem, from, roughly);
   Minimum& minimum = found.minimum;
