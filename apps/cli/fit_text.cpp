@@ -36,7 +36,7 @@ std::string heading(const FittedRecording& fitted) {
       fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, fitted.status());
   if (fitted.fit.status != FitStatus::converged) return text + ", " + fitted.fit.message + "\n";
   return text +
-         fmt::format(", {} of {} samples, {:.6g} to {:.6g} s, law {}\n", fitted.used(), fitted.samples,
+         fmt::format(", {} of {} samples, {:.10g} to {:.10g} s, law {}\n", fitted.used(), fitted.samples,
                      series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
          drive_in_words(fitted);
 }
@@ -123,7 +123,7 @@ std::string one_fit(const FittedRecording& fitted) {
       if (std::isfinite(entry.estimate.value))
         rows.push_back({"  " + in_words(entry.name), in_words(entry.estimate, entry.unit)});
   for (const auto& segment : fitted.segments)
-    rows.push_back({fmt::format("  decay rate {:.6g} to {:.6g} s", segment.from, segment.to),
+    rows.push_back({fmt::format("  decay rate {:.10g} to {:.10g} s", segment.from, segment.to),
                     in_words(segment.rate, "1/s")});
   if (fitted.decay_rate_mean)
     rows.push_back({"  decay rate, mean", in_words(*fitted.decay_rate_mean, "1/s")});
@@ -136,7 +136,7 @@ std::string one_fit(const FittedRecording& fitted) {
     rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, fitted_unit(fitted))});
   if (fitted.held_out)
     rows.push_back(
-        {fmt::format("  residual held out, {:.6g} to {:.6g} s", fitted.held_out->from, fitted.held_out->to),
+        {fmt::format("  residual held out, {:.10g} to {:.10g} s", fitted.held_out->from, fitted.held_out->to),
          format_quantity({fitted.held_out->rms, 0}, fitted_unit(fitted))});
   out += text_table(rows, 0, 0);
   // What a recorded force did between its samples is chosen together with the law: all that was tried is

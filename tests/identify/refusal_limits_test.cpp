@@ -21,16 +21,17 @@ constexpr double pi = std::numbers::pi;
 /// A fit of 10 s at 100 samples a second that accounts for nearly all.
 struct Seen {
   double periods = 10;
-  double damping_ratio = 0.01;
+  double damping_ratio = 0.01;  ///< as fitted
   double explained = 0.99;
   double independent_samples = 1000;
+  double falls = 0;  ///< damping ratio of the record itself
 };
 
 constexpr double duration = 10;
 
 SyntheticRecord record_of(const Seen& seen) {
   const double w0 = 2 * pi * seen.periods / duration;
-  return viscous_record({.w0 = w0, .g = 0, .equilibrium = 0, .position = 1, .velocity = 0},
+  return viscous_record({.w0 = w0, .g = seen.falls * w0, .equilibrium = 0, .position = 1, .velocity = 0},
                         even_times(1001, duration / 1000));
 }
 
@@ -63,14 +64,20 @@ TEST(RefusalLimits, OneAndAHalfPeriods) {
   EXPECT_THAT(told({.periods = 1.2, .explained = 0.3}), StartsWith("too_noisy: "));
 }
 
-TEST(RefusalLimits, AMotionThatReturnsWithoutOscillating) {
-  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.94}), "");
-  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96}),
-            "overdamped: the motion returns without oscillating: damping ratio about 0.96");
+TEST(RefusalLimits, AMotionThatDoesNotOscillate) {
+  const char* at_rest =
+      "overdamped: the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back";
+  const char* ended =
+      "too_short: the record ends before an oscillation can be seen, if it is one: a fit needs at least 1.5 "
+      "periods";
+  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.94, .falls = 0.9}), "");
+  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0.9}), at_rest);
+  EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0}), ended);
   // Within a period and a half less damping will do: g > 0.7 w.
-  EXPECT_THAT(told({.periods = 1.4, .damping_ratio = 0.56}), StartsWith("too_short: "));
-  EXPECT_EQ(told({.periods = 1.4, .damping_ratio = 0.58}),
-            "overdamped: the motion returns without oscillating: damping ratio about 0.58");
+  EXPECT_THAT(told({.periods = 1.4, .damping_ratio = 0.56, .falls = 0.5}),
+              StartsWith("too_short: the record holds"));
+  EXPECT_EQ(told({.periods = 1.4, .damping_ratio = 0.58, .falls = 0.6}), at_rest);
+  EXPECT_EQ(told({.periods = 0.5, .damping_ratio = 0.58, .falls = 0.05}), ended);
 }
 
 // Of long motions half the variance will do, or 300 times the noise; short ones are wandering noise sooner.

@@ -87,6 +87,34 @@ void expect_found(const Law& law, Kind kind) {
   }
 }
 
+// The reading of the force that leaves least under a bent spring need not be that of the right law: both are
+// chosen again together.
+TEST(TermsFit, AHystereticForceIsChosenUnderARecordedOne) {
+  Motion motion{.law = law_of("viscous+hysteresis")};
+  motion.set_angular_frequency(5);
+  motion.set_decay_rate(0.1);
+  motion.per_mass.hysteresis_stiffness = 20;
+  motion.per_mass.hysteresis_beta = 30;
+  motion.per_mass.hysteresis_gamma = 10;
+  motion.force_gain = 1;
+  const std::vector<double> t = even_times(3000, 0.01);
+  const auto acting = multisine(15, 5, 19);
+  std::vector<double> force;
+  for (const double each : t) force.push_back(1.2 * acting(each));
+  const Drive drive = Drive::recorded({force, 0, 0.01, BetweenSamples::linear});
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    std::vector<double> y = observed_motion(motion, drive, t, 0, 0.002);
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, 5e-4);
+    for (double& each : y) each += normal(engine);
+    const LawChoice choice = choose_law({t, y}, {.drive = drive});
+    EXPECT_EQ(to_text(choice.chosen.law), "viscous+hysteresis");
+    EXPECT_LT(choice.chosen.residual.rms, 5.2e-4);
+    EXPECT_NEAR(choice.chosen["hysteresis_beta"].value, 30,
+                4 * choice.chosen["hysteresis_beta"].standard_error);
+  }
+}
+
 // In metres and in millimetres, whose z^n differ by a thousand to the n.
 TEST(TermsFit, AHystereticForceOfExponentTwoIsFoundAtAnySize) {
   for (const double size : {1e-3, 1.0}) {

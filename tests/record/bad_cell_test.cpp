@@ -24,7 +24,7 @@ std::string refusal(std::string_view text, bool skip = false) {
 TEST(BadCell, IsCalledByItsName) {
   using dialects::bad_cell;
   EXPECT_EQ(bad_cell("1,000.0", '.'), "it has thousands separators: write 1000.0");
-  EXPECT_EQ(bad_cell("-1.234.567,5", ','), "it has thousands separators: write -1234567.5");
+  EXPECT_EQ(bad_cell("-1.234.567,5", ','), "it has thousands separators: write -1234567,5");
   EXPECT_EQ(bad_cell("12:00:00.50", '.'), "it is a clock time: write the seconds since the start");
   EXPECT_EQ(bad_cell("2024-03-01T12:00:00", '.'), "it is a date: write the seconds since the start");
   EXPECT_EQ(bad_cell("01.03.2024", '.'), "it is a date: write the seconds since the start");

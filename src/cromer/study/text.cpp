@@ -71,7 +71,7 @@ std::string write(const Number& number, const Format& format) {
   Quantity quantity{number.quantity.value * format.factor, number.quantity.uncertainty * format.factor};
   if (format.magnitude) quantity.value = std::abs(quantity.value);
   if (!std::isfinite(quantity.value)) return "–";
-  const std::string unit = format.bare ? "" : format.unit;
+  const std::string unit = format.bare || format.unit == "1" ? "" : format.unit;
   const std::string sign = format.sign && quantity.value > 0 ? "+" : "";
   if (format.digits)
     return sign + rounded(quantity.value, *format.digits) + (unit.empty() ? "" : "\u00a0" + unit);

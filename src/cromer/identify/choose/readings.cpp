@@ -21,7 +21,7 @@ std::size_t best_of(const std::vector<LawFit>& fits) {
   return best;
 }
 
-// What one fit makes of the parameters that another makes otherwise, in its own standard errors.
+// What one fit makes of the parameters that another makes otherwise, in that one's standard errors.
 std::string differences(const LawFit& chosen, const LawFit& other) {
   std::string text;
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
@@ -111,51 +111,67 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
     LawFit fit = fit_law(record, again, watch);
     if (converged(fit) && !(fit.residual.rms > by_reading[i].residual.rms)) by_reading[i] = std::move(fit);
   }
-  const std::size_t best = best_of(by_reading);
-  one.drive.force.between = readings[best];
-  if (by_reading[best].has_values() && given.law)
-    one.start = KnownMotion{by_reading[best].motion, record.t.size(), 0};
-  LawChoice choice = choose(one);
-  if (!converged(choice.chosen) || watch.interrupted()) return choice;
-
-  const double independent = choice.chosen.independent_samples;
-  const auto criterion = [&](const LawFit& fit) {
-    return bayesian_criterion(independent, fit.residual.rms, fit.fitted, record.resolution);
-  };
-  choice.chosen.bic = criterion(choice.chosen);
+  // The law under one reading, and the other readings under that law.
   std::vector<LawFit> open;
-  for (std::size_t i = 0; i < by_reading.size() && !watch.interrupted(); ++i) {
-    if (i == best || !by_reading[i].has_values()) continue;
-    // Five times strong evidence: a reading that far behind is not fitted again under the chosen law.
-    constexpr double worth_a_fit = 30;
-    LawFit other = by_reading[i];
-    if (independent * 2 * std::log(other.residual.rms / by_reading[best].residual.rms) < worth_a_fit) {
-      LawFitOptions same = options;
-      same.law = choice.chosen.law;
-      same.drive.force.between = readings[i];
-      same.start = KnownMotion{choice.chosen.motion, record.t.size(), 0};
-      other = fit_law(record, same, watch);
+  const auto choose_under = [&](std::size_t best) {
+    one.drive.force.between = readings[best];
+    if (by_reading[best].has_values() && given.law)
+      one.start = KnownMotion{by_reading[best].motion, record.t.size(), 0};
+    LawChoice choice = choose(one);
+    open.clear();
+    if (!converged(choice.chosen) || watch.interrupted()) return choice;
+    const double independent = choice.chosen.independent_samples;
+    const auto criterion = [&](const LawFit& fit) {
+      return bayesian_criterion(independent, fit.residual.rms, fit.fitted, record.resolution);
+    };
+    choice.chosen.bic = criterion(choice.chosen);
+    for (std::size_t i = 0; i < by_reading.size() && !watch.interrupted(); ++i) {
+      if (i == best || !by_reading[i].has_values()) continue;
+      // Five times strong evidence: a reading that far behind is not fitted again under the chosen law.
+      constexpr double worth_a_fit = 30;
+      LawFit other = by_reading[i];
+      if (independent * 2 * std::log(other.residual.rms / by_reading[best].residual.rms) < worth_a_fit) {
+        LawFitOptions same = options;
+        same.law = choice.chosen.law;
+        same.drive.force.between = readings[i];
+        same.start = KnownMotion{choice.chosen.motion, record.t.size(), 0};
+        other = fit_law(record, same, watch);
+      }
+      other.bic = criterion(other);
+      choice.candidates.push_back(other);
+      if (converged(other) && other.law == choice.chosen.law) open.push_back(std::move(other));
     }
-    other.bic = criterion(other);
-    choice.candidates.push_back(other);
-    if (converged(other) && other.law == choice.chosen.law) open.push_back(std::move(other));
-  }
+    return choice;
+  };
+  const std::size_t best = best_of(by_reading);
+  LawChoice choice = choose_under(best);
+  // A law that the first choice lacked may have made another reading look best: the law is then chosen again,
+  // under the reading that the better law asks for.
+  const auto lowest = std::min_element(open.begin(), open.end(),
+                                       [](const LawFit& a, const LawFit& b) { return a.bic < b.bic; });
+  if (lowest != open.end() && lowest->bic < choice.chosen.bic - strong_evidence && !given.law &&
+      !watch.interrupted())
+    choice = choose_under(static_cast<std::size_t>(
+        std::find(std::begin(readings), std::end(readings), lowest->drive.force.between) -
+        std::begin(readings)));
+  if (!converged(choice.chosen) || watch.interrupted()) return choice;
   for (LawFit& other : open)
     if (other.bic < choice.chosen.bic) std::swap(other, choice.chosen);
   open.erase(
       std::remove_if(open.begin(), open.end(),
                      [&](const LawFit& other) { return other.bic > choice.chosen.bic + strong_evidence; }),
       open.end());
+  if (!open.empty()) spread_over_readings(choice.chosen, open);
   for (const LawFit& other : open) {
     const std::string differ = differences(choice.chosen, other);
     choice.chosen.warnings.push_back(fmt::format(
         "what the force did between its samples is open: as {} the rms residual is {:.4g}, as {} it is "
-        "{:.4g}: too close to decide{}{}; the errors hold both. --between-samples says which, if it is "
-        "known",
+        "{:.4g}: too close to decide{}{}; the uncertainties are widened for it. --between-samples says "
+        "which, if "
+        "it is known",
         name(choice.chosen.drive.force.between), choice.chosen.residual.rms, name(other.drive.force.between),
         other.residual.rms, differ.empty() ? "" : "; the other would make the ", differ));
   }
-  if (!open.empty()) spread_over_readings(choice.chosen, open);
   return choice;
 }
 

@@ -58,6 +58,15 @@ bool is_clipped(const Record& record, double amplitude, double w) {
   return false;
 }
 
+// What the record does in its last third is little beside all: more than a turn at the end of half a swing.
+bool comes_to_rest(const Record& record) {
+  const auto range = [](std::span<const double> y) {
+    const auto [low, high] = std::minmax_element(y.begin(), y.end());
+    return *high - *low;
+  };
+  return range(record.y.last(std::max<std::size_t>(1, record.y.size() / 3))) < 0.05 * range(record.y);
+}
+
 }  // namespace
 
 LawFit refused(const Refusal& refusal, const LawFitOptions& options) {
@@ -112,9 +121,16 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
   const bool stands_out = visible_periods >= 4 ? fit.explained > 0.5 || against_noise > 300
                                                : against_noise > (fit.explained > 0.9 ? 60 : 500);
   const bool smooth = fit.explained > 0.9;
-  if (smooth && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w)))
-    return Refusal{FitStatus::overdamped,
-                   fmt::format("the motion returns without oscillating: damping ratio about {:.2g}", g / w0)};
+  if (smooth && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w))) {
+    if (comes_to_rest(record))
+      return Refusal{
+          FitStatus::overdamped,
+          "the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back"};
+    return Refusal{
+        FitStatus::too_short,
+        "the record ends before an oscillation can be seen, if it is one: a fit needs at least 1.5 "
+        "periods"};
+  }
   if (smooth && periods < 1.5)
     return Refusal{FitStatus::too_short,
                    fmt::format("the record holds {:.2g} periods of {:.3g} s: a fit needs at least 1.5",

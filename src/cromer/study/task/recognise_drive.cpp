@@ -162,11 +162,10 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
 
 Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
                                     const Watch& watch) {
-  // A search that ends nowhere has found no drive either, if the motion is a free one.
+  // A fit that ends nowhere has found no drive either, if the motion is a free one.
   const bool searched = options.drive_frequency == "auto";
   const bool settled = !driven.parameters.empty() && driven.fit.status == FitStatus::converged;
-  if (!(settled || (searched && driven.fit.status == FitStatus::iteration_limit)) || watch.interrupted())
-    return driven;
+  if (!(settled || driven.fit.status == FitStatus::iteration_limit) || watch.interrupted()) return driven;
   FitOptions without = options;
   without.drive_frequency.clear();
   without.recognise_drive = false;
@@ -192,14 +191,14 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
     return driven;
   const std::string compared = fmt::format("a free law leaves {:.4g}, the driven one {:.4g}",
                                            free->fit.residual.rms, driven.fit.residual.rms);
+  free->options = options;
   if (searched) {
-    free->options = options;
     free->warnings.push_back(
         fmt::format("no drive is seen at any frequency ({}): fitted as a free motion", compared));
     return free;
   }
   const double asked = **drive_of(options) / two_pi;
-  if (!driven.fit.residual.white && driven.fit.residual.autocorrelation > structured) {
+  if (!free->fit.residual.white && free->fit.residual.autocorrelation > structured) {
     driven.fit.status = FitStatus::no_oscillation;
     driven.fit.message = fmt::format(
         "nothing drives this motion at {:.6g} Hz, and it is not a free one either ({}); "
@@ -207,11 +206,11 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
         asked, compared);
     return driven;
   }
-  driven.warnings.push_back(
-      fmt::format("nothing is seen to drive this motion at {:.6g} Hz ({}): it looks free; "
+  free->warnings.push_back(
+      fmt::format("nothing is seen to drive this motion at {:.6g} Hz ({}): fitted as a free motion; "
                   "--drive-frequency auto looks for a drive elsewhere",
                   asked, compared));
-  return driven;
+  return free;
 }
 
 }  // namespace cromer

@@ -341,7 +341,8 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
       add_once(fmt::format("--drive-start: the drive begins at {} s, and the run ends at {} s",
                            shortest(begin), shortest(run.until)));
     const Steps steps = count_steps({0, run.until}, run.step);
-    if (steps.last > 0)
+    // Where one of them is ours, so is the remainder.
+    if (steps.last > 0 && options.step && options.until)
       add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {:.6g} s",
                            shortest(run.until), shortest(run.step), steps.last));
   }

@@ -140,7 +140,8 @@ set {} has no rows⇒der Satz {} hat keine Zeilen
 the file holds no set of rows⇒die Datei enthält keinen Satz von Zeilen
 {} samples are too few: a fit of the law {} needs at least {}⇒{} Messwerte sind zu wenige: das Gesetz {} braucht mindestens {}
 all values are the same:…⇒alle Werte sind gleich: nichts bewegt sich
-the motion returns without oscillating: damping ratio about {}⇒die Bewegung kehrt zurück, ohne zu schwingen: Dämpfungsgrad etwa {}
+the motion comes to rest without oscillating: it is…⇒die Bewegung kommt zur Ruhe, ohne zu schwingen: sie ist überdämpft, oder nichts zieht sie zurück
+the record ends before an oscillation…⇒die Aufnahme endet, bevor eine Schwingung zu sehen ist, wenn es eine ist: eine Anpassung braucht mindestens 1,5 Perioden
 the record holds {} periods of {} s:…⇒die Aufnahme hat {} Perioden von {} s: gebraucht werden mindestens 1,5
 too noisy: a sinusoid accounts for {} %…⇒zu viel Rauschen: eine Sinusschwingung erklärt nur {} % der Streuung
 too noisy: the frequency is known to {} % only⇒zu viel Rauschen: die Frequenz ist nur auf {} % bekannt
@@ -152,7 +153,7 @@ the values take {} levels only, {} apart: the resolution…⇒die Werte haben nu
 the values take {} levels only, {} apart: the frequency follows…⇒die Werte haben nur {} Stufen im Abstand {}: die Frequenz folgt daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten ist nicht zu trauen; bitte feiner messen
 this law's motion runs…⇒die Bewegung dieses Gesetzes läuft der aufgenommenen davon
 the laws were compared on the first {} of {} samples; the one chosen…⇒die Gesetze wurden an den ersten {} von {} Messwerten verglichen; das gewählte ist an alle angepasst
-what the force did between its samples is open: as {} the rms residual is {}, as {} it is {}: too close…⇒was die Kraft zwischen ihren Messwerten tat, ist offen: als {} gelesen ist der Effektivwert der Reste {}, als {} gelesen {}: zu nah beieinander für eine Entscheidung; die Unsicherheiten umfassen beides
+what the force did between its samples is open: as {} the rms residual is {}, as {} it is {}: too close…⇒was die Kraft zwischen ihren Messwerten tat, ist offen: als {} gelesen ist der Effektivwert der Reste {}, als {} gelesen {}: zu nah beieinander für eine Entscheidung; die Unsicherheiten sind dafür geweitet
 {} ({} of its standard errors away)⇒{} ({} Standardfehler entfernt)
 the record does not show {}⇒die Aufnahme zeigt nichts von {}
 only the ratio of {} and {} is known, {} ± {}⇒nur das Verhältnis von {} und {} ist bekannt, {} ± {}
