@@ -115,6 +115,27 @@ TEST(TermsFit, AHystereticForceIsChosenUnderARecordedOne) {
   }
 }
 
+// A joint that slips: what drag and bent springs leave of it dies down with the motion, and is no noise.
+TEST(TermsFit, AFreeHystereticForceIsChosen) {
+  struct Joint {
+    double w0, g, stiffness, beta, gamma, position;
+  };
+  for (const Joint& joint : {Joint{5, 0.02, 20, 30, 10, 0.1}, Joint{8, 0.05, 10, 20, -5, 0.05}}) {
+    Motion motion{.law = law_of("viscous+hysteresis"), .position = joint.position};
+    motion.set_angular_frequency(joint.w0);
+    motion.set_decay_rate(joint.g);
+    motion.per_mass.hysteresis_stiffness = joint.stiffness;
+    motion.per_mass.hysteresis_beta = joint.beta;
+    motion.per_mass.hysteresis_gamma = joint.gamma;
+    const std::vector<double> t = even_times(3000, 0.02);
+    std::vector<double> y = observed_motion(motion, {}, t, 0, 0.002);
+    std::mt19937_64 engine(1);
+    std::normal_distribution<double> normal(0, 3e-4);
+    for (double& each : y) each += normal(engine);
+    EXPECT_EQ(to_text(choose_law({t, y}, {}).chosen.law), "viscous+hysteresis") << joint.w0;
+  }
+}
+
 // In metres and in millimetres, whose z^n differ by a thousand to the n.
 TEST(TermsFit, AHystereticForceOfExponentTwoIsFoundAtAnySize) {
   for (const double size : {1e-3, 1.0}) {

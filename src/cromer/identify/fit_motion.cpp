@@ -469,10 +469,14 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
                       record.derivative == 0 && options.law.shares(springs) &&
                       known.decay_rate * two_pi > 0.2 * known.motion.angular_frequency();
   if (glides) {
-    const double h = coarsest * two_pi / known.motion.angular_frequency();
-    std::vector<Motion> starts = closest_of_each(gliding_starts(known.motion, record), problem, h);
+    // Its first swings are enough to begin with.
+    const double w = known.motion.angular_frequency();
+    const Thinned few(first_periods(record, w, 8), two_pi / w, options.drive.kind);
+    const Problem beginning(few.record, options, fitted, watch);
+    std::vector<Motion> starts =
+        closest_of_each(gliding_starts(known.motion, record), beginning, coarsest * two_pi / w);
     starts.push_back(known.motion);
-    from = best_of(starts, known, problem);
+    from = {best_of(starts, known, beginning).motion, record.t.size(), known.decay_rate};
   }
   FoundMinimum found = find_minimum(problem, from, roughly);
   Minimum& minimum = found.minimum;

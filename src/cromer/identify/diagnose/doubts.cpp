@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "cromer/identify/diagnose/amplitude_windows.h"
@@ -123,6 +124,16 @@ bool exceeds_noise(const Record& record, const Residual& left, double noise, dou
          left.rms > std::max(2 * noise, record.resolution) && !is_arithmetic(left.rms, record.y);
 }
 
+// What a wrong law leaves dies down with the motion, unlike noise: so many times from the first quarter to
+// the last, of correlated noise more.
+bool shrinks(std::span<const double> residuals, double times) {
+  const auto squares = [](std::span<const double> part) {
+    return std::inner_product(part.begin(), part.end(), part.begin(), 0.0);
+  };
+  const std::size_t quarter = residuals.size() / 4;
+  return squares(residuals.first(quarter)) > times * squares(residuals.last(quarter));
+}
+
 std::string not_described(const LawFit& fit, double noise, bool only_law) {
   return fmt::format(
       "{} this recording: what is left is {:.0f} times the noise from sample to sample, and the "
@@ -179,6 +190,8 @@ bool something_is_left(const Record& record, const LawFit& fit) {
   if (residuals.size() < 64 || is_arithmetic(fit.residual.rms, record.y)) return false;
   if (fit.residual.rms <= record.resolution) return false;
   if (fit.drive.kind == DriveKind::recorded || !fit.find("angular_frequency")) return !fit.residual.white;
+  if (fit.residual.autocorrelation > 0.2 && shrinks(residuals, fit.residual.autocorrelation < 0.5 ? 2 : 4))
+    return true;
   // White noise stands out twelve times in one record of eight, which costs a few fits. Correlated noise,
   // whose power is not the same on both sides, does so often, and would be taken for terms.
   const double times = fit.residual.autocorrelation < 0.5 ? 12 : 30;
