@@ -63,6 +63,18 @@ TEST(PlanRecording, TheAdvisedLengthReachesTheGoal) {
   EXPECT_NEAR(reached("decay_rate", result.plan->duration, 0.05, 0) / 0.005, 1, 0.1);
 }
 
+// Where the body rests is known the better the longer one looks, swing or none: by one over the root of the
+// samples. A larger swing tells no more of it.
+TEST(PlanRecording, TheEquilibriumGoesOnBeyondTheSwing) {
+  const RecordingPlan plan = *fitted(decay(20, 0.2, 1e-3, 1), "equilibrium 3e-6 m").plan;
+  EXPECT_TRUE(plan.possible);
+  EXPECT_NEAR(plan.duration / std::pow(1e-3 / 3e-6, 2) * 100, 1, 0.1);
+  const RecordingPlan never = *fitted(decay(20, 0.2, 1e-3, 1), "position 1e-5 m").plan;
+  EXPECT_FALSE(never.possible);
+  EXPECT_THAT(never.text, testing::Not(HasSubstr("start")));
+  EXPECT_THAT(fitted(decay(20, 0.2, 1e-3, 1), "decay_rate 0.001 %").plan->text, HasSubstr("times as large"));
+}
+
 TEST(PlanRecording, CorrelatedNoiseTakesLonger) {
   const auto plan_of = [](double rho) {
     return *fitted(decay(20, 0.02, 1e-3, 1, rho), "frequency 0.001 %").plan;

@@ -126,7 +126,13 @@ std::string certainty(const RecordingPlan& plan, bool relative, double error) {
                      plan.unit == "1" ? "" : plan.unit);
 }
 
-std::string sentence(const RecordingPlan& plan, bool relative, double present, double rate, bool dies_down) {
+/// Known from where the samples lie, also where nothing swings any more.
+bool is_of_the_place(std::string_view quantity) {
+  return quantity == "equilibrium" || is_of_the_start(quantity);
+}
+
+std::string sentence(const RecordingPlan& plan, bool relative, double present, double rate, bool dies_down,
+                     bool linear) {
   const std::string goal = certainty(plan, relative, plan.goal), now = certainty(plan, relative, plan.now);
   if (plan.met)
     return fmt::format("the goal is met: {} is known to {}, and {} were wanted; the first {} would do",
@@ -150,11 +156,15 @@ std::string sentence(const RecordingPlan& plan, bool relative, double present, d
                 goal, seconds(plan.duration), plan.quantity, best)
           : fmt::format("not even a record of {} reaches {}: {} is then known to {}", seconds(plan.duration),
                         goal, plan.quantity, best);
+  // What is said of the place gains nothing by a larger swing; the terms of a law that is not linear gain
+  // more than in proportion, or less.
+  const std::string start = is_of_the_place(plan.quantity) ? ""
+                            : linear ? fmt::format(" or a start {:.2g} times as large", plan.noise_ratio)
+                                     : " or a larger start";
   return fmt::format(
-      "{}; it takes {:.2g} times less noise or a start {:.2g} times as large, or {:.2g} times the samples "
-      "per "
-      "second if their noise is white",
-      limits, plan.noise_ratio, plan.noise_ratio, plan.rate_ratio);
+      "{}; it takes {:.2g} times less noise{}, or {:.2g} times the samples per second if their noise is "
+      "white",
+      limits, plan.noise_ratio, start, plan.rate_ratio);
 }
 
 /// "did you mean decay_rate?", also of "decay rate 1 %"; else all there are.
@@ -243,7 +253,9 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
     return then && std::isfinite(then->estimate.standard_error) ? then->estimate.standard_error : HUGE_VAL;
   };
   const double present = record.t.back() - record.t.front();
-  const SwingEnd end = end_of_the_swing(fit);
+  SwingEnd end = end_of_the_swing(fit);
+  if (goal.quantity == "equilibrium")
+    end = {most_periods * 2 * std::numbers::pi / fit.angular_frequency().value};
   const double last = std::max(present, end.t);
   const double period = 2 * std::numbers::pi / fit.angular_frequency().value;
   double low = std::min(present, 1.5 * period), high = present;
@@ -276,7 +288,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
     }
     plan.duration = useful_high;
   }
-  plan.text = sentence(plan, goal.relative, present, prospect.rate(), end.dies_down);
+  plan.text = sentence(plan, goal.relative, present, prospect.rate(), end.dies_down, is_linear(fit.law));
   return plan;
 }
 
