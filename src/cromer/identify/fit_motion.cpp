@@ -411,9 +411,10 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
     beginning.linear = fit_viscous(record, options, watch);
     // Where friction stops the motion after a swing, damping is a wrong law: its frequency may be unknown,
     // and that of the right one not.
-    if (refuse_frequency(beginning.linear) && beginning.linear.explained > 0.9) {
-      beginning.linear.status = FitStatus::converged;
-      beginning.linear.message.clear();
+    LawFit& linear = beginning.linear;
+    if (linear.status == FitStatus::too_noisy && linear.explained > 0.9 && refuse_frequency(linear)) {
+      linear.status = FitStatus::converged;
+      linear.message.clear();
     }
     if (!beginning.usable() || watch.interrupted()) return beginning;
     beginning.known_motion = linear_motion(record, options, beginning.linear, watch);
