@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "cromer/analysis/frequency_response.h"
@@ -68,9 +69,11 @@ TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
   std::normal_distribution<double> normal;
   std::vector<double> a(200);
   for (double& value : a) value = normal(random);
-  const double h = 0.02, loss_factor = 0.3;
+  const double h = 0.02;
   const std::size_t padded = 512, times = 64;
-  const std::vector<double> periods = {0.12, 0.18, 0.22, 0.45, 0.6};  // 200 samples, and 9.8 periods more
+  // 200 samples, and the pause: 256 to 512 in all.
+  const std::pair<double, double> all[] = {{0.12, 0.3}, {0.18, 0.3}, {0.22, 0.3}, {0.45, 0.3},
+                                           {0.6, 0.3},  {1.18, 0.9}, {1.22, 0.9}, {1.6, 0.9}};
   std::vector<std::complex<double>> ground(padded / 2 + 1);
   for (std::size_t k = 0; k < ground.size(); ++k)
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -78,7 +81,7 @@ TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
   std::vector<std::complex<double>> turn(times * padded);
   for (std::size_t i = 0; i < turn.size(); ++i)
     turn[i] = std::polar(1.0, 2 * pi * static_cast<double>(i) / static_cast<double>(turn.size()));
-  for (const double period : periods) {
+  for (const auto& [period, loss_factor] : all) {
     const double w = 2 * pi / period;
     const double samples = hysteretic_samples(a.size(), h, period, loss_factor);
     ASSERT_GT(samples, padded / 2) << period;

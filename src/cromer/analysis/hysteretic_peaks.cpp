@@ -27,8 +27,9 @@ std::size_t power_of_two(double least) {
   return n;
 }
 
-/// Values for each sample: 8 in the fastest cycle that was recorded, 16 where the oscillator is as fast.
-std::size_t refinement(double period, double h) { return period > 10 * h ? 4 : 8; }
+/// Values for each sample: 16 in the fastest cycle that was recorded where the oscillator is as fast, fewer
+/// where it hardly follows that.
+std::size_t refinement(double period, double h) { return period > 60 * h ? 2 : period > 10 * h ? 4 : 8; }
 
 /// Where the quartic through five values, one apart, is highest beside the middle one, the highest of them.
 double top_of_quartic(const std::array<double, 5>& y) {

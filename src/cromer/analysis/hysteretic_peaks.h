@@ -9,8 +9,8 @@ namespace cromer {
 /// The peaks of the displacement [m] relative to a ground that shakes as recorded, of unit masses on springs
 /// w^2 (1 + i eta), w = 2 pi/T. Each frequency of the recording is answered as hysteretic_response() has it;
 /// the ground between the samples is band-limited, and shakes again and again, after pauses in which the
-/// motion falls to 1e-4, which is the error of the largest too; reading it, by a quartic through five of
-/// at least 8 values a cycle, adds at most as much. Periods and the loss factor are positive.
+/// motion falls to 1e-4, which is the error of the largest too; reading it, by a quartic through five
+/// values, adds at most as much. Periods and the loss factor are positive.
 std::vector<double> hysteretic_peaks(std::span<const double> acceleration, double h,
                                      std::span<const double> periods, double loss_factor);
 
