@@ -31,7 +31,7 @@ std::size_t power_of_two(double least) {
 /// where it hardly follows that.
 std::size_t refinement(double period, double h) { return period > 60 * h ? 2 : period > 10 * h ? 4 : 8; }
 
-/// Where the quartic through five values, one apart, is highest beside the middle one, the highest of them.
+/// How high the quartic through five values, one apart, rises beside the middle one, the highest of them.
 double top_of_quartic(const std::array<double, 5>& y) {
   const double slope = (y[0] - 8 * y[1] + 8 * y[3] - y[4]) / 12;
   const double bend = (-y[0] + 16 * y[1] - 30 * y[2] + 16 * y[3] - y[4]) / 24;

@@ -307,7 +307,7 @@ std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions&
 
 // Of a motion that friction stops within a few half swings no envelope tells how many: what the friction
 // takes in each of so many, beside how much other damping, and where in the band that it holds the body came
-// to rest. The frequency is that of turning points, which a fit of damped swings through the rest gets wrong.
+// to rest. Damped swings fitted through the rest have a frequency that is off by a tenth or so.
 std::vector<Motion> gliding_starts(const Motion& known, const Record& record) {
   std::vector<Motion> starts;
   const std::span<const double> end = record.y.last(std::max<std::size_t>(1, record.y.size() / 10));

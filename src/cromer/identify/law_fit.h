@@ -79,8 +79,8 @@ struct LawFit {
   Estimate angular_frequency() const { return (*this)["angular_frequency"]; }  // [rad/s] undamped
   /// [rad/s] of small swings: the spring's, and of a hysteretic law with its first stiffness as well.
   Estimate swing_frequency() const;
-  Estimate decay_rate() const { return (*this)["decay_rate"]; }                // [1/s] gamma = c / 2m
-  Estimate equilibrium() const { return (*this)["equilibrium"]; }              // [unit of y]
+  Estimate decay_rate() const { return (*this)["decay_rate"]; }    // [1/s] gamma = c / 2m
+  Estimate equilibrium() const { return (*this)["equilibrium"]; }  // [unit of y]
   Estimate position() const {
     return (*this)["position"];
   }  // [unit] from the equilibrium at the first sample

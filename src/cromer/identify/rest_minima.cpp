@@ -226,7 +226,7 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
   if (second > 0.05)
     fit.warnings.push_back(fmt::format(
         "the record does not tell after how many half swings the motion came to rest: another count has a "
-        "probability of {:.0f} %, and the intervals hold both",
+        "probability of {:.0f} %, and the intervals are widened for it",
         100 * second));
 }
 

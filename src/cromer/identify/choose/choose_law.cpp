@@ -387,6 +387,7 @@ class Choosing {
     LawChoice choice{candidates_[best_], candidates_};
     if (watch_.interrupted()) mark_interrupted(choice, laws, watch_);
     choice.rivals = rival_laws(record_, candidates_, best_);
+    // begin_fit() lets a linear law pass whose frequency is unknown, for the sake of the others.
     if (const auto refusal = refuse_frequency(choice.chosen);
         refusal && choice.chosen.status == FitStatus::converged) {
       refuse(choice.chosen, *refusal);

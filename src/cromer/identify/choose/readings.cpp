@@ -167,8 +167,7 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
     choice.chosen.warnings.push_back(fmt::format(
         "what the force did between its samples is open: as {} the rms residual is {:.4g}, as {} it is "
         "{:.4g}: too close to decide{}{}; the uncertainties are widened for it. --between-samples says "
-        "which, if "
-        "it is known",
+        "which, if it is known",
         name(choice.chosen.drive.force.between), choice.chosen.residual.rms, name(other.drive.force.between),
         other.residual.rms, differ.empty() ? "" : "; the other would make the ", differ));
   }

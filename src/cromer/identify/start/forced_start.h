@@ -14,7 +14,8 @@ namespace cromer {
 /// all frequencies, weighted as errors of the position (C. Sanathanan & J. Koerner, IEEE Trans. Autom.
 /// Control 8, 56 (1963)). A quadratic and a cubic spring stand in the equation for whatever bends it, or an
 /// odd-quadratic and a quintic one where the law has both; a law that has them gets them. Where the
-/// force explains no spring the start is the record's strongest line. At least 16 samples.
+/// force explains no spring its frequency is that of the record's strongest line. Empty where the spring
+/// found does not hold the body where it rests. At least 16 samples.
 std::optional<Motion> forced_start(const Record& record, const ForceRecord& force, const Law& law);
 
 }  // namespace cromer

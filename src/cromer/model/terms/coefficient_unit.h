@@ -31,7 +31,7 @@ inline std::string unit_of_powers(std::initializer_list<std::pair<std::string_vi
   return (above.empty() ? "1" : above) + "/" + (count_below > 1 ? "(" + below + ")" : below);
 }
 
-/// The SI unit of a coefficient: "N/m^3", "kg/(m^2 s)"; "1/m" of one that is none of a force.
+/// The SI unit of a coefficient: "N/m^3", "kg/(m^2 s)"; "1/m" of one that is not a force's.
 inline std::string unit_of(const CoefficientInfo& info, Powers powers = Powers::caret) {
   if (info.fitted == FittedAs::not_a_force)
     return unit_of_powers({{"m", info.length}, {"s", info.time}}, powers);

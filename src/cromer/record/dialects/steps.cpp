@@ -128,8 +128,7 @@ Steps describe_steps(std::span<const double> t) {
   // A gap is no jitter.
   const double pace = clock ? clock->spacing : pace_of(t, step);
   const auto missing = [&](std::size_t i) {
-    if (clock) return at[i + 1] - at[i] > gap_of_steps * pace;
-    return t[i + 1] - t[i] > gap_of_steps * pace && lateness(t, i, pace) > lost_of_steps * pace;
+    return at[i + 1] - at[i] > gap_of_steps * pace && (clock || lateness(t, i, pace) > lost_of_steps * pace);
   };
   std::vector<double> kept;
   for (std::size_t i = 0; i + 1 < t.size(); ++i)

@@ -83,7 +83,7 @@ class LineReader {
   bool at_beginning_ = true;          ///< no line has come since
   bool surely_whole_ = true;          ///< the line that comes is not what is left of one
   std::optional<FirstLine> first_{};  ///< that waits for the next one to be judged by
-  bool too_long_ = false;     ///< what comes up to the next line's end is part of a line already refused
+  bool too_long_ = false;  ///< what comes up to the next line's end is part of a line already refused
   std::string partial_;
   long line_ = 0;
   std::size_t fields_ = 0;  ///< 0 until the first line of numbers

@@ -253,11 +253,10 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
     return then && std::isfinite(then->estimate.standard_error) ? then->estimate.standard_error : HUGE_VAL;
   };
   const double present = record.t.back() - record.t.front();
-  SwingEnd end = end_of_the_swing(fit);
-  if (goal.quantity == "equilibrium")
-    end = {most_periods * 2 * std::numbers::pi / fit.angular_frequency().value};
-  const double last = std::max(present, end.t);
   const double period = 2 * std::numbers::pi / fit.angular_frequency().value;
+  const SwingEnd end =
+      goal.quantity == "equilibrium" ? SwingEnd{most_periods * period} : end_of_the_swing(fit);
+  const double last = std::max(present, end.t);
   double low = std::min(present, 1.5 * period), high = present;
   if (!plan.met) {
     low = present;

@@ -206,7 +206,7 @@ by {} %⇒um {} %
 the residuals are correlated ({} from sample to sample), but…⇒die Reste hängen zusammen ({} von Messwert zu Messwert), doch nicht bei der Frequenz der Schwingung: die Unsicherheiten von Frequenz und Abklingrate sind kaum geweitet
 the residuals are correlated ({} from sample to sample): the…of {} independent…⇒die Reste hängen zusammen ({} von Messwert zu Messwert): die Unsicherheiten sind geweitet, wie von {} unabhängigen Messwerten
 the frequency changes along the record: one decaying sinusoid accounts for {} %…⇒die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur {} % der Streuung
-the record does not tell after…probability of {} %, …⇒die Aufnahme sagt nicht, nach wie vielen halben Schwingungen die Bewegung zur Ruhe kam: eine andere Zahl ist zu {} % wahrscheinlich, die Bereiche enthalten beide
+the record does not tell after…probability of {} %, …⇒die Aufnahme sagt nicht, nach wie vielen halben Schwingungen die Bewegung zur Ruhe kam: eine andere Zahl ist zu {} % wahrscheinlich, die Bereiche sind dafür geweitet
 this record cannot tell {} from {}:…Known whichever it is: {}⇒diese Aufnahme kann {} und {} nicht trennen: die Unsicherheiten gelten nur, wenn das Gesetz stimmt. In jedem Fall bekannt: {}
 this record cannot tell {} from {}: the uncertainties hold only if the law is right⇒diese Aufnahme kann {} und {} nicht trennen: die Unsicherheiten gelten nur, wenn das Gesetz stimmt
 the laws were compared on {} of the {} samples…⇒die Gesetze wurden an {} von {} Messwerten verglichen; das gewählte ist an alle angepasst
