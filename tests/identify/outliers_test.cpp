@@ -76,6 +76,25 @@ TEST(Outliers, RoundingIsNone) {
   EXPECT_EQ(outliers({t, r, 0}, r).size(), 20u);
 }
 
+TEST(Outliers, ThatChangeSidesForeverAreNotFollowed) {
+  // Without the one sample the other stands out, and the other way round.
+  const std::vector<double> noise = normal_values(200, 3);
+  const std::vector<double> t = even_times(200, 0.01);
+  const Record record{t, noise, 0};
+  int fits = 0;
+  const auto fit = [&](const Record&) { return ++fits; };
+  const auto residuals_of = [&](int made, const Record&) {
+    std::vector<double> r = noise;
+    r[made % 2 == 0 ? 50 : 60] = 30;
+    return r;
+  };
+  const auto settled = settle_outliers(record, 0, {}, fit, residuals_of);
+  EXPECT_EQ(fits, 2);
+  EXPECT_EQ(settled.result, 2);
+  EXPECT_THAT(settled.aside, ElementsAre(60));
+  EXPECT_EQ(settled.residuals[50], 30);
+}
+
 TEST(Outliers, MoreThanATenthOfAllAreNone) {
   std::vector<double> r = normal_values(1000, 4);
   for (std::size_t i = 0; i < r.size(); i += 9) r[i] += 40;

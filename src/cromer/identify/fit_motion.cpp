@@ -40,7 +40,7 @@ class Problem {
         [this, part, h](const Parameters& parameters) {
           return motion_equations(fitted_, parameters, options_.drive, part, h);
         },
-        watch_, steps_through(part.t, h));
+        watch_, (options_.law.has<Hysteresis>() ? 3 : 1) * steps_through(part.t, h));
   }
   auto model(double h) const { return model(record_, h); }
 

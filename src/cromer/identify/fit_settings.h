@@ -29,9 +29,9 @@ auto interruptible(Model model, const Watch& watch, double steps = 0) {
   };
 }
 
-/// The watch with a bound on the steps that all motions of a record's fits may take, many times what any
-/// recorded swing has been seen to need: noise of thousands of periods between few samples would take
-/// minutes. The same watch where it has a bound.
+/// The watch with a bound on the steps that all motions of a record's fits may take, more than any recorded
+/// swing has been seen to need: noise of thousands of periods between few samples would take minutes. The
+/// same watch where it has a bound.
 Watch within_steps(const Watch& watch, const Record& record, DriveKind drive);
 
 /// A fit without values: a half-finished minimum would look like a result.

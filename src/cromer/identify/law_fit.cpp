@@ -97,9 +97,9 @@ LawFit fit_law(const Record& record, const LawFitOptions& options, const Watch& 
   const Watch watch = within_steps(given, record, options.drive.kind);
   const auto fit_all = [&](const Record& samples) { return fit_every_sample(samples, options, watch); };
   if (options.every_sample) return fit_all(record);
-  auto [fit, aside] = fit_without_outliers(record, fit_all, residuals_of);
-  fit.outliers = std::move(aside);
-  return std::move(fit);
+  auto settled = settle_outliers(record, fit_all(record), {}, fit_all, residuals_of);
+  settled.result.outliers = std::move(settled.aside);
+  return std::move(settled.result);
 }
 
 std::vector<double> residuals_of(const LawFit& fit, const Record& record) {

@@ -513,11 +513,21 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
     return choice;
   };
   if (options.every_sample || options.drive.kind != DriveKind::none) return choose(record);
-  auto [choice, aside] = fit_without_outliers(
-      record, choose,
-      [](const LawChoice& made, const Record& samples) { return residuals_of(made.chosen, samples); });
+  LawChoice choice = choose(record);
+  std::vector<std::size_t> aside;
+  for (int round = 0; round < 2; ++round) {
+    // The chosen law alone tells which samples stand out: to choose among all again takes far longer.
+    LawFitOptions one = every;
+    one.law = choice.chosen.law;
+    auto settled = settle_outliers(
+        record, choice.chosen, aside, [&](const Record& samples) { return fit_law(samples, one, watch); },
+        residuals_of);
+    if (settled.aside == aside) break;
+    aside = std::move(settled.aside);
+    choice = choose(KeptSamples(record, aside, settled.residuals).record());
+  }
   choice.chosen.outliers = std::move(aside);
-  return std::move(choice);
+  return choice;
 }
 
 }  // namespace cromer

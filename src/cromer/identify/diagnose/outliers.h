@@ -1,6 +1,7 @@
 // Samples that stand out alone from what a law leaves: a sensor's spikes.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -31,22 +32,31 @@ struct KeptSamples {
   int derivative_;
 };
 
-/// Fits, sets aside the outliers from the fit, and fits the rest, until no sample changes sides (five times
-/// at most). `fit(record)` gives a result, `residuals_of(result, record)` the record's residuals from it,
-/// empty where there are none. Returns the last result, and the samples that were set aside.
-template <class Fit, class ResidualsOf>
-auto fit_without_outliers(const Record& record, const Fit& fit, const ResidualsOf& residuals_of) {
-  auto result = fit(record);
+/// The samples that a fit to all others sets aside, and that fit. `fit(record)` gives a result,
+/// `residuals_of(result, record)` the whole record's residuals from it, empty where there are none.
+template <class Result>
+struct WithoutOutliers {
+  Result result;
   std::vector<std::size_t> aside;
+  std::vector<double> residuals;  ///< of the whole record, from the result
+};
+
+/// From a result without some samples: sets aside the outliers from it and fits the rest, until no sample
+/// changes sides (five times at most), or the same ones do again.
+template <class Result, class Fit, class ResidualsOf>
+WithoutOutliers<Result> settle_outliers(const Record& record, Result result, std::vector<std::size_t> aside,
+                                        const Fit& fit, const ResidualsOf& residuals_of) {
+  std::vector<std::vector<std::size_t>> seen{aside};
+  std::vector<double> residuals = residuals_of(result, record);
   for (int round = 0; round < 5; ++round) {
-    const std::vector<double> residuals = residuals_of(result, record);
     std::vector<std::size_t> found = outliers(record, residuals);
-    if (found == aside) break;
+    if (std::find(seen.begin(), seen.end(), found) != seen.end()) break;
+    seen.push_back(found);
     aside = std::move(found);
-    const KeptSamples kept(record, aside, residuals);
-    result = fit(kept.record());
+    result = fit(KeptSamples(record, aside, residuals).record());
+    residuals = residuals_of(result, record);
   }
-  return std::pair(std::move(result), std::move(aside));
+  return {std::move(result), std::move(aside), std::move(residuals)};
 }
 
 }  // namespace cromer

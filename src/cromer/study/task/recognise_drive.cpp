@@ -8,6 +8,7 @@
 
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
+#include "cromer/identify/fit_settings.h"
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/used_samples.h"
@@ -112,7 +113,9 @@ bool may_be_beats(const LawFit& fit) {
 }  // namespace
 
 FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
-                                const Watch& watch) {
+                                const Watch& caller) {
+  const FittedSamples samples = without_outliers(free.series);
+  const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
   const bool automatic = options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
   const bool refused = free.parameters.empty();
   const Residual& left = free.fit.residual;
