@@ -32,7 +32,7 @@ std::size_t states_of_whole_steps(const SimulatedRun& run) {
 std::optional<ModifiedEnergy> modified_energy_of(const SimulatedRun& run) {
   if (!conserves_modified_energy(run)) return std::nullopt;
   const std::size_t size = states_of_whole_steps(run);
-  if (size == 0) return std::nullopt;
+  if (size < 2) return std::nullopt;
   const auto state = [&](std::size_t i) { return State<double>{run.trajectory.x[i], run.trajectory.v[i]}; };
   const auto modified = [&](std::size_t i) { return modified_energy(run.oscillator, run.step, state(i)); };
   ModifiedEnergy found{

@@ -1,0 +1,145 @@
+// Whole conversations with the program, word for word: tests/cli/transcripts/*.txt. Each has commands
+// ("$ cromer ...", and "$ show FILE" of what they wrote), what they print (what goes to standard error after
+// "! "), and their exit status where it is not 0. Long numbers may differ in the last digit from
+// compiler to compiler. Run with CROMER_WRITE_TRANSCRIPTS=1, the test writes what is printed now into
+// the files: read the difference before you commit it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace cromer::test {
+namespace {
+
+const std::filesystem::path folder_of_transcripts = std::string(CROMER_SOURCE_DIR) + "/tests/cli/transcripts";
+
+std::string contents(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+/// Words as a shell takes them, quoted by " or '.
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  char quote = 0;
+  bool within = false;
+  for (const char c : line) {
+    if (quote == 0 && c == ' ') {
+      within = false;
+    } else {
+      if (!within) words.emplace_back();
+      within = true;
+      if (quote == 0 && (c == '"' || c == '\'')) {
+        quote = c;
+      } else if (c == quote) {
+        quote = 0;
+      } else {
+        words.back() += c;
+      }
+    }
+  }
+  return words;
+}
+
+std::string printed_by(const Folder& folder, const std::string& line) {
+  std::vector<std::string> words = words_of(line);
+  if (words.at(0) == "show") return folder.read(words.at(1));
+  EXPECT_EQ(words.at(0), "cromer") << line;
+  words.erase(words.begin());
+  const Finished end = folder.run(words);
+  std::string text = end.out;
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  std::istringstream errors(end.err);
+  for (std::string each; std::getline(errors, each);) text += "! " + each + '\n';
+  if (end.status != 0) text += "[" + std::to_string(end.status) + "]\n";
+  return text;
+}
+
+/// The transcript with what the program prints now.
+std::string spoken_again(const std::string& transcript) {
+  const Folder folder;
+  for (const char* name :
+       {"/data/recording1.csv", "/data/recording2.csv", "/data/ground/shaking.csv", "/data/ground/drop.csv"})
+    folder.write(std::filesystem::path(name).filename(), contents(CROMER_SOURCE_DIR + std::string(name)));
+  for (const auto& file : std::filesystem::directory_iterator(folder_of_transcripts / "files"))
+    folder.write(file.path().filename(), contents(file.path()));
+  std::istringstream lines(transcript);
+  std::string now;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("$ ")) now += line + '\n' + printed_by(folder, line.substr(2));
+  return now;
+}
+
+/// Seven digits and more to a millionth; fewer, down to five, to one in the last.
+bool same_number(const std::string& one, const std::string& other) {
+  if (one == other) return true;
+  const auto digits = [](const std::string& number) {
+    return std::count_if(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  };
+  const auto shorter = std::min(digits(one), digits(other));
+  const double a = std::stod(one), b = std::stod(other), size = std::max(std::abs(a), std::abs(b));
+  if (shorter >= 7) return std::abs(a - b) <= 1e-6 * size;
+  const auto decimals = [](const std::string& number) {
+    const std::size_t point = number.find('.');
+    return point == std::string::npos ? 0 : static_cast<int>(number.find_last_of("0123456789") - point);
+  };
+  return shorter >= 5 && one.find('e') == std::string::npos && decimals(one) == decimals(other) &&
+         std::abs(a - b) <= 1.01 * std::pow(10, -decimals(one));
+}
+
+bool same_line(const std::string& one, const std::string& other) {
+  static const std::regex number("[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
+  if (std::regex_replace(one, number, "#") != std::regex_replace(other, number, "#")) return false;
+  const std::sregex_iterator end;
+  std::sregex_iterator a(one.begin(), one.end(), number), b(other.begin(), other.end(), number);
+  for (; a != end && b != end; ++a, ++b)
+    if (!same_number(a->str(), b->str())) return false;
+  return a == end && b == end;
+}
+
+class Transcript : public testing::TestWithParam<std::string> {};
+
+TEST_P(Transcript, IsSpokenAgainWordForWord) {
+  const std::filesystem::path path = folder_of_transcripts / (GetParam() + ".txt");
+  const std::string then = contents(path), now = spoken_again(then);
+  if (std::getenv("CROMER_WRITE_TRANSCRIPTS")) {
+    std::ofstream(path) << now;
+    return;
+  }
+  std::istringstream lines_then(then), lines_now(now);
+  std::string command, one, other;
+  for (int line = 1;; ++line) {
+    const bool more = static_cast<bool>(std::getline(lines_then, one)),
+               more_now = static_cast<bool>(std::getline(lines_now, other));
+    if (!more && !more_now) break;
+    if (one.starts_with("$ ")) command = one;
+    ASSERT_TRUE(more && more_now && same_line(one, other))
+        << path.string() << ":" << line << "\n"
+        << command << "\nthen " << one << "\nnow  " << other;
+  }
+}
+
+std::vector<std::string> names_of_transcripts() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(folder_of_transcripts))
+    if (file.path().extension() == ".txt") names.push_back(file.path().stem());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Transcript, testing::ValuesIn(names_of_transcripts()),
+                         [](const auto& each) { return each.param; });
+
+}  // namespace
+}  // namespace cromer::test
