@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "cromer/analysis/envelope.h"
 #include "cromer/base/quantity.h"
 #include "cromer/report/palette.h"
 #include "cromer/study/task/simulate_setup.h"
@@ -42,16 +43,33 @@ double frame(const std::vector<SimulatedRun>& runs) {
   return greatest > 20 * smallest && smallest > 0 ? 4 * smallest : greatest;
 }
 
-/// The swing about its middle from a time on: "±1.2 cm at the end", "100 ± 4 cm at the end".
-std::string swing(const Trajectory& motion, double from, const LengthUnit& unit) {
+struct Ends {
   double low = std::numeric_limits<double>::infinity(), high = -low;
+};
+
+/// What the motion reaches to both sides from a time on.
+Ends ends_from(const Trajectory& motion, double from) {
+  Ends ends;
   for (std::size_t i = 0; i < motion.size(); ++i) {
     if (motion.t[i] < from) continue;
-    low = std::min(low, motion.x[i]);
-    high = std::max(high, motion.x[i]);
+    ends.low = std::min(ends.low, motion.x[i]);
+    ends.high = std::max(ends.high, motion.x[i]);
   }
-  if (!(high >= low)) return "";
-  const double middle = (high + low) / 2 / unit.metres, half = (high - low) / 2 / unit.metres;
+  return ends;
+}
+
+/// The last turning points of a motion that nothing drives.
+Ends last_turns(const Trajectory& motion) {
+  const Envelope turns = envelope(motion.t, motion.x);
+  if (turns.top.empty() || turns.bottom.empty()) return {};
+  return {turns.bottom.back(), turns.top.back()};
+}
+
+/// "±1.2 cm at the end", "100 ± 4 cm at the end".
+std::string swing(const Ends& ends, const LengthUnit& unit) {
+  if (!(ends.high >= ends.low)) return "";
+  const double middle = (ends.high + ends.low) / 2 / unit.metres,
+               half = (ends.high - ends.low) / 2 / unit.metres;
   const std::string about =
       std::abs(middle) > 0.1 * half ? format_quantity({middle, half}, "") : "±" + rounded(half, 3);
   return fmt::format("{} {} at the end", about, unit.symbol);
@@ -61,12 +79,14 @@ std::string remark(const SimulatedRun& run, double height, const LengthUnit& uni
   if (run.outcome.status == Status::not_finite || largest(run.trajectory, 0, run.until) > height)
     return "grows without end";
   if (run.outcome.status != Status::reached_end) return fmt::format("ends at {:.4g} s", run.outcome.t);
-  // The largest excursion says something only where at least a period of the drive is looked at.
-  const double drive_period =
-      run.drive.amplitude > 0 && run.drive.frequency > 0 ? 2 * std::numbers::pi / run.drive.frequency : 0;
-  const double window = std::max(0.1 * run.until, drive_period);
+  const bool harmonic = run.drive.amplitude > 0 && run.drive.frequency > 0;
+  if (!harmonic && !run.general) return swing(last_turns(run.trajectory), unit);
+  // The largest excursion says something only where at least a period is looked at.
+  const double period = natural_period(run.oscillator);
+  const double window = std::max(period > 0 ? period : 0.1 * run.until,
+                                 harmonic ? 2 * std::numbers::pi / run.drive.frequency : 0.1 * run.until);
   if (window > 0.5 * run.until) return "";
-  return swing(run.trajectory, run.until - window, unit);
+  return swing(ends_from(run.trajectory, run.until - window), unit);
 }
 
 std::string name_of(const SimulatedRun& run, bool one_method, bool several_frequencies) {

@@ -258,5 +258,21 @@ TEST(Simulate, PrintsNoTableThatDoesNotApply) {
   }
 }
 
+// Six periods and a bit: a tenth of the run is less than half a period.
+TEST(Simulate, AFigureSaysHowFarTheLastSwingGoes) {
+  const Folder folder;
+  const auto drawn = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "simulate");
+    arguments.insert(arguments.end(), {"--plot", "run.svg"});
+    EXPECT_EQ(folder.run(arguments).status, 0);
+    return folder.read("run.svg");
+  };
+  EXPECT_THAT(drawn({"--stiffness", "4e6", "--position", "2 mm", "--until", "0.02", "--method", "exact"}),
+              HasSubstr("±2.00 mm at the end"));
+  // Friction takes 2 f/k = 2.22 cm in each half swing: the last turns, of 37, are at 20 and 17.8 cm.
+  EXPECT_THAT(drawn({"--stiffness", "36", "--friction", "0.4", "--until", "19.5", "--method", "exact"}),
+              HasSubstr("±0.189 m at the end"));
+}
+
 }  // namespace
 }  // namespace cromer::test

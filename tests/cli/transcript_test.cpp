@@ -1,5 +1,6 @@
 // Whole conversations with the program, word for word: tests/cli/transcripts/*.txt. Each has commands
-// ("$ cromer ...", and "$ show FILE" of what they wrote), what they print (what goes to standard error after
+// ("$ cromer ...", and "$ show FILE" or "$ words FILE" of what they wrote), what they print (what goes to
+// standard error after
 // "! "), and their exit status where it is not 0. Long numbers may differ in the last digit from
 // compiler to compiler. Run with CROMER_WRITE_TRANSCRIPTS=1, the test writes what is printed now into
 // the files: read the difference before you commit it.
@@ -52,9 +53,21 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
+/// What a reader sees of a figure or a page: its texts, a line each, but for date, version and compiler.
+std::string words_in(const std::string& markup) {
+  static const std::regex hidden("<(style|script)[^>]*>[^]*?</(style|script)>"), tag("<[^>]*>");
+  std::istringstream lines(std::regex_replace(std::regex_replace(markup, hidden, ""), tag, "\n"));
+  std::string words;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find_first_not_of(" \r") != std::string::npos && line.find(" · ") == std::string::npos)
+      words += "  " + line + '\n';
+  return words;
+}
+
 std::string printed_by(const Folder& folder, const std::string& line) {
   std::vector<std::string> words = words_of(line);
   if (words.at(0) == "show") return folder.read(words.at(1));
+  if (words.at(0) == "words") return words_in(folder.read(words.at(1)));
   EXPECT_EQ(words.at(0), "cromer") << line;
   words.erase(words.begin());
   const Finished end = folder.run(words);
