@@ -94,7 +94,8 @@ std::string spoken_again(const std::string& transcript) {
   return now;
 }
 
-/// Seven digits and more to a millionth; fewer, down to five, to one in the last.
+/// Seven digits and more to a millionth, or what rounding leaves of nothing; fewer, down to five, to one in
+/// the last.
 bool same_number(const std::string& one, const std::string& other) {
   if (one == other) return true;
   const auto digits = [](const std::string& number) {
@@ -102,7 +103,7 @@ bool same_number(const std::string& one, const std::string& other) {
   };
   const auto shorter = std::min(digits(one), digits(other));
   const double a = std::stod(one), b = std::stod(other), size = std::max(std::abs(a), std::abs(b));
-  if (shorter >= 7) return std::abs(a - b) <= 1e-6 * size;
+  if (shorter >= 7) return std::abs(a - b) <= 1e-6 * size || size < 1e-12;
   const auto decimals = [](const std::string& number) {
     const std::size_t point = number.find('.');
     return point == std::string::npos ? 0 : static_cast<int>(number.find_last_of("0123456789") - point);
@@ -112,7 +113,7 @@ bool same_number(const std::string& one, const std::string& other) {
 }
 
 bool same_line(const std::string& one, const std::string& other) {
-  static const std::regex number("[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
+  static const std::regex number("-?[0-9]+(\\.[0-9]+)?([eE][-+]?[0-9]+)?");
   if (std::regex_replace(one, number, "#") != std::regex_replace(other, number, "#")) return false;
   const std::sregex_iterator end;
   std::sregex_iterator a(one.begin(), one.end(), number), b(other.begin(), other.end(), number);
