@@ -110,6 +110,55 @@ TEST(Effort, OfAChoiceOfTheLaw) {
   }
 }
 
+// More than the choice looks at.
+TEST(Effort, OfAChoiceFromALongRecord) {
+  const std::vector<double> t = even_times(60'000, 0.002);
+  Motion motion = swing_of("viscous+drag");
+  motion.per_mass.drag = 0.05;
+  const std::vector<double> y = noisy(observed_motion(motion, {}, t, 0, 0.01), 1e-3);
+  const double took = thousands_of_steps([&](const Watch& watch) {
+    EXPECT_EQ(choose_law({t, y}, {}, watch).chosen.law, law_of("viscous+drag"));
+  });
+  EXPECT_LE(took, 8200);
+}
+
+TEST(Effort, OfAChoiceWithGapsAndUnevenTimes) {
+  std::vector<double> t;
+  for (std::size_t i = 0; i < 1500; ++i)
+    if (i % 300 > 40) t.push_back(0.02 * static_cast<double>(i) + 0.004 * static_cast<double>(i % 3));
+  const std::vector<double> y = noisy(observed_motion(swing_of("viscous+cubic"), {}, t, 0, 0.002), 1e-3);
+  const double took = thousands_of_steps([&](const Watch& watch) {
+    EXPECT_EQ(choose_law({t, y}, {}, watch).chosen.law, law_of("viscous+cubic"));
+  });
+  EXPECT_LE(took, 265);
+}
+
+TEST(Effort, OfAChoiceUnderADrive) {
+  Motion motion = swing_of("viscous+cubic");
+  motion.cosine = 8;
+  motion.drive_frequency = 4.7;
+  const std::vector<double> y = noisy(observed_motion(motion, Drive::harmonic(), times, 0, 0.002), 1e-3);
+  const double took = thousands_of_steps([&](const Watch& watch) {
+    EXPECT_EQ(choose_law({times, y}, {.drive = Drive::harmonic()}, watch).chosen.law,
+              law_of("viscous+cubic"));
+  });
+  EXPECT_LE(took, 265);
+}
+
+TEST(Effort, OfAChoiceUnderARecordedForce) {
+  const auto acting = multisine(15, 3);
+  std::vector<double> force;
+  for (const double each : times) force.push_back(acting(each));
+  const Drive drive = Drive::recorded({force, 0, 0.02, BetweenSamples::linear});
+  Motion motion = swing_of("viscous+cubic");
+  motion.force_gain = 5;
+  const std::vector<double> y = noisy(observed_motion(motion, drive, times, 0, 0.002), 1e-3);
+  const double took = thousands_of_steps([&](const Watch& watch) {
+    EXPECT_EQ(choose_law({times, y}, {.drive = drive}, watch).chosen.law, law_of("viscous+cubic"));
+  });
+  EXPECT_LE(took, 1650);
+}
+
 TEST(Effort, OfTheClosedFormIsAFewIterations) {
   const std::vector<double> y = noisy(observed_motion(swing_of("viscous"), {}, times, 0, 0.002), 1e-3);
   EXPECT_LE(fit_law({times, y}, {.law = law_of("viscous")}).iterations, 2);
