@@ -1,0 +1,131 @@
+#include "cromer/analysis/ground_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <random>
+#include <span>
+#include <vector>
+
+namespace cromer {
+namespace {
+
+constexpr double pi = std::numbers::pi, g = 9.80665;
+constexpr auto hold = BetweenSamples::hold, linear = BetweenSamples::linear;
+
+/// Of these samples, after which others lie that must not be read.
+Intensity of(std::vector<double> a, double h, BetweenSamples between) {
+  const std::size_t n = a.size();
+  a.insert(a.end(), {1e3, 1e3});
+  return intensity(std::span(a).first(n), h, between);
+}
+
+TEST(Intensity, OfAConstantIsByHand) {
+  const Intensity held = of(std::vector(30, -2.0), 0.1, hold), joined = of(std::vector(31, 2.0), 0.1, linear);
+  for (const Intensity& found : {held, joined}) {
+    EXPECT_NEAR(found.arias, pi / (2 * g) * 4 * 3, 1e-14);
+    EXPECT_NEAR(found.decades, std::log10(pi / (2 * g) * 4 * 3), 1e-14);
+    EXPECT_NEAR(found.from, 0.05 * 3, 1e-14);
+    EXPECT_NEAR(found.duration, 0.9 * 3, 1e-14);
+  }
+}
+
+TEST(Intensity, OfARampIsByHand) {
+  const double h = 0.5;
+  const Intensity rising = of({0, 3}, h, linear), falling = of({3, 0}, h, linear),
+                  through = of({-3, 3}, h, linear);
+  EXPECT_NEAR(rising.arias, pi / (2 * g) * 3 * h, 1e-14);
+  EXPECT_NEAR(rising.from, h * std::cbrt(0.05), 1e-14);
+  EXPECT_NEAR(rising.duration, h * (std::cbrt(0.95) - std::cbrt(0.05)), 1e-14);
+  EXPECT_NEAR(falling.arias, pi / (2 * g) * 3 * h, 1e-14);
+  EXPECT_NEAR(falling.from, h * (1 - std::cbrt(0.95)), 1e-14);
+  EXPECT_NEAR(through.arias, pi / (2 * g) * 3 * h, 1e-14);
+  EXPECT_NEAR(through.from, h * (1 - std::cbrt(0.9)) / 2, 1e-14);
+  EXPECT_NEAR(through.duration, h * std::cbrt(0.9), 1e-14);
+}
+
+TEST(Intensity, IsThatOfAFineSum) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<double> a(17);
+  for (double& value : a) value = normal(random);
+  const double h = 0.2;
+  constexpr int fine = 20'000;
+  for (const auto between : {hold, linear}) {
+    std::vector<double> sums{0};
+    for (std::size_t i = 0; i + (between == linear) < a.size(); ++i)
+      for (int j = 0; j < fine; ++j) {
+        const double part = (j + 0.5) / fine;
+        const double value = between == hold ? a[i] : a[i] + part * (a[i + 1] - a[i]);
+        sums.push_back(sums.back() + value * value * h / fine);
+      }
+    const auto time_of = [&](double share) {
+      std::size_t i = 0;
+      while (sums[i] < share * sums.back()) ++i;
+      return static_cast<double>(i) * h / fine;
+    };
+    const Intensity found = of(a, h, between);
+    EXPECT_NEAR(found.arias / (pi / (2 * g) * sums.back()), 1, 1e-8);
+    EXPECT_NEAR(found.from, time_of(0.05), 1.5 * h / fine);
+    EXPECT_NEAR(found.from + found.duration, time_of(0.95), 1.5 * h / fine);
+  }
+}
+
+TEST(Intensity, AShareThatIsReachedAtASampleIsReachedThere) {
+  // 20 equal samples: the first brings the 5 %, the last but one the 95 %.
+  std::vector<double> a(26, 0.0);
+  a[0] = 1;
+  for (std::size_t i = 4; i < 22; ++i) a[i] = 1;
+  a[25] = 1;
+  const Intensity found = of(a, 0.5, hold);
+  EXPECT_EQ(found.from, 0.5);
+  EXPECT_EQ(found.from + found.duration, 11);
+}
+
+TEST(Intensity, HasItsDecadesWhereItIsBeyondAnyDouble) {
+  for (const double size : {1e-320, 1e-200, 1e200, 1.5e308}) {
+    const Intensity found = of(std::vector(30, size), 0.1, hold);
+    EXPECT_TRUE(std::isnan(found.arias)) << size;
+    EXPECT_NEAR(found.decades, std::log10(pi / (2 * g) * 3) + 2 * std::log10(size), 1e-12) << size;
+    EXPECT_NEAR(found.duration, 2.7, 1e-13) << size;
+  }
+  EXPECT_NEAR(of(std::vector(30, 1e100), 0.1, hold).arias / (pi / (2 * g) * 3e200), 1, 1e-13);
+  EXPECT_NEAR(of(std::vector(30, 1e-100), 0.1, hold).arias / (pi / (2 * g) * 3e-200), 1, 1e-13);
+}
+
+TEST(Intensity, IsNothingWhereNothingShakes) {
+  for (const auto between : {hold, linear}) {
+    const Intensity found = of({0, 0, 0}, 0.1, between);
+    EXPECT_EQ(found.arias, 0);
+    EXPECT_EQ(found.decades, 0);
+    EXPECT_EQ(found.from, 0);
+    EXPECT_EQ(found.duration, 0);
+  }
+}
+
+TEST(FourierAmplitude, IsTheSumWrittenOut) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  const double h = 0.02;
+  for (const auto& [count, padded] :
+       {std::pair<std::size_t, std::size_t>{2, 8}, {8, 8}, {9, 16}, {16, 16}, {17, 32}}) {
+    std::vector<double> a(count);
+    for (double& value : a) value = normal(random);
+    const FourierAmplitude found = fourier_amplitude(a, h);
+    const auto n = static_cast<double>(padded);
+    EXPECT_NEAR(found.step * n * h, 1, 1e-14) << count;
+    ASSERT_EQ(found.amplitude.size(), padded / 2 + 1) << count;
+    for (std::size_t k = 0; k < found.amplitude.size(); ++k) {
+      std::complex<double> sum = 0;
+      for (std::size_t i = 0; i < count; ++i)
+        sum += a[i] * std::polar(1.0, -2 * pi * static_cast<double>(i * k) / n);
+      EXPECT_NEAR(found.amplitude[k], h * std::abs(sum), 1e-15) << count << ' ' << k;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cromer
