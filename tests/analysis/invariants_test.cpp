@@ -56,5 +56,12 @@ TEST(Invariants, DriftIsTheLargestChangeFromTheFirstValue) {
   EXPECT_EQ(drift.largest(), 0.5);
 }
 
+TEST(Invariants, TheModifiedEnergyByHand) {
+  EXPECT_EQ(modified_energy(Oscillator<double>{.mass = 2, .stiffness = 3}, 0.5, State<double>{3, 4}),
+            16 + 13.5 - 9);
+  EXPECT_EQ(modified_energy(Oscillator<double>{.mass = 2, .stiffness = 3}, 0.5, State<double>{3, -4}),
+            16 + 13.5 + 9);
+}
+
 }  // namespace
 }  // namespace cromer

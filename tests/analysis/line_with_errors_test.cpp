@@ -80,5 +80,80 @@ TEST(LineWithErrors, RefusesWhatIsNoLine) {
   EXPECT_TRUE(fit_line_with_errors({{1, 2, 0, 0.1}, {2, 3, 0, 0.1}}));
 }
 
+TEST(LineWithErrors, OfErrorsInYAloneItIsTheTextbooksWeightedLine) {
+  // Sxx = 10, Syy = 9.2, Sxy = 9 about (3, 3.4).
+  const double x[] = {1, 2, 3, 4, 5}, y[] = {2, 2, 4, 4, 5}, error = 2;
+  std::vector<UncertainPoint> points;
+  for (int i = 0; i < 5; ++i) points.push_back({x[i], y[i], 0, error});
+  const auto line = fit_line_with_errors(points);
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(line->slope, 0.8, 1e-14);
+  EXPECT_NEAR(line->intercept, 1, 1e-14);
+  EXPECT_NEAR(line->slope_error, error / std::sqrt(10), 1e-14);
+  EXPECT_NEAR(line->intercept_error, error * std::sqrt(1.0 / 5 + 9.0 / 10), 1e-14);
+  EXPECT_NEAR(line->covariance, -3 * error * error / 10, 1e-14);
+  // Residuals 0.2, -0.6, 0.6, -0.2, 0.
+  EXPECT_NEAR(line->chi_squared, 0.8 / 4, 1e-14);
+  EXPECT_EQ(line->degrees, 3);
+  EXPECT_EQ(line->extra_scatter, 0);
+}
+
+TEST(LineWithErrors, OfErrorsInXAloneItIsTheLineOfXOnY) {
+  // Sxx = 10, Sxy = 8, Syy = 7.2: x = 1.5 + 10/9 (y - 3.4) + ...
+  const double x[] = {1, 2, 3, 4, 5}, y[] = {2, 2, 4, 4, 5}, error = 2;
+  std::vector<UncertainPoint> points;
+  for (int i = 0; i < 5; ++i) points.push_back({x[i], y[i], error, 0});
+  const auto line = fit_line_with_errors(points);
+  ASSERT_TRUE(line);
+  const double slope = 7.2 / 8;
+  EXPECT_NEAR(line->slope, slope, 1e-13);
+  EXPECT_NEAR(line->intercept, 3.4 - slope * 3, 1e-13);
+  EXPECT_NEAR(line->slope_error, slope * slope * error / std::sqrt(7.2), 1e-13);
+  // Sxx - Sxy^2/Syy is left in x.
+  EXPECT_NEAR(line->chi_squared, (10 - 64 / 7.2) / 4, 1e-13);
+}
+
+TEST(LineWithErrors, WithTheExtraScatterChiSquaredIsWhatIsExpected) {
+  auto points = pearson();
+  const auto line = fit_line_with_errors(points);
+  for (auto& point : points) point.y_error = std::hypot(point.y_error, line->extra_scatter);
+  const auto again = fit_line_with_errors(points);
+  EXPECT_NEAR(again->chi_squared, 8, 1e-9);
+  EXPECT_NEAR(again->slope, line->slope, 1e-9);
+  EXPECT_NEAR(again->slope_error, line->slope_error, 1e-9);
+  EXPECT_NEAR(again->intercept, line->intercept, 1e-9);
+}
+
+TEST(LineWithErrors, OfThreePointsOneDegreeIsLeft) {
+  // y = x but for the middle, off by 3: residuals -1, 2, -1.
+  const auto scattered = [](double error) {
+    return *fit_line_with_errors({{0, 0, 0, error}, {1, 4, 0, error}, {2, 2, 0, error}});
+  };
+  EXPECT_NEAR(scattered(3).chi_squared, 6.0 / 9, 1e-13);
+  EXPECT_EQ(scattered(3).extra_scatter, 0);
+  EXPECT_NEAR(scattered(1).extra_scatter, std::sqrt(5), 1e-9);
+  EXPECT_EQ(scattered(1).degrees, 1);
+}
+
+TEST(LineWithErrors, PointsWithAndWithoutErrorsMayMix) {
+  // Two points that are sure, and one that is not, ten off.
+  const auto line = fit_line_with_errors({{0, 1, 0, 0}, {2, 5, 0, 0}, {1, 13, 0, 100}});
+  ASSERT_TRUE(line);
+  EXPECT_NEAR(line->slope, 2, 1e-3);
+  EXPECT_NEAR(line->intercept, 1, 1e-3);
+  EXPECT_FALSE(fit_line_with_errors({{1, 2, 0, 0.1}, {2, 3, 0, 0}}));
+  EXPECT_TRUE(fit_line_with_errors({{1, 2, 0.1, 0}, {2, 3, 0, 0.1}}));
+  EXPECT_FALSE(fit_line_with_errors({}));
+}
+
+TEST(LineWithErrors, OfPointsOnALineWithoutErrorsNothingIsLeft) {
+  const auto line = fit_line_with_errors({{1, 2, 0, 0}, {2, 4, 0, 0}, {4, 8, 0, 0}});
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->slope, 2);
+  EXPECT_EQ(line->intercept, 0);
+  EXPECT_LT(line->slope_error, 1e-100);
+  EXPECT_LT(line->extra_scatter, 1e-100);
+}
+
 }  // namespace
 }  // namespace cromer

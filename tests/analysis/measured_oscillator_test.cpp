@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/methods/exact.h"
@@ -89,6 +93,133 @@ TEST(Recurrence, NeedsAnOscillation) {
   EXPECT_FALSE(measure_recurrence({}, 0.1, 1));
   EXPECT_FALSE(measure_recurrence(std::vector<double>(100, 0.0), 0.1, 1));
   EXPECT_FALSE(measure_recurrence(std::vector<double>(100, 1.0), 0.1, 1));
+}
+
+TEST(TurningPoints, OfACubicAreExactHoweverFarApartTheStates) {
+  // x = u^3 - 3 u turns at -1 and 1.
+  for (const double sign : {1.0, -1.0})
+    for (const auto& places :
+         {std::vector<double>{-2, 0, 2}, {-1.1, 0.9, 1.1}, {-1.5, -0.95, 3}, {-4, -0.9, 1.001}}) {
+      Trajectory kept;
+      for (const double u : places) {
+        kept.t.push_back(10 + u);
+        kept.x.push_back(sign * (u * u * u - 3 * u));
+        kept.v.push_back(sign * (3 * u * u - 3));
+      }
+      const auto found = turning_points(kept);
+      ASSERT_EQ(found.size(), 2u) << places[0];
+      EXPECT_NEAR(found[0].t, 9, 1e-13) << places[0];
+      EXPECT_NEAR(found[0].x, 2 * sign, 1e-12);
+      EXPECT_NEAR(found[1].t, 11, 1e-13);
+      EXPECT_NEAR(found[1].x, -2 * sign, 1e-12);
+    }
+}
+
+TEST(TurningPoints, OfAParabolaAreExact) {
+  for (const double sign : {1.0, -1.0})
+    for (const double turn : {0.1, 1.0, 1.9}) {
+      // x = 3 + (t - turn)^2 from 0 to 2.
+      const Trajectory kept{{0, 2},
+                            {sign * (3 + turn * turn), sign * (3 + (2 - turn) * (2 - turn))},
+                            {-2 * sign * turn, 2 * sign * (2 - turn)}};
+      const auto found = turning_points(kept);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_NEAR(found[0].t, turn, 1e-14);
+      EXPECT_NEAR(found[0].x, 3 * sign, 1e-14);
+    }
+}
+
+TEST(TurningPoints, AMassThatComesToRestTurnsOnce) {
+  const auto times = [](std::vector<double> v) {
+    Trajectory kept{{}, {}, std::move(v)};
+    for (std::size_t i = 0; i < kept.v.size(); ++i) {
+      kept.t.push_back(5 + static_cast<double>(i));
+      kept.x.push_back(static_cast<double>(i * i));
+    }
+    std::vector<double> found;
+    for (const TurningPoint& turn : turning_points(kept)) {
+      found.push_back(turn.t);
+      EXPECT_EQ(turn.x, (turn.t - 5) * (turn.t - 5));
+    }
+    return found;
+  };
+  EXPECT_EQ(times({1, 1, 0, 0, 0}), std::vector<double>{7});
+  EXPECT_EQ(times({0, -1, 0, 1, 1}), (std::vector<double>{5, 7}));
+  EXPECT_EQ(times({0, 0, 0, 1, 1}), std::vector<double>{}) << "it rested from the start";
+  EXPECT_EQ(times({1, 2, 3}), std::vector<double>{});
+}
+
+/// Turns at 5, 6, 7, ... s, a state between two of them.
+Trajectory turning_at(const std::vector<double>& places) {
+  Trajectory kept;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double t = 5 + static_cast<double>(i);
+    kept.t.insert(kept.t.end(), {t, t + 0.5});
+    kept.x.insert(kept.x.end(), {places[i], 0});
+    kept.v.insert(kept.v.end(), {0, i % 2 == 0 ? -1.0 : 1.0});
+  }
+  return kept;
+}
+
+TEST(MeasuredOscillator, IsReadFromItsTurningPoints) {
+  const auto found = measure_oscillator(turning_at({8, -4, 2, -1}));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->angular_frequency, std::numbers::pi, 1e-14);
+  EXPECT_NEAR(found->decay_rate, std::numbers::ln2, 1e-14);
+  EXPECT_NEAR(found->first_amplitude, 6, 1e-14);
+  EXPECT_NEAR(found->last_amplitude, 1.5, 1e-14);
+  EXPECT_EQ(found->half_cycles, 3);
+  EXPECT_EQ(measure_oscillator(turning_at({8, -4, 2}))->half_cycles, 2) << "three are enough";
+  EXPECT_FALSE(measure_oscillator(turning_at({8, -4})));
+  EXPECT_FALSE(measure_oscillator(turning_at({8, 8, 2, -1}))) << "no way from one to the next";
+}
+
+/// States of a decaying swing, with 1/2 rad from each to the next.
+std::vector<double> swing(std::size_t n) {
+  std::vector<double> x;
+  for (std::size_t i = 0; i < n; ++i)
+    x.push_back(std::exp(-0.1 * static_cast<double>(i)) * std::cos(0.5 * static_cast<double>(i) + 0.3));
+  return x;
+}
+
+void expect_swing(const std::optional<Recurrence>& found) {
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->angular_frequency, 0.5 / 0.2, 1e-12);
+  EXPECT_NEAR(found->decay_rate, 0.1 / 0.2, 1e-12);
+}
+
+TEST(Recurrence, NeedsThreeStridesAndTwoStates) {
+  // A radian is two states here.
+  std::vector<double> x = swing(8);
+  x.push_back(1e9);
+  x.pop_back();
+  expect_swing(measure_recurrence(x, 0.2, 2.5));
+  EXPECT_FALSE(measure_recurrence(swing(7), 0.2, 2.5));
+  // Less than two, more than a half: one.
+  expect_swing(measure_recurrence(swing(5), 0.2, 4));
+  EXPECT_FALSE(measure_recurrence(swing(4), 0.2, 4));
+  expect_swing(measure_recurrence(swing(5), 0.2, 50));
+  EXPECT_FALSE(measure_recurrence(swing(50), 0.2, 0.05)) << "a radian longer than the run";
+  EXPECT_FALSE(measure_recurrence(swing(50), 0.2, -2.5));
+  EXPECT_FALSE(measure_recurrence(swing(50), 0.2, 0));
+}
+
+TEST(Recurrence, PassesOverStatesOfNothing) {
+  std::vector<double> late = swing(60);
+  for (std::size_t i = 0; i < 10; ++i) late[i] = 0;
+  const auto found = measure_recurrence(late, 0.2, 4);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->angular_frequency, 2.5, 0.5);
+}
+
+TEST(Recurrence, OfWhatDoesNotSwingIsNone) {
+  std::vector<double> dies, grows, alternates;
+  for (int i = 0; i < 40; ++i) {
+    dies.push_back(std::pow(0.9, i) + std::pow(0.7, i));
+    grows.push_back(std::pow(1.1, i) - std::pow(0.8, i));
+    alternates.push_back(std::pow(0.9, i) + std::pow(-0.8, i));
+  }
+  for (const auto& x : {dies, grows, alternates}) EXPECT_FALSE(measure_recurrence(x, 0.2, 5));
 }
 
 }  // namespace

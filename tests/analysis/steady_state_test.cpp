@@ -103,5 +103,96 @@ TEST(MeasuredSteadyState, RefusesWhatCannotBeMeasured) {
   EXPECT_FALSE(measure_steady_state({}, d).ok()) << "no states";
 }
 
+/// x = mean + amplitude cos(u - lag), u = 2 t + 0.4, so many states a period from 5 s on.
+Trajectory sinusoid(double mean, double amplitude, double lag, int per_period, int states) {
+  Trajectory kept;
+  for (int i = 0; i < states; ++i) {
+    kept.t.push_back(5 + std::numbers::pi / per_period * i);
+    kept.x.push_back(mean + amplitude * std::cos(2 * kept.t.back() + 0.4 - lag));
+    kept.v.push_back(0);
+  }
+  return kept;
+}
+const HarmonicDrive<double> by_two{.amplitude = 1, .frequency = 2, .phase = 0.4};
+
+TEST(MeasuredSteadyState, OfASinusoidIsThatSinusoid) {
+  for (const double lag : {-1.5, -0.3, 0.0, 1.0, 3.0, 3.5, 4.6}) {
+    const auto found = measure_steady_state(sinusoid(0.7, 3, lag, 8, 100), by_two);
+    ASSERT_TRUE(found.ok());
+    EXPECT_NEAR(found->amplitude, 3, 1e-13);
+    EXPECT_NEAR(found->phase_lag, lag, 1e-13);
+    EXPECT_NEAR(found->mean, 0.7, 1e-13);
+    EXPECT_NEAR(found->residual, 0, 1e-13);
+    EXPECT_NEAR(found->change, 0, 1e-13);
+  }
+}
+
+TEST(MeasuredSteadyState, OvertonesAreTheResidual) {
+  Trajectory kept = sinusoid(0.7, 3, 1, 16, 161);
+  for (std::size_t i = 0; i < kept.size(); ++i) kept.x[i] += 0.2 * std::cos(3 * 2 * kept.t[i]);
+  const auto found = measure_steady_state(kept, by_two);
+  EXPECT_NEAR(found->residual, 0.2 / std::sqrt(2), 1e-3);
+  EXPECT_NEAR(found->amplitude, 3, 5e-3);
+}
+
+TEST(MeasuredSteadyState, TheChangeIsFromTheFirstHalfOfTheWindowToTheSecond) {
+  // 8 periods of 3 m, then 2 of 4 m, of which the last 4 are looked at.
+  Trajectory kept = sinusoid(0, 3, 1, 64, 641);
+  for (std::size_t i = 513; i < kept.size(); ++i) kept.x[i] *= 4.0 / 3;
+  const auto found = measure_steady_state(kept, by_two, 4);
+  ASSERT_TRUE(found.ok());
+  EXPECT_EQ(found->cycles, 4);
+  EXPECT_NEAR(found->change, 0.25, 1e-2);
+  EXPECT_NEAR(found->amplitude, 3.5, 2e-2);
+  EXPECT_FALSE(found->settled());
+  EXPECT_EQ(measure_steady_state(sinusoid(0, 0, 0, 8, 100), by_two)->change, 0) << "nothing moves";
+}
+
+TEST(MeasuredSteadyState, SettlesAtAPartInAThousand) {
+  const auto settled = [](double change) { return MeasuredSteadyState{.change = change}.settled(); };
+  EXPECT_FALSE(settled(1e-3));
+  EXPECT_FALSE(settled(-1e-3));
+  EXPECT_TRUE(settled(std::nextafter(1e-3, 0)));
+  EXPECT_TRUE(settled(std::nextafter(-1e-3, 0)));
+}
+
+TEST(MeasuredSteadyState, TheWindowIsAnEvenNumberOfPeriodsTwoAtLeast) {
+  const auto cycles = [](int wanted, int states) {
+    const auto found = measure_steady_state(sinusoid(0, 1, 1, 8, states), by_two, wanted);
+    return found.ok() ? found->cycles : 0;
+  };
+  EXPECT_EQ(cycles(10, 81), 10);
+  EXPECT_EQ(cycles(10, 80), 8) << "a state short of ten periods";
+  EXPECT_EQ(cycles(5, 81), 4);
+  EXPECT_EQ(cycles(4, 81), 4);
+  EXPECT_EQ(cycles(1, 81), 2);
+  EXPECT_EQ(cycles(3, 81), 2);
+  EXPECT_EQ(cycles(10, 17), 2);
+  EXPECT_EQ(cycles(10, 16), 0);
+}
+
+TEST(MeasuredSteadyState, NeedsFourStatesAPeriodAndEightInAll) {
+  const auto measures = [](int per_period, int states) {
+    return measure_steady_state(sinusoid(0, 1, 1, per_period, states), by_two, 2).ok();
+  };
+  EXPECT_TRUE(measures(4, 50));
+  EXPECT_FALSE(measures(3, 50));
+  // In a window of two periods that both its ends belong to.
+  EXPECT_TRUE(measures(4, 9));
+  Trajectory seven = sinusoid(0, 1, 1, 4, 50);
+  seven.t = {5, 6, 7, 8, 9, 10, 13};
+  seven.x.resize(7);
+  seven.v.resize(7);
+  EXPECT_FALSE(measure_steady_state(seven, by_two, 2).ok());
+}
+
+TEST(MeasuredSteadyState, OfWhatDoesNotPushThereIsNone) {
+  const Trajectory kept = sinusoid(0, 1, 1, 8, 100);
+  EXPECT_FALSE(measure_steady_state(kept, {.amplitude = 0, .frequency = 2}).ok());
+  EXPECT_FALSE(measure_steady_state(kept, {.amplitude = 1, .frequency = 0}).ok());
+  EXPECT_FALSE(measure_steady_state(kept, {.amplitude = 1, .frequency = -2}).ok());
+  EXPECT_TRUE(measure_steady_state(kept, {.amplitude = -1, .frequency = 2}).ok());
+}
+
 }  // namespace
 }  // namespace cromer

@@ -112,5 +112,35 @@ TEST(Swing, KnowsItsDerivatives) {
   EXPECT_NEAR(w.derivative[2], (value(4, -0.5, 1 + e) - value(4, -0.5, 1 - e)) / (2 * e), 1e-9);
 }
 
+TEST(Swing, ASpringThatGivesWayBeforeCountsAsLinear) {
+  // x'' = -4 x + x^3 holds up to 2, with 4 J/kg.
+  const Swing<double> swing{{.stiffness = 4, .cubic = -1}};
+  EXPECT_NEAR(swing.amplitude(0, 3), 1.5, 1e-14);
+  EXPECT_NEAR(swing.amplitude(0, std::sqrt(2 * 3.75)), std::sqrt(4 - 2 * std::sqrt(0.25)), 1e-13);
+  EXPECT_EQ(swing.amplitude(0, 0), 0);
+}
+
+TEST(Swing, ASpringThatLiesOnOneSideIsSeenOnTheRight) {
+  // 2 x^2 + k2 x^3/3 = 1/2 v^2: with k2 = 3 at x = 1 there are 3 J/kg.
+  const Swing<double> swing{{.stiffness = 4, .quadratic = 3}};
+  EXPECT_NEAR(swing.amplitude(0, std::sqrt(6)), 1, 1e-14);
+  EXPECT_NEAR(swing.amplitude(1, 0), 1, 1e-14);
+  EXPECT_NEAR(swing.potential(2), 16, 1e-14);
+  EXPECT_NEAR(swing.pull(2), 20, 1e-14);
+  EXPECT_NEAR(swing.pull(-1), -1, 1e-14);
+}
+
+TEST(Swing, APendulumStopsAtTheTop) {
+  const Swing<double> swing{{.stiffness = 0, .pendulum = 4}};
+  EXPECT_EQ(swing.amplitude(0, 4), pi) << "just its energy";
+  EXPECT_EQ(swing.amplitude(3, 3), pi);
+  EXPECT_NEAR(swing.amplitude(0, 4 * std::sin(1.5)), 3, 1e-12);
+  EXPECT_NEAR(swing.amplitude(0, 4 * std::sin(0.05)), 0.1, 1e-15);
+}
+
+TEST(Swing, StiffnessIsThatOfSmallSwings) {
+  EXPECT_EQ((Swing<double>{{.stiffness = 3, .cubic = 5, .pendulum = 4}}.stiffness()), 7);
+}
+
 }  // namespace
 }  // namespace cromer

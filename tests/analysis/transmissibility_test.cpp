@@ -55,5 +55,20 @@ TEST(Transmissibility, FollowsFromTheMotionThatPassesItOn) {
   EXPECT_NEAR(transmission(-1, -1e-3).phase_lag, std::numbers::pi + 1e-3, 1e-9);
 }
 
+TEST(Transmissibility, TheLagBeginsAtMinusHalfPi) {
+  EXPECT_EQ(transmission(0, -1).phase_lag, -std::numbers::pi / 2);
+  EXPECT_EQ(transmission(0, 1).phase_lag, std::numbers::pi / 2);
+  EXPECT_NEAR(transmission(-1e-9, -1).phase_lag, 3 * std::numbers::pi / 2 - 1e-9, 1e-14);
+  EXPECT_EQ(transmission(3, -4).amplitude, 5);
+}
+
+TEST(Transmissibility, ResonanceIsBelowTheNaturalFrequency) {
+  // w0^2 = 36, b = 5/6.
+  EXPECT_NEAR(resonance_frequency(mount), std::sqrt(36 - 2 * 25.0 / 36), 1e-14);
+  // 2 b^2 = w0^2 leaves none.
+  EXPECT_EQ(resonance_frequency({.mass = 1, .stiffness = 2, .damping = 2}), 0);
+  EXPECT_GT(resonance_frequency({.mass = 1, .stiffness = 2.001, .damping = 2}), 0.01);
+}
+
 }  // namespace
 }  // namespace cromer
