@@ -59,6 +59,8 @@ TEST(AmplitudeDecay, IsTheSumOfWhatEachTermTakes) {
           .stiffness = 9, .damping = 0.04, .drag = 0.02, .friction = 0.05, .cubic = 4, .van_der_pol = 0.03}};
   const double s = 2 * 0.05 / (pi * w), q = 4 * 0.02 * w / (3 * pi);
   EXPECT_NEAR(law.rate(A) * A, s + 0.02 * A + q * A * A + 0.03 * A * A * A / 8, 1e-12);
+  EXPECT_NEAR((AmplitudeDecay{.per_mass = {.friction = 1}}.rate(1)), 2 / pi, 1e-12)
+      << "1 rad/s if nobody says";
   EXPECT_EQ((AmplitudeDecay{.angular_frequency = w, .per_mass = {.stiffness = 9, .cubic = 4}}.rate(A)), 0);
 }
 

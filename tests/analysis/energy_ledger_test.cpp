@@ -38,6 +38,15 @@ TEST(EnergyLedger, IsExactForAsManyPowersAsItHasStatesForUpToTheFifth) {
   }
 }
 
+TEST(EnergyLedger, LacksGregorysNextTermOfTheSixthPower) {
+  // 275/24192 times the sixth difference, 720 h^6, at each end.
+  const double h = 0.5;
+  std::vector<double> times;
+  for (int i = 0; i < 12; ++i) times.push_back(h * i);
+  const double lacking = 2 * h * 275.0 / 24192 * 720 * std::pow(h, 6);
+  EXPECT_NEAR((work(6, times, h) - integral_of_power(6, 0, times.back())) / lacking, 1, 1e-8);
+}
+
 TEST(EnergyLedger, AShorterLastStepIsATrapezium) {
   for (int degree = 0; degree <= 5; ++degree) {
     const double whole = integral_of_power(degree, 1, 3),

@@ -119,6 +119,7 @@ TEST(SpeedWindows, TheLastSampleStandsForHalfAStepAfterIt) {
   EXPECT_EQ(windows_of(10, {1, 1, 1, 1}, 1.7500001).size(), 1u);
   EXPECT_EQ(windows_of(10, {1, 1, 1, 1}, 3.5).size(), 1u);
   EXPECT_EQ(windows_of(10, {1, 1, 1, 1}, 3.5000001).size(), 0u);
+  EXPECT_EQ(windows_of(10, {1, 1}, 1.5).size(), 1u);
   EXPECT_TRUE(windows_of(10, {1}, 0.5).empty()) << "of one sample no step is known";
 }
 

@@ -38,5 +38,48 @@ TEST(FindRoot, TakesAnEndThatIsARoot) {
   EXPECT_EQ(find_root(f, 3, 2, 2, 1), 2) << "no change of sign: the better end";
 }
 
+TEST(FindRoot, OfEndsThatAreNoBetterTheSecondCounts) {
+  const auto f = [](double x) { return x * x; };
+  EXPECT_EQ(find_root(f, -2, 4, 2, 4), 2);
+  EXPECT_EQ(find_root(f, -1, 1, 2, 4), -1);
+  EXPECT_EQ(find_root(f, 1, 0, 2, 0), 2);
+  EXPECT_EQ(find_root([](double x) { return -x; }, 1, -1, 3, -3), 1);
+}
+
+TEST(FindRoot, IsTheSideOfTheSecondEndWhicheverWayItGoes) {
+  for (const double place : {0.3, -0.3, 1e-3, 0.999})
+    for (const double sign : {1.0, -1.0}) {
+      const auto jump = [&](double x) { return x < place ? -sign : 3 * sign; };
+      const double forth = find_root(jump, -1, jump(-1), 1, jump(1)),
+                   back = find_root(jump, 1, jump(1), -1, jump(-1));
+      EXPECT_GE(forth, place);
+      EXPECT_NEAR(forth, place, 5e-16);
+      EXPECT_LT(back, place);
+      EXPECT_NEAR(back, place, 5e-16);
+    }
+}
+
+TEST(FindRoot, NeverTakesMoreThanSomeSixtyEvaluations) {
+  int evaluations = 0;
+  const auto root = [&](auto f, double a, double b) {
+    evaluations = 0;
+    const auto counted = [&](double x) {
+      ++evaluations;
+      return f(x);
+    };
+    return find_root(counted, a, f(a), b, f(b));
+  };
+  for (const double place : {0.1, 1.0 / 3, 0.7, 0.999999}) {
+    EXPECT_NEAR(root([&](double x) { return x < place ? -1.0 : 1e5; }, 0, 1), place, 5e-16);
+    EXPECT_LE(evaluations, 65) << place;
+    EXPECT_NEAR(root([&](double x) { return x < place ? -1.0 : 1e5; }, -1, 0.9999999), place, 5e-16);
+    EXPECT_LE(evaluations, 65) << place;
+    EXPECT_NEAR(root([&](double x) { return std::cbrt(x - place); }, 0, 1), place, 5e-16);
+    EXPECT_LE(evaluations, 65) << place;
+    EXPECT_NEAR(root([&](double x) { return std::exp(8 * x) - std::exp(8 * place); }, 0, 1), place, 5e-16);
+    EXPECT_LE(evaluations, 14) << place;
+  }
+}
+
 }  // namespace
 }  // namespace cromer

@@ -166,5 +166,138 @@ TEST(Steps, ARunBeyondMemoryIsKnownBefore) {
   EXPECT_GT(number_of_kept_states(count_steps({0, 1e300}, 1e-300), 1), 0) << "saturates, never wraps";
 }
 
+/// Ten steps and a half.
+Outcome limited(long long steps) {
+  const DrivenOscillator<double, Terms{}> system(spring, {});
+  return solve(system, Rk4{}, {5, 6.05}, State<double>{1, 0}, 0.1, KeepNone{}, {}, {.steps = steps});
+}
+
+TEST(Solve, TheLimitCountsTheShorterStepToo) {
+  EXPECT_EQ(limited(9).status, Status::step_limit);
+  EXPECT_EQ(limited(9).step, 9);
+  EXPECT_EQ(limited(10).status, Status::step_limit);
+  EXPECT_EQ(limited(10).step, 10);
+  EXPECT_EQ(limited(10).last_step, 0);
+  EXPECT_DOUBLE_EQ(limited(10).t, 6);
+  EXPECT_EQ(limited(11).status, Status::reached_end);
+  EXPECT_EQ(limited(11).step, 11);
+  EXPECT_NEAR(limited(11).last_step, 0.05, 1e-15);
+  EXPECT_DOUBLE_EQ(limited(11).t, 6.05);
+  EXPECT_EQ(limited(11).counts.evaluations, 44);
+  const DrivenOscillator<double, Terms{}> system(spring, {});
+  EXPECT_EQ(solve(system, Rk4{}, {5, 6}, State<double>{1, 0}, 0.1, KeepNone{}, {}, {.steps = 10}).status,
+            Status::reached_end);
+}
+
+TEST(Solve, ALoopThatIsWatchedSaysTheSame) {
+  const DrivenOscillator<double, Terms{}> system(spring, {});
+  for (const double until : {6.0, 6.05})
+    for (const long long limit : {9LL, 10LL, 11LL, 12LL}) {
+      EventLog log{.events = {{.quantity = Event::Quantity::position, .value = 5}}};
+      const auto by = [&](EventLog* events) {
+        std::vector<double> times;
+        const auto see = [&](double t, const State<double>&) { times.push_back(t); };
+        const Outcome outcome =
+            solve(system, Rk4{}, {5, until}, State<double>{1, 0}, 0.1, see, {}, {.steps = limit}, events);
+        EXPECT_EQ(times.size(), static_cast<std::size_t>(outcome.step) + 1);
+        return outcome;
+      };
+      const Outcome fast = by(nullptr), watched = by(&log);
+      EXPECT_EQ(watched.status, fast.status) << until << ' ' << limit;
+      EXPECT_EQ(watched.step, fast.step);
+      EXPECT_EQ(watched.last_step, fast.last_step);
+      EXPECT_EQ(watched.t, fast.t);
+      EXPECT_EQ(watched.y, fast.y);
+    }
+}
+
+TEST(Solve, NoIntervalIsNoStep) {
+  std::vector<double> times;
+  const DrivenOscillator<double, Terms{}> system(spring, {});
+  const auto see = [&](double t, const State<double>&) { times.push_back(t); };
+  const Outcome outcome = solve(system, Rk4{}, {5, 5}, State<double>{1, 2}, 0.1, see);
+  EXPECT_EQ(outcome.status, Status::reached_end);
+  EXPECT_EQ(outcome.step, 0);
+  EXPECT_EQ(outcome.t, 5);
+  EXPECT_EQ(outcome.y, (State<double>{1, 2}));
+  EXPECT_EQ(times, std::vector<double>{5});
+}
+
+TEST(Solve, AStepWithoutASolutionEndsTheRun) {
+  // One iteration is too few for a drag: in whole steps, in the shorter one, and where events are watched
+  // for.
+  const DrivenOscillator<double, Terms{.law = law_of("drag")}> rough({.mass = 1, .stiffness = 9, .drag = 5},
+                                                                     {});
+  const ImplicitEuler few{.newton = {.iteration_limit = 1}};
+  EventLog log{.events = {{.quantity = Event::Quantity::position, .value = 5}}};
+  for (const Interval interval : {Interval{0, 1}, {0, 0.05}})
+    for (EventLog* events : {static_cast<EventLog*>(nullptr), &log}) {
+      const auto outcome = solve(rough, few, interval, State<double>{1, 3}, 0.1, KeepNone{}, {}, {}, events);
+      EXPECT_EQ(outcome.status, Status::no_convergence);
+      EXPECT_EQ(outcome.step, 0);
+      EXPECT_EQ(outcome.t, 0);
+      EXPECT_EQ(outcome.y, (State<double>{1, 3}));
+      EXPECT_EQ(outcome.last_step, 0);
+      EXPECT_EQ(outcome.counts.newton_iterations, 1);
+    }
+}
+
+TEST(Solve, AStateThatIsNotFiniteEndsTheRun) {
+  const DrivenOscillator<double, Terms{}> system({.mass = 1, .stiffness = 1e300}, {});
+  EventLog log{.events = {{.quantity = Event::Quantity::position, .value = 5}}};
+  for (const Interval interval : {Interval{0, 1}, {0, 0.05}})
+    for (EventLog* events : {static_cast<EventLog*>(nullptr), &log}) {
+      const auto outcome =
+          solve(system, ForwardEuler{}, interval, State<double>{1e20, 3}, 0.1, KeepNone{}, {}, {}, events);
+      EXPECT_EQ(outcome.status, Status::not_finite);
+      EXPECT_EQ(outcome.step, 0);
+      EXPECT_EQ(outcome.y, (State<double>{1e20, 3}));
+    }
+}
+
+TEST(Solve, ProgressIsThePartOfTheStepsThatWasTaken) {
+  // Told after some thousands of steps each.
+  std::vector<double> told;
+  std::vector<long long> taken;
+  long long seen = -1;
+  Watch watch;
+  watch.progress = [&](double part) {
+    told.push_back(part);
+    taken.push_back(seen);
+  };
+  const DrivenOscillator<double, Terms{}> system(spring, {});
+  const auto see = [&](double, const State<double>&) { ++seen; };
+  EventLog log{.events = {{.quantity = Event::Quantity::position, .value = 5}}};
+  for (EventLog* events : {static_cast<EventLog*>(nullptr), &log}) {
+    told.clear();
+    taken.clear();
+    seen = -1;
+    solve(system, Rk4{}, {0, 300.005}, State<double>{1, 0}, 0.01, see, watch, {}, events);
+    ASSERT_GE(told.size(), 4u);
+    ASSERT_LE(told.size(), 30u);
+    for (std::size_t i = 0; i < told.size(); ++i)
+      EXPECT_NEAR(told[i], static_cast<double>(taken[i]) / 30001, 1e-12) << i;
+    EXPECT_EQ(told.front(), 0);
+    EXPECT_EQ(told.back(), 1);
+  }
+}
+
+TEST(Solve, AWatchedRunIsInterruptedWithinAFewHundredSteps) {
+  std::atomic<bool> interrupt = false;
+  const Watch watch{.interrupt = &interrupt, .progress = {}};
+  long long seen = 0;
+  const auto stop_at_1000 = [&](double, const State<double>&) {
+    if (++seen == 1000) interrupt = true;
+  };
+  EventLog log{.events = {{.quantity = Event::Quantity::position, .value = 5}}};
+  const DrivenOscillator<double, Terms{}> system(spring, {});
+  const auto outcome =
+      solve(system, Rk4{}, {0, 1000}, State<double>{1, 0}, 0.01, stop_at_1000, watch, {}, &log);
+  EXPECT_EQ(outcome.status, Status::stopped_by_event);
+  EXPECT_TRUE(outcome.interrupted);
+  EXPECT_GE(outcome.step, 999);
+  EXPECT_LT(outcome.step, 1500);
+}
+
 }  // namespace
 }  // namespace cromer
