@@ -68,13 +68,13 @@ std::string without_fortran(std::string_view cell, char decimal) {
 }  // namespace
 
 std::string bad_cell(std::string_view cell, char decimal) {
-  const std::string shape = shape_of(cell);
-  if (is_date(shape)) return "it is a date: write the seconds since the start";
-  if (is_clock(shape)) return "it is a clock time: write the seconds since the start";
   if (std::string plain = without_thousands(cell); !plain.empty()) {
     std::replace(plain.begin(), plain.end(), '.', decimal);
     return concat({"it has thousands separators: write ", plain});
   }
+  const std::string shape = shape_of(cell);
+  if (is_date(shape)) return "it is a date: write the seconds since the start";
+  if (is_clock(shape)) return "it is a clock time: write the seconds since the start";
   if (const std::string plain = without_fortran(cell, decimal); !plain.empty())
     return concat({"it has Fortran's exponent: write ", plain});
   if (const auto number = leading_number(cell, decimal);
