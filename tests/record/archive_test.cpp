@@ -1,11 +1,10 @@
 // ZIP archives made here, as phyphox exports them, and damaged ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
-#include "cromer/base/concat.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
+#include "tests/record/archives.h"
 
 namespace cromer {
 namespace {
@@ -13,51 +12,6 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-std::string little(std::size_t value, int bytes) {
-  std::string text;
-  for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k) & 0xFFu);
-  return text;
-}
-
-std::string deflated(const std::string& text) {
-  std::string packed(text.size() + 100, '\0');
-  z_stream stream{};
-  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
-  std::string input = text;
-  stream.next_in = reinterpret_cast<Bytef*>(input.data());
-  stream.avail_in = static_cast<uInt>(input.size());
-  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
-  stream.avail_out = static_cast<uInt>(packed.size());
-  deflate(&stream, Z_FINISH);
-  packed.resize(stream.total_out);
-  deflateEnd(&stream);
-  return packed;
-}
-
-struct File {
-  std::string name, text;
-};
-
-/// An archive by the specification: local headers with their data, the directory, its end.
-std::string zipped(const std::vector<File>& files, bool pack = true, std::size_t flags = 0) {
-  std::string data, directory;
-  for (const File& file : files) {
-    const std::string packed = pack ? deflated(file.text) : file.text;
-    const auto* bytes = reinterpret_cast<const Bytef*>(file.text.data());
-    const std::string about =
-        concat({little(20, 2), little(flags, 2), little(pack ? 8 : 0, 2), little(0, 4),
-                little(crc32(0, bytes, static_cast<uInt>(file.text.size())), 4), little(packed.size(), 4),
-                little(file.text.size(), 4), little(file.name.size(), 2), little(0, 2)});
-    directory += concat({"PK\x01\x02", little(20, 2), about, little(0, 2), little(0, 2), little(0, 2),
-                         little(0, 4), little(data.size(), 4), file.name});
-    data += concat({"PK\x03\x04", about, file.name, packed});
-  }
-  const std::string end =
-      concat({"PK\x05\x06", little(0, 4), little(files.size(), 2), little(files.size(), 2),
-              little(directory.size(), 4), little(data.size(), 4), little(0, 2)});
-  return data + directory + end;
-}
 
 const std::string gyro =
     "\"Time (s)\",\"Gyroscope x (rad/s)\"\n0.0E0,1.5E0\n1.0E-1,-2.5E0\n2.0E-1,NaN\n3.0E-1,1.0E0\n";
@@ -110,6 +64,61 @@ TEST(Archive, WhatCannotBeReadIsRefused) {
               HasSubstr("far more than its size"));
   EXPECT_THAT(refusal(zipped({{"Raw Data.csv", "t,x\n0,1\n1,abc\n2,3\n"}})),
               HasSubstr("export.zip: \"Raw Data\":3: column \"x\": \"abc\" is not a number"));
+}
+
+const std::string table = "t (s),x (m)\n0,1\n1,2\n2,4\n";
+
+std::vector<std::string> warnings_of(const std::vector<File>& files) {
+  const auto recording = read_recording(zipped(files), "export.zip", {});
+  EXPECT_TRUE(recording.ok()) << recording.error().message;
+  return recording ? recording->warnings : std::vector<std::string>{};
+}
+
+std::string dialect_of(const std::vector<File>& files) {
+  return read_recording(zipped(files), "export.zip", {})->dialect.name;
+}
+
+TEST(Archive, OnlyFilesThatEndAsTextAreLookedAt) {
+  for (const char* name : {"a.csv", "a.TXT", "a.tsv", "b/a.dat", "csv.csv.txt", ".csv"})
+    EXPECT_EQ(dialect_of({{name, table}, {"b.png", "\x89PNG"}, {"csv", "?"}}), "plain in ZIP") << name;
+  for (const char* name : {"a.png", "csv", "acsv", ""})
+    EXPECT_EQ(refusal(zipped({{name, table}})), "export.zip: the ZIP archive holds no CSV file") << name;
+  EXPECT_EQ(refusal(zipped({{"content.xml", "<x/>"}})),
+            "export.zip: this is a spreadsheet: export the sheet as CSV");
+}
+
+TEST(Archive, NotesOfPhonesAreNoData) {
+  for (const char* notes : {"meta/time.csv", "a/meta/time.csv"})
+    EXPECT_EQ(dialect_of({{"a.csv", table}, {notes, "t (s),x (m)\n5,6\n6,7\n"}}), "phyphox ZIP") << notes;
+  EXPECT_EQ(warnings_of({{"__MACOSX/._a.csv", "abc"}, {"a.csv", table}}).size(), 0u);
+  EXPECT_EQ(dialect_of({{"a.csv", gyro}}), "phyphox ZIP");
+}
+
+TEST(Archive, WhatCannotBeReadBesideTheOthersIsSaid) {
+  EXPECT_THAT(warnings_of({{"b/bad.csv", "t,x\n0,1\n1,abc\n"}, {"a.csv", table}, {"empty.csv", ""}}),
+              ElementsAre("left out of the archive: \"bad\":3: column \"x\": \"abc\" is not a number; "
+                          "--skip-bad-rows drops such rows",
+                          "left out of the archive: \"empty\": the file is empty"));
+  EXPECT_THAT(refusal(zipped({{"a.csv", ""}, {"b.csv", "abc"}})), HasSubstr("\"a\": the file is empty"));
+}
+
+TEST(Archive, WarningsNameTheFileWhereThereAreSeveral) {
+  EXPECT_THAT(warnings_of({{"a.csv", "0 1\n1 2\n2 4\n"}}),
+              ElementsAre("\"column 1\" runs evenly upward: it is taken as the time in seconds"));
+  const std::string nine = "t;x\n0;1,25\n1;1,25\n2;1,25\n3;1,25\n4;1,25\n5;1,25\n6;1,25\n7;1,25\n8;1,2";
+  EXPECT_THAT(warnings_of({{"a.csv", nine}}), Contains(testing::StartsWith("the last line, 10")));
+  EXPECT_THAT(warnings_of({{"a.csv", nine}, {"b.csv", table}}),
+              Contains(testing::StartsWith("\"a\": the last line, 10")));
+  EXPECT_THAT(warnings_of({{"a.csv", table}, {"b.csv", table}}),
+              ElementsAre("run 1 is called \"a\" in the file", "run 2 is called \"b\" in the file"));
+}
+
+TEST(Archive, FilesWithoutTimesAreReadWhereNoneHasThem) {
+  const auto r =
+      read_recording(zipped({{"a.csv", "x (m)\n5\n6\n"}, {"b.csv", "x (m)\n7\n6\n"}}), "e.zip", {});
+  ASSERT_TRUE(r.ok()) << r.error().message;
+  EXPECT_THAT(runs(*r), ElementsAre(1, 2));
+  EXPECT_TRUE(r->named);
 }
 
 }  // namespace
