@@ -77,9 +77,12 @@ std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span
     const double floor = std::max(least, deviations * robust * median_seen(near));
     for (const std::size_t from_end : {std::size_t{1}, std::size_t{0}}) {
       const auto at = [&](std::size_t k) { return front ? from_end + k : n - 1 - from_end - k; };
-      const double missed = y[at(0)] - 4 * y[at(1)] + 6 * y[at(2)] - 4 * y[at(3)] + y[at(4)];
+      const auto missed = [&](std::size_t k) {
+        return std::fabs(y[at(k)] - 4 * y[at(k + 1)] + 6 * y[at(k + 2)] - 4 * y[at(k + 3)] + y[at(k + 4)]);
+      };
       const bool even = are_even(t.subspan(std::min(at(0), at(4)), 5), step);
-      if (!even || size[at(3)] > floor || std::fabs(missed) <= 6 * floor) continue;
+      // A spike of the next one is missed by four times its size here.
+      if (!even || size[at(3)] > floor || missed(0) <= 6 * floor || missed(0) < 5 * missed(1)) continue;
       found.push_back(at(0));
       break;
     }
@@ -178,6 +181,11 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
                        size[i] > 1.2 * std::max(size[i - 1], size[i + 1]) &&
                        size[i] > 2 * std::max(size[i - 2], size[i + 2]);
     if (!alone) continue;
+    // Beside a gap a spike of the hidden neighbour looks like one here, but hardly moves the other.
+    const auto marked = [&](std::size_t hidden, std::size_t other) {
+      return size[hidden] != unseen || 2 * size[other] > size[i];
+    };
+    if (!marked(i - 1, i + 1) || !marked(i + 1, i - 1)) continue;
     // Motion may set in on one side only: the livelier side says what is usual.
     const std::size_t from = i > reach + 2 ? i - reach - 2 : 2, to = std::min(i + reach + 3, n - 2);
     const std::span all(size);
