@@ -36,6 +36,35 @@ TEST(Line, IsNumbersWordsOrGarbage) {
     EXPECT_EQ(read_line(garbage).kind, LineKind::garbage) << garbage;
 }
 
+TEST(Line, MissingValuesAndDecimalMarks) {
+  for (const char* missing : {"1,", "1,NaN", "1,null", "1, NULL "})
+    EXPECT_TRUE(std::isnan(read_line(missing).numbers.at(1))) << missing;
+  EXPECT_EQ(read_line(",").numbers.size(), 2u);
+  EXPECT_THAT(read_line("1,5;2.5").kind, LineKind::garbage);
+  EXPECT_THAT(read_line("1,5\t2").numbers, ElementsAre(1.5, 2));
+  EXPECT_THAT(read_line("12,5").numbers, ElementsAre(12, 5));
+  EXPECT_THAT(read_line(" 1  2 3 ").numbers, ElementsAre(1, 2, 3));
+  EXPECT_EQ(read_line("% a").kind, LineKind::comment);
+}
+
+TEST(Line, WordsAreOfLettersWithoutNumbers) {
+  EXPECT_THAT(read_line("Time since start").words, ElementsAre("Time since start"));
+  EXPECT_THAT(read_line("a;z").words, ElementsAre("a", "z"));
+  EXPECT_THAT(read_line("A,Z (m)").words, ElementsAre("A", "Z (m)"));
+  for (const char* garbage : {"a,1", "a,--", "--", "1a;b", "3 words", "[1]",
+                              "a\x1F"
+                              "b",
+                              "{};@"})
+    EXPECT_EQ(read_line(garbage).kind, LineKind::garbage) << garbage;
+  EXPECT_EQ(read_line("a b").kind, LineKind::words);
+}
+
+TEST(Line, IsShownInPrintableLetters) {
+  EXPECT_EQ(shown(std::string(40, 'a')), std::string(40, 'a'));
+  EXPECT_EQ(shown(std::string(41, 'a')), std::string(40, 'a') + "...");
+  EXPECT_EQ(shown(" ~\x1F\x7F\x80\t"), " ~????");
+}
+
 TEST(LineReader, TakesLinesInWhateverPiecesTheyCome) {
   const std::string text = "0.00 1.5\r\n0.01 1.25\r\n0.02 -1e-3\r\n";
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
@@ -178,6 +207,115 @@ TEST(LineReader, ValuesAloneAreStampedByArrival) {
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(reading.rows.t[i], 0.01 * i, 1e-6);
   EXPECT_EQ(reading.reader.times().by, TimesBy::arrival);
   for (std::size_t i = 1; i < reading.rows.size(); ++i) EXPECT_GT(reading.rows.t[i], reading.rows.t[i - 1]);
+}
+
+TEST(LineReader, LinesOfAThousandBytesAreRead) {
+  const std::string longest = "0 1." + std::string(996, '0'), longer = longest + "0";
+  Reading whole, cut;
+  whole.take(longest + "\n");
+  EXPECT_EQ(whole.rows.size(), 1u);
+  cut.take(longer + "\n1 2\n");
+  EXPECT_THAT(cut.rows.t, ElementsAre(1));
+  EXPECT_THAT(cut.notices.at(0).text, HasSubstr("line 1 is no sample: \"0 1.000"));
+}
+
+TEST(LineReader, ThirtyTwoNumbersAreALine) {
+  std::string line = "0";
+  for (int i = 1; i < 32; ++i) line += " 1";
+  Reading reading, wide;
+  reading.take(line + "\n");
+  EXPECT_EQ(reading.rows.width, 31u);
+  EXPECT_THAT(reading.reader.headings().back(), "Value 31");
+  wide.take(line + " 1\n");
+  EXPECT_EQ(wide.reader.garbage(), 1u);
+}
+
+TEST(LineReader, HeadingsSayMoreThanReady) {
+  Reading named, ready, twice, few;
+  named.take("Height (mm)\n1\n");
+  EXPECT_THAT(named.reader.headings(), ElementsAre("Time (s)", "Height (mm)"));
+  ready.take("ready\n1\n");
+  EXPECT_THAT(ready.reader.headings(), ElementsAre("Time (s)", "Value"));
+  EXPECT_THAT(ready.notices.at(0).text, HasSubstr("line 1 is no sample: \"ready\""));
+  twice.take("boot,ok\nTime,x\n1 2\n3 4\nTime,y\n");
+  EXPECT_THAT(twice.reader.headings(), ElementsAre("Time (s)", "x"));
+  EXPECT_EQ(twice.notices.size(), 2u);
+  EXPECT_THAT(twice.notices.at(1).text, HasSubstr("line 5"));
+  few.take("a,b\n1 2 3\n");
+  EXPECT_THAT(few.reader.headings(), ElementsAre("Time (s)", "Value 1", "Value 2"));
+  EXPECT_EQ(few.reader.garbage(), 1u);
+  Reading some({.headings = "a"});
+  some.take("0 1 2\n");
+  EXPECT_THAT(some.reader.headings(), ElementsAre("Time (s)", "a", "Value 2"));
+}
+
+TEST(LineReader, OnlyUnitsOfTimeScaleTheTimes) {
+  const auto second = [](const std::string& heading) {
+    Reading reading;
+    reading.take(heading + ",x\n1000,1\n2000,1\n");
+    return reading.rows.t.at(1);
+  };
+  EXPECT_EQ(second("Time [ms]"), 2);
+  EXPECT_EQ(second("Time (of it) (ms)"), 2000);
+  EXPECT_EQ(second("Time (m)"), 2000);
+  EXPECT_EQ(second("Time )ms("), 2000);
+  EXPECT_EQ(second("Time (ms"), 2000);
+  EXPECT_EQ(second("Time ms)"), 2000);
+  EXPECT_EQ(second("Time ()"), 2000);
+}
+
+TEST(LineReader, ALineWithoutItsTimeIsNone) {
+  Reading reading;
+  reading.take("0 1\nnan 2\n0.1 nan\n0.2 3\n");
+  EXPECT_THAT(reading.rows.t, ElementsAre(0, 0.1, 0.2));
+  EXPECT_EQ(reading.reader.garbage(), 1u);
+  Reading value({.rate = 10});
+  value.take("1\nnan\n3\n");
+  EXPECT_THAT(value.rows.t, ElementsAre(0, 0.1, 0.2));
+  EXPECT_EQ(value.rows.width, 1u);
+  EXPECT_EQ(value.reader.times().by, TimesBy::count);
+}
+
+TEST(LineReader, SilenceBeforeTheFirstByteShowsAWholeLine) {
+  const auto rows = [](double arrival) {
+    SerialReading reading;
+    reading.take("7 1\n12.08 1\n", arrival);
+    return reading.rows.size();
+  };
+  EXPECT_EQ(rows(100.029), 1u);
+  EXPECT_EQ(rows(100.031), 2u);
+  SerialReading slow;  // the silence is between two pieces of a line
+  slow.take("7", 100.001);
+  slow.take(" 1\n12.08 1\n", 100.2);
+  EXPECT_THAT(slow.rows.t, ElementsAre(12.08));
+  SerialReading lost;
+  lost.take("\n0.08 1\n0.09 1", 100.01);
+  lost.reader.connection_lost(lost.rows, lost.notices);
+  lost.reader.connected(105);
+  lost.take("9 7\n0.10 2\n", 105.2);
+  EXPECT_THAT(lost.rows.t, ElementsAre(0.08, 0.10));
+}
+
+TEST(LineReader, TheFormOfTheNextLineShowsAWholeOne) {
+  const auto whole = [](const std::string& first, const std::string& next) {
+    SerialReading reading;
+    reading.take(first + "\n" + next + "\n", 100.001);
+    return reading.rows.size() == 2;
+  };
+  EXPECT_TRUE(whole("9.5 1", "10.4 1"));
+  EXPECT_FALSE(whole("9.3 1", "10.4 1"));
+  EXPECT_FALSE(whole("9.5 1", "100.4 1"));
+  EXPECT_FALSE(whole("12 1", "12.5 1"));
+  EXPECT_FALSE(whole("12.5 1", "12.5 1"));
+  EXPECT_FALSE(whole("12.4 1 1", "12.5 1"));
+  EXPECT_FALSE(whole("4", "5"));
+  EXPECT_FALSE(whole("-2 1", "3 1"));
+  SerialReading last;
+  last.take("12.4 1\n", 100.001);
+  last.reader.end(101, last.rows, last.notices);
+  EXPECT_EQ(last.rows.size(), 0u);
+  ASSERT_EQ(last.notices.size(), 1u);
+  EXPECT_EQ(last.notices[0].kind, NoticeKind::connection);
 }
 
 }  // namespace

@@ -3,7 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <thread>
 
@@ -112,6 +116,154 @@ TEST(Recorder, AColumnThatIsNotThereIsNoticedWithThoseThatAre) {
                                    "\": there is no such column to be fitted live, only \"Position (mm)\", "
                                    "\"Velocity (mm/s)\"");
   }
+}
+
+/// Sends what it is given, a portion at a time, and ends.
+class Portions final : public Source {
+ public:
+  Portions(std::vector<Rows> portions, std::vector<Notice> notices = {})
+      : portions_(std::move(portions)), notices_(std::move(notices)) {}
+  Result<void> open() override { return {}; }
+  bool receive(double, Rows& rows, std::vector<Notice>& notices) override {
+    rows = portions_[n_++];
+    notices = std::exchange(notices_, {});
+    return n_ < portions_.size();
+  }
+  const Headings& headings() const override { return headings_; }
+  SampleTimes times() const override { return {TimesBy::count}; }
+
+ private:
+  std::vector<Rows> portions_;
+  std::vector<Notice> notices_;
+  std::size_t n_ = 0;
+  Headings headings_{"Time (s)", "Value"};
+};
+
+Rows rows_at(const std::vector<double>& times) {
+  Rows rows;
+  rows.width = 1;
+  for (const double t : times) rows.add(t, std::vector{10 * t});
+  return rows;
+}
+
+/// A recording that has ended, and its file.
+struct Recorded {
+  explicit Recorded(std::unique_ptr<Source> source, std::optional<double> duration = {},
+                    std::vector<std::string> comments = {})
+      : path(fs::temp_directory_path() / ("cromer-portions-" + std::to_string(::getpid()) + ".csv")),
+        recorder(std::move(source), {path, duration, std::move(comments)}) {
+    fs::remove(path);
+    started = recorder.start();
+    while (recorder.status().running) ::usleep(500);
+    recorder.stop();
+    std::ifstream file(path, std::ios::binary);
+    content.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  ~Recorded() { fs::remove(path); }
+
+  std::string path, content;
+  Recorder recorder;
+  Result<void> started;
+};
+
+TEST(Recorder, WritesHeadRowsAndWhatWasNoticed) {
+  const Recorded recorded(
+      std::make_unique<Portions>(
+          std::vector{rows_at({0.5, 1}), rows_at({}), rows_at({1.5})},
+          std::vector<Notice>{
+              {NoticeKind::garbage, "a"}, {NoticeKind::clock, "b"}, {NoticeKind::garbage, "c"}}),
+      {}, {"head"});
+  EXPECT_EQ(recorded.content,
+            "# head\nTime (s),Value\n0.5,5\n1,10\n1.5,15\n# a\n# b\n# c\n# times: counted, at the rate of "
+            "--rate\n# 2 lines were no samples\n");
+  const RecorderStatus status = recorded.recorder.status();
+  EXPECT_EQ(status.samples, 3u);
+  EXPECT_EQ(status.begin, 0.5);
+  EXPECT_EQ(status.end, 1.5);
+  EXPECT_EQ(status.rate, 2);
+  EXPECT_EQ(status.last, std::vector{15.0});
+  EXPECT_EQ(status.garbage, 2u);
+  EXPECT_EQ(status.notices, 3u);
+  EXPECT_EQ(status.times.by, TimesBy::count);
+  EXPECT_EQ(status.failure, "");
+  EXPECT_EQ(recorded.recorder.headings(), (Headings{"Time (s)", "Value"}));
+}
+
+TEST(Recorder, ShowsPartsOfWhatItHas) {
+  const Recorded recorded(
+      std::make_unique<Portions>(std::vector{rows_at({1, 2, 3, 4, 5})},
+                                 std::vector<Notice>{{NoticeKind::gap, "a"}, {NoticeKind::gap, "b"}}));
+  const Recorder& recorder = recorded.recorder;
+  EXPECT_EQ(recorder.rows_since(0, 2).t, (std::vector<double>{1, 2}));
+  EXPECT_EQ(recorder.rows_since(3).t, (std::vector<double>{4, 5}));
+  EXPECT_EQ(recorder.rows_since(3, 1).values, (std::vector<double>{40}));
+  EXPECT_EQ(recorder.rows_since(5).size(), 0u);
+  EXPECT_EQ(recorder.rows_since(9, 2).size(), 0u);
+  EXPECT_EQ(recorder.first_within(2), 2u);
+  EXPECT_EQ(recorder.first_within(1.5), 3u);
+  EXPECT_EQ(recorder.first_within(100), 0u);
+  EXPECT_EQ(recorder.notices_since(1).size(), 1u);
+  EXPECT_EQ(recorder.notices_since(1)[0].text, "b");
+  EXPECT_EQ(recorder.notices_since(7).size(), 0u);
+}
+
+TEST(Recorder, ARecordingOfNothingLeavesNoFile) {
+  const Recorded recorded(
+      std::make_unique<Portions>(std::vector{rows_at({})}, std::vector<Notice>{{NoticeKind::garbage, "a"}}));
+  EXPECT_FALSE(fs::exists(recorded.path));
+  EXPECT_EQ(recorded.recorder.first_within(1), 0u);
+  EXPECT_EQ(recorded.recorder.status().samples, 0u);
+  EXPECT_EQ(recorded.recorder.status().rate, 0);
+  EXPECT_EQ(Recorded(std::make_unique<Portions>(std::vector{rows_at({3})})).recorder.status().rate, 0);
+}
+
+TEST(Recorder, TheDurationIsCountedFromTheFirstSample) {
+  const auto times = [](std::vector<Rows> portions, double duration) {
+    return Recorded(std::make_unique<Portions>(std::move(portions)), duration).recorder.rows_since(0).t;
+  };
+  EXPECT_EQ(times({rows_at({5, 5.5, 6, 6.5}), rows_at({7})}, 1), (std::vector<double>{5, 5.5, 6}));
+  EXPECT_EQ(times({rows_at({5, 5.5}), rows_at({6, 6.5}), rows_at({7})}, 1), (std::vector<double>{5, 5.5, 6}));
+  EXPECT_EQ(times({rows_at({5}), rows_at({6}), rows_at({6})}, 1), (std::vector<double>{5, 6, 6}));
+  EXPECT_EQ(times({rows_at({5}), rows_at({6.5}), rows_at({7})}, 2), (std::vector<double>{5, 6.5, 7}));
+  const Recorded cut(std::make_unique<Portions>(std::vector{rows_at({0, 1, 2})}), 1);
+  EXPECT_EQ(cut.content.substr(0, 24), "Time (s),Value\n0,0\n1,10\n");
+}
+
+TEST(Recorder, ADurationWithoutSamplesEndsTwoSecondsLater) {
+  const auto begun = std::chrono::steady_clock::now();
+  const Recorded silent(std::make_unique<Silent>(), 0.2);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+  EXPECT_GE(took.count(), 2.2);
+  EXPECT_LT(took.count(), 2.6);
+}
+
+TEST(Recorder, ManyRowsAndNoticesAreBroughtToTheDisk) {
+  for (const std::size_t count : {9999u, 10000u, 25000u}) {
+    std::vector<double> times;
+    for (std::size_t i = 0; i < count; ++i) times.push_back(static_cast<double>(i));
+    const Recorded recorded(std::make_unique<Portions>(std::vector{rows_at(times)}));
+    EXPECT_EQ(std::count(recorded.content.begin(), recorded.content.end(), '\n'),
+              static_cast<std::ptrdiff_t>(count) + 2);
+  }
+  const Recorded garbled(std::make_unique<Portions>(std::vector{rows_at({1})},
+                                                    std::vector<Notice>(250, {NoticeKind::garbage, "a"})));
+  EXPECT_EQ(garbled.recorder.notices_since(0).size(), 200u);
+  EXPECT_EQ(garbled.recorder.status().garbage, 250u);
+  EXPECT_NE(garbled.content.find("# 250 lines were no samples\n"), std::string::npos);
+}
+
+TEST(Recorder, WhereTheSourceCannotBeOpenedNoFileIsLeft) {
+  class Closed final : public Source {
+   public:
+    Result<void> open() override { return Error{"not there"}; }
+    bool receive(double, Rows&, std::vector<Notice>&) override { return false; }
+    const Headings& headings() const override { return headings_; }
+    Headings headings_{};
+  };
+  const Recorded recorded(std::make_unique<Closed>());
+  ASSERT_FALSE(recorded.started);
+  EXPECT_EQ(recorded.started.error().message, "not there");
+  EXPECT_FALSE(fs::exists(recorded.path));
 }
 
 }  // namespace

@@ -101,5 +101,108 @@ TEST(Timekeeper, ANumberThatIsNoTimeIsReplaced) {
   EXPECT_GT(keeper.of_device(9e14, 100.02).t, second);
 }
 
+/// After a hundred samples, each 0.01 s, of a device whose clock begins at 5 s.
+Timekeeper running(double arrival_step = 0.01, int samples = 100) {
+  Timekeeper clock;
+  for (int i = 0; i < samples; ++i) clock.of_device(5 + i * 0.01, i * arrival_step);
+  return clock;
+}
+
+std::string said(const Stamp& stamp) { return stamp.notice ? stamp.notice->text : ""; }
+
+TEST(Timekeeper, AGapIsLongerThanATenthOfASecondAndFiveSteps) {
+  EXPECT_EQ(said(running().of_device(6.095, 1.1)), "nothing for 0.105 s from 5.99 s on");
+  EXPECT_EQ(said(running().of_device(6.085, 1.1)), "");
+  Timekeeper slow;
+  for (int i = 0; i < 20; ++i) slow.of_device(i, i);
+  EXPECT_EQ(said(Timekeeper(slow).of_device(23.9, 23.9)), "");
+  EXPECT_EQ(said(slow.of_device(24.1, 24.1)), "nothing for 5.1 s from 19 s on");
+  EXPECT_EQ(said(running(0.01, 3).of_device(5.2, 0.2)), "nothing for 0.18 s from 5.02 s on");
+  EXPECT_EQ(said(running(0.01, 2).of_device(5.2, 0.2)), "");
+}
+
+TEST(Timekeeper, AJumpForwardIsHalfASecondMoreThanPassed) {
+  EXPECT_EQ(
+      said(running().of_device(5.99 + 0.52, 1.0)),
+      "the device's clock jumped forward by 0.52 s at 5.99 s; the times go on from the computer's clock");
+  EXPECT_EQ(said(running().of_device(5.99 + 0.50, 1.0)), "nothing for 0.5 s from 5.99 s on");
+  // Nor where five usual steps are more, or the clocks do not keep pace.
+  Timekeeper slow;
+  for (int i = 0; i < 20; ++i) slow.of_device(i, i);
+  EXPECT_EQ(slow.of_device(23.9, 20).t, 23.9);
+  for (const double pace : {0.0051, 0.0199})
+    EXPECT_EQ(running(pace).of_device(66, 100 * pace).notice->kind, NoticeKind::clock);
+  for (const double pace : {0.0049, 0.0201})
+    EXPECT_EQ(running(pace).of_device(66, 100 * pace).notice->kind, NoticeKind::gap);
+  EXPECT_EQ(running(0.01, 9).of_device(66, 0.09).notice->kind, NoticeKind::clock);
+  EXPECT_EQ(running(0.01, 8).of_device(66, 0.08).notice->kind, NoticeKind::gap);
+}
+
+TEST(Timekeeper, BehindAJumpTheTimesGoOnByTheDevicesSteps) {
+  Timekeeper clock = running();
+  const Stamp jump = clock.of_device(66, 1.0);
+  EXPECT_NEAR(jump.t, 6.0, 1e-9);
+  EXPECT_NEAR(clock.of_device(66.01, 1.05).t, 6.01, 1e-9);
+  // At least a usual step passes.
+  Timekeeper back = running();
+  EXPECT_NEAR(back.of_device(0, 0.99).t, 6.0, 1e-9);
+  EXPECT_EQ(said(back.of_device(0, 1.0)), "the device gave the time 0 s twice");
+  EXPECT_NEAR(back.of_device(0.01, 1.01).t, 6.02, 1e-9);
+}
+
+TEST(Timekeeper, ATimeOfAThousandTrillionSecondsIsNone) {
+  Timekeeper clock = running();
+  EXPECT_EQ(said(clock.of_device(1e15, 1.0)),
+            "the device gave 1e+15 s, which is no time; the computer's clock is taken at 6 s");
+  Timekeeper first;
+  EXPECT_EQ(first.of_device(1e15, 7).t, 0);
+  Timekeeper late = running();
+  EXPECT_NEAR(late.of_device(-1e15, 1.49).t, 6.49, 1e-9);
+  EXPECT_EQ(late.of_device(6.5, 1.5).t, 6.5);
+  EXPECT_EQ(running().of_device(9.9e14, 1e15).t, 9.9e14);
+}
+
+TEST(Timekeeper, TheUsualStepIsOfTheLastSixtyFour) {
+  Timekeeper clock;
+  double device = 0;
+  for (int i = 0; i < 100; ++i, device += 1) clock.of_device(device, device);
+  for (int i = 0; i < 32; ++i, device += 0.01) clock.of_device(device, device);
+  // Half of them are long, then half are short.
+  EXPECT_EQ(said(Timekeeper(clock).of_device(device + 1, device + 1)), "");
+  for (int i = 0; i < 3; ++i, device += 0.01) clock.of_device(device, device);
+  EXPECT_NE(said(clock.of_device(device + 1, device + 1)), "");
+}
+
+TEST(Timekeeper, CountingBeginsAnewHalfASecondOff) {
+  const auto late = [](double by) {
+    Timekeeper clock(100);
+    for (int i = 0; i < 100; ++i) clock.of_count(50 + i * 0.01);
+    return clock.of_count(51 + by);
+  };
+  EXPECT_EQ(late(0.49).t, 1);
+  EXPECT_EQ(said(late(0.49)), "");
+  EXPECT_NEAR(late(0.51).t, 1.51, 1e-9);
+  EXPECT_EQ(said(late(0.51)), "0.51 s later than --rate lets expect at 0.99 s; counting begins anew");
+  // What comes too fast is counted: its arrival may not lie before the last time.
+  Timekeeper fast(100);
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(said(fast.of_count(50 + i * 0.001)), "");
+  EXPECT_EQ(fast.of_count(50.1).t, 1);
+  // Early, after a pause.
+  Timekeeper early(1);
+  early.of_count(50);
+  EXPECT_EQ(said(early.of_count(50.4)), "0.6 s earlier than --rate lets expect at 0 s; counting begins anew");
+  EXPECT_NEAR(early.of_count(51.4).t, 1.4, 1e-9);
+}
+
+TEST(Timekeeper, ThePaceIsKnownAfterTwoSeconds) {
+  Timekeeper clock;
+  clock.of_device(3, 100);
+  EXPECT_EQ(clock.pace(), 0);
+  clock.of_device(9, 101.9);
+  EXPECT_EQ(clock.pace(), 0);
+  clock.of_device(11, 102);
+  EXPECT_EQ(clock.pace(), 4);
+}
+
 }  // namespace
 }  // namespace cromer
