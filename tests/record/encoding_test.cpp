@@ -76,5 +76,54 @@ TEST(Encoding, WhatIsNoTextOfTwoBytes) {
               HasSubstr("a zero at byte 2, in line 1"));
 }
 
+std::string encoding_of(const std::string& bytes) {
+  const auto recording = read_recording(bytes, "lab.csv", {});
+  return recording ? recording->dialect.encoding : recording.error().message;
+}
+
+TEST(Encoding, TwoBytesWithoutAMarkAreToldByTheirZeros) {
+  const Form little{"", false, false}, big{"", true, false};
+  for (const Form& form : {little, big}) {
+    EXPECT_EQ(encoding_of(utf16(u"1 2\n3 4\n", form)), form.big ? "UTF-16 BE" : "UTF-16 LE");
+    EXPECT_EQ(encoding_of(utf16(u"12", form)), form.big ? "UTF-16 BE" : "UTF-16 LE");
+    EXPECT_THAT(encoding_of(utf16(u"1", form)), HasSubstr("this is a binary file"));
+    // One of ten letters may have two bytes, of two hundred and fifty-six looked at.
+    std::u16string rows = u"Weg \u0101 \n1 2\n3 4\n5 6\n";
+    EXPECT_EQ(encoding_of(utf16(rows, form)), form.big ? "UTF-16 BE" : "UTF-16 LE");
+    EXPECT_THAT(encoding_of(utf16(u"\u0101\u0102 7\n1 2\n3 4\n5 6\n", form)),
+                HasSubstr("this is a binary file"));
+    rows = u"";
+    for (int i = 0; i < 64; ++i) rows += u"1 2\n";
+    EXPECT_EQ(encoding_of(utf16(rows + u"# \u0100\u3000\n", form)), form.big ? "UTF-16 BE" : "UTF-16 LE");
+    EXPECT_THAT(encoding_of(utf16(rows.substr(0, 252) + u"# \u3000\n", form)),
+                HasSubstr("this is a binary file"));
+  }
+}
+
+TEST(Encoding, SurrogatesReachFromEndToEnd) {
+  for (const char16_t* letter : {u"\U00010000", u"\U0010FFFF", u"\uD7FF", u"\uE000"})
+    EXPECT_EQ(encoding_of(utf16(std::u16string(u"x ") + letter + u"\n1\n2\n", {"", false, true})),
+              "UTF-16 LE with BOM");
+  const auto read = read_recording(utf16(u"x \U0010FFFF\n1\n2\n", {"", false, true}), "lab.csv", {});
+  EXPECT_EQ(read->table.columns[0].name, "x \xF4\x8F\xBF\xBF");
+  for (const std::u16string& half : {std::u16string{0xD800, 0xDBFF}, std::u16string{0xD800, 0xE000},
+                                     std::u16string{0xDFFF, 0xDC00}, std::u16string{0xDBFF}})
+    EXPECT_THAT(encoding_of(utf16(u"x" + half, {"", false, true})),
+                HasSubstr("half a surrogate pair at byte 4"));
+}
+
+TEST(Encoding, WindowsLettersAreRead) {
+  const auto name = [](const std::string& letter) {
+    return read_recording("Weg " + letter + "\n1\n2\n", "lab.csv", {})->table.columns[0].name;
+  };
+  EXPECT_EQ(name("\x80"), "Weg \u20AC");
+  EXPECT_EQ(name("\x81"), "Weg \uFFFD");
+  EXPECT_EQ(name("\x9F"), "Weg \u0178");
+  EXPECT_EQ(name("\xA1"), "Weg \u00A1");
+  EXPECT_EQ(name("\xFF"), "Weg \u00FF");
+  EXPECT_EQ(encoding_of(std::string("1 2\n3 4\n\0", 9)),
+            "lab.csv: this is a binary file (a zero byte at offset 8): a text or CSV file is expected");
+}
+
 }  // namespace
 }  // namespace cromer
