@@ -48,7 +48,7 @@ TEST(BadCell, ThousandsStandInThrees) {
   EXPECT_EQ(bad_cell("12.345,6", ','), write("12345,6"));
   EXPECT_EQ(bad_cell("1,234,567.25", ','), write("1234567,25"));
   for (const char* none : {"1,234", "1.234", "1234,567.5", "1,23,456.5", "1,2345.5", "1,234.5x", "1,234x5",
-                           ",234.5", "-,234.5", "1,234,", "1,234,56"})
+                           ",234.5", "-,234.5", "1,234,", "1,234,56", "1,x34.5", "1,2x4.5", "1,23x.5"})
     EXPECT_EQ(bad_cell(none, '.').find("thousands"), std::string::npos) << none;
 }
 

@@ -113,6 +113,7 @@ TEST(FirstColumn, ThatRunsEvenlyUpwardIsTheTime) {
   EXPECT_EQ(first_of("0 1 2 3 4 5 6 7 8 9 10.4"), "time");
   EXPECT_EQ(first_of("0 1 2.4 3 4 5.4 6"), "time");
   EXPECT_EQ(first_of("0 1 2.6 3 4 5.6 6"), "");
+  EXPECT_EQ(first_of("0 1 2.5 3.5 5 6"), "");
   EXPECT_EQ(first_of("0 1 nan 3 4"), "time");
   EXPECT_EQ(first_of("0 nan 2 nan 4"), "");
 }

@@ -74,6 +74,7 @@ TEST(PeerHead, WhatIsNoCountOrStepIsRefused) {
 
 TEST(PeerHead, ValuesBehindItsCountAreCounted) {
   EXPECT_THAT(read(peer("NPTS= 3, DT= 1")).warnings, IsEmpty());
+  EXPECT_TRUE(read(peer("NPTS= 3, DT= 1")).named);
   EXPECT_THAT(read(peer("NPTS= 2, DT= 1")).warnings, ElementsAre("1 value behind the 2 of NPTS left out"));
   EXPECT_THAT(read(peer("NPTS= 4, DT= 1", "1 2 3\n4 5 6\n7\n")).warnings,
               ElementsAre("3 values behind the 4 of NPTS left out"));

@@ -123,5 +123,119 @@ TEST(DropOuts, PulsesOfAForceAreNone) {
               IsEmpty());
 }
 
+/// What is found in y, every 0.01 s; the first and the end of each.
+std::vector<std::pair<std::size_t, std::size_t>> found_in(const std::vector<double>& y, double resolution = 0,
+                                                          std::size_t late = 0) {
+  std::vector<double> t;
+  for (std::size_t i = 0; i < y.size(); ++i)
+    t.push_back(0.01 * static_cast<double>(i) + (late && i >= late ? 1 : 0));
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  for (const DropOut& each : drop_outs(t, y, 0.01, resolution)) all.emplace_back(each.first, each.end);
+  return all;
+}
+
+/// Zigzag of steps of one; `more` is added to some of them.
+std::vector<double> zigzag(std::size_t count, std::size_t from, std::vector<double> more) {
+  std::vector<double> y;
+  for (std::size_t i = 0; i < count; ++i) y.push_back(i % 2 == 0 ? 0 : 1);
+  for (std::size_t k = 0; k < more.size(); ++k) y[from + k] += more[k];
+  return y;
+}
+
+using Found = std::vector<std::pair<std::size_t, std::size_t>>;
+
+TEST(DropOuts, NeedFortySamples) {
+  EXPECT_EQ(found_in(zigzag(40, 20, {90, 90})), (Found{{20, 22}}));
+  EXPECT_EQ(found_in(zigzag(39, 20, {90, 90})), Found{});
+}
+
+TEST(DropOuts, HaveTwoToTenSamples) {
+  EXPECT_EQ(found_in(zigzag(200, 100, {90})), Found{});
+  for (std::size_t length = 2; length <= 10; ++length)
+    EXPECT_EQ(found_in(zigzag(200, 100, std::vector<double>(length, 90))), (Found{{100, 100 + length}}))
+        << length;
+  EXPECT_EQ(found_in(zigzag(200, 100, std::vector<double>(11, 90))), Found{});
+  EXPECT_EQ(found_in(zigzag(200, 100, {-90, -90, -90})), (Found{{100, 103}}));
+  EXPECT_EQ(found_in(zigzag(200, 100, {90, -90})), Found{});
+}
+
+TEST(DropOuts, JumpByTwelveRobustDeviations) {
+  // 12 * 1.4826 are 17.79; the jumps are one more and one less than what is added.
+  EXPECT_EQ(found_in(zigzag(200, 100, {18.9, 18.9})), (Found{{100, 102}}));
+  EXPECT_EQ(found_in(zigzag(200, 100, {18.7, 18.7})), Found{});
+  EXPECT_EQ(found_in(zigzag(200, 100, {18.9, 18.9}), 3), Found{});
+  EXPECT_EQ(found_in(zigzag(200, 100, {19.1, 19.1}), 3), (Found{{100, 102}}));
+}
+
+TEST(DropOuts, OfATenthOfTheSamplesAreNone) {
+  std::vector<double> y = zigzag(200, 100, std::vector<double>(10, 90));
+  for (std::size_t i = 40; i < 50; ++i) y[i] += 90;
+  EXPECT_EQ(found_in(y), (Found{{40, 50}, {100, 110}}));
+  y[160] += 90, y[161] += 90;
+  EXPECT_EQ(found_in(y), Found{});
+}
+
+TEST(DropOuts, FlatOnesMayBeLong) {
+  const auto flat = [](std::size_t first, std::size_t end) {
+    std::vector<double> y = zigzag(400, 0, {});
+    for (std::size_t i = first; i < end; ++i) y[i] = 90;
+    return found_in(y);
+  };
+  EXPECT_EQ(flat(100, 103), (Found{{100, 103}}));
+  EXPECT_EQ(flat(100, 130), (Found{{100, 130}}));
+  EXPECT_EQ(flat(1, 4), (Found{{1, 4}}));
+  EXPECT_EQ(flat(396, 399), (Found{{396, 399}}));
+  EXPECT_EQ(flat(397, 400), Found{});
+  EXPECT_EQ(flat(0, 3), Found{});
+}
+
+TEST(DropOuts, NextToEachOtherAreFoundBoth) {
+  std::vector<double> y = zigzag(200, 100, {90, 90});
+  y[104] += 90, y[105] += 90;
+  EXPECT_EQ(found_in(y), (Found{{100, 102}, {104, 106}}));
+  EXPECT_EQ(found_in(zigzag(200, 1, {90, 90})), (Found{{1, 3}}));
+  EXPECT_EQ(found_in(zigzag(200, 197, {90, 90})), (Found{{197, 199}}));
+}
+
+TEST(DropOuts, AcrossAGapInTheTimesAreNotSeen) {
+  const std::vector<double> y = zigzag(200, 100, {90, 90});
+  EXPECT_EQ(found_in(y, 0, 100), Found{});
+  EXPECT_EQ(found_in(y, 0, 102), Found{});
+  EXPECT_EQ(found_in(y, 0, 99), (Found{{100, 102}}));
+  EXPECT_EQ(found_in(y, 0, 103), (Found{{100, 102}}));
+}
+
+TEST(DropOuts, TheLivelierSideSaysWhatIsUsualToThem) {
+  const auto behind = [](std::size_t lively_from) {
+    std::vector<double> y = zigzag(400, 100, {60, 60, 60});
+    for (std::size_t i = lively_from; i < 150; ++i) y[i] *= 4;
+    return !found_in(y).empty();
+  };
+  EXPECT_TRUE(behind(150));
+  EXPECT_TRUE(behind(115));
+  EXPECT_FALSE(behind(108));
+  const auto before = [](std::size_t lively_to) {
+    std::vector<double> y = zigzag(400, 100, {60, 60, 60});
+    for (std::size_t i = 50; i < lively_to; ++i) y[i] *= 4;
+    return !found_in(y).empty();
+  };
+  EXPECT_TRUE(before(50));
+  EXPECT_TRUE(before(88));
+  EXPECT_FALSE(before(95));
+}
+
+TEST(DropOuts, ComeBackToWhereTheyLeft) {
+  const auto shifted = [](double by) {
+    std::vector<double> y = zigzag(200, 100, {90, 90});
+    for (std::size_t i = 102; i < 200; ++i) y[i] += by;
+    return found_in(y);
+  };
+  EXPECT_EQ(shifted(31), (Found{{100, 102}}));
+  EXPECT_EQ(shifted(31.1), Found{});
+  EXPECT_EQ(shifted(-29), (Found{{100, 102}}));
+  EXPECT_EQ(found_in(zigzag(200, 100, {90, 46, 90})), (Found{{100, 103}}));
+  EXPECT_EQ(found_in(zigzag(200, 100, {90, 43, 90})), Found{});
+}
+
 }  // namespace
 }  // namespace cromer::dialects

@@ -78,6 +78,12 @@ TEST(LastLine, EightRowsShowHowNumbersAreWritten) {
   EXPECT_EQ(said(repeated(7, "0.5;1.25\n") + "0.5;\n0.5\n", "0.5;1.2"), "");
 }
 
+TEST(LastLine, OneDecimalIsEnoughToMissIt) {
+  EXPECT_THAT(said(repeated(8, "0;0.5\n"), "0;1"), HasSubstr("left out"));
+  EXPECT_THAT(said(repeated(8, "0;0.5\n"), "0;1."), HasSubstr("left out"));
+  EXPECT_THAT(said(repeated(8, "0;5E1\n"), "0;5"), HasSubstr("left out"));
+}
+
 TEST(LastLine, AThousandRowsAreLookedAt) {
   const std::string other = "0.5;1.5\n", usual = "0.5;1.25\n";
   EXPECT_THAT(said(other + repeated(1000, usual), "0.5;1.2"), HasSubstr("left out"));

@@ -273,5 +273,50 @@ TEST(Tops, OfARectangleAreNotCutOff) {
   EXPECT_FALSE(rectangle(50));
 }
 
+TEST(Rounding, IsLookedForAboutTheMiddle) {
+  EXPECT_DOUBLE_EQ(rounding_step(made(400, [](int i) { return i == 7 ? 1e12 : 1e6 + scattered(i) * 0.01; })),
+                   0.01);
+}
+
+TEST(Spikes, OnASlopeThatGoesOnAreNone) {
+  const auto with = [](double height) {
+    return spikes_of(made(200, [=](int i) {
+      return 0.001 * i + (i < 90 ? 0 : std::min(i - 90, 20)) + (i == 100 ? height : 0);
+    }));
+  };
+  EXPECT_THAT(with(0.9), IsEmpty());
+  EXPECT_THAT(with(1.1), ElementsAre(100));
+}
+
+TEST(Spikes, AtALivelyEndAreNone) {
+  const auto with = [](int lively) {
+    return spikes_of(made(400, [=](int i) {
+      const double sign = i % 2 == 0 ? 1 : -1;
+      return sign * (i >= 400 - lively ? 4 : 1) + (i == 399 ? 400 : 0);
+    }));
+  };
+  EXPECT_THAT(with(0), ElementsAre(399));
+  EXPECT_THAT(with(12), ElementsAre(399));
+  EXPECT_THAT(with(16), IsEmpty());
+}
+
+TEST(Tops, OneOfTwoFlatOnesMayHaveThreeSamples) {
+  const auto with = [](int first, int second) {
+    Values y;
+    for (int k = 0; k < 8; ++k) {
+      const int flat = k == 2 ? first : k == 5 ? second : 1;
+      for (int i = -6; i <= 6; ++i) {
+        y.push_back(i == 0 && k % 8 != 2 && k != 5 ? 5.5 : 6 - std::abs(i));
+        for (int more = 1; i == 0 && more < flat; ++more) y.push_back(6);
+      }
+    }
+    return tops_cut_off(y, 0.01, 0);
+  };
+  EXPECT_TRUE(with(4, 3));
+  EXPECT_TRUE(with(3, 4));
+  EXPECT_FALSE(with(4, 2));
+  EXPECT_FALSE(with(3, 3));
+}
+
 }  // namespace
 }  // namespace cromer::dialects

@@ -318,5 +318,16 @@ TEST(LineReader, TheFormOfTheNextLineShowsAWholeOne) {
   EXPECT_EQ(last.notices[0].kind, NoticeKind::connection);
 }
 
+TEST(LineReader, RowsThatAreLetGoHaveOneValue) {
+  Reading reading;
+  reading.take("1\n2\n");
+  Rows none, two;
+  reading.reader.release(100.1, none, reading.notices);
+  EXPECT_EQ(none.width, 0u);
+  reading.reader.release_all(two, reading.notices);
+  EXPECT_EQ(two.width, 1u);
+  EXPECT_EQ(two.size(), 2u);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -76,5 +76,57 @@ TEST(RateLine, SteadyRateLeavesOutWhatWasBefore) {
   EXPECT_NEAR(line->at(999), arrivals[999], 1e-9);
 }
 
+TEST(RateLine, IsTouchedByArrivalsUpToAThirdOfAMillisecondLate) {
+  // On time at both ends, all others late by the same.
+  const auto touched = [](double late) {
+    std::vector<double> arrivals;
+    for (int i = 0; i < 400; ++i) arrivals.push_back(i / 100.0 + (i > 0 && i < 399 ? late : 0));
+    return is_touched(arrivals, {0, 0.01});
+  };
+  EXPECT_TRUE(touched(2.9e-4));
+  EXPECT_FALSE(touched(3.1e-4));
+}
+
+TEST(RateLine, IsTouchedAllInAllAndLately) {
+  const auto touched = [](int from, int to, double late = 0.002) {
+    std::vector<double> arrivals;
+    for (int i = 0; i < 400; ++i) arrivals.push_back(i / 100.0 + (i >= from && i < to ? late : 0));
+    return is_touched(arrivals, {0, 0.01});
+  };
+  EXPECT_TRUE(touched(0, 100));
+  EXPECT_FALSE(touched(0, 250));
+  EXPECT_TRUE(touched(100, 300));
+  EXPECT_FALSE(touched(335, 400));
+  EXPECT_TRUE(touched(350, 400));
+}
+
+TEST(RateLine, LatenessIsWhatNineOfTenPiecesHave) {
+  std::vector<double> arrivals;
+  for (int i = 0; i < 400; ++i) arrivals.push_back(i / 100.0 + (i >= 360 ? 0.5 : i >= 300 ? 0.25 : 0.125));
+  EXPECT_NEAR(lateness(arrivals, {0, arrivals.back() / 399}), 0.25, 0.2);
+  EXPECT_DOUBLE_EQ(lateness(std::vector<double>{0, 1, 2.5, 3.5, 4.5, 5.5, 6.5, 7.5}, {0, 1}), 0.5);
+}
+
+TEST(RateLine, SteadyRateHasLimits) {
+  const auto found = [](int count, double period, double least) {
+    std::vector<double> arrivals;
+    for (int i = 0; i < count; ++i) arrivals.push_back(100 + i * period);
+    return steady_rate(arrivals, least).has_value();
+  };
+  EXPECT_TRUE(found(48, 0.01, 0.46));
+  EXPECT_FALSE(found(47, 0.01, 0.3));
+  EXPECT_FALSE(found(48, 0.01, 0.48));
+  EXPECT_TRUE(found(10000, 5.1e-5, 0.3));
+  EXPECT_FALSE(found(10000, 4.9e-5, 0.3));
+  EXPECT_TRUE(found(48, 1, 0.3));
+}
+
+TEST(RateLine, RoughnessOfThreeIsTheirBend) {
+  EXPECT_DOUBLE_EQ(roughness(std::vector<double>{0, 1, 2.0625}), 0.0625);
+  EXPECT_DOUBLE_EQ(roughness(std::vector<double>{0, 1, 3}), 0.1);
+  EXPECT_DOUBLE_EQ(roughness(std::vector<double>{0, 1, 2.0625, 3.125}), 0.03125);
+  EXPECT_EQ(roughness(std::vector<double>{}), 0);
+}
+
 }  // namespace
 }  // namespace cromer::test
