@@ -1,12 +1,14 @@
 // The units Cromer knows and the grammar that joins them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 #include <optional>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 
 namespace cromer {
@@ -104,6 +106,8 @@ std::optional<Symbol> find_symbol(std::string_view text) {
   return std::nullopt;
 }
 
+constexpr std::array<std::string_view, 6> blanks{" ", "\t", "\r", "\u00a0", "\u202f", "\u2009"};
+
 /// Reads from the front of a text.
 struct Reader {
   std::string_view rest;
@@ -114,7 +118,9 @@ struct Reader {
     return true;
   }
 
-  bool take_blank() { return take(" ") || take("\t") || take("\u00a0") || take("\u202f") || take("\u2009"); }
+  bool take_blank() {
+    return std::any_of(blanks.begin(), blanks.end(), [this](std::string_view blank) { return take(blank); });
+  }
 
   void skip_blanks() {
     while (take_blank()) {
@@ -125,39 +131,42 @@ struct Reader {
 constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                                         "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
 
+std::optional<int> take_digit(Reader& reader) {
+  if (!reader.rest.empty() && is_digit(reader.rest[0])) {
+    const int digit = reader.rest[0] - '0';
+    reader.rest.remove_prefix(1);
+    return digit;
+  }
+  for (std::size_t digit = 0; digit < superscripts.size(); ++digit)
+    if (reader.take(superscripts[digit])) return static_cast<int>(digit);
+  return std::nullopt;
+}
+
 /// "^-2", "²", "⁻¹" or the bare digit of "m/s2"; 1 where no power is written, nothing where it is malformed.
 /// At most one digit.
 std::optional<int> take_power(Reader& reader) {
   const bool caret = reader.take("^");
   bool negative = reader.take("\u207b");
-  if (!negative && !reader.rest.empty()) {
-    const bool digit_follows = reader.rest.size() > 1 && reader.rest[1] >= '0' && reader.rest[1] <= '9';
-    if (digit_follows || caret) negative = reader.take("-") || reader.take("\u2212");
+  Reader ahead = reader;
+  if (!negative && (ahead.take("-") || ahead.take("\u2212")) &&
+      (caret || (!ahead.rest.empty() && is_digit(ahead.rest[0])))) {
+    negative = true;
+    reader = ahead;
   }
-  int power = 0;
-  if (!reader.rest.empty() && reader.rest[0] >= '0' && reader.rest[0] <= '9') {
-    power = reader.rest[0] - '0';
-    reader.rest.remove_prefix(1);
-  } else {
-    for (std::size_t digit = 0; digit < superscripts.size(); ++digit)
-      if (reader.take(superscripts[digit])) power = static_cast<int>(digit);
-    if (power == 0) {
-      if (caret || negative) return std::nullopt;
-      return 1;
-    }
-  }
-  if (power == 0) return std::nullopt;
-  return negative ? -power : power;
+  const std::optional<int> power = take_digit(reader);
+  if (!power && !caret && !negative) return 1;
+  if (!power || *power == 0 || take_digit(reader)) return std::nullopt;
+  return negative ? -*power : *power;
 }
 
 bool ends_symbol(std::string_view rest) {
-  constexpr std::array<std::string_view, 12> ends{")", " ",      "\t",     "/",      "*",      "^",
-                                                  "-", "\u00b7", "\u22c5", "\u00a0", "\u207b", "\u2212"};
-  for (const std::string_view end : ends)
-    if (rest.starts_with(end)) return true;
-  for (const std::string_view digit : superscripts)
-    if (rest.starts_with(digit)) return true;
-  return rest[0] >= '0' && rest[0] <= '9';
+  constexpr std::array<std::string_view, 9> ends{")",      "/",      "*",      "^",     "-",
+                                                 "\u00b7", "\u22c5", "\u2212", "\u207b"};
+  const auto begins = [rest](std::string_view token) { return rest.starts_with(token); };
+  if (std::any_of(ends.begin(), ends.end(), begins) || std::any_of(blanks.begin(), blanks.end(), begins) ||
+      std::any_of(superscripts.begin(), superscripts.end(), begins))
+    return true;
+  return is_digit(rest[0]);
 }
 
 std::string_view take_symbol(Reader& reader) {
