@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace cromer {
 namespace {
 
@@ -43,6 +45,41 @@ TEST(Compensated, OrdersByTheRestWhereTheValuesAgree) {
   EXPECT_GE(Compensated(2), Compensated(1, 1e-17));
   EXPECT_EQ(abs(Compensated(-2, 1e-17)), Compensated(2, -1e-17));
   EXPECT_EQ(sgn(Compensated(-2)), Compensated(-1));
+}
+
+TEST(Compensated, TheSignTurnsWithItsRest) {
+  EXPECT_EQ(-Compensated(2, 1e-17), Compensated(-2, -1e-17));
+  EXPECT_EQ(sgn(Compensated(3)), Compensated(1));
+  EXPECT_EQ(sgn(Compensated(0)), Compensated(0));
+  EXPECT_EQ(abs(Compensated(2, -1e-17)), Compensated(2, -1e-17));
+  Compensated x(6, 1e-17);
+  x -= Compensated(2);
+  EXPECT_EQ(x.value, 4);
+  x *= Compensated(3);
+  EXPECT_EQ(x.value, 12);
+  x /= Compensated(6);
+  EXPECT_EQ(x.value, 2);
+  EXPECT_EQ(value_of(x), 2);
+}
+
+TEST(Compensated, ComparesTheValueFirst) {
+  const Compensated low(1, 1e-17), high(2, -1e-17);
+  EXPECT_TRUE(low < high);
+  EXPECT_FALSE(high < low);
+  EXPECT_FALSE(low < low);
+  EXPECT_FALSE(low > low);
+  EXPECT_TRUE(high > low);
+  EXPECT_TRUE(low <= low);
+  EXPECT_TRUE(low >= low);
+  EXPECT_FALSE(low >= high);
+  EXPECT_FALSE(high <= low);
+}
+
+TEST(Compensated, SineAndCosineCarryTheRestByTheirSlopes) {
+  const double u = 0.7;
+  const Compensated x(u, 1e-17);
+  EXPECT_EQ(sin(x), Compensated(std::sin(u), std::cos(u) * 1e-17));
+  EXPECT_EQ(cos(x), Compensated(std::cos(u), -std::sin(u) * 1e-17));
 }
 
 }  // namespace

@@ -75,5 +75,40 @@ TEST(Dual, MayBeDividedAndMultipliedByItself) {
   EXPECT_EQ(x.derivative[0], 0);
 }
 
+TEST(Dual, EveryOperationHasItsSlopes) {
+  const D x = D::variable(3, 0), y = D::variable(-2, 1);
+  EXPECT_EQ((-x).value, -3);
+  EXPECT_EQ((-x).derivative, (std::array<double, 2>{-1, 0}));
+  EXPECT_EQ((x - y).derivative, (std::array<double, 2>{1, -1}));
+  EXPECT_EQ((x + y).derivative, (std::array<double, 2>{1, 1}));
+  EXPECT_EQ((x * y).derivative, (std::array<double, 2>{-2, 3}));
+  EXPECT_EQ((x / y).derivative, (std::array<double, 2>{-0.5, -0.75}));
+  EXPECT_EQ((4 * y).value, -8);
+  EXPECT_EQ((4 * y).derivative, (std::array<double, 2>{0, 4}));
+  EXPECT_EQ((4.0 * y).derivative, (std::array<double, 2>{0, 4}));
+  EXPECT_EQ(pow(x, 3).value, 27);
+  EXPECT_EQ(pow(x, 3).derivative, (std::array<double, 2>{27, 0}));
+  EXPECT_EQ(hypot(x, D(4.0)).value, 5);
+  EXPECT_DOUBLE_EQ(hypot(x, D(4.0)).derivative[0], 0.6);
+  EXPECT_EQ(log(x).value, std::log(3));
+  EXPECT_EQ(sqrt(D(9.0)).value, 3);
+  EXPECT_EQ(atan2(y, x).value, std::atan2(-2, 3));
+  EXPECT_EQ(abs(y).value, 2);
+  EXPECT_EQ(value_of(2.5L), 2.5);
+}
+
+TEST(Dual, ComparesAtAndBesideTheLimit) {
+  const D one = D::variable(1, 0), same(1.0), two(2.0);
+  EXPECT_FALSE(one < same);
+  EXPECT_FALSE(one > same);
+  EXPECT_TRUE(one <= same);
+  EXPECT_TRUE(one >= same);
+  EXPECT_TRUE(two > one);
+  EXPECT_TRUE(one <= two);
+  EXPECT_FALSE(two <= one);
+  EXPECT_FALSE(one >= two);
+  EXPECT_FALSE(one == two);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -124,5 +124,47 @@ TEST(Bytes, InWords) {
   EXPECT_EQ(bytes_in_words(999.9e6), "1 GB");
 }
 
+TEST(Grid, KnowsItsEndsByValue) {
+  for (const Grid& grid : {Grid({2, 5, -1}), Grid(-1, 5, 7, false), Grid(5, -1, 7, false)}) {
+    EXPECT_EQ(grid.lowest(), -1);
+    EXPECT_EQ(grid.highest(), 5);
+  }
+  EXPECT_EQ(Grid({4}).size(), 1u);
+}
+
+TEST(Grid, OneOnTheLimitIsAccepted) {
+  EXPECT_TRUE(parse_grid("1:2:9007199254740992", "").ok());
+  EXPECT_THAT(message("1:2:9007199254740994"), HasSubstr("more points than can be told apart"));
+  EXPECT_TRUE(parse_grid("1:2:2", "").ok());
+  EXPECT_TRUE(fits_in_memory(10, 8, 80).ok());
+  EXPECT_FALSE(fits_in_memory(10, 8, 79).ok());
+  EXPECT_TRUE(fits_in_memory(1e17, 10, 0).ok());
+  const auto all = fits_in_memory(2e17, 10, 0);
+  ASSERT_FALSE(all.ok());
+  EXPECT_EQ(all.error().message, "2e+17 points need 2 EB of memory; ask for fewer");
+}
+
+TEST(Grid, WhereAUnitMayStand) {
+  EXPECT_THAT(values("1 min:120 s:2", "s"), ElementsAre(60, 120));
+  EXPECT_THAT(values("1:120 s:2 min", "s"), ElementsAre(60, 120));
+  EXPECT_THAT(values("1:100 ms:3:log", "s"), ElementsAre(0.001, DoubleEq(0.01), 0.1));
+  EXPECT_THAT(values("1, 2 ms,3", "s"), ElementsAre(1, 0.002, 3));
+  EXPECT_THAT(message("1:2:3 s:log", "s"), HasSubstr("the unit stands at the end"));
+  EXPECT_THAT(message("1:2:3:logs:x", "s"), HasSubstr("has 5 pieces"));
+  EXPECT_THAT(message("7"), "accepted");
+}
+
+TEST(Grid, AUnitThatDoesNotBelongIsNotRemembered) {
+  const auto typed = [](std::string_view text, std::string_view si) { return unit_of_grid(text, si).name; };
+  EXPECT_EQ(typed("1,2 kg", "s"), "s");
+  EXPECT_EQ(typed("1,2 zorg", "s"), "s");
+  EXPECT_EQ(typed("1,2 °C", "K"), "K");
+  EXPECT_EQ(typed("1,2 K", "K"), "K");
+  EXPECT_EQ(typed("1:2 min:5:log", "s"), "min");
+  EXPECT_EQ(typed("1 min,2", "s"), "s");
+  EXPECT_EQ(typed("1,2 min,3", "s"), "s");
+  EXPECT_EQ(unit_of_grid("1,2 Hz", "Hz").factor, 1);
+}
+
 }  // namespace
 }  // namespace cromer

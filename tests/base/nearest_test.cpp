@@ -48,5 +48,44 @@ TEST(Nearest, TakesTheFirstOfEquals) {
   EXPECT_EQ(nearest("miss", names), "mass");
 }
 
+TEST(Nearest, ThreeLettersSayEnoughAndTwoDoNot) {
+  constexpr std::array<std::string_view, 2> names{"abcdefghijkl", "mnopqrstuvwx"};
+  EXPECT_EQ(nearest("def", names), "abcdefghijkl");
+  EXPECT_EQ(nearest("DEF", names), "abcdefghijkl");
+  EXPECT_EQ(nearest("de", names), "");
+}
+
+TEST(Nearest, AThirdOfTheLongerLengthAndOneAreForgiven) {
+  constexpr std::array<std::string_view, 1> six{"abcdef"};
+  EXPECT_EQ(nearest("abcxyz", six), "abcdef");  // 3 of 6
+  EXPECT_EQ(nearest("abwxyz", six), "");        // 4
+  EXPECT_EQ(nearest("abxyz", six), "");         // 4, one of them for the length
+  // Nearest by letters is one that is too far for its own length.
+  constexpr std::array<std::string_view, 2> two{"zz", "abcdefghi"};
+  EXPECT_EQ(nearest("abcdexxxx", two), "abcdefghi");
+}
+
+TEST(Nearest, ASwapCountsOnlyBetweenNeighbours) {
+  constexpr std::array<std::string_view, 1> names{"abc"};
+  EXPECT_EQ(nearest("cba", names), "abc");  // two of three
+  EXPECT_EQ(nearest("bca", names), "abc");
+  EXPECT_EQ(nearest("cab", names), "abc");
+  constexpr std::array<std::string_view, 2> slips{"xbaz", "abxy"};
+  EXPECT_EQ(nearest("xabz", slips), "xbaz");
+}
+
+TEST(Nearest, NobodyMeansANameOfMoreThanTwoHundredLetters) {
+  const std::string long_name(200, 'a'), longer(201, 'a');
+  const std::array<std::string_view, 1> names{long_name};
+  EXPECT_EQ(nearest(long_name, names), long_name);
+  EXPECT_EQ(nearest(longer, names), "");
+}
+
+TEST(Nearest, NamesAllThatContainIt) {
+  constexpr std::array<std::string_view, 2> two{"one-euler", "other-euler"};
+  EXPECT_EQ(nearest_names("euler", two), "one-euler or other-euler");
+  EXPECT_EQ(nearest_names("zzzzzzzz", two), "");
+}
+
 }  // namespace
 }  // namespace cromer
