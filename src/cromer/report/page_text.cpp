@@ -22,11 +22,12 @@ std::size_t closing(std::string_view text, std::size_t from, std::string_view ma
       if (end != std::string_view::npos) i = end;
       continue;
     }
-    if (text.substr(i, mark.size()) != mark || i == from || is_blank(text[i - 1])) continue;
+    if (text.substr(i, mark.size()) != mark) continue;
     if (mark == "*" && i + 1 < text.size() && text[i + 1] == '*') {
       ++i;  // a bold mark inside italics
       continue;
     }
+    if (i == from || is_blank(text[i - 1])) continue;
     return i;
   }
   return std::string_view::npos;
