@@ -98,6 +98,7 @@ TEST(Grid, MalformedIsSaid) {
   EXPECT_THAT(message("1:2:1e300"), HasSubstr("more points than can be told apart"));
   EXPECT_THAT(message("0:2:5:log"), HasSubstr("both ends must be positive"));
   EXPECT_THAT(message("-1:2:5:log"), HasSubstr("both ends must be positive"));
+  EXPECT_THAT(message("2:0:5:log"), HasSubstr("both ends must be positive"));
   EXPECT_THAT(message("10:-1:5:log"), HasSubstr("both ends must be positive"));
   EXPECT_THAT(message("1,,2"), HasSubstr("empty value between its commas"));
   EXPECT_THAT(message("1,x"), HasSubstr("\"x\" is not a number"));
@@ -164,6 +165,7 @@ TEST(Grid, AUnitThatDoesNotBelongIsNotRemembered) {
   EXPECT_EQ(typed("1 min,2", "s"), "s");
   EXPECT_EQ(typed("1,2 min,3", "s"), "s");
   EXPECT_EQ(unit_of_grid("1,2 Hz", "Hz").factor, 1);
+  EXPECT_EQ(GridUnit{}.factor, 1);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Colours of maps: even steps, or even ratios where the values span decades.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cromer/report/place_map.h"
 
 namespace cromer {
@@ -48,6 +50,80 @@ TEST(MapScale, TheMapIsColouredByIt) {
   const PlacedMap placed = place_map(map, map_x_range(panel), map_y_range(panel), {0, 0, 2, 2});
   ASSERT_EQ(placed.values.size(), 4u);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(placed.values[i], static_cast<double>(i) / 3, 1e-14);
+}
+
+PlacedMap placed(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z,
+                 const Box& frame, bool logarithmic = false) {
+  Panel panel;
+  panel.map = HeatMap{.x = x, .y = y, .z = z, .name = ""};
+  panel.x.logarithmic = logarithmic;
+  return place_map(*panel.map, map_x_range(panel), map_y_range(panel), frame);
+}
+
+TEST(HeatMaps, EveryCellStandsAtItsMiddle) {
+  // Two px a cell; the values are shares already.
+  const std::vector<double> z{0, 0.25, 0.5, 0.75, 1, 0.125};
+  const PlacedMap map = placed({1, 2, 3}, {10, 20}, z, {5, 7, 6, 4});
+  EXPECT_EQ(map.columns, 6);
+  EXPECT_EQ(map.rows, 4);
+  const std::vector<double> low{0, 0, 0.25, 0.25, 0.5, 0.5}, high{0.75, 0.75, 1, 1, 0.125, 0.125};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_DOUBLE_EQ(map.values[i], low[i]);
+    EXPECT_DOUBLE_EQ(map.values[6 + i], low[i]);
+    EXPECT_DOUBLE_EQ(map.values[12 + i], high[i]);
+    EXPECT_DOUBLE_EQ(map.values[18 + i], high[i]);
+  }
+}
+
+TEST(HeatMaps, AFallingAxisIsDrawnTheOtherWayRound) {
+  const std::vector<double> rising{0, 0.25, 0.5, 0.75, 1, 0.125};
+  const Box frame{0, 0, 9, 4};
+  EXPECT_EQ(placed({1, 2, 4}, {1, 2}, rising, frame).values,
+            placed({4, 2, 1}, {2, 1}, {0.125, 1, 0.75, 0.5, 0.25, 0}, frame).values);
+  EXPECT_EQ(placed({1, 2, 4}, {1, 2}, rising, frame).values,
+            placed({1, 2, 4}, {2, 1}, {0.75, 1, 0.125, 0, 0.25, 0.5}, frame).values);
+}
+
+TEST(HeatMaps, OnALogarithmicAxisCellsAreEvenRatios) {
+  const PlacedMap map = placed({1, 10, 100}, {0, 1}, {0, 0.5, 1, 0, 0.5, 1}, {0, 0, 9, 2}, true);
+  EXPECT_EQ(std::vector<double>(map.values.begin(), map.values.begin() + 9),
+            (std::vector<double>{0, 0, 0, 0.5, 0.5, 0.5, 1, 1, 1}));
+}
+
+TEST(HeatMaps, AxesReachHalfACellBeyondTheMiddles) {
+  Panel panel;
+  panel.map = HeatMap{.x = {4, 3, 2}, .y = {0.1, 10}, .z = std::vector<double>(6), .name = ""};
+  panel.y.logarithmic = true;
+  EXPECT_EQ(map_x_range(panel).low, 1.5);
+  EXPECT_EQ(map_x_range(panel).high, 4.5);
+  EXPECT_DOUBLE_EQ(map_y_range(panel).low, 0.01);
+  EXPECT_DOUBLE_EQ(map_y_range(panel).high, 100);
+  EXPECT_TRUE(map_y_range(panel).logarithmic);
+  EXPECT_FALSE(map_x_range(panel).logarithmic);
+}
+
+TEST(MapScale, BeginsAtZeroWhereTheDataComeNearIt) {
+  EXPECT_EQ(map_scale(map_of({0.9, 4, 1, 1}, false)).range.low, 0);
+  EXPECT_EQ(map_scale(map_of({1, 4, 1, 1}, false)).range.low, 1);  // a quarter
+  EXPECT_EQ(map_scale(map_of({-1, 4, 1, 1}, false)).range.low, -1);
+  EXPECT_EQ(map_scale(map_of({-9, -4, -5, -5}, false)).range.low, -9);
+}
+
+TEST(MapScale, OfOneValueOrNoneHasALengthToo) {
+  const auto range = [](std::vector<double> z) { return map_scale(map_of(std::move(z), true)).range; };
+  EXPECT_EQ(range({3, 3, 3, 3}).low, 3);
+  EXPECT_EQ(range({3, 3, 3, 3}).high, 3.03);
+  EXPECT_EQ(range({-3, -3, -3, -3}).high, -2.97);
+  EXPECT_EQ(range({0, 0, 0, 0}).high, 1);
+  const double none = std::nan("");
+  EXPECT_EQ(range({none, none, none, none}).low, 0);
+  EXPECT_EQ(range({none, none, none, none}).high, 1);
+  EXPECT_EQ(range({none, 2, 3, none}).high, 3);
+}
+
+TEST(MapScale, TwoDecadesAndMoreGetEvenRatios) {
+  EXPECT_FALSE(map_scale(map_of({1, 100, 10, 10}, true)).range.logarithmic);
+  EXPECT_TRUE(map_scale(map_of({1, 100.1, 10, 10}, true)).range.logarithmic);
 }
 
 }  // namespace

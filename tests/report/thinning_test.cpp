@@ -116,5 +116,86 @@ TEST(ThinDots, OneDotPerQuarterPixel) {
   EXPECT_EQ(thin_dots(std::vector<Spot>{{1, 1}, {1.01, 1}, {1, 1.3}, {std::nan(""), 1}}).size(), 2u);
 }
 
+TEST(ThinLine, KeepsOfEachHalfColumnFirstLowestHighestAndLast) {
+  const std::vector<Spot> points{{0, 0},      {0.05, -9}, {0.1, 3},  {0.15, 8}, {0.2, 2}, {0.3, 1},
+                                 {0.49, 0.5}, {0.5, 40},  {0.6, 41}, {0.99, 0}, {1, 7}};
+  const std::vector<Spot> kept{{0, 0},    {0.05, -9}, {0.15, 8}, {0.49, 0.5},
+                               {0.5, 40}, {0.6, 41},  {0.99, 0}, {1, 7}};
+  EXPECT_EQ(thin_line(points, 0), kept);
+}
+
+TEST(ThinLine, LeavesOutWhatIsWithinItsTolerance) {
+  const std::vector<Spot> bent{{0, 0}, {10, 1}, {20, 0}};
+  EXPECT_EQ(thin_line(bent, 0.99), bent);
+  EXPECT_EQ(thin_line(bent, 1), (std::vector<Spot>{{0, 0}, {20, 0}}));
+  // Beyond an end the distance to the end counts: a line that goes forth and back keeps its turn.
+  const std::vector<Spot> back{{0, 0}, {30, 0}, {10, 0}};
+  EXPECT_EQ(thin_line(back, 0.08), back);
+  const std::vector<Spot> round{{0, 0}, {5, 5}, {0, 0}};
+  EXPECT_EQ(thin_line(round, 0.08), round);
+  std::vector<Spot> straight;
+  for (int i = 0; i < 300; ++i) straight.push_back({static_cast<double>(i), 0});
+  EXPECT_EQ(thin_line(straight).size(), 6u);  // every 64th and both ends
+}
+
+TEST(Extremes, KeepOfEachColumnFirstLowestHighestAndLast) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 20; ++i) x.push_back(i), y.push_back(i % 10 == 3 ? -5 : i % 10 == 6 ? 5 : 0.1 * i);
+  EXPECT_EQ(extremes(x, y, 2), (std::vector<std::size_t>{0, 3, 6, 9, 10, 13, 16, 18, 19}));
+  EXPECT_EQ(extremes(x, y, 5).size(), 20u);  // four a column
+  EXPECT_LT(extremes(x, y, 4).size(), 20u);
+  EXPECT_TRUE(extremes({}, {}, 3).empty());
+  y[7] = std::nan("");
+  EXPECT_EQ(extremes(x, y, 2), (std::vector<std::size_t>{0, 3, 6, 7, 8, 9, 10, 13, 16, 18, 19}));
+}
+
+TEST(ThinDots, QuartersAreTold) {
+  const std::vector<Spot> kept =
+      thin_dots(std::vector<Spot>{{0, 0}, {0.25, 0}, {0.5, 0}, {0, 0.25}, {0.1, 0.1}});
+  EXPECT_EQ(kept, (std::vector<Spot>{{0, 0}, {0.25, 0}, {0.5, 0}, {0, 0.25}}));
+  EXPECT_TRUE(thin_dots(std::vector<Spot>{{1, std::nan("")}}).empty());
+}
+
+TEST(MinMaxBand, HasOneColumnPerPixel) {
+  const std::vector<Spot> points{{2.25, 5}, {0.25, 1}, {0.75, 3}, {1.1, 9}, {1.9, 7}, {std::nan(""), 0}};
+  const Band band = min_max_band(points, 1);
+  EXPECT_EQ(band.x, (std::vector<double>{0.25, 1.5, 2.25}));
+  EXPECT_EQ(band.low, (std::vector<double>{1, 3, 5}));  // joined to the column before
+  EXPECT_EQ(band.high, (std::vector<double>{3, 9, 5}));
+  const Band falling = min_max_band(std::vector<Spot>{{0.5, 9}, {1.5, 4}, {2.5, 2}}, 1);
+  EXPECT_EQ(falling.high, (std::vector<double>{9, 9, 4}));
+  EXPECT_EQ(falling.low, (std::vector<double>{9, 4, 2}));
+}
+
+TEST(MinMaxBand, LooksAtTheNeighboursEvenlyAndAtAsManyAtTheEnds) {
+  std::vector<Spot> points;
+  for (int i = 0; i < 7; ++i) points.push_back({i + 0.5, static_cast<double>(i * i)});
+  const Band three = min_max_band(points, 3);
+  EXPECT_EQ(three.low, (std::vector<double>{0, 0, 1, 4, 9, 16, 16}));
+  EXPECT_EQ(three.high, (std::vector<double>{4, 4, 9, 16, 25, 36, 36}));
+  const Band two = min_max_band(points, 2);
+  EXPECT_EQ(two.low, (std::vector<double>{0, 1, 4, 9, 16, 25, 25}));
+  EXPECT_EQ(two.high, (std::vector<double>{1, 4, 9, 16, 25, 36, 36}));
+  const Band many = min_max_band(points, 50);
+  EXPECT_EQ(many.low, std::vector<double>(7, 0));
+  EXPECT_EQ(many.high, std::vector<double>(7, 36));
+}
+
+TEST(ColumnsPerPeriod, NoiseAboutTheMiddleIsNoCrossing) {
+  std::vector<Spot> points;
+  for (int i = 0; i <= 100; ++i) points.push_back({static_cast<double>(i), i % 50 < 25 ? 1.0 : -1.0});
+  EXPECT_DOUBLE_EQ(columns_per_period(points), 50);  // four crossings in 100 columns
+  for (int i = 0; i <= 100; ++i)
+    if (i % 25 >= 5 && i % 25 < 20) points[static_cast<std::size_t>(i)].y = i % 2 ? 0.02 : -0.02;
+  EXPECT_DOUBLE_EQ(columns_per_period(points), 50);
+  EXPECT_TRUE(std::isinf(columns_per_period(std::vector<Spot>{{0, 0}, {1, 1}})));
+  EXPECT_DOUBLE_EQ(columns_per_period(std::vector<Spot>{{0, 1}, {1, -1}, {2, 1}}), 2);
+  EXPECT_TRUE(std::isinf(columns_per_period(std::vector<Spot>{{0, 1}, {1, 1}, {2, -1}, {3, -1}})));
+  // A gap takes no columns.
+  EXPECT_DOUBLE_EQ(columns_per_period(std::vector<Spot>{
+                       {0, 1}, {1, -1}, {2, 1}, {std::nan(""), std::nan("")}, {90, 1}, {91, -1}}),
+                   2);
+}
+
 }  // namespace
 }  // namespace cromer
