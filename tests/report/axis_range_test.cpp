@@ -121,5 +121,149 @@ TEST(PhasePortrait, IsCentredWhereTheDataLieOnBothSidesOfZero) {
   EXPECT_DOUBLE_EQ(y.high, 4.1);
 }
 
+TEST(YRange, TakesTheStepThatGivesAwayLeast) {
+  EXPECT_THAT(y_axis({-0.45, 0.95}), ElementsAre(-0.5, 1, 0.5));
+  EXPECT_THAT(y_axis({0, 3.9}), ElementsAre(0, 4, 2));
+  EXPECT_THAT(y_axis({0, 4.9}), ElementsAre(0, 5, 1));
+  EXPECT_THAT(y_axis({-4.9, 0}), ElementsAre(-5, 0, 1));
+  EXPECT_THAT(y_axis({11.2, 13.8}), ElementsAre(11, 14, 1));
+}
+
+TEST(YRange, HasThreeToSixTicksWhereItEndsAtThem) {
+  for (double low = -9.7; low < 10; low += 0.83)
+    for (double span = 0.11; span < 3000; span *= 1.31) {
+      const std::vector<double> range = y_axis({low, low + span});
+      EXPECT_LE(range[0], low);
+      EXPECT_GE(range[1], low + span);
+      const double from = low >= 0 && low < 0.6 * span ? 0 : low,
+                   to = low + span <= 0 && -low - span < 0.6 * span ? 0 : low + span;
+      EXPECT_LE(range[1] - range[0], 1.2501 * (to - from)) << low << ' ' << span;
+      if (range[2] == 0) {
+        EXPECT_NEAR(range[0], from == 0 ? 0 : low - 0.05 * span, 1e-9 * span);
+        EXPECT_NEAR(range[1], to == 0 ? 0 : low + 1.05 * span, 1e-9 * span);
+        continue;
+      }
+      const double ticks = (range[1] - range[0]) / range[2] + 1;
+      EXPECT_NEAR(ticks, std::round(ticks), 1e-6);
+      EXPECT_GE(ticks, 2.9);
+      EXPECT_LE(ticks, 6.1);
+      EXPECT_NEAR(range[0] / range[2], std::round(range[0] / range[2]), 1e-6);
+      if (range[0] != 0) {
+        EXPECT_GE(low - range[0], 0.0099 * span);
+      }
+      if (range[1] != 0) {
+        EXPECT_GE(range[1] - low - span, 0.0099 * span);
+      }
+    }
+}
+
+TEST(YRange, OfALogarithmicAxisIsATwentiethOfItsRatioMore) {
+  Panel panel = panel_of({0, 1, 2}, {1, 100, -5});
+  panel.y.logarithmic = true;
+  AxisRange range = y_range(panel, x_range(panel));
+  EXPECT_NEAR(range.low, std::pow(100, -0.05), 1e-12);
+  EXPECT_NEAR(range.high, std::pow(100, 1.05), 1e-9);
+  EXPECT_TRUE(range.logarithmic);
+  panel.curves[0].y = {7, 7, 7};
+  range = y_range(panel, x_range(panel));
+  EXPECT_NEAR(range.low, 3.5 * std::pow(4, -0.05), 1e-12);
+  EXPECT_NEAR(range.high, 14 * std::pow(4, 0.05), 1e-12);
+  panel.curves[0].y = {-1, 0, none};
+  range = y_range(panel, x_range(panel));
+  EXPECT_NEAR(range.low, std::pow(10, -0.05), 1e-12);
+  EXPECT_NEAR(range.high, std::pow(10, 1.05), 1e-12);
+}
+
+TEST(YRange, AsAskedForMeansNoRounding) {
+  Panel panel = panel_of({0, 1}, {0.5, 3.9});
+  panel.y.step = 1;
+  const AxisRange stepped = y_range(panel, x_range(panel));
+  EXPECT_EQ(stepped.low, 0);
+  EXPECT_DOUBLE_EQ(stepped.high, 3.9 + 0.05 * 3.4);
+  EXPECT_EQ(stepped.step, 0);
+  panel.y.step = 0;
+  for (double Axis::*end : {&Axis::low, &Axis::high}) {
+    Panel one = panel;
+    one.y.*end = end == &Axis::low ? -1 : 7;
+    EXPECT_EQ(y_range(one, x_range(one)).step, 0);
+  }
+  panel.y.low = 7, panel.y.high = -2;  // the wrong way round
+  EXPECT_EQ(y_range(panel, x_range(panel)).low, -2);
+  EXPECT_EQ(y_range(panel, x_range(panel)).high, 7);
+  panel.y.low = panel.y.high = 5;
+  EXPECT_EQ(y_range(panel, x_range(panel)).low, 4.5);
+  EXPECT_EQ(y_range(panel, x_range(panel)).high, 5.5);
+}
+
+TEST(XRange, OfMarkersOneValueAndNone) {
+  Panel panel = panel_of({2, 4}, {0, 1});
+  panel.markers = {{7.03, "", "drive"}};
+  EXPECT_EQ(x_axis(panel)[1], 7.03);
+  EXPECT_THAT(x_axis(panel_of({5, 5}, {0, 1})), ElementsAre(4.5, 5.5));
+  EXPECT_THAT(x_axis(panel_of({-5}, {0})), ElementsAre(-5.5, -4.5));
+  EXPECT_THAT(x_axis(panel_of({0}, {0})), ElementsAre(-1, 1));
+  EXPECT_THAT(x_axis(panel_of({}, {})), ElementsAre(0, 1));
+  EXPECT_THAT(x_axis(panel_of({1, 2, 1e300, -1e300, 3, none}, {})), ElementsAre(1, 3));
+  Panel stepped = panel_of({0, 2.99}, {0, 1});
+  stepped.x.step = 3;
+  EXPECT_EQ(x_axis(stepped)[1], 3);
+  stepped.x.step = 7;
+  EXPECT_EQ(x_axis(stepped)[1], 2.99);
+  Panel log = panel_of({3, 3}, {0, 1});
+  log.x.logarithmic = true;
+  EXPECT_THAT(x_axis(log), ElementsAre(1.5, 6));
+  log.x.high = -4;  // which it cannot end at
+  EXPECT_THAT(x_axis(log), ElementsAre(1.5, 6));
+  log.curves[0].x = {none};
+  EXPECT_THAT(x_axis(log), ElementsAre(1, 10));
+}
+
+TEST(YRange, HoldsWhatIsInSightUpToTheVeryEnds) {
+  Panel panel = panel_of({0, 1, 2, 3}, {50, 1, 2, -70});
+  panel.x.low = 1, panel.x.high = 2;
+  const AxisRange range = y_range(panel, x_range(panel));
+  EXPECT_LT(range.low, 1);
+  EXPECT_GT(range.low, 0.5);
+  EXPECT_LT(range.high, 2.5);
+  panel.x.low = 0, panel.x.high = 3;
+  EXPECT_LT(y_range(panel, x_range(panel)).low, -70);
+  EXPECT_GT(y_range(panel, x_range(panel)).high, 50);
+  panel.curves[0].x.push_back(1.5);  // without a y
+  EXPECT_GT(y_range(panel, x_range(panel)).high, 50);
+}
+
+TEST(PhasePortrait, GetsATenthOfRoomOnLogarithmicAxesToo) {
+  Panel panel = panel_of({1, 100}, {-3, 1});
+  panel.phase_portrait = true;
+  panel.x.logarithmic = true;
+  const AxisRange x = x_range(panel);
+  EXPECT_NEAR(x.low, std::pow(100, -0.05), 1e-12);
+  EXPECT_NEAR(x.high, std::pow(100, 1.05), 1e-9);
+  EXPECT_DOUBLE_EQ(y_range(panel, x).low, -3.3);
+  EXPECT_DOUBLE_EQ(y_range(panel, x).high, 3.3);
+  panel.curves[0].y = {0, 4};
+  EXPECT_DOUBLE_EQ(y_range(panel, x).low, -0.2);
+  panel.curves[0].y = {-4, 0};
+  EXPECT_DOUBLE_EQ(y_range(panel, x).high, 0.2);
+}
+
+TEST(TicksOf, AreAsAskedForUpToAHundred) {
+  Axis axis;
+  axis.step = 0.5;
+  EXPECT_EQ(ticks_of(axis, {0, 10, false, 0, 1, 0}, 5).size(), 21u);
+  EXPECT_EQ(ticks_of(axis, {0, 49.9, false, 0, 1, 0}, 5).size(), 100u);
+  EXPECT_LE(ticks_of(axis, {0, 50, false, 0, 1, 0}, 5).size(), 5u);
+  axis.step = 0;
+  EXPECT_EQ(ticks_of(axis, {0, 10, false, 0, 1, 0}, 5).size(), 5u);
+  EXPECT_EQ(ticks_of(axis, {1, 100, true, 0, 1, 0}, 5).size(), 19u);
+}
+
+TEST(AxisRange, LogarithmicPlacesAreNoneBelowZero) {
+  const AxisRange range{1, 100, true, 10, 30, 0};
+  EXPECT_TRUE(std::isnan(range.px(-1)));
+  EXPECT_DOUBLE_EQ(range.px(10), 20);
+  EXPECT_DOUBLE_EQ(AxisRange({1, 3, false, 10, 30, 0}).px(1.5), 15);
+}
+
 }  // namespace
 }  // namespace cromer

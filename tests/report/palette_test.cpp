@@ -105,5 +105,52 @@ TEST(Palette, NoTwoRolesLookTheSame) {
   }
 }
 
+TEST(Palette, MixesColoursChannelByChannel) {
+  EXPECT_EQ(mixed_colour("#000000", "#FFFFFF", 0), "#000000");
+  EXPECT_EQ(mixed_colour("#000000", "#FFFFFF", 1), "#FFFFFF");
+  EXPECT_EQ(mixed_colour("#001020", "#406080", 0.5), "#203850");
+  EXPECT_EQ(mixed_colour("#FF0A80", "#000A00", 0.25), "#BF0A60");
+  EXPECT_EQ(style_of("family:0.5").line, mixed_colour("#00304D", "#005A8C", 0.5));
+  EXPECT_EQ(style_of("family:3.75").word, mixed_colour("#2A76A6", "#3A7296", 0.75));
+  EXPECT_EQ(style_of("family:1.25").line_dark, mixed_colour("#9AD1F7", "#4AA8E8", 0.25));
+  EXPECT_EQ(style_of("family:1.25").word_dark, mixed_colour("#9AD1F7", "#6DBBF0", 0.25));
+  EXPECT_EQ(style_of("family:99").line, "#5596C2");
+  EXPECT_EQ(style_of("family:0.5").width, 1.5);
+  EXPECT_EQ(style_of("family:-1").line, light_surface.ink);
+  EXPECT_EQ(style_of("family:").line, light_surface.ink);
+  EXPECT_EQ(style_of("family:1x").line, light_surface.ink);
+  EXPECT_EQ(family_role(0, 1), "family:0");
+  EXPECT_EQ(family_role(0, 0), "family:0");
+  EXPECT_EQ(family_role(1, 3), "family:2");
+  EXPECT_EQ(family_role(1, 2), "family:4");
+}
+
+TEST(Palette, MapsGoFromDarkToLightThroughEveryColour) {
+  for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(map_colour(static_cast<double>(i) / 8), map_colours[i]);
+  EXPECT_EQ(map_colour(-1), map_colours[0]);
+  EXPECT_EQ(map_colour(2), map_colours[8]);
+  EXPECT_EQ(map_colour(1.0 / 16), mixed_colour(map_colours[0], map_colours[1], 0.5));
+  double last = 0;
+  for (int i = 0; i <= 100; ++i) {
+    const double light = contrast(map_colour(i / 100.0), "#000000");
+    EXPECT_GT(light, last);
+    last = light;
+  }
+}
+
+TEST(Palette, CurvesAreOneAndAHalfPxWideAndGridLinesThin) {
+  for (const RoleStyle& style : palette()) {
+    if (style.role == "exact" || style.role == "measured" || style.role == "fitted" ||
+        style.role == "set-aside")
+      continue;
+    EXPECT_EQ(style.width, 1.5) << style.role;
+  }
+  EXPECT_EQ(style_of("set-aside").width, 1);
+  EXPECT_EQ(style_of("grid").width, 0.8);
+  EXPECT_EQ(style_of("no such role").width, 1.5);
+  EXPECT_EQ(style_of("positive").dash[0], 8);
+  EXPECT_EQ(style_of("negative").dash[0], 3);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -1,0 +1,165 @@
+// From data to what is drawn in px: where points go, which mark they get, where a name faces a curve.
+#include "cromer/report/place_curve.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cromer/report/palette.h"
+
+namespace cromer {
+namespace {
+
+const double none = std::nan("");
+
+AxisRange axis(double low, double high, double from, double to) { return {low, high, false, from, to, 0}; }
+
+TEST(SpotsOf, ACurvePassesWhereItsDataAre) {
+  Curve curve;
+  curve.x = {0, 5, 10, none, 3, 7};
+  curve.y = {-1, 1, 0, 0, none, 0.5};
+  const auto spots = spots_of(curve, axis(0, 10, 100, 300), axis(-1, 1, 250, 50));
+  ASSERT_EQ(spots.size(), 6u);
+  EXPECT_EQ(spots[0], (Spot{100, 250}));
+  EXPECT_EQ(spots[1], (Spot{200, 50}));
+  EXPECT_EQ(spots[2], (Spot{300, 150}));
+  for (const std::size_t broken : {3u, 4u})
+    EXPECT_TRUE(std::isnan(spots[broken].x) && std::isnan(spots[broken].y));
+  EXPECT_EQ(spots[5], (Spot{240, 100}));
+  curve.y.resize(2);
+  EXPECT_EQ(spots_of(curve, axis(0, 10, 100, 300), axis(-1, 1, 250, 50)).size(), 2u);
+}
+
+TEST(SpotsOf, WhatIsFarOutsideIsHeldAtADistance) {
+  Curve curve;
+  curve.x = {-1e9, 1e9, 5, 5};
+  curve.y = {0, 0, 1e9, -1e9};
+  const auto spots = spots_of(curve, axis(0, 10, 100, 300), axis(-1, 1, 250, 50));
+  EXPECT_EQ(spots[0].x, 100 - 3000);
+  EXPECT_EQ(spots[1].x, 300 + 3000);
+  EXPECT_EQ(spots[2].y, 50 - 3000);
+  EXPECT_EQ(spots[3].y, 250 + 3000);
+  curve.mark = Mark::crosses;
+  EXPECT_EQ(spots_of(curve, axis(0, 10, 100, 300), axis(-1, 1, 250, 50))[2].y, 54);
+  EXPECT_EQ(spots_of(curve, axis(0, 10, 100, 300), axis(-1, 1, 250, 50))[3].y, 246);
+}
+
+TEST(PlaceCurve, WidthsAreThoseOfLookMd) {
+  Curve curve;
+  const std::vector<Spot> spots{{0, 0}, {10, 10}};
+  curve.role = "euler-cromer";
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, true, false).width, 1.5);
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, false, false).width, 1.3);
+  EXPECT_EQ(place_curve(curve, spots, false, false).colour, "#0072B2");
+  curve.dashed = true;
+  EXPECT_EQ(place_curve(curve, spots, false, false).dash, (std::array<double, 4>{6, 4, 0, 0}));
+  curve.role = "newmark";  // dashed already
+  EXPECT_EQ(place_curve(curve, spots, false, false).dash, (std::array<double, 4>{3, 3, 0, 0}));
+  curve.role = "exact", curve.dashed = false;
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, true, false).width, 4.5);
+  EXPECT_DOUBLE_EQ(place_curve(curve, spots, false, true).width, 3);
+  EXPECT_EQ(place_curve(curve, spots, false, false).dash, (std::array<double, 4>{}));
+}
+
+TEST(PlaceCurve, CrossesAreTwoStrokesAboutTheirPoint) {
+  Curve curve;
+  curve.mark = Mark::crosses;
+  const auto placed = place_curve(curve, {{10, 20}, {none, none}, {10.1, 20.1}, {30, 20}}, false, false);
+  EXPECT_EQ(placed.mark, Mark::line);
+  ASSERT_EQ(placed.pieces.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& stroke = placed.pieces[i];
+    ASSERT_EQ(stroke.size(), 2u);
+    EXPECT_NEAR((stroke[0].x + stroke[1].x) / 2, i < 2 ? 10 : 30, 1e-9);
+    EXPECT_NEAR((stroke[0].y + stroke[1].y) / 2, 20, 1e-9);
+    EXPECT_NEAR(stroke[1].x - stroke[0].x, 4.4, 1e-9);
+    EXPECT_NEAR(stroke[1].y - stroke[0].y, i % 2 ? -4.4 : 4.4, 1e-9);
+  }
+}
+
+/// `per_column` points in each of 200 px columns, 8 columns a period or what is asked for.
+std::vector<Spot> wave(int per_column, double columns, double height) {
+  std::vector<Spot> spots;
+  for (int i = 0; i < 200 * per_column; ++i) {
+    const double x = static_cast<double>(i) / per_column;
+    spots.push_back({x, 100 + height * std::cos(2 * 3.14159265358979 * x / columns + 0.1)});
+  }
+  return spots;
+}
+
+TEST(PlaceCurve, DotsBecomeABandOrALineWhereTheyCannotBeToldApart) {
+  Curve curve;
+  curve.role = "measured";
+  curve.mark = Mark::dots;
+  const auto mark = [&](const std::vector<Spot>& spots) {
+    return place_curve(curve, spots, false, false).mark;
+  };
+  EXPECT_EQ(mark(wave(5, 5.5, 40)), Mark::band);
+  EXPECT_EQ(mark(wave(5, 7, 40)), Mark::line);     // periods can be told apart
+  EXPECT_EQ(mark(wave(3, 5.5, 40)), Mark::dots);   // points can
+  EXPECT_EQ(mark(wave(5, 5.5, 0.2)), Mark::dots);  // thinner than two px
+  EXPECT_EQ(place_curve(curve, wave(5, 7, 40), false, false).width, 1);
+  EXPECT_EQ(place_curve(curve, wave(3, 7, 40), false, false).width, 2.6);
+  curve.mark = Mark::band;
+  EXPECT_EQ(mark(wave(5, 5.5, 40)), Mark::band);
+  EXPECT_EQ(mark(wave(3, 5.5, 40)), Mark::line);
+  EXPECT_EQ(place_curve(curve, wave(3, 5.5, 40), false, false).width, 1);
+  curve.mark = Mark::line;
+  EXPECT_EQ(mark(wave(5, 5.5, 40)), Mark::line);
+  EXPECT_DOUBLE_EQ(place_curve(curve, wave(5, 5.5, 40), true, false).width, 2.6);
+  EXPECT_EQ(mark({}), Mark::line);
+}
+
+TEST(PlaceCurve, ABandFillsUpToTheEnvelope) {
+  Curve curve;
+  curve.mark = Mark::band;
+  const Band band = place_curve(curve, wave(20, 5.5, 40), false, false).band;
+  ASSERT_EQ(band.x.size(), 200u);
+  for (std::size_t i = 0; i < band.x.size(); ++i) {
+    EXPECT_NEAR(band.low[i], 60, 1);
+    EXPECT_NEAR(band.high[i], 140, 1);
+  }
+  std::vector<Spot> parted = wave(20, 5.5, 40);
+  parted[2000] = {none, none};
+  const Band two = place_curve(curve, parted, false, false).band;
+  ASSERT_EQ(two.x.size(), two.low.size());
+  ASSERT_EQ(two.x.size(), two.high.size());
+  EXPECT_TRUE(std::isnan(two.x[100]));
+}
+
+TEST(PlaceCurve, LoneAndAskedForPointsGetDots) {
+  Curve curve;
+  const std::vector<Spot> spots{{0, 0}, {none, none}, {10, 10}, {20, 30}, {30, 0}};
+  PlacedCurve placed = place_curve(curve, spots, false, false);
+  EXPECT_EQ(placed.dots, (std::vector<Spot>{{0, 0}}));
+  ASSERT_EQ(placed.pieces.size(), 2u);
+  EXPECT_EQ(placed.pieces[1], (std::vector<Spot>{{10, 10}, {20, 30}, {30, 0}}));
+  curve.with_dots = true;
+  placed = place_curve(curve, spots, false, false);
+  EXPECT_EQ(placed.dots, (std::vector<Spot>{{0, 0}, {10, 10}, {20, 30}, {30, 0}}));
+}
+
+TEST(HeightAtEnd, IsTheLastPointsOrTheLastPeakOfASwing) {
+  const Box frame{0, 0, 300, 200};
+  EXPECT_EQ(height_at_end({{0, 10}, {300, 70}}, frame), 70);
+  EXPECT_EQ(height_at_end({{0, 10}, {300, 70}, {none, none}}, frame), 70);
+  EXPECT_EQ(height_at_end({{0, 10}, {250, 30}, {301, 70}}, frame), 30);  // the last in sight
+  EXPECT_EQ(height_at_end({{0, 10}, {250, 30}, {300.5, 70}}, frame), 70);
+  EXPECT_EQ(height_at_end({{-1, 10}, {500, 1}}, frame), 100);  // none: the middle
+  EXPECT_EQ(height_at_end({}, frame), 100);
+  EXPECT_EQ(height_at_end({{0, 10}, {300, 900}}, frame), 200);
+  EXPECT_EQ(height_at_end({{0, 10}, {300, -900}}, frame), 0);
+  // Two turns in the last third: a swing, whose last peak (upwards: small y) counts.
+  EXPECT_EQ(
+      height_at_end({{0, 100}, {205, 100}, {220, 40}, {240, 160}, {260, 50}, {280, 150}, {300, 100}}, frame),
+      50);
+  // One turn is no swing, nor is noise of 2 px, nor what lies before the last third.
+  EXPECT_EQ(height_at_end({{0, 100}, {250, 40}, {300, 100}}, frame), 100);
+  EXPECT_EQ(height_at_end({{0, 100}, {220, 98}, {240, 100}, {260, 98}, {280, 100}, {300, 99}}, frame), 99);
+  EXPECT_EQ(height_at_end({{0, 100}, {120, 40}, {140, 160}, {160, 40}, {180, 150}, {300, 100}}, frame), 100);
+  EXPECT_EQ(height_at_end({{0, 100}, {200, 100}, {220, 160}, {240, 40}, {270, 150}, {300, 90}}, frame), 40);
+}
+
+}  // namespace
+}  // namespace cromer
