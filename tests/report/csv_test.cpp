@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -54,6 +55,33 @@ TEST(Csv, AQuotedTextIsOneCellInEveryRow) {
   std::string out;
   append_csv(out, std::vector<CsvColumn>{{"run", std::string("ω = 3, damped")}, {"x", x}}, {}, false);
   EXPECT_EQ(out, "\"ω = 3, damped\",1\n\"ω = 3, damped\",2\n");
+}
+
+TEST(Csv, HoldsMoreRowsThanItTakesMemoryForAtOnce) {
+  for (const std::size_t rows : {4095u, 4096u, 4097u, 12289u}) {
+    std::vector<double> x(rows, -2.2250738585072014e-308);
+    x[rows - 1] = 7;
+    const std::string long_text(200, 'r');
+    std::string out;
+    append_csv(out, std::vector<CsvColumn>{{"x", x}, {"run", long_text}, {"y", x}}, {}, true);
+    EXPECT_EQ(static_cast<std::size_t>(std::count(out.begin(), out.end(), '\n')), rows + 1);
+    EXPECT_TRUE(out.ends_with("\n7," + long_text + ",7\n"));
+    EXPECT_TRUE(
+        out.starts_with("x,run,y\n-2.2250738585072014e-308," + long_text + ",-2.2250738585072014e-308\n"));
+  }
+}
+
+TEST(Csv, AShorterColumnEndsInEmptyCells) {
+  const std::vector<double> two{1, 2}, one{5};
+  std::string out;
+  append_csv(out, std::vector<CsvColumn>{{"a", two}, {"b", one}}, {}, false);
+  EXPECT_EQ(out, "1,5\n2,\n");
+  out.clear();
+  append_csv(out, std::vector<CsvColumn>{{"a", std::string("t")}}, {}, true);
+  EXPECT_EQ(out, "a\n");
+  out.clear();
+  append_csv(out, {}, std::vector<std::string>{"\n\nx\n"}, false);
+  EXPECT_EQ(out, "# \n# \n# x\n# \n");
 }
 
 }  // namespace

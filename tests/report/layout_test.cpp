@@ -331,7 +331,8 @@ TEST(HeatMapPanel, TheBarStandsBesideTheMapWithItsNumbers) {
   EXPECT_NEAR(middle_y(name.box), name.at.y, 1e-9);
   EXPECT_GT(name.box.height, name.box.width);
   EXPECT_GE(name.box.x, five.box.right());
-  EXPECT_LE(name.box.right(), 760);
+  EXPECT_NEAR(name.at.x, 760 - 6 - 4, 1e-9);  // half its height and 4 px from the figure's edge
+  EXPECT_NEAR(f.right(), 760 - (16 + 14 + 8 + five.box.width + 12 + 14), 1e-9);
   panel.map->decades = true;
   panel.map->z = {0.1, 1, 10, 100, 1000, 1e4};
   const PlacedPanel decades = sole(panel);

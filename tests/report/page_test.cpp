@@ -142,5 +142,76 @@ TEST(Page, AnEmptyPageIsStillAPage) {
   EXPECT_EQ(html.substr(html.size() - 8), "</html>\n");
 }
 
+std::string body(std::vector<Block> blocks) {
+  Page page;
+  page.blocks = std::move(blocks);
+  const std::string html = to_html(page);
+  const std::size_t from = html.find("<main id=\"content\">\n") + 20;
+  return html.substr(from, html.find("</main>") - from);
+}
+
+TEST(Page, WritesOnlyWhatThereIs) {
+  Page page;
+  page.title = "t";
+  const std::string bare = to_html(page);
+  for (const char* part : {"<div class=\"summary\">", "<dl", "<p class=\"byline\">", "<footer>", "remark\">"})
+    EXPECT_THAT(bare, Not(HasSubstr(part)));
+  page.summary = "s", page.byline = "b", page.footer = "f", page.language = "de";
+  page.key_figures = {{"n", "1", ""}, {"m", "2", "r"}};
+  const std::string full = to_html(page);
+  EXPECT_THAT(full, HasSubstr("<div class=\"summary\">\n<p>s</p>\n</div>"));
+  EXPECT_THAT(full, HasSubstr("<p class=\"byline\">b</p>"));
+  EXPECT_THAT(full, HasSubstr("<footer><div>f</div></footer>"));
+  EXPECT_THAT(full, HasSubstr("<html lang=\"de\">"));
+  EXPECT_THAT(full, HasSubstr("<div><dt>n</dt><dd class=\"value\">1</dd></div>\n<div><dt>m</dt><dd "
+                              "class=\"value\">2</dd><dd class=\"remark\">r</dd></div>"));
+  EXPECT_THAT(full, HasSubstr("content=\"width=device-width, initial-scale=1\""));
+}
+
+TEST(Page, CellsWithTheSameWordsBelowEachOtherAreOne) {
+  TableBlock table;
+  table.rows = {{"a", "x", "7"}, {"a", "x", "7"}, {"a", "x", "7"},
+                {"a", "y", "7"}, {"a", "", ""},   {"a", "", "", "4"}};
+  table.text_columns = {0, 1};
+  const std::string html = body({table});
+  EXPECT_EQ(count(html, "<th scope=\"row\" class=\"words\">a</th>"), 6u);  // the first column names rows
+  EXPECT_EQ(count(html, "<td rowspan=\"3\" class=\"words\">x</td>"), 1u);
+  EXPECT_EQ(count(html, ">x<"), 1u);
+  EXPECT_EQ(count(html, "<td class=\"words\">y</td>"), 1u);
+  EXPECT_EQ(count(html, "<td class=\"words\"></td>"), 2u);
+  EXPECT_EQ(count(html, "<td>7</td>"), 4u);  // numbers stay
+  EXPECT_EQ(count(html, "<tr>"), 6u);
+  EXPECT_EQ(count(html, "<td></td>"), 2u + 5u);  // as many columns as the longest row
+  EXPECT_THAT(html, Not(HasSubstr("<thead>")));
+  table.text_columns = {1}, table.answer_column = 1, table.label = "Table A", table.header = {"h"};
+  const std::string other = body({table});
+  EXPECT_THAT(other, HasSubstr("<td>a</td><td rowspan=\"3\" class=\"words answer\">x</td>"));
+  EXPECT_THAT(other, HasSubstr("<strong>Table A.</strong>"));
+  EXPECT_THAT(other, HasSubstr("<thead><tr><th scope=\"col\">h</th></tr></thead>"));
+  EXPECT_THAT(other, HasSubstr("id=\"table-1\""));
+  EXPECT_THAT(other, HasSubstr("aria-labelledby=\"table-1\""));
+}
+
+TEST(Page, AFigureIsNamedAndPlaced) {
+  const std::string bare =
+      body({FigureBlock{"", "x<svg a=\"1\"><p aria-label=\"in\"/></svg>", "A & b", "", "", 1}});
+  EXPECT_EQ(bare,
+            "<figure class=\"wide\">\n<svg role=\"img\" aria-label=\"A &amp; b\" a=\"1\">"
+            "<p aria-label=\"in\"/></svg></figure>\n");
+  EXPECT_EQ(body({FigureBlock{"f", "none", "a", "", "c", 0.51}}),
+            "<figure id=\"f\" class=\"wide\">\n<figcaption>c</figcaption>\n</figure>\n");
+  EXPECT_EQ(body({FigureBlock{"f", "<svg>", "", "F", "", 0.5}}),
+            "<div class=\"pair\">\n<figure id=\"f\">\n<svg><figcaption><strong>F.</strong> </figcaption>\n"
+            "</figure>\n</div>\n");
+  EXPECT_EQ(body({FigureBlock{"", "<svg aria-label=\"old\">", "new", "", "", 1}}),
+            "<figure class=\"wide\">\n<svg aria-label=\"new\"></figure>\n");
+}
+
+TEST(Page, CodeIsAsItWasTyped) {
+  EXPECT_EQ(body({Code{"a *b*\n\n", ""}}), "<pre tabindex=\"0\"><code>a *b*</code></pre>\n");
+  EXPECT_EQ(body({Code{"\n", "c"}}), "<p class=\"caption\">c</p>\n<pre tabindex=\"0\"><code></code></pre>\n");
+  EXPECT_EQ(body({Heading{"h"}}), "<h2 id=\"section-1\"><span class=\"number\">1</span> h</h2>\n");
+}
+
 }  // namespace
 }  // namespace cromer

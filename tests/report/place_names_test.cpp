@@ -298,5 +298,55 @@ TEST(NameLists, TakeTheOrderWhereTheCurvesAreFurthestApart) {
             (std::vector<std::size_t>{1, 0}));  // at the very end
 }
 
+TEST(NameLists, TooLongNameEveryFewOnesAndSaySo) {
+  const auto listed = [](std::size_t count, const std::string& remark) {
+    Panel panel;
+    panel.names_listed = true;
+    for (std::size_t i = 0; i < count; ++i) {
+      panel.curves.push_back(named("n" + std::to_string(i), remark));
+      panel.curves.back().x = {0, 1};
+      panel.curves.back().y.assign(2, 1 - static_cast<double>(i) / 100);
+    }
+    return words(panel);
+  };
+  // 300 px hold 19 names of 15.36 px, with what they do 10.
+  EXPECT_EQ(listed(19, "").texts.size(), 19u);
+  EXPECT_EQ(listed(8, "grows").texts.size(), 16u);
+  EXPECT_EQ(listed(10, "grows").texts.size(), 10u);  // not with 6 px between them
+  for (const std::size_t count : {20u, 35u, 36u, 60u}) {
+    const PlacedPanel placed = listed(count, "");
+    const PlacedText& last = placed.texts.back();
+    const std::size_t stride = count <= 35 ? 2 : count == 36 ? 3 : 4;
+    EXPECT_EQ(placed.texts.size(), (count + stride - 1) / stride + 1) << count;
+    EXPECT_EQ(placed.texts[1].text, "n" + std::to_string(stride));
+    EXPECT_EQ(last.text, "one of " + std::to_string(stride) + " is named");
+    EXPECT_EQ(last.at.x, 460);
+    EXPECT_EQ(last.size, 11);
+    EXPECT_NEAR(last.at.y, last.box.y + last.box.height / 2, 1e-9);
+    EXPECT_NEAR(last.box.y, placed.texts[placed.texts.size() - 2].box.bottom(), 1e-9);
+    EXPECT_LE(last.box.bottom(), 340);
+  }
+}
+
+TEST(OutsideNames, GoBelowThePlotOnlyWhereItIsTooLow) {
+  Panel panel;
+  for (int i = 0; i < 9; ++i) {
+    panel.curves.push_back(named("n", i < 8 ? "r" : ""));
+    panel.curves.back().x = {0, 1};
+    panel.curves.back().y = {0, 0};
+  }
+  const double all = 8 * (1.28 * 23 + 6) + 1.28 * 12;  // 299 px beside 308
+  ASSERT_LT(all, 308);
+  const auto lowest = [&] {
+    double bottom = 0;
+    for (const PlacedText& text : words(panel).texts) bottom = std::max(bottom, text.box.bottom());
+    return bottom;
+  };
+  EXPECT_LE(lowest(), 342 + 1e-9);
+  panel.curves.push_back(panel.curves.back());
+  EXPECT_GT(lowest(), 342);
+  EXPECT_LE(lowest(), 400);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -52,5 +52,39 @@ TEST_F(ReadFile, APipeIsReadToItsEnd) {
   EXPECT_TRUE(*bytes == sent);
 }
 
+TEST_F(ReadFile, OfAnySizeIsReadWhole) {
+  for (const std::size_t size : {0u, 1u, 65535u, 65536u, 65537u, 300000u}) {
+    std::string sent(size, 'x');
+    if (size > 0) sent[0] = '\0';
+    if (size > 1) sent.back() = 'z';
+    std::ofstream(path("file"), std::ios::binary) << sent;
+    const auto bytes = read_file(path("file"));
+    if (size == 1) {
+      EXPECT_FALSE(bytes.ok());  // nothing but a zero
+      continue;
+    }
+    ASSERT_TRUE(bytes.ok()) << size;
+    EXPECT_TRUE(*bytes == sent) << size;
+  }
+}
+
+TEST_F(ReadFile, WhatIsNoFileIsNamed) {
+  EXPECT_EQ(read_file(path("none")).error().message,
+            path("none") + ": cannot be read: No such file or directory");
+  EXPECT_EQ(read_file(folder_.string()).error().message,
+            folder_.string() + ": is a folder; name a file in it");
+}
+
+TEST_F(ReadFile, ZerosAfterABeginningAreData) {
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  std::string sent(70000, 'x');
+  sent.append(200000, '\0');
+  std::thread writer([&] { std::ofstream(path("pipe"), std::ios::binary) << sent; });
+  const auto bytes = read_file(path("pipe"));
+  writer.join();
+  ASSERT_TRUE(bytes.ok());
+  EXPECT_TRUE(*bytes == sent);
+}
+
 }  // namespace
 }  // namespace cromer

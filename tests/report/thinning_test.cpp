@@ -197,5 +197,13 @@ TEST(ColumnsPerPeriod, NoiseAboutTheMiddleIsNoCrossing) {
                    2);
 }
 
+TEST(Extremes, ColumnsAreAsWideWhereverTheyBegin) {
+  std::vector<double> x, y;
+  for (int i = 0; i < 40; ++i) x.push_back(1000 + i), y.push_back(i % 2);
+  const auto moved = extremes(x, y, 4);
+  for (double& each : x) each -= 1000;
+  EXPECT_EQ(moved, extremes(x, y, 4));
+}
+
 }  // namespace
 }  // namespace cromer
