@@ -172,5 +172,46 @@ TEST_F(WriteFile, WhatKilledProgramsLeftLongAgoGoes) {
   EXPECT_TRUE(fs::exists(path(".cromer-notes.txt")));
 }
 
+TEST_F(WriteFile, AFileIsNoFolder) {
+  ASSERT_TRUE(write_file(path("a"), "1").ok());
+  for (const std::string& below : {path("a/b"), path("a/b/c")}) {
+    EXPECT_EQ(check_writable(below).error().message, "cannot write " + below + ": Not a directory");
+    EXPECT_FALSE(write_file(below, "x").ok());
+  }
+  EXPECT_EQ(check_writable(path("no/b")).error().message,
+            "cannot write " + path("no/b") + ": there is no folder " + path("no"));
+  EXPECT_TRUE(check_writable("-").ok());
+  EXPECT_TRUE(check_writable(path("a")).ok());
+  EXPECT_EQ(content(path("a")), "1");
+}
+
+TEST_F(WriteFile, AnErrorOfTheMakersLeavesTheOldFile) {
+  ASSERT_TRUE(write_file(path("a"), "old").ok());
+  const auto written = write_file(path("a"), [](const PieceSink& write) -> Result<void> {
+    if (auto piece = write("half"); !piece) return piece;
+    return Error{"no more"};
+  });
+  ASSERT_FALSE(written.ok());
+  EXPECT_EQ(written.error().message, "no more");
+  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(entries(), 1u);
+}
+
+TEST_F(WriteFile, APipeIsWrittenToDirectlyPieceByPiece) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  const auto written = write_file(path("pipe"), [](const PieceSink& write) {
+    const auto first = write("one ");
+    return first ? write("two") : first;
+  });
+  EXPECT_TRUE(written.ok());
+  char text[20]{};
+  EXPECT_EQ(::read(reader, text, sizeof text), 7);
+  EXPECT_STREQ(text, "one two");
+  ::close(reader);
+  EXPECT_EQ(entries(), 1u);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -94,5 +94,26 @@ TEST(TextWidth, WrapsAtSpacesOutsideBraces) {
   EXPECT_EQ(lines, (std::vector<std::string>{"one {/:Italic two}", "three", "four"}));
 }
 
+TEST(Spread, WeighsAllMembersOfAGroupAlike) {
+  const std::vector<double> heights{20, 20, 10}, gaps{0, 0, 0};
+  const auto placed = spread(std::vector<double>{50, 50, 65}, heights, gaps, 0, 200);
+  EXPECT_NEAR(placed[0], 110.0 / 3, 1e-9);
+  EXPECT_NEAR(placed[1], 170.0 / 3, 1e-9);
+  EXPECT_NEAR(placed[2], 215.0 / 3, 1e-9);
+}
+
+TEST(Spread, LeavesTheGapsAndStaysWithinItsEnds) {
+  const std::vector<double> heights{10, 10}, gaps{4, 4};
+  using Places = std::vector<double>;
+  EXPECT_EQ(spread(Places{5, 6}, heights, gaps, 0, 100), (Places{5, 19}));
+  EXPECT_EQ(spread(Places{95, 96}, heights, gaps, 0, 100), (Places{77, 91}));
+  EXPECT_EQ(spread(Places{50, 64}, heights, gaps, 0, 100), (Places{50, 64}));
+  EXPECT_EQ(spread(Places{50, 63}, heights, gaps, 0, 100), (Places{49.5, 63.5}));
+  EXPECT_EQ(spread(Places{63, 50}, heights, gaps, 0, 100), (Places{63.5, 49.5}));
+  EXPECT_EQ(spread(Places{50, 50}, heights, gaps, 40, 50),
+            (Places{45, 59}));  // too little room: from the top
+  EXPECT_TRUE(spread({}, {}, {}, 0, 100).empty());
+}
+
 }  // namespace
 }  // namespace cromer
