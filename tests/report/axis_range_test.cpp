@@ -265,5 +265,14 @@ TEST(AxisRange, LogarithmicPlacesAreNoneBelowZero) {
   EXPECT_DOUBLE_EQ(AxisRange({1, 3, false, 10, 30, 0}).px(1.5), 15);
 }
 
+TEST(XRange, IsThatOfVerySmallAndVeryLargeNumbersToo) {
+  EXPECT_THAT(x_axis(panel_of({1e-200, 2e-200}, {0, 1})), ElementsAre(1e-200, 2e-200));
+  EXPECT_THAT(x_axis(panel_of({-2e-9, 1e-9}, {0, 1})), ElementsAre(-2e-9, 1e-9));
+  EXPECT_DOUBLE_EQ(x_axis(panel_of({1e200, 2.2e200}, {0, 1}))[1], 2.2e200);
+  const double close = 1e9 * (1 + 1e-13);  // no more than rounding
+  EXPECT_NEAR(x_axis(panel_of({1e9, close}, {0, 1}))[0], 0.9e9, 1);
+  EXPECT_NEAR(x_axis(panel_of({-1e9, -close}, {0, 1}))[1], -0.9e9, 1);
+}
+
 }  // namespace
 }  // namespace cromer

@@ -194,5 +194,70 @@ TEST(ClearPlace, ALeaderLineIsShortAndCrossesNothing) {
   EXPECT_FALSE(found(96, false).clear);  // more than 90 px
 }
 
+/// In a frame with one place only, from (6, 2) to (66, 22).
+class OnlyPlace : public testing::Test {
+ protected:
+  ClearPlace found(const std::vector<Spot>& own, const std::vector<Spot>& other,
+                   const std::vector<Spot>& wanted, const std::vector<Spot>& anywhere) const {
+    const Drawn drawn{all_, inked_, {own, other}};
+    return clear_place(drawn, narrow_, 60, 20, 0, wanted, anywhere);
+  }
+  bool clear(const std::vector<Spot>& own, const std::vector<Spot>& other) const {
+    return found(own, other, own, own).clear;
+  }
+  Box narrow_{0, 0, 68, 24};
+  Occupancy all_{narrow_}, inked_{narrow_};
+};
+
+TEST_F(OnlyPlace, IsClearWhereTheOwnCurveIsNearerByFourPx) {
+  const std::vector<Spot> own{{0, 32}, {60, 32}};  // 10 px below
+  EXPECT_TRUE(clear(own, {{0, -12}, {60, -12}}));
+  EXPECT_FALSE(clear(own, {{0, -11.9}, {60, -11.9}}));
+  EXPECT_TRUE(clear(own, {{0, -12}, {30, NAN}, {60, -11}}) == false);  // each point counts
+  EXPECT_FALSE(clear(own, {{-60, 80}, {120, -100}}));                  // and what lies between two
+  EXPECT_TRUE(clear(own, {}));
+}
+
+TEST_F(OnlyPlace, FromFourteenPxOnALeaderLineSaysWhichCurveIsMeant) {
+  const std::vector<Spot> near{{30, -2}, {40, -2}};  // closer than the own curve
+  EXPECT_FALSE(clear({{36, 35.9}}, near));
+  EXPECT_TRUE(clear({{36, 36}}, near));
+  EXPECT_TRUE(clear({{36, 112}}, near));  // 90 px
+  EXPECT_FALSE(clear({{36, 112.1}}, near));
+  EXPECT_TRUE(clear({{80, 12}}, near));
+  inked_.add_box({66, 12, 0, 0});
+  EXPECT_FALSE(clear({{96, 12}}, near));
+}
+
+TEST_F(OnlyPlace, IsNotClearWithinTwoPxOfInk) {
+  const std::vector<Spot> own{{36, 34}};
+  for (const auto& [x, y, free] : {std::tuple{2.0, 12.0, true},
+                                   {4.0, 12.0, false},
+                                   {69.0, 12.0, false},
+                                   {70.0, 12.0, true},
+                                   {36.0, 0.0, false},
+                                   {36.0, 24.0, false},
+                                   {36.0, 26.0, true}}) {
+    inked_ = Occupancy(narrow_);
+    inked_.add_box({x, y, 0, 0});
+    EXPECT_EQ(clear(own, {}), free) << x << ' ' << y;
+  }
+  inked_ = Occupancy(narrow_);
+  for (const auto& [x, covered] : {std::pair{0.0, 0}, {2.0, 1}, {36.0, 1}, {70.0, 1}}) {
+    Occupancy drawn(narrow_);
+    drawn.add_box({x, 12, 0, 0});
+    EXPECT_EQ(free_place(drawn, narrow_, 60, 20, own).covered, covered) << x;
+  }
+}
+
+TEST_F(OnlyPlace, LooksAgainWhereNoOtherCurveIsWithinEightPx) {
+  const std::vector<Spot> far{{36, 150}}, point{{36, 72}};
+  EXPECT_FALSE(found(far, {}, far, far).clear);
+  EXPECT_TRUE(found(far, {{44, 72}}, far, point).clear);
+  EXPECT_EQ(found(far, {{44, 72}}, far, point).place.target, point[0]);
+  EXPECT_FALSE(found(far, {{43.9, 72}}, far, point).clear);
+  EXPECT_EQ(found(far, {{43.9, 72}}, far, point).place.target, far[0]);
+}
+
 }  // namespace
 }  // namespace cromer

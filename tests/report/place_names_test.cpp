@@ -156,6 +156,9 @@ TEST(Markers, HaveTheirWordAtTheTopBesideTheLine) {
   EXPECT_GT(words(panel).texts[0].box.x, words(panel).leaders[0].from.x);  // it just fits
   panel.markers = {{1 - (width + 4) / 400, "end", "drive"}};
   EXPECT_LT(words(panel).texts[0].box.x, words(panel).leaders[0].from.x);
+  panel.markers = {{-1, "before", "drive"}, {0.5, "", "drive"}, {0.7, "end", "drive"}};
+  EXPECT_EQ(words(panel).leaders.size(), 2u);
+  EXPECT_EQ(words(panel).texts.size(), 1u);
   panel.markers = {{0.5, "", "drive"}};
   EXPECT_TRUE(words(panel).texts.empty());
   EXPECT_EQ(words(panel).leaders.size(), 1u);
