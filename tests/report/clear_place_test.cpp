@@ -243,10 +243,18 @@ TEST_F(OnlyPlace, IsNotClearWithinTwoPxOfInk) {
     EXPECT_EQ(clear(own, {}), free) << x << ' ' << y;
   }
   inked_ = Occupancy(narrow_);
-  for (const auto& [x, covered] : {std::pair{0.0, 0}, {2.0, 1}, {36.0, 1}, {70.0, 1}}) {
-    Occupancy drawn(narrow_);
-    drawn.add_box({x, 12, 0, 0});
-    EXPECT_EQ(free_place(drawn, narrow_, 60, 20, own).covered, covered) << x;
+  // What it would rather not cover reaches 4 px further on every side.
+  for (const auto& [x, y, covered] : {std::tuple{0.0, 12.0, 0},
+                                      {2.0, 12.0, 1},
+                                      {36.0, 12.0, 1},
+                                      {70.0, 12.0, 1},
+                                      {72.0, 12.0, 0},
+                                      {36.0, 26.0, 1},
+                                      {36.0, 28.0, 0},
+                                      {36.0, 0.0, 1}}) {
+    Occupancy drawn(Box{0, 0, 200, 100});
+    drawn.add_box({x, y, 0, 0});
+    EXPECT_EQ(free_place(drawn, narrow_, 60, 20, own).covered, covered) << x << ' ' << y;
   }
 }
 

@@ -362,5 +362,17 @@ TEST(Ticks, AWideFrameHasMoreAndLongNumbersFewer) {
   EXPECT_EQ(sole(panel, FigureSize::half).x_ticks.size(), 9u);  // as asked for
 }
 
+TEST(Axes, NumbersOfALogarithmicAxisStandAtTheirRatios) {
+  Panel panel = line({1, 1000}, {0, 1});
+  panel.x.logarithmic = true;
+  const PlacedPanel placed = sole(panel);
+  ASSERT_EQ(placed.x_ticks.size(), 28u);
+  EXPECT_EQ(std::count_if(placed.x_ticks.begin(), placed.x_ticks.end(),
+                          [](const PlacedTick& t) { return t.minor; }),
+            24);
+  EXPECT_NEAR(find(placed, "10")->at.x, placed.frame.x + placed.frame.width / 3, 1e-9);
+  EXPECT_NEAR(find(placed, "1000")->at.x, placed.frame.right(), 1e-9);
+}
+
 }  // namespace
 }  // namespace cromer
