@@ -28,6 +28,8 @@ TEST(CoarsePower, PowerIsAsGoodAsItSays) {
 TEST(CoarsePower, FarPowersEndAtTheLimits) {
   EXPECT_EQ(coarse_exp2(1e9), std::exp2(1000));
   EXPECT_EQ(coarse_exp2(-1e9), std::exp2(-1000));
+  EXPECT_EQ(coarse_exp2(1000.5), std::exp2(1000));
+  EXPECT_EQ(coarse_exp2(-1000.5), std::exp2(-1000));
 }
 
 }  // namespace
