@@ -25,9 +25,8 @@ struct CycleAverage {
 };
 
 /// Of a term with a coefficient of 1 per unit mass, at amplitude A > 0 and w > 0 [rad/s]: Gauss's rule in
-/// each quarter of the cycle, where no force jumps or bends; to 1e-10, of a pendulum to 1e-11 at 1 rad and
-/// 1e-9 at
-/// 2. Exactly 0 where the quarters cancel.
+/// each quarter of the cycle, where no force jumps or bends; to 1e-10, of a pendulum to 1e-9 at 2 rad.
+/// Exactly 0 where the quarters cancel.
 template <class Term, class Real>
 CycleAverage<Real> cycle_average(const Real& A, const Real& w) {
   using std::abs;
