@@ -80,6 +80,7 @@ TEST(Occupancy, CountsWhatALineCrosses) {
   EXPECT_EQ(drawn.crossed({200, 50}, {200, 97}), 0);
   EXPECT_EQ(drawn.crossed({200, 104}, {200, 150}), 0);
   EXPECT_GE(drawn.crossed({100, 100}, {200, 100}), 50);
+  EXPECT_LE(drawn.crossed({100, 100}, {200, 100}), 52);  // one a square of 2 px, both ends
   EXPECT_GT(drawn.crossed({100, 50}, {300, 150}), 0);
 }
 

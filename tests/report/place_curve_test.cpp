@@ -101,6 +101,11 @@ TEST(PlaceCurve, DotsBecomeABandOrALineWhereTheyCannotBeToldApart) {
   EXPECT_EQ(mark(wave(5, 5.5, 0.2)), Mark::dots);  // thinner than two px
   EXPECT_EQ(place_curve(curve, wave(5, 7, 40), false, false).width, 1);
   EXPECT_EQ(place_curve(curve, wave(3, 7, 40), false, false).width, 2.6);
+  std::vector<Spot> two_high;
+  for (int i = 0; i < 1000; ++i) two_high.push_back({0.2 * i, i % 2 ? 102.0 : 100.0});
+  EXPECT_EQ(mark(two_high), Mark::dots);
+  two_high[500].y = 99;
+  EXPECT_EQ(mark(two_high), Mark::band);
   curve.mark = Mark::band;
   EXPECT_EQ(mark(wave(5, 5.5, 40)), Mark::band);
   EXPECT_EQ(mark(wave(3, 5.5, 40)), Mark::line);

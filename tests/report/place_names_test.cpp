@@ -325,6 +325,7 @@ TEST(NameLists, TooLongNameEveryFewOnesAndSaySo) {
     EXPECT_EQ(last.text, "one of " + std::to_string(stride) + " is named");
     EXPECT_EQ(last.at.x, 460);
     EXPECT_EQ(last.size, 11);
+    EXPECT_DOUBLE_EQ(last.box.width, text_width(last.text, 11, false, Typeface::lato));
     EXPECT_NEAR(last.at.y, last.box.y + last.box.height / 2, 1e-9);
     EXPECT_NEAR(last.box.y, placed.texts[placed.texts.size() - 2].box.bottom(), 1e-9);
     EXPECT_LE(last.box.bottom(), 340);
