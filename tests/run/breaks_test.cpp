@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "cromer/methods/all.h"
@@ -95,6 +96,30 @@ TEST(Breaks, RowsDoNotChangeAdaptiveSteps) {
   const PulseDrive<double> jump{PulseShape::step, 1, 0.5, 0};
   EXPECT_EQ(run(jump, "dormand-prince", {0.1, 1e-6}).counts,
             run(jump, "dormand-prince", {0.001, 1e-6}).counts);
+}
+
+TEST(Breaks, APulseOfAnInstantIsNotLostWhateverTheStep) {
+  // An impulse of 1 N s within 0.1 us.
+  const PulseDrive<double> instant{PulseShape::rectangular, 1e7, 5.003, 1e-7};
+  const State<double> truth = run(instant, "exact", 0.01, {0, 0}).y;
+  EXPECT_GT(std::abs(truth.x), 0.01);
+  for (const std::string_view method : {"rk4", "dormand-prince"})
+    EXPECT_LT(distance(run(instant, method, 0.01, {0, 0}).y, truth), 1e-6) << method;
+}
+
+TEST(Breaks, ASlideGoesOnFromPulseToPulse) {
+  // 10 m/s less 1 m/s in a second, and 1 N s in 0.1 us on the way.
+  const Oscillator<double> sledge{.mass = 1, .stiffness = 0, .friction = 1};
+  const GeneralDrive<double> instant(PulseDrive<double>{PulseShape::rectangular, 1e7, 5.003, 1e-7});
+  for (const std::string_view method : {"rk4", "dormand-prince"}) {
+    const Outcome outcome = with_terms(sledge, instant, [&](const auto& system) {
+      return visit_method(method, {}, [&](const auto& m) {
+        return solve(system, m, {0, end}, State<double>{0, 10}, StepControl{0.01, 1e-10}, KeepNone{});
+      });
+    });
+    EXPECT_NEAR(outcome.y.v, 10 - end + 1, 1e-7) << method;
+    EXPECT_NEAR(outcome.y.x, 10 * end - end * end / 2 + (end - 5.003), 1e-6) << method;
+  }
 }
 
 }  // namespace
