@@ -131,5 +131,86 @@ TEST(Steps, JitterIsNotMadeEven) {
   EXPECT_FALSE(even_clock(std::vector<double>{0, 1, 2.5}));
 }
 
+TEST(Steps, OfFewTimes) {
+  EXPECT_EQ(describe_steps(std::vector<double>{}).rate, 0);
+  EXPECT_EQ(describe_steps(std::vector<double>{7}).rate, 0);
+  const Steps two = describe_steps(std::vector<double>{7, 7.5});
+  EXPECT_EQ(two.rate, 2);
+  EXPECT_EQ(two.jitter, 0);
+  EXPECT_TRUE(two.gaps.empty());
+  EXPECT_EQ(describe_steps(std::vector<double>{0, 1, 2.5}).rate, 0.8);
+}
+
+/// A second apart; some are late.
+std::vector<double> late(int samples, int from, int to, double by) {
+  std::vector<double> t = times(samples, 1);
+  for (int i = from; i < to; ++i) t[static_cast<std::size_t>(i)] += by;
+  return t;
+}
+
+TEST(Steps, AGapIsHalfAStepAndLasts) {
+  for (const int samples : {40, 63, 64, 100}) {
+    EXPECT_EQ(describe_steps(late(samples, 20, samples, 0.51)).gaps.size(), 1u) << samples;
+    EXPECT_EQ(describe_steps(late(samples, 20, samples, 0.49)).gaps.size(), 0u) << samples;
+  }
+  // Six of the ten times behind it, or all there are.
+  EXPECT_EQ(describe_steps(late(40, 20, 25, 0.7)).gaps.size(), 0u);
+  EXPECT_EQ(describe_steps(late(40, 20, 26, 0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 39, 40, 0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 37, 38, 0.7)).gaps.size(), 0u);
+  EXPECT_EQ(describe_steps(late(40, 1, 40, 0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 0, 1, -0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 0, 5, -0.7)).gaps.size(), 1u);
+  const auto gap = describe_steps(late(40, 20, 40, 0.7)).gaps.at(0);
+  EXPECT_EQ(gap.t, 19);
+  EXPECT_DOUBLE_EQ(gap.length, 1.7);
+}
+
+TEST(Steps, JitterIsTheirDeviationOverTheMedian) {
+  // Steps of 1.5 and 0.5 beside eight of 1.
+  EXPECT_DOUBLE_EQ(describe_steps(late(11, 5, 6, 0.5)).jitter, std::sqrt(0.05));
+  EXPECT_EQ(describe_steps(late(40, 20, 40, 5)).jitter, 0);
+  std::vector<double> slow = late(11, 5, 6, 0.5);
+  for (double& t : slow) t *= 4;
+  EXPECT_DOUBLE_EQ(describe_steps(slow).jitter, std::sqrt(0.05));
+}
+
+TEST(Steps, RatesHaveTwelveDigits) {
+  EXPECT_EQ(describe_steps(times(100, 1 / 3.14159265358979)).rate, 3.14159265359);
+  EXPECT_EQ(describe_steps(times(100, 1e-200)).rate, 1e200);
+  EXPECT_EQ(describe_steps(times(100, 700)).rate, 0.00142857142857);
+}
+
+TEST(Steps, SixteenRoundedTimesShowAClock) {
+  EXPECT_TRUE(even_clock(rounded_to(times(16, 1 / 70.0), 0.005)));
+  EXPECT_FALSE(even_clock(rounded_to(times(15, 1 / 70.0), 0.005)));
+}
+
+TEST(Steps, ATwentiethOfAStepIsRounding) {
+  EXPECT_TRUE(even_clock(rounded_to(times(1500, 1), 0.0523)));
+  EXPECT_FALSE(even_clock(rounded_to(times(1500, 1), 0.0477)));
+}
+
+TEST(Steps, AClockMayBeginAnywhere) {
+  for (const double begin : {0.0, -3.0, 1000.0}) {
+    std::vector<double> t = times(600, 1 / 60.0);
+    for (double& at : t) at += begin;
+    const auto clock = even_clock(rounded_to(t, 0.01));
+    ASSERT_TRUE(clock) << begin;
+    EXPECT_NEAR(clock->spacing, 1 / 60.0, 1e-9);
+    EXPECT_NEAR(clock->rounding, 0.01, 1e-6);
+    EXPECT_NEAR(clock->t.front(), begin, 1e-3);
+    EXPECT_NEAR(clock->t.back(), begin + 599 / 60.0, 1e-3);
+  }
+}
+
+TEST(Steps, MissingSamplesAreNoRounding) {
+  // Every tenth is missing: steps of one and two, but no clock between them.
+  std::vector<double> t;
+  for (int i = 0; i < 1000; ++i)
+    if (i % 10 != 5) t.push_back(i);
+  EXPECT_FALSE(even_clock(t));
+}
+
 }  // namespace
 }  // namespace cromer::dialects

@@ -230,5 +230,65 @@ TEST(ArrivalClock, SaysWhatItDid) {
   EXPECT_EQ(sentence({}), "");
 }
 
+TEST(ArrivalClock, HoldsSamplesForFourTenthsOfASecond) {
+  ArrivalClock clock;
+  std::vector<double> times;
+  std::vector<Notice> notices;
+  for (int i = 0; i <= 200; ++i) clock.take(100 + i / 100.0);
+  clock.release(102, times, notices);
+  EXPECT_EQ(times.size(), 161u);
+  EXPECT_EQ(clock.held(), 40u);
+  clock.release(102.0049, times, notices);
+  EXPECT_EQ(times.size(), 161u);
+  clock.release(102.0151, times, notices);
+  EXPECT_EQ(times.size(), 162u);
+  clock.release_all(times, notices);
+  EXPECT_EQ(times.size(), 201u);
+  EXPECT_EQ(clock.held(), 0u);
+  EXPECT_NEAR(times.back(), 2, 1e-6);
+  EXPECT_EQ(clock.sample_times().by_rate, 201u);
+}
+
+TEST(ArrivalClock, TheFirstWaitForARate) {
+  ArrivalClock clock;
+  std::vector<double> times;
+  std::vector<Notice> notices;
+  for (int i = 0; i < 10; ++i) clock.take(100 + 0.01 * i);
+  clock.release(100.79, times, notices);
+  EXPECT_EQ(times.size(), 0u);
+  clock.release(100.801, times, notices);
+  EXPECT_EQ(times.size(), 10u);
+  EXPECT_EQ(clock.sample_times().by, TimesBy::arrival);
+  EXPECT_EQ(ArrivalClock().sample_times().by, TimesBy::nothing);
+}
+
+/// Arrivals of which no rate is found, a tenth of a second apart, with a pause.
+std::vector<std::string> with_pause(double pause, int before = 30) {
+  Sent sent;
+  double t = 1000;
+  for (int i = 0; i < 60; ++i, t += i == before ? pause : 0.1 + 0.03 * ((7 * i) % 5 - 2)) sent.add(t, 0);
+  return texts(stamp(sent));
+}
+
+TEST(ArrivalClock, HalfASecondAndFiveStepsAreAPause) {
+  EXPECT_THAT(with_pause(0.45), IsEmpty());
+  EXPECT_THAT(with_pause(0.62), ElementsAre(HasSubstr("nothing for 0.62 s from ")));
+  EXPECT_THAT(with_pause(0.62, 1), ::testing::Each(::testing::Not(HasSubstr("nothing for"))));
+}
+
+TEST(ArrivalClock, SaysHowManyByTheRate) {
+  EXPECT_EQ(sentence({TimesBy::arrival, 3, 7, 100, 0.2}),
+            "times: those of arrival; no steady rate was found for long; 3 of 10 by one");
+  EXPECT_EQ(sentence({TimesBy::arrival, 0, 7}), "times: those of arrival; no steady rate was found");
+  EXPECT_EQ(sentence({TimesBy::rate, 7, 0, 100, 0.2}),
+            "times: by the steady rate that was found, 100/s; delays up to 0.2 s");
+  EXPECT_EQ(sentence({TimesBy::count}), "times: counted, at the rate of --rate");
+  EXPECT_EQ(name(TimesBy::device), "device");
+  EXPECT_EQ(name(TimesBy::count), "count");
+  EXPECT_EQ(name(TimesBy::rate), "rate");
+  EXPECT_EQ(name(TimesBy::arrival), "arrival");
+  EXPECT_EQ(name(TimesBy::nothing), "");
+}
+
 }  // namespace
 }  // namespace cromer::test

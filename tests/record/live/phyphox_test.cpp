@@ -70,5 +70,54 @@ TEST(Phyphox, WhatIsNoAnswerIsAnError) {
   EXPECT_THAT(other.error().message, HasSubstr("\"accX\""));
 }
 
+TEST(Phyphox, TheFirstTimeOfASetIsTaken) {
+  const auto buffers = [](const std::string& sources) {
+    const auto set = read_phyphox_config("{\"export\": [{\"sources\": [" + sources + "]}]}");
+    return set ? set->buffers : std::vector<std::string>{};
+  };
+  const std::string x = R"json({"label": "x (m)", "buffer": "x"})json";
+  for (const char* label : {"Time", "t (s)", "ZEIT in s"})
+    EXPECT_THAT(buffers(x + ", {\"label\": \"" + label + "\", \"buffer\": \"t\"}"), ElementsAre("t", "x"))
+        << label;
+  EXPECT_THAT(
+      buffers(x + R"json(, {"label": "Time a", "buffer": "t"}, {"label": "Time b", "buffer": "u"})json"),
+      ElementsAre("t", "x"));
+  EXPECT_THAT(buffers(x + R"json(, {"label": "Time", "buffer": "t"}, {"label": "y"})json"),
+              ElementsAre("t", "x"));
+  EXPECT_THAT(buffers(R"json({"label": "Time", "buffer": "t"})json"), ElementsAre());
+  EXPECT_THAT(buffers(x + ", " + x), ElementsAre());
+}
+
+TEST(Phyphox, ASensorNeedsATimeAndAValue) {
+  const auto headings = [](const std::string& outputs) {
+    const auto set = read_phyphox_config(
+        "{\"title\": \"a\", \"inputs\": [{\"source\": \"light\", \"outputs\": [" + outputs + "]}]}");
+    return set ? set->headings : Headings{set.error().message};
+  };
+  EXPECT_THAT(headings(R"json({"x": "a"}, 7, {"y": 8}, {"t": "b"}, {"z": "c"})json"),
+              ElementsAre("Time (s)", "light x", "light z"));
+  const std::string none =
+      "the phone's experiment \"a\" has no values with a time; choose one with raw data, such as "
+      "Acceleration (without g)";
+  EXPECT_THAT(headings(R"json({"x": "a"})json"), ElementsAre(none));
+  EXPECT_THAT(headings(R"json({"t": "a"})json"), ElementsAre(none));
+}
+
+TEST(Phyphox, NamesAreEncodedInQuestions) {
+  EXPECT_EQ(phyphox_query({"", {"aZ-_.09", "a/b{~\xFF@"}, {}}, std::nullopt),
+            "/get?aZ-_.09=full&a%2Fb%7B%7E%FF%40=full");
+}
+
+TEST(Phyphox, WhetherThePhoneMeasuresStandsInItsStatus) {
+  const auto measuring = [](const std::string& status) {
+    return read_phyphox_answer(R"json({"buffer": {"t": {"buffer": [1]}}, "status": )json" + status + "}",
+                               {"", {"t"}, {}})
+        ->measuring;
+  };
+  EXPECT_TRUE(measuring("{\"measuring\": true}"));
+  for (const char* other : {"{\"measuring\": false}", "{\"measuring\": 1}", "{}", "[]", "true"})
+    EXPECT_FALSE(measuring(other)) << other;
+}
+
 }  // namespace
 }  // namespace cromer
