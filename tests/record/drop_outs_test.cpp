@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -222,6 +223,22 @@ TEST(DropOuts, TheLivelierSideSaysWhatIsUsualToThem) {
   EXPECT_TRUE(before(50));
   EXPECT_TRUE(before(88));
   EXPECT_FALSE(before(95));
+}
+
+TEST(DropOuts, NearTheEndsFiveChangesSayWhatIsUsual) {
+  const auto near_the_end = [](std::size_t first, double height, bool back) {
+    std::vector<double> y = zigzag(400, 0, {});
+    for (std::size_t i = 0; i < first + 3; ++i) y[i] = i < first ? 4 * y[i] : y[i] + height;
+    if (back) std::reverse(y.begin(), y.end());
+    return !found_in(y).empty();
+  };
+  for (const bool back : {false, true}) {
+    EXPECT_TRUE(near_the_end(5, 60, back));
+    for (const std::size_t first : {6u, 7u, 8u, 12u, 20u}) {
+      EXPECT_FALSE(near_the_end(first, 60, back)) << first << back;
+      EXPECT_TRUE(near_the_end(first, 90, back)) << first << back;
+    }
+  }
 }
 
 TEST(DropOuts, ComeBackToWhereTheyLeft) {

@@ -70,7 +70,7 @@ TEST_F(FullDisk, EndsWithAWholeLineWhereverItIsFull) {
   ASSERT_TRUE(whole.open(path_));
   ASSERT_TRUE(whole.begin({"test"}, {"Time (s)", "Value"}));
   ASSERT_TRUE(whole.append(rows(1000)));
-  
+
   EXPECT_EQ(whole.rows(), 1000u);
   const std::string all = content();
   for (rlim_t bytes = 5000; bytes < 5040; ++bytes) {

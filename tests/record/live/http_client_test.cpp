@@ -76,7 +76,8 @@ TEST(HttpClient, HalfAnAnswerIsWaitedFor) {
   HttpClient client("127.0.0.1", server.port());
   const double begun = steady_seconds();
   EXPECT_EQ(got(client, "/", 0.15), "Error: no answer in time");
-  EXPECT_NEAR(steady_seconds() - begun, 0.15, 0.1);
+  EXPECT_GE(steady_seconds() - begun, 0.14);
+  EXPECT_LT(steady_seconds() - begun, 1);
   EXPECT_EQ(server.requests().size(), 1u);
 }
 

