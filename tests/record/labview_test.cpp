@@ -108,6 +108,9 @@ TEST(LabViewFile, ContradictionsAreSaid) {
   EXPECT_THAT(said("Delta_X\t1.011\n"),
               ElementsAre("the header says Delta_X 1.011, X_Value goes by steps of 1: X_Value is taken"));
   EXPECT_THAT(said("Delta_X\t0.989\n").size(), 1u);
+  EXPECT_THAT(
+      read(head("One") + "Delta_X\t1\n" + end + "X_Value\ta\n0\t1\n0.33333333\t1\n0.66666667\t2\n").warnings,
+      ElementsAre("the header says Delta_X 1, X_Value goes by steps of 0.333333: X_Value is taken"));
   EXPECT_THAT(said("Delta_X\t0.5\n", "No"), IsEmpty());
   // Ten of them suffice, each once.
   std::string segments = head("One");

@@ -37,6 +37,7 @@ TEST(Layout, TheWidestOfEquallyFrequentRowsIsTaken) {
   EXPECT_EQ(columns_of("1;2\n1;2;3\n1;2;3\n1;2\n"), 3u);
   EXPECT_EQ(columns_of("1;2;3\n1;2\n1;2\n"), 2u);
   EXPECT_EQ(columns_of("1;2\n1;2;3\n1;2\n"), 2u);
+  EXPECT_EQ(columns_of("1;2\n1;2\n1;2;3\n1;2;3;4\n1;2;3;4\n1;2;3;4\n"), 4u);
 }
 
 TEST(Layout, ARowHasANumber) {
@@ -138,6 +139,7 @@ TEST(Commas, WhatSettlesThem) {
   EXPECT_TRUE(open("1,2\n3,4\n", 2));
   EXPECT_TRUE(open("-1,2\n+3,4\n", 2));
   EXPECT_TRUE(open("1,2e5\n3,4E5\n", 2));
+  EXPECT_TRUE(open("1,2e5,3,4e5,5,6e5\n", 6));
   EXPECT_TRUE(open("\n1,2\n# 1.5,2\n3,4\n", 2));
   EXPECT_TRUE(open("1,2\n1.5\n3,4\n", 2));
   for (const char* rows : {"1,2\n3,-4\n", "1,2\n3,+4\n", "1.5,2\n", "1,2.5\n", "1e5,2\n", "1,\n", ",1\n",

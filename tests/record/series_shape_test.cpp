@@ -99,6 +99,8 @@ TEST(Rounding, AQuantumIsTheSmallestDifference) {
   // Printed rounded.
   const Values printed = made(400, [](int i) { return std::nearbyint(i % 60 * 0.0429123456 * 1e4) / 1e4; });
   EXPECT_NEAR(rounding_step(printed), 0.0429123456, 1e-5);
+  const Values noisy = made(400, [](int i) { return i % 60 * 0.0429123456 * (1 + 1e-15 * (i % 3)); });
+  EXPECT_NEAR(rounding_step(noisy), 0.0429123456, 1e-12);
   // Exceptions that are closer than a decimal place.
   const Values exceptions = made(400, [](int i) { return i == 5 ? 0.0012 : i % 60 * 0.01; });
   EXPECT_DOUBLE_EQ(rounding_step(exceptions), 0.01);

@@ -124,6 +124,7 @@ TEST(SetsBelow, BeginAtTheFirstHeaderOnceMoreOrAtATime) {
   EXPECT_THAT(tables("a,b\n1,2\nTime\n3,4\n"), ElementsAre(0));
   EXPECT_THAT(tables("a,b\n1,2\na,b\n"), ElementsAre(0));
   EXPECT_THAT(tables("1,2\nx\n3,4\n"), ElementsAre(0));
+  EXPECT_THAT(tables("a,b\n1,2\n---\na,b\n3,4\n"), ElementsAre(0, 2));
   EXPECT_THAT(tables("a,b\n-1,2\n\"+.3\",4\n# a\na,b\n \t\u22125,6\n"), ElementsAre(0, 4));
   EXPECT_THAT(tables("a,b\n1,2\na,b\nTime,d\nx,y\n3,4\n"), ElementsAre(0));
   EXPECT_THAT(tables("a\nb,c\n1,2\nb,c\n1,2\n"), ElementsAre(0, 3));

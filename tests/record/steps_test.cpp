@@ -200,6 +200,8 @@ TEST(Steps, AClockMayBeginAnywhere) {
     EXPECT_NEAR(clock->spacing, 1 / 60.0, 1e-9);
     EXPECT_NEAR(clock->rounding, 0.01, 1e-6);
     EXPECT_NEAR(clock->t.front(), begin, 1e-3);
+    // A start at 0 is 0: it is a multiple of a millionth of a step.
+    EXPECT_NEAR(std::remainder(clock->t.front() / clock->spacing * 1e6, 1.0), 0, 1e-4);
     EXPECT_NEAR(clock->t.back(), begin + 599 / 60.0, 1e-3);
   }
 }

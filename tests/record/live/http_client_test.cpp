@@ -71,6 +71,17 @@ TEST(HttpClient, SaysWhatIsWrongWithAnAnswer) {
   EXPECT_EQ(got_of({"", true}), "Error: the connection was closed");
 }
 
+TEST(HttpClient, SixtyFourMegabytesAreTaken) {
+  const auto announced = [](std::size_t bytes) {
+    return got_of({"HTTP/1.1 200 OK\r\nContent-Length: " + std::to_string(bytes) + "\r\n\r\nabc", true});
+  };
+  EXPECT_EQ(announced(64 << 20), "Error: the answer broke off");
+  EXPECT_THAT(announced((64 << 20) + 1), StartsWith("Error: the answer is no HTTP ("));
+  EXPECT_EQ(got_of({http("a", "X: " + std::string(65000, 'x') + "\r\n")}), "a");
+  EXPECT_THAT(got_of({http("a", "X: " + std::string(66000, 'x') + "\r\n")}),
+              StartsWith("Error: the answer is no HTTP ("));
+}
+
 TEST(HttpClient, HalfAnAnswerIsWaitedFor) {
   Server server([](const std::string&) { return Reply{http("abcdef").substr(0, 20)}; });
   HttpClient client("127.0.0.1", server.port());

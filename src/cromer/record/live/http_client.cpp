@@ -60,6 +60,9 @@ Result<std::string> HttpClient::ask(const std::string& target, double deadline, 
     unread.append(bytes, static_cast<std::size_t>(count));
     const std::size_t used = parser.put(boost::asio::buffer(unread), failed);
     unread.erase(0, used);
+    // Boost.Beast 1.74 forgets its limit where a part of the body comes with the header.
+    if (parser.is_header_done() && parser.content_length().value_or(0) > largest_body)
+      failed = http::error::body_limit;
     if (failed && failed != http::error::need_more)
       return Error{fmt::format("the answer is no HTTP ({})", failed.message())};
   }
