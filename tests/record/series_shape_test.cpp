@@ -49,6 +49,7 @@ TEST(Rounding, IsTheLastOfSixDecimals) {
   EXPECT_EQ(of(1), 1);
   EXPECT_DOUBLE_EQ(of(0.01), 0.01);
   EXPECT_DOUBLE_EQ(of(1e-6, 5), 1e-6);
+  EXPECT_DOUBLE_EQ(of(0.01, 1234567), 0.01);
   EXPECT_EQ(of(1e-7, 5), 0);
   // Behind the first digit of the largest, where that is below one.
   EXPECT_DOUBLE_EQ(of(1e-8), 1e-8);
@@ -117,6 +118,17 @@ TEST(Rounding, OfWhatIsNoMultipleOfAQuantum) {
     }
     return rounding_step(values);
   };
+  const auto of_differences = [](const std::vector<double>& steps) {
+    Values values(3, 0);
+    double at = 0;
+    for (const double step : steps) values.insert(values.end(), 3, at += 0.0312345678 * step);
+    return rounding_step(values);
+  };
+  std::vector<double> last_odd(20, 2);
+  last_odd.front() = 1, last_odd.back() = 1.5;
+  EXPECT_NEAR(of_differences(last_odd), 0.0312345678, 1e-12);
+  last_odd.back() = 2, last_odd.insert(last_odd.end(), 1, 1.5), last_odd[9] = 1.5;
+  EXPECT_EQ(of_differences(last_odd), 0);  // 19 of 21
   EXPECT_NEAR(with_odd(0), 0.0312345678, 1e-12);
   EXPECT_NEAR(with_odd(2), 0.0312345678, 1e-12);
   EXPECT_EQ(with_odd(3), 0);

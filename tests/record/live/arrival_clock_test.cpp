@@ -276,6 +276,24 @@ TEST(ArrivalClock, HalfASecondAndFiveStepsAreAPause) {
   EXPECT_THAT(with_pause(0.62, 1), ::testing::Each(::testing::Not(HasSubstr("nothing for"))));
 }
 
+// A pause of a whole number of periods is of samples that are missing, any other is one of the device.
+TEST(ArrivalClock, APauseIsOfWholePeriodsOrOfTheDevice) {
+  const auto said = [](double periods) {
+    Sent sent;
+    for (int i = 0; i < 400; ++i) sent.add(1000 + 0.05 * (i + (i < 200 ? 0 : periods)), 0);
+    std::vector<std::string> all = texts(stamp(sent));
+    EXPECT_EQ(all.at(0), "a steady rate of 20/s from 1.95 s on: the times follow it");
+    all.erase(all.begin());
+    return all;
+  };
+  EXPECT_THAT(said(1), ElementsAre("1 sample is missing after 9.95 s"));
+  EXPECT_THAT(said(2), ElementsAre("2 samples are missing after 9.95 s"));
+  EXPECT_THAT(said(1.1), ElementsAre("the device paused for 0.055 s after 9.95 s"));
+  EXPECT_THAT(said(1.4), ElementsAre("the device paused for 0.07 s after 9.95 s"));
+  EXPECT_THAT(said(0.7), IsEmpty());
+  EXPECT_THAT(said(0.8), ElementsAre("the device paused for 0.04 s after 9.95 s"));
+}
+
 TEST(ArrivalClock, SaysHowManyByTheRate) {
   EXPECT_EQ(sentence({TimesBy::arrival, 3, 7, 100, 0.2}),
             "times: those of arrival; no steady rate was found for long; 3 of 10 by one");

@@ -252,6 +252,24 @@ TEST(Recorder, ManyRowsAndNoticesAreBroughtToTheDisk) {
   EXPECT_NE(garbled.content.find("# 250 lines were no samples\n"), std::string::npos);
 }
 
+TEST(Recorder, OutOfMemoryItGoesOnAndSaysSo) {
+  class Starving final : public Source {
+   public:
+    Result<void> open() override { return {}; }
+    bool receive(double, Rows& rows, std::vector<Notice>&) override {
+      if (n_++ == 1) throw std::bad_alloc();
+      rows = rows_at({static_cast<double>(n_)});
+      return n_ < 3;
+    }
+    const Headings& headings() const override { return headings_; }
+    Headings headings_{"Time (s)", "Value"};
+    int n_ = 0;
+  };
+  const Recorded recorded(std::make_unique<Starving>());
+  EXPECT_EQ(recorded.content,
+            "Time (s),Value\n1,10\n3,30\n# this computer ran out of memory: samples may be missing\n");
+}
+
 TEST(Recorder, WhereTheSourceCannotBeOpenedNoFileIsLeft) {
   class Closed final : public Source {
    public:
