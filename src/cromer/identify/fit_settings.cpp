@@ -37,7 +37,7 @@ HeldParameters held_parameters(const Record& record, const Law& law, DriveKind d
 
 Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
   if (watch.steps_left) return watch;
-  constexpr double any = 6e5, of_a_sample = 2500, of_a_forced_sample = 20'000;
+  constexpr double any = 8e5, of_a_sample = 3000, of_a_forced_sample = 20'000;
   const double each = drive == DriveKind::recorded ? of_a_forced_sample : of_a_sample;
   Watch bound = watch;
   bound.steps_left = std::make_shared<std::atomic<double>>(any + each * static_cast<double>(record.t.size()));

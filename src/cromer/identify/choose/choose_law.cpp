@@ -513,18 +513,34 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
     return choice;
   };
   if (options.every_sample || options.drive.kind != DriveKind::none) return choose(record);
-  LawChoice choice = choose(record);
-  std::vector<std::size_t> aside;
-  for (int round = 0; round < 2; ++round) {
-    // The chosen law alone tells which samples stand out: to choose among all again takes far longer.
+  // One law alone tells which samples stand out: to choose among all again takes far longer. What a wrong law
+  // leaves does not stand out, so that the viscous one may begin.
+  const auto settle = [&](const LawFit& from, const Law& law, std::vector<std::size_t> aside) {
     LawFitOptions one = every;
-    one.law = choice.chosen.law;
-    auto settled = settle_outliers(
-        record, choice.chosen, aside, [&](const Record& samples) { return fit_law(samples, one, watch); },
+    one.law = law;
+    return settle_outliers(
+        record, from, std::move(aside), [&](const Record& samples) { return fit_law(samples, one, watch); },
         residuals_of);
+  };
+  const auto choose_without = [&](const WithoutOutliers<LawFit>& settled) {
+    return choose(KeptSamples(record, settled.aside, settled.residuals).record());
+  };
+  std::vector<std::size_t> aside;
+  LawChoice choice;
+  if (record.t.size() <= 5 * enough_samples) {
+    LawFitOptions viscous = every;
+    viscous.law = law_of("viscous");
+    const auto settled = settle(fit_law(record, viscous, watch), viscous.law, {});
+    aside = settled.aside;
+    choice = aside.empty() ? choose(record) : choose_without(settled);
+  } else {
+    choice = choose(record);
+  }
+  for (int round = 0; round < 2; ++round) {
+    const auto settled = settle(choice.chosen, choice.chosen.law, aside);
     if (settled.aside == aside) break;
-    aside = std::move(settled.aside);
-    choice = choose(KeptSamples(record, aside, settled.residuals).record());
+    aside = settled.aside;
+    choice = choose_without(settled);
   }
   choice.chosen.outliers = std::move(aside);
   return choice;
