@@ -166,6 +166,14 @@ TEST(Steps, AGapIsHalfAStepAndLasts) {
   EXPECT_DOUBLE_EQ(gap.length, 1.7);
 }
 
+TEST(Steps, WhereHalfIsMissingTheMedianStepIsUsual) {
+  for (const double step : {0.5, 1.0, 2.0}) {
+    std::vector<double> t;
+    for (int i = 0; i < 50; ++i) t.push_back(4 * i * step), t.push_back((4 * i + 1) * step);
+    EXPECT_EQ(describe_steps(t).gaps.size(), 49u) << step;
+  }
+}
+
 TEST(Steps, JitterIsTheirDeviationOverTheMedian) {
   // Steps of 1.5 and 0.5 beside eight of 1.
   EXPECT_DOUBLE_EQ(describe_steps(late(11, 5, 6, 0.5)).jitter, std::sqrt(0.05));
