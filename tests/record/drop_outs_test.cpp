@@ -225,6 +225,23 @@ TEST(DropOuts, TheLivelierSideSaysWhatIsUsualToThem) {
   EXPECT_FALSE(before(95));
 }
 
+TEST(DropOuts, AllTheirSamplesAreWellAwayFromBothSides) {
+  // From 1 to 90 and back from 91 to `after`, with `between` among them.
+  const auto is = [](double after, double between, double sign) {
+    std::vector<double> y = zigzag(400, 100, {90, 90, 90, 90});
+    y[101] = between;
+    for (std::size_t i = 104; i < y.size(); ++i) y[i] += after;
+    for (double& value : y) value *= sign;
+    return !found_in(y).empty();
+  };
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_TRUE(is(20, 56, sign));  // 20 and half of 71
+    EXPECT_FALSE(is(20, 55, sign));
+    EXPECT_TRUE(is(-20, 46, sign));  // 1 and half of 89
+    EXPECT_FALSE(is(-20, 45, sign));
+  }
+}
+
 TEST(DropOuts, NearTheEndsFiveChangesSayWhatIsUsual) {
   const auto near_the_end = [](std::size_t first, double height, bool back) {
     std::vector<double> y = zigzag(400, 0, {});
