@@ -28,6 +28,7 @@ std::string alternating(int lines, const std::string& even, const std::string& o
 TEST(Layout, ALongFileIsSampledBehindItsFirstFiftyLines) {
   EXPECT_EQ(columns_of(alternating(500, "1;2", "1;2;3", 50)), 2u);
   EXPECT_EQ(columns_of(alternating(500, "1;2;3", "1;2", 50)), 3u);
+  EXPECT_EQ(columns_of(alternating(100, "1;2", "1;2;3", 50)), 3u);  // all lines of a short one
   EXPECT_EQ(columns_of(alternating(499, "1;2;3;4", "1;2;3", 51)), 4u);
   // 25 odd ones among the first fifty, 224 even ones behind them; as many of both in all.
   EXPECT_EQ(columns_of(alternating(499, "1;2;3", "1;2", 0)), 3u);
