@@ -22,6 +22,8 @@ TEST(SourceName, IsReadInEveryForm) {
          "/dev/serial/by-path/pci-0000:00:14.0-usb-0:1:1.0-port0", 115200);
   expect("tcp:sensor.local:5000", SourceKind::tcp, "sensor.local", 5000);
   expect("tcp:[::1]:5000", SourceKind::tcp, "::1", 5000);
+  expect("tcp:sensor.local:1", SourceKind::tcp, "sensor.local", 1);
+  expect("tcp:sensor.local:65535", SourceKind::tcp, "sensor.local", 65535);
   expect("phyphox:192.168.1.7", SourceKind::phyphox, "192.168.1.7", 8080);
   expect("phyphox:192.168.1.7:80", SourceKind::phyphox, "192.168.1.7", 80);
 }
