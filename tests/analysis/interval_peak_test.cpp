@@ -141,6 +141,16 @@ TEST(IntervalPeak, AFreeMotionFromRestTurnsHalfAPeriodLater) {
   EXPECT_EQ(rest.high, 0);
 }
 
+TEST(IntervalPeak, ATurnBeforeTheBeginningIsNone) {
+  // It creeps back already: v = -0.1 m/s at 1 m.
+  for (const double decay_rate : {3.0, 8.0}) {
+    Extremes found{infinite, -infinite};
+    include_free({.decay_rate = decay_rate, .stiffness = 9}, {1, 0}, {1, -0.1}, found);
+    EXPECT_EQ(found.high, 1) << decay_rate;
+    EXPECT_EQ(found.low, 0) << decay_rate;
+  }
+}
+
 TEST(Extremes, TheMagnitudeIsTheLargerSide) {
   EXPECT_EQ((Extremes{-3, 2}.magnitude()), 3);
   EXPECT_EQ((Extremes{-3, 4}.magnitude()), 4);

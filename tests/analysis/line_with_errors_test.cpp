@@ -135,6 +135,16 @@ TEST(LineWithErrors, OfThreePointsOneDegreeIsLeft) {
   EXPECT_EQ(scattered(1).degrees, 1);
 }
 
+TEST(LineWithErrors, ScatterOfJustWhatIsExpectedNeedsNoMore) {
+  // Six points about y = 0: residuals 1, -1, 0, 0, -1, 1.
+  const auto line = fit_line_with_errors(
+      {{0, 1, 0, 1}, {1, -1, 0, 1}, {2, 0, 0, 1}, {3, 0, 0, 1}, {4, -1, 0, 1}, {5, 1, 0, 1}});
+  ASSERT_TRUE(line);
+  EXPECT_EQ(line->chi_squared, 4);
+  EXPECT_EQ(line->degrees, 4);
+  EXPECT_EQ(line->extra_scatter, 0);
+}
+
 TEST(LineWithErrors, PointsWithAndWithoutErrorsMayMix) {
   // Two points that are sure, and one that is not, ten off.
   const auto line = fit_line_with_errors({{0, 1, 0, 0}, {2, 5, 0, 0}, {1, 13, 0, 100}});

@@ -223,6 +223,7 @@ TEST(StrongestLines, AreThoseOfTheShareTheHighestFirst) {
 TEST(StrongestLines, AreNotRefinedBesideZeroOrOnAFlatTop) {
   expect_line(*strongest_line({2, {5, 0, 2, 1, 0.5}}), 4, 2);
   expect_line(*strongest_line({2, {5, 1, 2, 0, 0}}), 4, 2);
+  expect_line(*strongest_line({2, {5, 1, 2, 0, 1, 0}}), 4, 2);
   expect_line(strongest_lines({2, {5, 1, 2, 2, 2, 1}}, 0, 9).at(1), 6, 2);
 }
 

@@ -198,6 +198,13 @@ TEST(StepMap, WithoutASolutionNothingIsSaid) {
   EXPECT_EQ(uncertainty, 0);
 }
 
+TEST(StepMap, IsStableToRounding) {
+  const auto stable = [](double radius) { return EffectiveOscillator{.spectral_radius = radius}.stable(); };
+  EXPECT_TRUE(stable(1));
+  EXPECT_TRUE(stable(1 + 1e-12));
+  EXPECT_FALSE(stable(std::nextafter(1 + 1e-12, 2)));
+}
+
 TEST(StepMap, SettlesWhereAllEigenvaluesLieInside) {
   const double values[] = {-1.2, -1.0001, -0.9999, -0.5, 0, 0.3, 0.9999, 1.0001, 1.2};
   const auto inside = [](std::initializer_list<double> all) {
