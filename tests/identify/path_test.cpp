@@ -66,6 +66,13 @@ TEST(Sampling, TheMedianStepOfTimesWithAGapIsThatOfMost) {
   EXPECT_EQ(median_step(std::vector<double>{5, 7}), 2);
 }
 
+// The difference of two such times is good to 1e-13 only.
+TEST(Sampling, TheStepOfEvenTimesIsTheirMeanWhereverTheyBegin) {
+  std::vector<double> t;
+  for (int i = 0; i <= 1000; ++i) t.push_back(2000 + 0.1 * i);
+  EXPECT_NEAR(median_step(t), 0.1, 1e-15);
+}
+
 double force_at(double s, BetweenSamples between) {
   static const std::vector<double> samples{1, 3, 2, -1, 0};
   const ForceRecord force{samples, 10, 0.5, between};
