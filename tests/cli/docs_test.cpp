@@ -34,22 +34,6 @@ std::vector<std::string> commands_in(const std::string& path) {
   return commands;
 }
 
-/// As a shell would: words between blanks, "quoted" ones whole.
-std::vector<std::string> words_of(const std::string& command) {
-  std::vector<std::string> words{""};
-  bool quoted = false;
-  for (const char c : command) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ' ' && !quoted)
-      words.emplace_back();
-    else
-      words.back() += c;
-  }
-  std::erase(words, "");
-  return words;
-}
-
 void expect_all_work(const std::string& page, std::size_t at_least) {
   const auto commands = commands_in(std::string(CROMER_SOURCE_DIR) + "/docs/" + page);
   EXPECT_GE(commands.size(), at_least);

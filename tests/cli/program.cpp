@@ -116,6 +116,28 @@ bool wait_for_handler(pid_t process, int signal) {
   return false;
 }
 
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  char quote = 0;
+  bool within = false;
+  for (const char c : line) {
+    if (quote == 0 && c == ' ') {
+      within = false;
+    } else {
+      if (!within) words.emplace_back();
+      within = true;
+      if (quote == 0 && (c == '"' || c == '\'')) {
+        quote = c;
+      } else if (c == quote) {
+        quote = 0;
+      } else {
+        words.back() += c;
+      }
+    }
+  }
+  return words;
+}
+
 std::string recording(int samples, double decay_rate) {
   std::string text = "Time (s),Position (m)\n";
   char row[64];

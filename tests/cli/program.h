@@ -48,6 +48,9 @@ class Folder {
 /// Waits until the process has a handler of its own for the signal; false if that does not happen.
 bool wait_for_handler(pid_t process, int signal);
 
+/// Words as a shell takes them, quoted by " or '.
+std::vector<std::string> words_of(const std::string& line);
+
 /// A damped oscillation as a logger would write it, `samples` at 100 a second.
 std::string recording(int samples, double decay_rate = 0.05);
 

@@ -30,29 +30,6 @@ std::string contents(const std::filesystem::path& path) {
   return text.str();
 }
 
-/// Words as a shell takes them, quoted by " or '.
-std::vector<std::string> words_of(const std::string& line) {
-  std::vector<std::string> words;
-  char quote = 0;
-  bool within = false;
-  for (const char c : line) {
-    if (quote == 0 && c == ' ') {
-      within = false;
-    } else {
-      if (!within) words.emplace_back();
-      within = true;
-      if (quote == 0 && (c == '"' || c == '\'')) {
-        quote = c;
-      } else if (c == quote) {
-        quote = 0;
-      } else {
-        words.back() += c;
-      }
-    }
-  }
-  return words;
-}
-
 /// What a reader sees of a figure or a page: its texts, a line each, but for date, version and compiler.
 std::string words_in(const std::string& markup) {
   static const std::regex hidden("<(style|script)[^>]*>[^]*?</(style|script)>"), tag("<[^>]*>");

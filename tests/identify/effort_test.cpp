@@ -2,7 +2,6 @@
 // that are worse than they were still lead to the minimum, and only this tells.
 #include <gtest/gtest.h>
 
-#include <random>
 #include <string>
 
 #include "tests/identify/forced_truth.h"
@@ -29,13 +28,6 @@ Motion swing_of(const std::string& law) {
 }
 
 const std::vector<double> times = even_times(1500, 0.02);
-
-std::vector<double> noisy(std::vector<double> y, double noise) {
-  std::mt19937_64 engine(5);
-  std::normal_distribution<double> normal(0, noise);
-  for (double& each : y) each += normal(engine);
-  return y;
-}
 
 /// Steps, in thousands, that a fit or a choice of the law takes.
 template <class Fit>

@@ -1,6 +1,7 @@
 // Free motions by the numbers that people give them.
 #pragma once
 
+#include <random>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct FreeSwing {
     return motion;
   }
 };
+
+/// With normal noise, the same each time.
+inline std::vector<double> noisy(std::vector<double> y, double noise) {
+  std::mt19937_64 engine(5);
+  std::normal_distribution<double> normal(0, noise);
+  for (double& each : y) each += normal(engine);
+  return y;
+}
 
 /// Displacements and velocities at times t, in steps of at most h.
 inline Trajectory free_motion(const Motion& motion, std::span<const double> t, double h) {

@@ -1,8 +1,6 @@
 // Start values by themselves: what the iteration makes of them hides how good they are.
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/driven_start.h"
 #include "cromer/identify/start/envelope_track.h"
@@ -13,13 +11,6 @@
 
 namespace cromer {
 namespace {
-
-std::vector<double> noisy(std::vector<double> y, double noise) {
-  std::mt19937_64 engine(5);
-  std::normal_distribution<double> normal(0, noise);
-  for (double& each : y) each += normal(engine);
-  return y;
-}
 
 TEST(Starts, OfASwingAreThoseOfItsFirstPart) {
   const FreeSwing swing{.angular_frequency = 6, .decay_rate = 0.05, .equilibrium = 0.2, .position = 0.5};

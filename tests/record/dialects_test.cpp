@@ -9,6 +9,7 @@
 #include "cromer/record/dialects/lines.h"
 #include "cromer/record/dialects/number_stream.h"
 #include "cromer/record/dialects/recording.h"
+#include "tests/record/reading.h"
 
 namespace cromer {
 namespace {
@@ -16,28 +17,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-Recording read(std::string_view text, std::string_view file = "lab.txt", const ReadOptions& options = {}) {
-  auto recording = read_recording(text, file, options);
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
-  return recording ? *recording : Recording{};
-}
-
-std::string refusal(std::string_view text) {
-  const auto recording = read_recording(text, "lab.txt", {});
-  return recording ? "read" : recording.error().message;
-}
-
-std::vector<std::string> titles(const Recording& recording) {
-  std::vector<std::string> all;
-  for (const Column& column : recording.table.columns)
-    all.push_back(concat({std::to_string(column.run), " ", column_title(column)}));
-  return all;
-}
-
-const std::vector<double>& values(const Recording& recording, std::size_t j) {
-  return recording.table.columns.at(j).values;
-}
 
 /// A file of PEER's with its head in the fourth line.
 std::string peer(const std::string& head, const std::string& rows = "1 2 3\n") {

@@ -5,6 +5,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
+#include "tests/record/reading.h"
 
 namespace cromer {
 namespace {
@@ -12,28 +13,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-Recording read(std::string_view text, const ReadOptions& options = {}) {
-  auto recording = read_recording(text, "lab.lvm", options);
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
-  return recording ? *recording : Recording{};
-}
-
-std::string refusal(std::string_view text) {
-  const auto recording = read_recording(text, "lab.lvm", {});
-  return recording ? "read" : recording.error().message;
-}
-
-std::vector<std::string> titles(const Recording& recording) {
-  std::vector<std::string> all;
-  for (const Column& column : recording.table.columns)
-    all.push_back(concat({std::to_string(column.run), " ", column_title(column)}));
-  return all;
-}
-
-const std::vector<double>& values(const Recording& recording, std::size_t j) {
-  return recording.table.columns.at(j).values;
-}
 
 std::string head(const std::string& x_columns, const std::string& more = "") {
   return concat({"LabVIEW Measurement\t\nX_Columns\t", x_columns, "\n", more, "***End_of_Header***\t\n\n"});
@@ -74,7 +53,7 @@ TEST(LabViewFile, UnitsAndNamesOfChannels) {
               ElementsAre("1 X_Value (s)", "1 a", "1 b"));
   EXPECT_THAT(titles(read(head("One") + "X_Dimension\tLength\nX_Unit_Label\tMeters\n" + end +
                               "X_Value\ta\tb\n" + rows,
-                          {.delimiter = {}, .decimal = {}, .time_column = {}, .rate = 1})),
+                          "lab.txt", {.delimiter = {}, .decimal = {}, .time_column = {}, .rate = 1})),
               ElementsAre("1 X_Value (m)", "1 a", "1 b"));
 }
 
@@ -94,7 +73,7 @@ TEST(LabViewFile, TimesAreComputed) {
   for (const char* none : {"", "Delta_X\t0\n", "Delta_X\t-1\n", "Delta_X\tx\n"})
     EXPECT_EQ(
         refusal(concat({head("No"), none, end, "X_Value\ta\n\t5\n\t6\n"})),
-        "lab.lvm: the rows carry no X_Value and the header no Delta_X above 0: the times are not known");
+        "lab.txt: the rows carry no X_Value and the header no Delta_X above 0: the times are not known");
 }
 
 TEST(LabViewFile, ContradictionsAreSaid) {
@@ -140,15 +119,15 @@ TEST(LabViewFile, SegmentsBeginARunUnlessTheyGoOn) {
 }
 
 TEST(LabViewFile, WhatIsMissingIsNamedWithItsLine) {
-  EXPECT_EQ(refusal(head("One")), "lab.lvm: the file holds no segment with rows");
-  EXPECT_EQ(refusal(head("One") + end), "lab.lvm: the file holds no segment with rows");
-  EXPECT_EQ(refusal(head("One") + end + "X_Value\n0\n"), "lab.lvm:6: no channel is named");
+  EXPECT_EQ(refusal(head("One")), "lab.txt: the file holds no segment with rows");
+  EXPECT_EQ(refusal(head("One") + end), "lab.txt: the file holds no segment with rows");
+  EXPECT_EQ(refusal(head("One") + end + "X_Value\n0\n"), "lab.txt:6: no channel is named");
   EXPECT_EQ(refusal(head("One") + end + "X_Value\ta\n0\tx\n"),
-            "lab.lvm:7: column \"a\": \"x\" is not a number; --skip-bad-rows drops such rows");
+            "lab.txt:7: column \"a\": \"x\" is not a number; --skip-bad-rows drops such rows");
   std::string wide = "X_Value";
   for (int j = 1; j < 2000; ++j) wide += "\ta";
   EXPECT_EQ(refusal(head("One") + end + wide + "\n0\t1\n"), "read");
-  EXPECT_EQ(refusal(head("One") + end + wide + "\ta\n0\t1\n"), "lab.lvm:6: there are more than 2000 columns");
+  EXPECT_EQ(refusal(head("One") + end + wide + "\ta\n0\t1\n"), "lab.txt:6: there are more than 2000 columns");
 }
 
 TEST(LabViewFile, ALastLineThatIsCutIsSaid) {

@@ -9,6 +9,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
+#include "tests/record/reading.h"
 
 namespace cromer {
 namespace {
@@ -17,29 +18,6 @@ using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-Recording read(std::string_view text, std::string_view file = "lab.txt", const ReadOptions& options = {}) {
-  auto recording = read_recording(text, file, options);
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
-  return recording ? *recording : Recording{};
-}
-
-std::string refusal(std::string_view text, std::string_view file = "lab.txt",
-                    const ReadOptions& options = {}) {
-  const auto recording = read_recording(text, file, options);
-  return recording ? "read" : recording.error().message;
-}
-
-std::vector<std::string> titles(const Recording& recording) {
-  std::vector<std::string> all;
-  for (const Column& column : recording.table.columns)
-    all.push_back(concat({std::to_string(column.run), " ", column_title(column)}));
-  return all;
-}
-
-const std::vector<double>& values(const Recording& recording, std::size_t j) {
-  return recording.table.columns.at(j).values;
-}
 
 const std::string labview_head =
     "LabVIEW Measurement\t\r\nWriter_Version\t2\r\nSeparator\tTab\r\nDecimal_Separator\t.\r\n"

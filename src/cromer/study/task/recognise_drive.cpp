@@ -114,13 +114,13 @@ bool may_be_beats(const LawFit& fit) {
 
 FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
                                 const Watch& caller) {
-  const FittedSamples samples = without_outliers(free.series);
-  const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
   const bool automatic = options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
   const bool refused = free.parameters.empty();
   const Residual& left = free.fit.residual;
   const bool is_noise = left.autocorrelation < structured || is_arithmetic(left.rms, free.series.y);
-  if (!automatic || (refused && !may_be_beats(free.fit)) || is_noise || watch.interrupted()) return free;
+  if (!automatic || (refused && !may_be_beats(free.fit)) || is_noise || caller.interrupted()) return free;
+  const FittedSamples samples = without_outliers(free.series);
+  const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
   FitOptions same = options;
   same.drive_frequency = "auto";
   same.from = free.series.t.front();
