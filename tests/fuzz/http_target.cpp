@@ -1,7 +1,10 @@
 // A lab without a device, in a thread of this program; each input is what one connection sends.
 #include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -41,16 +44,24 @@ class Served {
 
 int http(const std::uint8_t* data, std::size_t size) {
   static Served served;
-  const test::Peer peer(served.port());
-  if (!peer.connected()) std::abort();
-  peer.send(std::string(reinterpret_cast<const char*>(data), size));
-  peer.finish();
-  const std::string answer = peer.receive(1, "event: status");
+  std::optional<test::Peer> peer(std::in_place, served.port());
+  // So many connections use up the ports, which are free again after a minute.
+  for (int tries = 0; !peer->connected() && tries < 700; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    peer.emplace(served.port());
+  }
+  if (!peer->connected()) std::abort();
+  peer->send(std::string(reinterpret_cast<const char*>(data), size));
+  peer->finish();
+  const std::string answer = peer->receive(1, "event: status");
   if (answer.empty()) return 0;
   const bool whole = answer.starts_with("HTTP/1.1 ") && answer.find("\r\n\r\n") != std::string::npos;
   const int status = whole ? std::atoi(answer.c_str() + 9) : 0;
   // 503: no page is there.
-  if (!(status >= 200 && status < 500) && status != 501 && status != 503 && status != 505) std::abort();
+  if (!(status >= 200 && status < 500) && status != 501 && status != 503 && status != 505) {
+    std::fprintf(stderr, "answered: \"%s\"\n", answer.c_str());
+    std::abort();
+  }
   return 0;
 }
 

@@ -197,6 +197,13 @@ TEST_F(WriteFile, AnErrorOfTheMakersLeavesTheOldFile) {
   EXPECT_EQ(entries(), 1u);
 }
 
+TEST_F(WriteFile, APipeThatNobodyReadsFromIsNotWaitedFor) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const auto written = write_file(path("pipe"), "one");
+  ASSERT_FALSE(written.ok());
+  EXPECT_EQ(written.error().message, "cannot write " + path("pipe") + ": nobody reads from this pipe");
+}
+
 TEST_F(WriteFile, APipeIsWrittenToDirectlyPieceByPiece) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK);

@@ -62,7 +62,15 @@ std::string place_of(int descriptor) { return fmt::format("/proc/self/fd/{}", de
 }  // namespace
 
 Error cannot_write(const std::string& path, int number) {
-  return {fmt::format("cannot write {}: {}", path, std::strerror(number))};
+  const char* reason = number == ENXIO ? "nobody reads from this pipe" : std::strerror(number);
+  return {fmt::format("cannot write {}: {}", path, reason)};
+}
+
+int open_to_write(const std::string& path, bool at_end) {
+  const int flags = O_WRONLY | O_CLOEXEC | (at_end ? O_APPEND : 0);
+  const int file = ::open(path.c_str(), flags | O_NONBLOCK);
+  if (file >= 0) ::fcntl(file, F_SETFL, flags);
+  return file;
 }
 
 std::string target_of(const std::string& path) {

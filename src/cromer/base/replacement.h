@@ -14,6 +14,10 @@ std::string target_of(const std::string& path);
 /// "cannot write PATH: REASON", by the number of the system's error.
 Error cannot_write(const std::string& path, int number);
 
+/// A file that is there, opened to be written from where it stands, or added to at its end; -1, with the
+/// system's reason in errno, where it cannot be. A pipe that nobody reads from is not waited for.
+int open_to_write(const std::string& path, bool at_end);
+
 /// The folder that a file of this path lies in.
 std::string folder_of(const std::string& path);
 

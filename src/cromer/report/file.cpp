@@ -32,7 +32,7 @@ Result<void> write_pieces(int file, const std::string& path, const PiecesMaker& 
 }
 
 Result<void> write_directly(const std::string& path, const PiecesMaker& make) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int file = open_to_write(path, false);
   if (file < 0) return cannot_write(path, errno);
   const auto written = write_pieces(file, path, make);
   ::close(file);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -57,6 +58,25 @@ TEST_F(RecordingFiles, OverwriteNothing) {
                                         "name another file, or move that one away");
   file.drop_if_empty();
   EXPECT_EQ(content(), "a");
+}
+
+TEST_F(RecordingFiles, APipeThatNobodyReadsFromIsNotWaitedFor) {
+  ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+  RecordingFile file;
+  const auto opened = file.open(path_);
+  ASSERT_FALSE(opened);
+  EXPECT_EQ(opened.error().message, "cannot write " + path_.string() + ": nobody reads from this pipe");
+}
+
+TEST_F(RecordingFiles, ALinkToWhatIsNotThereYetStaysOne) {
+  const fs::path link = path_.string() + ".link";
+  fs::create_symlink(path_, link);
+  RecordingFile file;
+  ASSERT_TRUE(file.open(link));
+  ASSERT_TRUE(file.begin({}, {"a"}));
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(content(), "a\n");
+  fs::remove(link);
 }
 
 TEST_F(RecordingFiles, AnEmptyOneIsTakenAndLeft) {

@@ -99,6 +99,10 @@ TEST(Timekeeper, ANumberThatIsNoTimeIsReplaced) {
   const double first = keeper.of_device(9e14, 100).t, second = keeper.of_device(9e14, 100.01).t;
   EXPECT_GT(second, first);
   EXPECT_GT(keeper.of_device(9e14, 100.02).t, second);
+  // So does what stands in for no time behind it, though the step is lost in rounding.
+  Timekeeper late;
+  EXPECT_EQ(late.of_device(17900009047372, 100).t, 17900009047372);
+  EXPECT_GT(late.of_device(1.1e73, 100).t, 17900009047372);
 }
 
 /// After a hundred samples, each 0.01 s, of a device whose clock begins at 5 s.

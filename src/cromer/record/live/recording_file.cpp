@@ -21,11 +21,12 @@ constexpr std::size_t piece = 4096;  // bytes at most in one write, but for a lo
 
 Result<void> RecordingFile::open(const std::string& path) {
   path_ = path;
-  file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666));
+  const std::string target = target_of(path);
+  file_ = Descriptor(::open(target.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666));
   made_ = file_.is_open();
   if (made_) return {};
   if (errno != EEXIST) return cannot_write(path, errno);
-  file_ = Descriptor(::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
+  file_ = Descriptor(open_to_write(target, true));
   if (!file_.is_open()) return cannot_write(path, errno);
   struct stat found {};
   if (::fstat(file_.number(), &found) == 0 && found.st_size == 0) return {};
@@ -101,7 +102,7 @@ Result<void> RecordingFile::sync() {
 }
 
 void RecordingFile::drop_if_empty() {
-  if (made_ && lines_ == 0) ::unlink(path_.c_str());
+  if (made_ && lines_ == 0) ::unlink(target_of(path_).c_str());
 }
 
 }  // namespace cromer

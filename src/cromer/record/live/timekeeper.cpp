@@ -35,6 +35,11 @@ bool Timekeeper::keeps_pace() const {
   return arrival > 0.5 * device && device > 0.5 * arrival;
 }
 
+double Timekeeper::rising(double t) const {
+  if (samples_ == 0 || t > last_t_) return t;
+  return std::max(to_microseconds(last_t_ + least_step), std::nextafter(last_t_, HUGE_VAL));
+}
+
 void Timekeeper::remember(double device, double arrival, double t) {
   if (samples_ == 0) {
     first_arrival_ = arrival, first_device_ = device;
@@ -48,7 +53,7 @@ void Timekeeper::remember(double device, double arrival, double t) {
 
 Stamp Timekeeper::instead_of(double device, double arrival) {
   const double step = samples_ > 0 ? std::max({arrival - last_arrival_, usual_step(), least_step}) : 0;
-  const Stamp stamp{to_microseconds(last_t_ + step),
+  const Stamp stamp{rising(to_microseconds(last_t_ + step)),
                     Notice{NoticeKind::clock, fmt::format("the device gave {:.6g} s, which is no time; the "
                                                           "computer's clock is taken at {:.6g} s",
                                                           device, last_t_ + step)}};
@@ -77,8 +82,7 @@ Stamp Timekeeper::of_device(double device, double arrival) {
       stamp.notice =
           Notice{NoticeKind::gap, fmt::format("nothing for {:.3g} s from {:.6g} s on", step, last_t_)};
     }
-    // An offset rounds; the times still rise.
-    if (!(stamp.t > last_t_)) stamp.t = std::max(last_t_ + least_step, std::nextafter(last_t_, HUGE_VAL));
+    stamp.t = rising(stamp.t);
   }
   remember(device, arrival, stamp.t);
   return stamp;
@@ -102,7 +106,7 @@ Stamp Timekeeper::of_count(double arrival) {
                     std::abs(since_first - counted), since_first > counted ? "later" : "earlier", last_t_)};
   }
   ++counted_;
-  if (!(stamp.t > last_t_)) stamp.t = to_microseconds(last_t_ + least_step);
+  stamp.t = rising(stamp.t);
   remember(0, arrival, stamp.t);
   return stamp;
 }

@@ -40,6 +40,7 @@ class Timekeeper {
   static constexpr std::size_t window = 64;
   double usual_step() const;
   bool keeps_pace() const;
+  double rising(double t) const;  ///< after the last time, wherever rounding has put it
   Stamp instead_of(double device, double arrival);
   void remember(double device, double arrival, double t);
 
