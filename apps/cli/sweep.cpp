@@ -186,7 +186,11 @@ int run_sweep(const Arguments& arguments) {
     options.memory = memory_to_look_through;
   }
   auto file = open_sweep_file(*plan, output.output, resume, command_line("sweep", arguments), watch);
-  if (!file) return refuse(file.error().message);
+  if (!file) {
+    if (!watch.interrupted()) return refuse(file.error().message);
+    complain(file.error().message);
+    return no_success;
+  }
   const auto result = fill_sweep_file(*file, *std::move(plan), options, make, watch);
   clear_progress();
   if (result) return finish(*result);

@@ -193,6 +193,19 @@ TEST(KeepEvery, KeepsTheFirstAndEveryThirdAfterIt) {
   EXPECT_EQ(kept.v, (std::vector<double>{30, 33, 36}));
 }
 
+TEST(KeepEvery, ALongRunGetsItsRoomBitByBit) {
+  constexpr long long steps = 200'000;
+  KeepEvery keep(1, {.whole = steps});
+  for (long long n = 0; n <= steps; ++n) {
+    keep(static_cast<double>(n), {-static_cast<double>(n), 1});
+    if (n % 255 == 0) keep.pause();
+  }
+  const Trajectory kept = keep.take();
+  ASSERT_EQ(kept.size(), 200'001u);
+  for (std::size_t n = 0; n < kept.size(); ++n) ASSERT_EQ(kept.x[n], -kept.t[n]);
+  EXPECT_EQ(kept.t.back(), 200'000);
+}
+
 TEST(KeepEvery, OfARunThatEndedEarlyKeepsWhatThereIs) {
   KeepEvery keep(1, {.whole = 8});
   for (int n = 0; n < 3; ++n) keep(n, {});

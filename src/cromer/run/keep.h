@@ -1,9 +1,11 @@
 // What to save of a run: recorders, called with every state.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "cromer/base/function_ref.h"
 #include "cromer/base/state.h"
@@ -23,20 +25,23 @@ void pause(Recorder& record) {
   if constexpr (requires { record.pause(); }) record.pause();
 }
 
-/// Keeps the first and every Nth state after it. Memory is taken once, at the start; check
-/// number_of_kept_states before. Or hands every state to a function: the same type, so that laws and methods
+/// Keeps the first and every Nth state after it. Memory is set aside once, at the start, and used bit by bit,
+/// between blocks of steps, so that a run ended early costs what it kept; check number_of_kept_states before.
+/// Or hands every state to a function: the same type, so that laws and methods
 /// are compiled once for both.
 class KeepEvery {
  public:
   static constexpr std::size_t most_between_pauses = 256;
 
   /// every > 0
-  KeepEvery(long long every, Steps steps) : every_(every) {
-    resize(static_cast<std::size_t>(number_of_kept_states(steps, every)));
+  KeepEvery(long long every, Steps steps)
+      : every_(every), most_(static_cast<std::size_t>(number_of_kept_states(steps, every))) {
+    for (std::vector<double>* values : {&kept_.t, &kept_.x, &kept_.v}) values->reserve(most_);
+    make_room();
   }
 
   /// The function outlives it; it sees all states, in order, some steps late.
-  explicit KeepEvery(AnyRecorder each) : every_(1), each_(each) { resize(most_between_pauses); }
+  explicit KeepEvery(AnyRecorder each) : every_(1), most_(most_between_pauses), each_(each) { make_room(); }
 
   void operator()(double t, const State<double>& y) {
     if (--until_next_ > 0) return;
@@ -48,7 +53,7 @@ class KeepEvery {
   }
 
   void pause() {
-    if (!each_) return;
+    if (!each_) return make_room();
     for (std::size_t i = 0; i < size_; ++i) (*each_)(kept_.t[i], {kept_.x[i], kept_.v[i]});
     size_ = 0;
   }
@@ -67,6 +72,12 @@ class KeepEvery {
   }
 
  private:
+  void make_room() {
+    constexpr std::size_t piece = 1 << 15;
+    if (size_ + most_between_pauses <= kept_.t.size() || kept_.t.size() == most_) return;
+    resize(std::min(most_, kept_.t.size() + piece));
+  }
+
   void resize(std::size_t size) {
     kept_.t.resize(size);
     kept_.x.resize(size);
@@ -74,6 +85,7 @@ class KeepEvery {
   }
 
   long long every_, until_next_ = 1;
+  std::size_t most_;
   std::size_t size_ = 0;
   Trajectory kept_;
   std::optional<AnyRecorder> each_{};

@@ -29,7 +29,7 @@ bool is_outlier(const Series& series, std::size_t i) {
 
 // What both kinds of driven fits say.
 void describe(FittedRecording& result, LawChoice&& choice, const Record& record, const std::vector<double>& t,
-              std::string_view force_unit, bool has_force_column) {
+              std::string_view force_unit, bool has_force_column, const Watch& watch) {
   result.fit = std::move(choice.chosen);
   result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
   for (const LawFit& candidate : choice.candidates)
@@ -54,7 +54,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
   if (result.find("stiffness")) {
     result.stiffness_budget = stiffness_budget(fit, body);
     if (options.monte_carlo)
-      result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed);
+      result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed, watch);
   }
   for (std::string& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency,
                                           law_is_chosen(options), unit))
@@ -136,7 +136,8 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   for (const double at : result.series.t)
     of_series.push_back(
         grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
-  describe(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity), true);
+  describe(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity), true,
+           watch);
   result.between_samples = name(result.fit.drive.force.between);
   say_unused(result);
   std::vector<double> law_motion;
@@ -190,7 +191,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
   settings.drive_frequency = *drive;
   const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
-  describe(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false);
+  describe(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false, watch);
   say_unused(result);
   const LawFit& fit = result.fit;
   if (!result.driven) return result;

@@ -66,7 +66,7 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
   if (has_forces) result.stiffness_budget = stiffness_budget(result.fit, body);
   if (has_forces && options.monte_carlo)
-    result.monte_carlo = stiffness_monte_carlo(result.fit, body, *options.monte_carlo, options.seed);
+    result.monte_carlo = stiffness_monte_carlo(result.fit, body, *options.monte_carlo, options.seed, watch);
   if (options.textbook) add_textbook(result, record);
   if (options.goal.empty()) return {};
   const Result<Goal> goal = parse_goal(options.goal);

@@ -53,7 +53,8 @@ std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body) 
   return all;
 }
 
-MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials, std::uint64_t seed) {
+std::optional<MonteCarlo> stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
+                                                std::uint64_t seed, const Watch& watch) {
   MonteCarlo result{trials, seed, 0, 0, 0, 0};
   const Quantity mass = *body.mass, spring = body.spring_mass.value_or(Quantity{});
   const Estimate w = fit.angular_frequency();
@@ -61,7 +62,13 @@ MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long 
   const double degrees = fit.independent_samples - static_cast<double>(fit.fitted);
   ChiSquared chi_squared(degrees, seed + 1);
   std::vector<double> k(static_cast<std::size_t>(trials));
+  constexpr long long between_looks = 1 << 14;
+  long long until_look = 1;
   for (double& each : k) {
+    if (--until_look == 0) {
+      if (watch.interrupted()) return std::nullopt;
+      until_look = between_looks;
+    }
     // Drawn one by one: within one sum a compiler may draw them in any order.
     const double of_mass = normal.next(), of_spring = normal.next(), of_frequency = normal.next();
     const double m =

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cromer/base/interrupt.h"
 #include "cromer/study/task/fitted_quantities.h"
 
 namespace cromer {
@@ -32,7 +34,8 @@ struct MonteCarlo {
   double low = 0, high = 0;                 // [N/m] 95 % of the trials lie between, as many below as above
 };
 
-/// `trials` from 1000 to 1e7; the same seed gives the same numbers on every machine.
-MonteCarlo stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials, std::uint64_t seed);
+/// `trials` from 1000 to 1e7; the same seed gives the same numbers on every machine. Empty where interrupted.
+std::optional<MonteCarlo> stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
+                                                std::uint64_t seed, const Watch& watch = {});
 
 }  // namespace cromer
