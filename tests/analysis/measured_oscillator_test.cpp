@@ -149,6 +149,15 @@ TEST(TurningPoints, AMassThatComesToRestTurnsOnce) {
   EXPECT_EQ(times({1, 2, 3}), std::vector<double>{});
 }
 
+TEST(TurningPoints, AMassCameToRestBetweenTheStates) {
+  // x = 3 - (1.25 - t)^2 until 1.25 s, then at rest.
+  const Trajectory kept{{0, 1, 2, 3}, {3 - 1.5625, 3 - 0.0625, 3, 3}, {2.5, 0.5, 0, 0}};
+  const auto found = turning_points(kept);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].t, 1.25, 1e-14);
+  EXPECT_EQ(found[0].x, 3);
+}
+
 /// Turns at 5, 6, 7, ... s, a state between two of them.
 Trajectory turning_at(const std::vector<double>& places) {
   Trajectory kept;

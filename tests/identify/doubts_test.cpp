@@ -104,6 +104,10 @@ TEST(Doubts, NameWhatTheDataShow) {
               ElementsAre(HasSubstr("the zero jumps by 0.00998 m at 12.01 s")));
   EXPECT_THAT(doubts_after([](double t, double y) { return t > 15 ? 0.22 + 1e-3 * (y - 0.2) : y; }),
               testing::Contains(testing::ContainsRegex("the swing stops between 1[45]")));
+  // Caught when nearly done, and held aside.
+  EXPECT_THAT(doubts_after([](double t, double y) { return t > 40 ? 0.201 + 1e-3 * (y - 0.2) : y; },
+                           even_times(5000, 0.01)),
+              testing::Contains(testing::ContainsRegex("the swing stops between (39|4[01])")));
   const SyntheticRecord slow = viscous_record({.w0 = 8.168}, even_times(120, 1), 3e-4);
   EXPECT_THAT(doubts_about(slow),
               testing::Contains(HasSubstr("a swing of 0.70003 or 1.3 Hz would look the same")));
@@ -164,6 +168,11 @@ TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
   EXPECT_THAT(widening(fit, 3000), HasSubstr("of frequency and decay are hardly widened"));
   fit.independent_samples = 100;
   EXPECT_THAT(widening(fit, 3000), HasSubstr("those of 100 independent samples"));
+  // Where neighbours show nothing, the distance that does is named.
+  fit.residual = {.autocorrelation = -0.036, .strongest_lag = 7, .strongest = 0.11, .white = false};
+  EXPECT_THAT(widening(fit, 3000), HasSubstr("are correlated (0.110 at 7 samples apart): the"));
+  fit.residual.autocorrelation = -0.037;  // beyond 2/sqrt(3000)
+  EXPECT_THAT(widening(fit, 3000), HasSubstr("are correlated (-0.037 from sample to sample): the"));
   fit.residual.white = true;
   EXPECT_EQ(widening(fit, 3000), "");
 }

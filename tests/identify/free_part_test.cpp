@@ -104,6 +104,17 @@ TEST(FreePart, HeldDisplacedAndLetGo) {
   }
 }
 
+TEST(FreePart, NoiseAndASpikeDoNotLetGo) {
+  for (const double noise : {0.02, 0.03, 0.05}) {
+    auto record =
+        recorded(80, noise, [&](double t) { return t < 3 ? 1.0 : decay(t - 3) * std::cos(6 * (t - 3)); });
+    record.y[100] = record.y[101] = 7;  // at 2 s
+    const auto part = find_free_part(record.record());
+    ASSERT_TRUE(part.has_value()) << noise;
+    EXPECT_NEAR(part->from, 3, 0.15) << noise;
+  }
+}
+
 TEST(FreePart, AtRestAndSetGoing) {
   const auto record = recorded(80, 0.005, [](double t) {
     return t < 5 ? 0 : t < 6 ? 0.5 * (1 - std::cos(pi * (t - 5))) : decay(t - 6) * std::cos(6 * (t - 6));

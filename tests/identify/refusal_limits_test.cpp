@@ -170,6 +170,21 @@ TEST(RefusalLimits, AHarmonicOfTheDrive) {
   fit.find("angular_frequency")->standard_error = 0.001 * w;
   EXPECT_THAT(driven_at(w / 2 * 1.0039), HasSubstr("order 2"));
   EXPECT_EQ(driven_at(w / 2 * 1.0043), "");
+  EXPECT_THAT(driven_at(w / 2), HasSubstr("order 2"));
+  // A swing larger than the steady line is the body's own, not the line's harmonic.
+  fit.names.emplace_back("drive_amplitude");
+  const auto pushed_by = [&](double amplitude) {
+    fit.estimates.push_back({amplitude, 0, amplitude, amplitude});
+    const std::string said = told(refuse_harmonic(fit));
+    fit.estimates.pop_back();
+    return said;
+  };
+  fit.motion.position = 0.03;
+  fit.motion.velocity = 0.04 * w;
+  const double start = std::hypot(fit.motion.position, fit.motion.velocity / w), way = 0.75 * w * w;
+  EXPECT_EQ(pushed_by(0.49 * start * way), "");
+  EXPECT_THAT(pushed_by(0.51 * start * way), HasSubstr("order 2"));
+  fit.names.pop_back();
   fit.find("decay_rate")->low = 1e-6;  // it does decay
   EXPECT_EQ(driven_at(w / 2), "");
 }

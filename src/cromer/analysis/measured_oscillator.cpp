@@ -24,13 +24,23 @@ TurningPoint turn_between(const Trajectory& kept, std::size_t i) {
   return {kept.t[i] + s * h, kept.x[i] + s * (v0 + s * (b + s * c))};
 }
 
+/// Where the velocity has become zero at a state. A mass that stays there came to rest between the states:
+/// slowed evenly, it went on for twice the way over the speed before.
+TurningPoint rests_from(const Trajectory& kept, std::size_t i) {
+  TurningPoint turn{kept.t[i], kept.x[i]};
+  if (i == 0 || (i + 1 < kept.size() && kept.v[i + 1] != 0)) return turn;
+  const double slowing = 2 * (kept.x[i] - kept.x[i - 1]) / kept.v[i - 1];
+  if (slowing >= 0 && slowing < kept.t[i] - kept.t[i - 1]) turn.t = kept.t[i - 1] + slowing;
+  return turn;
+}
+
 }  // namespace
 
 std::vector<TurningPoint> turning_points(const Trajectory& kept) {
   std::vector<TurningPoint> found;
   for (std::size_t i = 0; i + 1 < kept.size(); ++i) {
     if (kept.v[i] == 0) {
-      if (i == 0 ? kept.v[1] != 0 : kept.v[i - 1] != 0) found.push_back({kept.t[i], kept.x[i]});
+      if (i == 0 ? kept.v[1] != 0 : kept.v[i - 1] != 0) found.push_back(rests_from(kept, i));
     } else if (kept.v[i] * kept.v[i + 1] < 0) {
       found.push_back(turn_between(kept, i));
     }

@@ -82,16 +82,29 @@ std::string wandering_zero(const Record& record, std::span<const double> r, std:
                      with_unit(wandering.step.size, unit), record.t[wandering.step.at]);
 }
 
-std::string sudden_stop(const Record& record, double period, std::string_view unit) {
-  const std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
+std::string sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
+  // What a law describes may end so by friction, which takes the same from every swing: of the amplitude
+  // before the last ones it leaves half.
+  constexpr double no_friction = 0.7;
+  const double least_before = described ? no_friction : 0.6;
+  std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
   if (windows.size() < 8) return {};
+  // What is left at the end, too.
+  const double last_from = record.t.back() - period;
+  const auto last = std::lower_bound(record.t.begin(), record.t.end(), last_from) - record.t.begin();
+  if (record.t.back() > windows.back().to + 0.25 * period)
+    windows.push_back(
+        {last_from, record.t.back(), sinusoid_amplitude(record.y.subspan(static_cast<std::size_t>(last)))});
   double largest = 0, later = 0;
   for (const AmplitudeWindow& window : windows) largest = std::max(largest, window.amplitude);
   // From the end: the largest amplitude of all that follows, against the one before the window between.
   for (std::size_t i = windows.size() - 1; i >= 4; --i) {
     later = std::max(later, windows[i].amplitude);
     const double before = windows[i - 2].amplitude;
-    if (before > 0.2 * largest && before > 0.6 * windows[i - 4].amplitude && later < 0.1 * before)
+    const bool in_full_swing = before > 0.2 * largest && before > least_before * windows[i - 4].amplitude,
+               nearly_done = before > 0.03 * largest && before > 10 * record.resolution &&
+                             before > no_friction * windows[i - 4].amplitude;
+    if ((in_full_swing || nearly_done) && later < 0.1 * before)
       return fmt::format(
           "the swing stops between {:.4g} and {:.4g} s, from an amplitude of {} to rest within a period, as "
           "where a hand catches it: end before with --to",

@@ -18,8 +18,9 @@ std::string wandering_zero(const Record& record, std::span<const double> residua
 double wandering_share(const Record& record, std::span<const double> residuals);
 
 /// From one period to the next the swing ends, a tenth of its amplitude left, and does not come back. Empty
-/// where it does not; a law with friction ends so too, and then describes the record.
-std::string sudden_stop(const Record& record, double period, std::string_view unit);
+/// where it does not. A law with friction ends nearly so too: where a law describes the record, only what no
+/// friction does is said.
+std::string sudden_stop(const Record& record, double period, std::string_view unit, bool described);
 
 /// Even samples, fewer than four in a period: which other frequencies would look the same. Else empty.
 std::string few_samples(const Record& record, double angular_frequency);

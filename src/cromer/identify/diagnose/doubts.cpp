@@ -158,12 +158,12 @@ std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool on
   if (rises.empty()) say(steadiness(record, fit, period));
   say(few_samples(record, fit.swing_frequency().value));
   say(coarseness(record, fit, unit));
-  if (residuals.size() != record.t.size() ||
-      !exceeds_noise(record, fit.residual, noise, fit.swing_frequency().value))
-    return found;
-  const bool line = leaves_a_line(record, fit, residuals, fit.swing_frequency().value);
-  const std::string stop = rises.empty() ? sudden_stop(record, period, unit) : "";
+  const bool described = residuals.size() != record.t.size() ||
+                         !exceeds_noise(record, fit.residual, noise, fit.swing_frequency().value);
+  const std::string stop = rises.empty() ? sudden_stop(record, period, unit, described) : "";
   say(stop);
+  if (described) return found;
+  const bool line = leaves_a_line(record, fit, residuals, fit.swing_frequency().value);
   const std::string zero = stop.empty() ? wandering_zero(record, residuals, unit) : "";
   say(zero);
   constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail
@@ -203,8 +203,15 @@ bool something_is_left(const Record& record, const LawFit& fit) {
 
 std::string widening(const LawFit& fit, std::size_t samples) {
   if (fit.residual.white || !(fit.independent_samples > 0)) return {};
-  const std::string correlated = fmt::format("the residuals are correlated ({:.3f} from sample to sample)",
-                                             fit.residual.autocorrelation);
+  // What neighbours show, unless that is no more than chance makes.
+  const Residual& left = fit.residual;
+  const double chance = 2 / std::sqrt(static_cast<double>(samples));
+  const bool neighbours = left.strongest_lag == 1 || std::abs(left.autocorrelation) > chance;
+  const std::string correlated =
+      neighbours
+          ? fmt::format("the residuals are correlated ({:.3f} from sample to sample)", left.autocorrelation)
+          : fmt::format("the residuals are correlated ({:.3f} at {} samples apart)", left.strongest,
+                        left.strongest_lag);
   if (fit.independent_samples > 0.95 * static_cast<double>(samples))
     return correlated +
            ", but not at the swing's frequency: the uncertainties of frequency and decay are hardly widened";

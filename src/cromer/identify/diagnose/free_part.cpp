@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -102,11 +103,25 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
                                     kink->t)};
 }
 
+// Of the second differences, which a motion as slow as a swing hardly has.
+double noise_of_differences(std::span<const double> y) {
+  double squares = 0;
+  for (std::size_t i = 2; i < y.size(); ++i) {
+    const double bend = y[i] - 2 * y[i - 1] + y[i - 2];
+    squares += bend * bend / (6 * static_cast<double>(y.size() - 2));
+  }
+  return std::sqrt(squares);
+}
+
 // Held still, displaced or at rest.
 std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing) {
-  double amplitude = 0;
-  for (const double y : record.y) amplitude = std::max(amplitude, std::abs(y - swing.centre));
-  const double band = 0.05 * amplitude;
+  // Not of a spike.
+  std::vector<double> distances;
+  for (const double y : record.y) distances.push_back(std::abs(y - swing.centre));
+  const auto few =
+      distances.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(2, distances.size() / 200));
+  std::nth_element(distances.begin(), few, distances.end(), std::greater<>());
+  const double amplitude = *few;
   // A first value alone may be off by noise: the mean of the first quarter period.
   double held = 0;
   std::size_t quarter = 0;
@@ -114,8 +129,16 @@ std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing)
     held += record.y[quarter++];
   if (quarter < 3) return std::nullopt;
   held /= static_cast<double>(quarter);
+  // Noise does not let go of it: that leaves by more than its own size, and for good.
+  const double band = std::max(0.05 * amplitude, 4 * noise_of_differences(record.y.first(quarter)));
+  const auto side = [&](std::size_t i) {
+    const double off = record.y[std::min(i, record.y.size() - 1)] - held;
+    return off > band ? 1 : off < -band ? -1 : 0;
+  };
   std::size_t last = 0;
-  while (last < record.t.size() && std::abs(record.y[last] - held) <= band) ++last;
+  while (last < record.t.size() &&
+         !(side(last) != 0 && side(last + 1) == side(last) && side(last + 2) == side(last)))
+    ++last;
   // A swing stays so close to its turning point for a fifth of a period at most.
   if (last < 4 || last >= record.t.size() || record.t[last] - record.t[0] < 0.5 * swing.period)
     return std::nullopt;
@@ -128,8 +151,8 @@ std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing)
     while (i < record.t.size() && std::abs(record.y[i] - swing.centre) < 0.8 * amplitude) ++i;
     // A beat rises slowly.
     if (i >= record.t.size() || record.t[i] - record.t[last] > 2 * swing.period) return std::nullopt;
-    const double side = record.y[i] - swing.centre;
-    while (i < record.t.size() && (record.y[i] - swing.centre) * side > 0) ++i;
+    const double first = record.y[i] - swing.centre;
+    while (i < record.t.size() && (record.y[i] - swing.centre) * first > 0) ++i;
     if (i >= record.t.size()) return std::nullopt;
     from = record.t[i];
   }

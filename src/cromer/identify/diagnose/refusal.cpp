@@ -177,6 +177,12 @@ std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
   const double multiple = std::round(w->value / drive->value);
   const double error = 4 * std::hypot(w->standard_error, multiple * drive->standard_error) + 1e-4 * w->value;
   if (multiple < 2 || std::abs(w->value - multiple * drive->value) > error) return std::nullopt;
+  // A harmonic is smaller than the line that it belongs to.
+  if (const Estimate* push = fit.find("drive_amplitude")) {
+    const double line = push->value / (w->value * w->value - drive->value * drive->value),
+                 swing = std::hypot(fit.motion.position, fit.motion.velocity / w->value) - line;
+    if (swing > line) return std::nullopt;
+  }
   return Refusal{
       FitStatus::no_oscillation,
       fmt::format("a steady oscillation at {:.6g} Hz and its harmonic of order {:.0f}, which does not decay: "

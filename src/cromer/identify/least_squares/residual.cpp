@@ -167,7 +167,12 @@ Residual describe_residual(std::span<const double> r, const std::vector<double>&
   if (lags == 0) return result;
   result.autocorrelation = rho[1];
   double q = 0;
-  for (std::size_t l = 1; l <= lags; ++l) q += rho[l] * rho[l] / (n - static_cast<double>(l));
+  for (std::size_t l = 1; l <= lags; ++l) {
+    q += rho[l] * rho[l] / (n - static_cast<double>(l));
+    if (std::abs(rho[l]) <= std::abs(result.strongest)) continue;
+    result.strongest = rho[l];
+    result.strongest_lag = static_cast<int>(l);
+  }
   q *= n * (n + 2);
   // 99 % quantile of chi-squared, Wilson & Hilferty, PNAS 17, 684 (1931); at 20 degrees of freedom 37.57
   // (tables: 37.566).

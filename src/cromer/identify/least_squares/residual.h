@@ -13,6 +13,8 @@ struct Residual {
   double rms = 0;              ///< in the unit of the record
   double normality = 0;        ///< p of the Jarque-Bera test for the normal distribution
   double autocorrelation = 0;  ///< at lag 1
+  int strongest_lag = 1;       ///< where the autocorrelation is largest in size, of those looked at
+  double strongest = 0;        ///< the autocorrelation there
   bool white = false;          ///< autocorrelations up to lag 20 are compatible with none (Ljung-Box, 1 %)
 };
 
