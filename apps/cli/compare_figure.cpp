@@ -22,6 +22,12 @@ std::string at_the_end(const ComparedCurve& curve) {
   return fmt::format("{} % too {} at the end", rounded(100 * off, 2), ratio > 1 ? "large" : "small");
 }
 
+/// What the simulation's method does to it, where that is to be seen.
+std::string by_its_method(const ComparedCurve& curve) {
+  if (!curve.complete || curve.diverged || !(std::abs(curve.method_amplitude_ratio - 1) > 5e-3)) return "";
+  return fmt::format("by {} in steps of {} s:\n", curve.method, rounded(curve.step, 3));
+}
+
 /// The law in its own colour; one constant rate, which is there to be compared with it, in the method's,
 /// dashed.
 Curve look_of(const ComparedCurve& compared) {
@@ -29,7 +35,7 @@ Curve look_of(const ComparedCurve& compared) {
   Curve look;
   look.role = constant ? compared.method : "fitted";
   look.name = constant ? "one constant rate" : compared.label;
-  look.remark = at_the_end(compared);
+  look.remark = by_its_method(compared) + at_the_end(compared);
   look.dashed = constant;
   look.sets_axes = !compared.diverged;
   return look;

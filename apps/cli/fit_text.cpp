@@ -90,9 +90,9 @@ std::string checked(const FittedRecording& fitted) {
 std::string textbook(const FittedRecording& fitted) {
   std::string out;
   if (const auto& peaks = fitted.textbook->decrement)
-    out +=
-        fmt::format("  textbook: logarithmic decrement {} from {} peaks (noise lifts small peaks: too low)\n",
-                    format_quantity({peaks->value, peaks->standard_error}, ""), peaks->peaks);
+    out += fmt::format("  textbook: logarithmic decrement {} from {} peaks ({})\n",
+                       format_quantity({peaks->value, peaks->standard_error}, ""), peaks->peaks,
+                       TextbookDamping::decrement_bias);
   else
     out += "  textbook: fewer than three peaks stand out of the noise\n";
   if (const auto& line = fitted.textbook->bandwidth)

@@ -57,6 +57,7 @@ int run(const Arguments& arguments) {
   }
   const std::string& first = arguments.front();
   if (first == "--version") return print("cromer " CROMER_VERSION "\n") ? done : wrong_input;
+  if (first == "help" && arguments.size() > 1) return run({arguments[1], "--help"});
   if (first == "--help" || first == "-h" || first == "help") return print(overview()) ? done : wrong_input;
   for (const auto& command : commands)
     if (command.name == first) return command.run(Arguments(arguments.begin() + 1, arguments.end()));

@@ -164,19 +164,13 @@ void add_measured(Panel& panel, const FittedRecording& fitted, const MeasuredAxi
     aside.y.push_back(outlier.value);
   }
   if (aside.t.empty()) return;
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const double y : panel.curves.back().y)
-    if (std::isfinite(y)) low = std::min(low, y), high = std::max(high, y);
   Curve crosses;
   crosses.x = axis.times(aside.t);
   crosses.y = axis.displacements(aside.y);
-  const double room = 0.2 * (high - low);
-  const auto outside = std::count_if(crosses.y.begin(), crosses.y.end(),
-                                     [&](double y) { return y < low - room || y > high + room; });
   crosses.role = "set-aside";
   crosses.name = "set aside";
   crosses.remark = fmt::format("{} samples", crosses.x.size());
-  if (outside > 0) crosses.remark += ",\nat the edge: beyond it";
+  crosses.remark_outside = ",\nat the edge: beyond it";
   crosses.mark = Mark::crosses;
   crosses.sets_axes = false;
   panel.curves.push_back(std::move(crosses));

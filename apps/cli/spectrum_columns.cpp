@@ -51,4 +51,10 @@ NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectr
   return cells;
 }
 
+std::string component_name(const SpectrumResult& result, std::size_t c) {
+  if (result.components[0].column == result.components[1].column) return fmt::format("component {}", c + 1);
+  const std::string& column = result.components[c].column;
+  return column.substr(0, column.find(" ("));
+}
+
 }  // namespace cromer::cli

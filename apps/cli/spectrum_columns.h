@@ -23,4 +23,7 @@ struct NamedColumns {
 /// One value for each period, in the unit that was asked for.
 NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum);
 
+/// "east" where the two components are columns of one file, else "component 1".
+std::string component_name(const SpectrumResult& result, std::size_t c);
+
 }  // namespace cromer::cli

@@ -10,6 +10,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/report/palette.h"
 #include "equal_lines.h"
+#include "spectrum_columns.h"
 
 namespace cromer::cli {
 namespace {
@@ -75,13 +76,6 @@ Abscissa abscissa_of(const SpectrumResult& result) {
 }
 
 const char* acceleration_unit(const SpectrumResult& result) { return result.options.in_g ? "g" : "m/s²"; }
-
-/// "east" where the components are columns of one file, else "component 1".
-std::string component_name(const SpectrumResult& result, std::size_t c) {
-  if (result.components[0].column == result.components[1].column) return fmt::format("component {}", c + 1);
-  const std::string& column = result.components[c].column;
-  return column.substr(0, column.find(" ("));
-}
 
 /// The value at the top of a curve: "1.2 g at 0.3 s".
 void say_summit(Curve& curve, const char* value_unit, const char* at_unit) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cromer/base/quantity.h"
+#include "spectrum_columns.h"
 #include "text_table.h"
 
 namespace cromer::cli {
@@ -22,9 +23,12 @@ std::string arias_intensity(const Intensity& intensity) {
 std::string recording_table(const SpectrumResult& result) {
   std::vector<std::vector<std::string>> rows{
       {"recording", "samples", "step (s)", "peak (m/s²)", "Arias intensity (m/s)", "5-95 % (s)"}};
+  const bool of_one_file =
+      result.components.size() > 1 && result.components[0].file == result.components[1].file;
   for (const auto& c : result.components)
-    rows.push_back({c.file, fmt::format("{}", c.acceleration.size()), rounded(c.spacing, 6),
-                    rounded(c.peak, 5), arias_intensity(c.intensity), rounded(c.intensity.duration, 5)});
+    rows.push_back({of_one_file ? fmt::format("{}, {}", c.file, c.column) : c.file,
+                    fmt::format("{}", c.acceleration.size()), rounded(c.spacing, 6), rounded(c.peak, 5),
+                    arias_intensity(c.intensity), rounded(c.intensity.duration, 5)});
   return text_table(rows, 1, 6);
 }
 
@@ -80,7 +84,8 @@ std::string response_table(const SpectrumResult& result, const ResponseSpectrum&
   const bool two = spectrum.displacement.size() > 1;
   std::vector<std::vector<std::string>> rows;
   if (two)
-    rows.push_back({oscillator_heading(result), psa + " 1", "2", "geometric mean", "RotD50", "RotD100"});
+    rows.push_back({oscillator_heading(result), fmt::format("{}, {}", psa, component_name(result, 0)),
+                    component_name(result, 1), "geometric mean", "RotD50", "RotD100"});
   else
     rows.push_back({oscillator_heading(result), "SD (m)", "PSV (m/s)", psa});
   for (const std::size_t i : shown(result.periods.size())) {
@@ -118,8 +123,8 @@ std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectru
     best = i;
   }
   const std::string at = oscillator(result, best) + (result.by_frequency() ? " Hz" : " s");
-  return fmt::format("highest: {} {} at {}\n", rounded(most / unit, 4), result.options.in_g ? "g" : "m/s²",
-                     at);
+  return fmt::format("highest{}: {} {} at {}\n", two ? " RotD50" : "", rounded(most / unit, 4),
+                     result.options.in_g ? "g" : "m/s²", at);
 }
 
 }  // namespace

@@ -88,6 +88,9 @@ TEST(Grid, UnitAtTheEndHoldsForAll) {
 TEST(Grid, MalformedIsSaid) {
   EXPECT_THAT(message(""), HasSubstr("the grid is empty"));
   EXPECT_THAT(message("1:2"), HasSubstr("has 2 pieces; a grid is low:high:points"));
+  for (const char* prose : {"0.5-2", "0.5..2", "0.5 – 2", "0.5—2"})
+    EXPECT_THAT(message(prose), HasSubstr("has no number of points; a grid is low:high:points")) << prose;
+  EXPECT_THAT(message("0.5-x"), HasSubstr("unknown unit"));
   EXPECT_THAT(message("1:2:3:4:5"), HasSubstr("has 5 pieces"));
   EXPECT_THAT(message("1:2:3:lin"), HasSubstr("where only log can stand"));
   EXPECT_THAT(message("1:2:many"), HasSubstr("asks for \"many\" points, which is no whole number"));

@@ -34,6 +34,7 @@ TEST(Program, HelpOfSimulateStatesTheDefaults) {
 
 TEST(Program, HelpOfFitSaysWhatAFolderStandsFor) {
   EXPECT_THAT(Folder().run({"fit", "--help"}).out, HasSubstr("folders in it are not searched"));
+  EXPECT_EQ(Folder().run({"help", "fit"}).out, Folder().run({"fit", "--help"}).out);
 }
 
 TEST(Methods, AreListedWithTheirOrders) {

@@ -8,9 +8,8 @@ namespace {
 TEST(Escaped, NothingEndsAnAttributeOrATag) {
   EXPECT_EQ(escaped("a&<>\"'b"), "a&amp;&lt;&gt;&quot;&#39;b");
   for (int c = 1; c < 32; ++c) {
-    const bool kept = c == '\n' || c == '\r' || c == '\t';
-    EXPECT_EQ(escaped(std::string(1, static_cast<char>(c))).size(), kept ? 1u : 0u) << c;
-    EXPECT_EQ(well_formed("a" + std::string(1, static_cast<char>(c)) + "b").size(), kept ? 3u : 2u) << c;
+    const bool kept = c == '\n' || c == '\t';
+    EXPECT_EQ(well_formed("a" + std::string(1, static_cast<char>(c)) + "b").size(), kept ? 3u : 6u) << c;
   }
   EXPECT_EQ(escaped(" µ"), " µ");
 }
@@ -21,6 +20,12 @@ TEST(WellFormed, NoncharactersAreReplacedWhereverTheyStand) {
                         "\xEF\xBF\xBF\xEF\xBF\xBE"),
             "\uFFFDa\uFFFD\uFFFD");
   EXPECT_EQ(well_formed("\xEF\xBF\xBD\xff"), "\uFFFD\uFFFD");
+}
+
+TEST(WellFormed, WhatIsHiddenOrTurnsTheWritingIsSpelledOut) {
+  EXPECT_EQ(well_formed("a\u202Eb\u2066c\u009Bd\x7F"
+                        "e\x1B[0m"),
+            "a\\u202eb\\u2066c\\x9bd\\x7fe\\x1b[0m");
 }
 
 }  // namespace

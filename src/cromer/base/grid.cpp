@@ -45,7 +45,21 @@ Result<double> value_of(std::string_view piece, std::string_view unit_of_all, st
   return quantity->value;
 }
 
+Error no_grid(std::string_view text, std::string_view what) {
+  return {fmt::format("\"{}\" {}; a grid is low:high:points, low:high:points:log, or a list with commas",
+                      text, what)};
+}
+
+/// "0.5-2", "0.5..2": written as ranges are in prose.
+bool is_range_in_prose(std::string_view text) {
+  const std::string_view rest = after_number(text);
+  for (const std::string_view to : {"..", "-", "–", "—"})
+    if (rest.starts_with(to)) return leading_number(trimmed(rest.substr(to.size()))).has_value();
+  return false;
+}
+
 Result<Grid> parse_list(std::string_view text, std::string_view si_unit) {
+  if (is_range_in_prose(text)) return no_grid(text, "has no number of points");
   const auto pieces = split(text, ',');
   std::vector<double> values;
   for (const auto piece : pieces) {
@@ -59,10 +73,7 @@ Result<Grid> parse_list(std::string_view text, std::string_view si_unit) {
 
 Result<Grid> parse_range(std::string_view text, std::string_view si_unit) {
   const auto pieces = split(text, ':');
-  const auto wrong = [&](const std::string& what) {
-    return Error{fmt::format(
-        "\"{}\" {}; a grid is low:high:points, low:high:points:log, or a list with commas", text, what)};
-  };
+  const auto wrong = [&](const std::string& what) { return no_grid(text, what); };
   if (pieces.size() != 3 && pieces.size() != 4) return wrong(fmt::format("has {} pieces", pieces.size()));
   const bool logarithmic = pieces.size() == 4;
   if (logarithmic && !pieces[3].starts_with("log"))

@@ -6,10 +6,11 @@
 
 namespace cromer {
 
-/// & < > " ' as character references; control characters that XML does not allow are left out.
+/// & < > " ' as character references.
 std::string escaped(std::string_view text);
 
-/// A whole document as XML reads it: UTF-8, without the characters that XML does not allow.
+/// A whole document as XML reads it: UTF-8; control characters and marks that turn the writing are spelled
+/// out, as on a terminal.
 std::string well_formed(std::string document);
 
 }  // namespace cromer

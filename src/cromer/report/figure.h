@@ -25,6 +25,8 @@ struct Curve {
   std::string name;    ///< the word at the curve; empty: none. May carry {/:Italic w}-like gnuplot enhanced
                        ///< markup; "\n" breaks it
   std::string remark;  ///< what it does, under the name: "grows, -0.060 1/s"
+  std::string
+      remark_outside{};  ///< of crosses: added to the remark where some of them stand at the frame's edge
   Mark mark = Mark::line;
   bool dashed = false;
   bool with_dots =

@@ -333,6 +333,17 @@ std::size_t names_inside(const Panel& panel) {
       }));
 }
 
+// Of crosses that stand at the frame's edge it is said.
+void say_what_is_outside(Panel& panel) {
+  const bool has_crosses = std::any_of(panel.curves.begin(), panel.curves.end(),
+                                       [](const Curve& curve) { return !curve.remark_outside.empty(); });
+  if (!has_crosses) return;
+  const AxisRange y = y_range(panel, x_range(panel));
+  for (Curve& curve : panel.curves)
+    if (std::any_of(curve.y.begin(), curve.y.end(), [&](double at) { return at < y.low || at > y.high; }))
+      curve.remark += curve.remark_outside;
+}
+
 }  // namespace
 
 Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
@@ -341,6 +352,7 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
   const bool small = figure.size == FigureSize::half || figure.size == FigureSize::tall;
   for (Panel& panel : figure.panels) {
     panel.names_inside = panel.names_inside || small;
+    say_what_is_outside(panel);
     if (!panel.phase_portrait && names_inside(panel) > most_names_inside) panel.names_listed = true;
   }
   Layout layout = lay_out_as_said(figure, typeface, smaller_by);

@@ -38,8 +38,22 @@ TEST(CompareTask, ExplainsTheMisfitInASentence) {
   options.fit = FitOptions{};
   options.fit.law = "viscous";
   EXPECT_THAT(explanation(compared(disc_recording(), options)),
+              HasSubstr("No other law was tried: with one"));
+  options.fit.law = "auto";
+  EXPECT_THAT(explanation(compared(
+                  disc_recording(2, 60, {.mass = 0.2176, .stiffness = 17.04, .damping = 0.01}), options)),
               HasSubstr("One decay rate is enough: with one"));
   EXPECT_EQ(explanation(CompareResult{}), "");
+}
+
+TEST(CompareTask, OneRateLeavesWhatTheViscousFitLeaves) {
+  const CompareResult result = compared(disc_recording(), {});
+  FitOptions viscous;
+  viscous.law = "viscous";
+  const Result<FittedRecording> fit = fit_series(disc_recording(), "recording2.csv", viscous);
+  ASSERT_TRUE(fit.ok());
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_NEAR(result.curves[0].law_rms, fit->fit.residual.rms, 0.01 * fit->fit.residual.rms);
 }
 
 TEST(CompareTask, OneConstantRateEndsTenPerCentOff) {

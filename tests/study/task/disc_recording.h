@@ -16,7 +16,8 @@ namespace cromer {
 inline constexpr Oscillator<double> disc_oscillator{
     .mass = 0.2176, .stiffness = 17.04, .damping = 0.000789, .drag = 0.02043};
 
-inline Series disc_recording(unsigned seed = 2, double duration = 120) {
+inline Series disc_recording(unsigned seed = 2, double duration = 120,
+                             const Oscillator<double>& oscillator = disc_oscillator) {
   Series series;
   series.column = "Position (m)";
   series.quantity = "position";
@@ -25,7 +26,7 @@ inline Series disc_recording(unsigned seed = 2, double duration = 120) {
   series.rate = 100;
   series.resolution = 1e-4;
   KeepEvery keep(10, count_steps({0, duration}, 1e-3));
-  with_terms(disc_oscillator, HarmonicDrive<double>{}, [&](const auto& system) {
+  with_terms(oscillator, HarmonicDrive<double>{}, [&](const auto& system) {
     return solve(system, Rk4{}, Interval{0, duration}, State<double>{0.036, 0}, 1e-3, keep);
   });
   const Trajectory motion = keep.take();

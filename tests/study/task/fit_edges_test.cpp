@@ -65,6 +65,21 @@ TEST(FitEdges, SegmentsDivideWhatIsBetweenFirstAndLastSample) {
   EXPECT_EQ(fitted(series, {.segment = 30}).segments.size(), 1u);
 }
 
+TEST(FitEdges, AnEndThatIsInNoSegmentIsSaid) {
+  const auto said = [](double to, double segment) {
+    const FittedRecording result = fitted(disc(), {.to = to, .segment = segment});
+    EXPECT_EQ(result.segments.size(), 2u);
+    for (const std::string& warning : result.warnings)
+      if (warning.starts_with("the last ")) return warning;
+    return std::string();
+  };
+  EXPECT_EQ(said(89.9, 30), "the last 29.9 s are shorter than a segment of 30 s, and in none");
+  EXPECT_EQ(said(60.9, 30), "");  // under 2 % of the record
+  EXPECT_EQ(said(61.5, 30), "the last 1.5 s are shorter than a segment of 30 s, and in none");
+  const FittedRecording first_two = fitted(disc(), {.segment = 30, .segments = 2});
+  EXPECT_THAT(first_two.warnings, Not(Contains(HasSubstr("the last "))));
+}
+
 TEST(FitEdges, AnInterruptedFitHasNotConverged) {
   const std::atomic<bool> stop{true};
   const Watch watch{&stop, {}};

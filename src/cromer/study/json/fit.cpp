@@ -98,11 +98,10 @@ Json textbook(const FittedRecording& fitted) {
   Json object;
   object["logarithmic_decrement"] = nullptr;
   if (const auto& peaks = fitted.textbook->decrement)
-    object["logarithmic_decrement"] = {
-        {"value", peaks->value},
-        {"standard_error", peaks->standard_error},
-        {"peaks", peaks->peaks},
-        {"bias", "noise lifts small peaks: too low; a mean where the damping changes with amplitude"}};
+    object["logarithmic_decrement"] = {{"value", peaks->value},
+                                       {"standard_error", peaks->standard_error},
+                                       {"peaks", peaks->peaks},
+                                       {"bias", TextbookDamping::decrement_bias}};
   object["half_power_bandwidth"] = nullptr;
   if (const auto& line = fitted.textbook->bandwidth)
     object["half_power_bandwidth"] = {

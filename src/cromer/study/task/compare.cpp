@@ -41,23 +41,25 @@ Result<FittedRecording> with_law(const FittedRecording& recording, const Law& la
   return fit_series(recording.series, recording.file, options, watch);
 }
 
-// The constant rate, and the frequency that goes with it.
+// The viscous law as fitted, or with the mean of the segments' rates.
 Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& watch) {
-  double w0 = recording.fit.angular_frequency().value, g = recording.fit.decay_rate().value;
+  Motion constant = recording.fit.motion;
   if (!(recording.fit.law == law_of("viscous"))) {
     const Result<FittedRecording> fitted = with_law(recording, law_of("viscous"), watch);
     if (!fitted) return fitted.error();
     if (watch.interrupted()) return NamedLaw{};
-    w0 = fitted->fit.angular_frequency().value;
-    g = fitted->fit.decay_rate().value;
+    if (recording.decay_rate_mean || fitted->fit.status != FitStatus::converged) {
+      // The segments' mean goes from where the chosen law begins.
+      const Motion& begun = recording.fit.motion;
+      constant =
+          Motion{.equilibrium = begun.equilibrium, .position = begun.position, .velocity = begun.velocity};
+      constant.set_angular_frequency(fitted->fit.angular_frequency().value);
+      constant.set_decay_rate(fitted->fit.decay_rate().value);
+    } else {
+      constant = fitted->fit.motion;
+    }
   }
-  if (recording.decay_rate_mean) g = recording.decay_rate_mean->value;
-  const Motion& fitted_motion = recording.fit.motion;
-  Motion constant{.equilibrium = fitted_motion.equilibrium,
-                  .position = fitted_motion.position,
-                  .velocity = fitted_motion.velocity};
-  constant.set_angular_frequency(w0);
-  constant.set_decay_rate(g);
+  if (recording.decay_rate_mean) constant.set_decay_rate(recording.decay_rate_mean->value);
   return NamedLaw{"one constant decay rate", law_of("viscous"), constant};
 }
 
@@ -75,8 +77,8 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   if (!fitted || !(fit.angular_frequency().value > 0)) return result;
   if (derivative_order(recording.series.quantity) > 0)
     return Error{fmt::format(
-        "compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
-        recording.series.column, recording.series.quantity)};
+        "{}: compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
+        recording.file, recording.series.column, recording.series.quantity)};
 
   const Series& series = recording.series;
   FittedSamples samples = without_outliers(series);
@@ -86,6 +88,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   }
   result.doubts = doubts({samples.t, samples.y, series.resolution}, fit, law_is_chosen(options.fit),
                          si_unit_of(series.quantity));
+  result.others_tried = !law_is_chosen(options.fit);
   const double period = two_pi / fit.angular_frequency().value, duration = series.t.back() - series.t.front();
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;
   const double step = options.step.value_or(dividing_step(spacing, period));

@@ -46,6 +46,7 @@ struct CompareResult {
   FittedRecording recording;
   std::vector<ComparedCurve> curves;
   bool complete = true;               ///< all curves are, and none is missing but for the fit's status
+  bool others_tried = true;           ///< no law was asked for: the fit chose among several
   std::vector<std::string> doubts;    ///< why no law tried says what the motion is; among the warnings
   std::vector<std::string> warnings;  ///< the fit's first
 };
@@ -61,8 +62,8 @@ std::string explanation(const CompareResult& comparison);
 Result<CompareResult> compare_fitted(const FittedRecording& recording, const CompareOptions& options,
                                      const Watch& watch = {});
 
-/// The constant rate is the mean of the segments' rates where segments were asked for, else that of the
-/// viscous fit.
+/// The motion of one constant rate is the viscous fit's own; where segments were asked for, it begins as the
+/// chosen law does and its rate is the mean of theirs.
 Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_view file,
                                            const CompareOptions& options, const Watch& watch = {});
 

@@ -31,6 +31,11 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
   if (count && wanted < *count)
     result.warnings.push_back(fmt::format("the record of {:.6g} s holds {} of the {} segments of {:.6g} s",
                                           duration, wanted, *count, each));
+  constexpr double to_speak_of = 0.02;  // of the record
+  const double rest = duration - static_cast<double>(wanted) * each;
+  if (length && wanted > 0 && wanted == whole && rest > to_speak_of * duration)
+    result.warnings.push_back(
+        fmt::format("the last {:.6g} s are shorter than a segment of {:.6g} s, and in none", rest, each));
   if (!count && whole == 0)
     result.warnings.push_back(
         fmt::format("the record of {:.6g} s is shorter than one segment of {:.6g} s", duration, each));

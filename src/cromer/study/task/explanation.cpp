@@ -70,7 +70,10 @@ std::string explanation(const CompareResult& comparison) {
   const ComparedCurve& one = curves.front();
   const ComparedCurve& law = curves.back();
   const std::string_view unit = si_unit_of(comparison.recording.series.quantity);
-  const std::string left = fmt::format("with one rate {} (rms) are left", with_unit(one.law_rms, unit));
+  const std::string left =
+      fmt::format("with one rate{} {} (rms) are left",
+                  comparison.recording.decay_rate_mean ? ", the mean of the segments'," : "",
+                  with_unit(one.law_rms, unit));
   const std::string with_law = fmt::format("with {} {}", to_text(law.law), with_unit(law.law_rms, unit));
   if (!comparison.doubts.empty())
     return fmt::format("{}. No verdict on the damping: {}{}.", capitalised(comparison.doubts.front()), left,
@@ -82,7 +85,9 @@ std::string explanation(const CompareResult& comparison) {
   const bool constant = std::abs(first - last) < 0.02 * std::max(std::abs(first), std::abs(last));
   const std::string method = method_adds(law, unit);
   if (law.law == law_of("viscous"))
-    return fmt::format("One decay rate is enough: {}, and {}.{}", left, amplitude_at_the_end(one), method);
+    return fmt::format("{}: {}, and {}.{}",
+                       comparison.others_tried ? "One decay rate is enough" : "No other law was tried", left,
+                       amplitude_at_the_end(one), method);
   if (rates.empty()) return fmt::format("One decay rate is not enough: {}, {}.{}", left, with_law, method);
   if (constant)
     return fmt::format(

@@ -49,6 +49,8 @@ struct FitOptions {
 
 /// What textbooks would say of the damping; each empty where it cannot be had.
 struct TextbookDamping {
+  static constexpr const char* decrement_bias =
+      "noise lifts small peaks: too low; a mean where the damping changes with amplitude";
   std::optional<PeakDecrement> decrement;
   std::optional<HalfPowerBandwidth> bandwidth;
 };

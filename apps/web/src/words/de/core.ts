@@ -203,6 +203,9 @@ the hysteretic force is taken as 0 at the first sample…⇒die hysteretische Kr
 --hysteresis-exponent has no effect on the law {}, which…⇒--hysteresis-exponent bewirkt beim Gesetz {} nichts: es hat keine Hysterese
 by {} %⇒um {} %
 {}-fold⇒auf das {}-Fache
+the last {} s are shorter than a segment of {} s, and in none⇒die letzten {} s sind kürzer als ein Abschnitt von {} s und gehören zu keinem
+the residuals are correlated ({} at {} samples apart), but…⇒die Reste hängen zusammen ({} im Abstand von {} Messwerten), doch nicht bei der Frequenz der Schwingung: die Unsicherheiten von Frequenz und Abklingrate sind kaum geweitet
+the residuals are correlated ({} at {} samples apart): the…of {} independent…⇒die Reste hängen zusammen ({} im Abstand von {} Messwerten): die Unsicherheiten sind geweitet, wie von {} unabhängigen Messwerten
 the residuals are correlated ({} from sample to sample), but…⇒die Reste hängen zusammen ({} von Messwert zu Messwert), doch nicht bei der Frequenz der Schwingung: die Unsicherheiten von Frequenz und Abklingrate sind kaum geweitet
 the residuals are correlated ({} from sample to sample): the…of {} independent…⇒die Reste hängen zusammen ({} von Messwert zu Messwert): die Unsicherheiten sind geweitet, wie von {} unabhängigen Messwerten
 the frequency changes along the record: one decaying sinusoid accounts for {} %…⇒die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur {} % der Streuung
