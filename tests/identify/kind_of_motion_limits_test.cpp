@@ -240,6 +240,23 @@ TEST(KindOfMotionLimits, TwoLinesThatLastMayBeEither) {
   EXPECT_EQ(with_drive(lines(one, fainter, 1e-3), one, fainter).kind, MotionKind::driven);
 }
 
+// An amplitude shows from four of its standard errors on.
+TEST(KindOfMotionLimits, ALineShowsWhereItsAmplitudeIsKnown) {
+  const Line one{8, 0};
+  const auto judged = [&](double amplitude) {
+    const Line faint{10, 0, amplitude};
+    return with_drive(lines(one, faint, 1e-3), one, faint);
+  };
+  const auto faint_mode = [&](double amplitude) { return judged(amplitude).modes.value().modes[1]; };
+  double amplitude = 1e-3;
+  for (const double ratio : {4.2, 3.8}) {
+    for (int i = 0; i < 5; ++i)
+      amplitude += ratio * faint_mode(amplitude).amplitude_error - faint_mode(amplitude).amplitude;
+    ASSERT_NEAR(faint_mode(amplitude).amplitude / faint_mode(amplitude).amplitude_error, ratio, 0.1);
+    EXPECT_EQ(judged(amplitude).kind, ratio > 4 ? MotionKind::driven_or_two_modes : MotionKind::driven);
+  }
+}
+
 // One surely decays and the other does not, but their rates are alike.
 TEST(KindOfMotionLimits, LinesThatDecayAlikeMayBeEitherUnlessTheDriveIsKnown) {
   const Line one{8, 0.0035, 0.03}, other{10, 0.0029, 0.03};
