@@ -101,6 +101,9 @@ TEST(DoubtsLimits, TwentyPeriodsOfASteadySwing) {
   const std::string lasts = "the swing does not die down over 20 periods. If something drives it, " + then;
   EXPECT_THAT(said_of(swing(steady(5)), fit_with(0)), ElementsAre(lasts));
   EXPECT_THAT(said_of(swing(steady(4)), fit_with(0)), IsEmpty());
+  SyntheticRecord later = swing(steady(5));
+  for (double& t : later.t) t += 64;
+  EXPECT_THAT(said_of(later, fit_with(0)), ElementsAre(lasts));
   // Surely more than none: its interval lies above.
   EXPECT_THAT(said_of(swing(steady(5)), fit_with(2e-6, 1e-6)), ElementsAre(lasts));
   EXPECT_THAT(said_of(swing(steady(5)), fit_with(0.9e-6, 1e-6)), ElementsAre(lasts));

@@ -128,6 +128,9 @@ TEST(LostMotionLimits, TheValueIsThatOfTheLastSamples) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->value, 3);
   EXPECT_FALSE(Made{}.add(80, of_seven).add(20, {3}).add(9, {9}).add(7, {3}).lost());
+  const auto tie = Made{}.add(80, of_seven).add(20, {3}).add(1, {9}).add(16, {3, 9}).lost();
+  ASSERT_TRUE(tie);
+  EXPECT_EQ(tie->value, 3);
   const auto late = Made{}.add(299, of_seven).add(85, {3}).add(8, {9, 7, 3, 9}).add(8, {9, 9, 3, 8}).lost();
   ASSERT_TRUE(late);
   EXPECT_EQ(late->value, 3);
