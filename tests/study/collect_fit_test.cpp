@@ -1,0 +1,148 @@
+// What fits and comparisons found, by name: every number of handmade ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/study/collected.h"
+
+namespace cromer {
+namespace {
+
+using testing::ElementsAre;
+using testing::NanSensitiveDoubleEq;
+
+Estimate estimate(double of) { return {of, 0.1, of - 0.2, of + 0.2}; }
+
+FittedRecording fitted() {
+  FittedRecording lab;
+  lab.file = "lab.csv";
+  lab.series.quantity = "position";
+  lab.series.t = {0, 1, 2};
+  lab.series.y = {3, 5, 4};
+  lab.fit.names = {"angular_frequency", "equilibrium"};
+  lab.fit.estimates = {estimate(2), estimate(4)};
+  lab.fit.residual.rms = 0.5;
+  lab.parameters = {{"angular_frequency", estimate(2), "rad/s"}, {"equilibrium", estimate(4), "m"}};
+  lab.derived = {{"stiffness", estimate(8), "N/m"}};
+  return lab;
+}
+
+TEST(CollectFit, HasEveryEstimateWithItsInterval) {
+  FittedRecording lab = fitted();
+  lab.options.mass = Quantity{2, 0.5};
+  lab.keulegan_carpenter = estimate(6);
+  Results results;
+  collect("lab", lab, results);
+  EXPECT_EQ(fact(results, "lab.file"), "lab.csv");
+  EXPECT_EQ(fact(results, "lab.law"), "viscous");
+  EXPECT_EQ(fact(results, "lab.samples"), "3");
+  EXPECT_EQ(fact(results, "lab.rms"), "0.5 m");
+  EXPECT_EQ(fact(results, "lab.angular_frequency"), "2 +- 0.1 rad/s");
+  EXPECT_EQ(fact(results, "lab.stiffness.low"), "7.8 N/m");
+  EXPECT_EQ(fact(results, "lab.stiffness.high"), "8.2 N/m");
+  EXPECT_EQ(fact(results, "lab.mass"), "2 +- 0.5 kg");
+  EXPECT_EQ(fact(results, "lab.disc_diameter"), "none");
+  EXPECT_EQ(fact(results, "lab.keulegan_carpenter"), "6 +- 0.1");
+  EXPECT_THAT(column(results, "lab.t").values, ElementsAre(0, 1, 2));
+  EXPECT_THAT(column(results, "lab.measured").values, ElementsAre(3, 5, 4));
+  EXPECT_EQ(column(results, "lab.measured").name, "measured position");
+  EXPECT_THAT(column(results, "lab.displacement").values, ElementsAre(-1, 1, 0));
+  EXPECT_EQ(column(results, "lab.displacement").name, "position *x*");
+  EXPECT_THAT(column(results, "lab.mean").values, ElementsAre(4, 4, 4));
+  for (const char* absent :
+       {"lab.decay_rate_mean", "lab.reynolds_last", "lab.first_rate", "lab.segment.1.from"})
+    EXPECT_EQ(fact(results, absent), "none") << absent;
+  lab.series.quantity = "velocity";
+  collect("lab", lab, results);
+  EXPECT_EQ(column(results, "lab.displacement").name, "velocity");
+  EXPECT_EQ(fact(results, "lab.rms"), "0.5 m/s");
+}
+
+TEST(CollectFit, HasEachSegmentAndTheDampingOfTheirMean) {
+  FittedRecording lab = fitted();
+  lab.segments = {{0, 1, estimate(1)}, {1, 2, estimate(3)}};
+  Results results;
+  collect("lab", lab, results);
+  EXPECT_EQ(fact(results, "lab.segment.1.from"), "0 s");
+  EXPECT_EQ(fact(results, "lab.segment.2.to"), "2 s");
+  EXPECT_EQ(fact(results, "lab.segment.2.rate"), "3 +- 0.1 1/s");
+  EXPECT_EQ(fact(results, "lab.segment.3.rate"), "none");
+  EXPECT_EQ(fact(results, "lab.damping_mean"), "none");
+  lab.decay_rate_mean = estimate(3);
+  collect("lab", lab, results);
+  EXPECT_EQ(fact(results, "lab.decay_rate_mean"), "3 +- 0.1 1/s");
+  // 2 gamma k/w^2 = 2 * 3 * 8/4
+  EXPECT_EQ(fact(results, "lab.damping_mean"), "12 kg/s");
+  lab.derived.clear();
+  Results massless;
+  collect("lab", lab, massless);
+  EXPECT_EQ(fact(massless, "lab.damping_mean"), "none");
+}
+
+TEST(CollectFit, HasWindowsAndStretchesWithTheirBars) {
+  FittedRecording lab = fitted();
+  lab.reynolds = {{0, 100}, {0.5, 200}, {1, 150}};
+  lab.reynolds_max_t = 0.75;
+  lab.decay_by_amplitude = {{0, 1, 0.5, {2, 0.5, 0, 0}, 2.25}, {1, 2, 0.25, {1, 0.25, 0, 0}, 1.5}};
+  Results results;
+  collect("lab", lab, results);
+  EXPECT_EQ(fact(results, "lab.reynolds_last"), "150");
+  EXPECT_EQ(fact(results, "lab.reynolds_max"), "none");
+  EXPECT_EQ(fact(results, "lab.reynolds_max_t"), "0.75 s");
+  EXPECT_THAT(column(results, "lab.window_t").values, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(column(results, "lab.reynolds").values, ElementsAre(100, 200, 150));
+  EXPECT_EQ(fact(results, "lab.first_rate"), "2.25 1/s");
+  EXPECT_EQ(fact(results, "lab.last_rate"), "1.5 1/s");
+  EXPECT_EQ(fact(results, "lab.stretches"), "2");
+  EXPECT_THAT(column(results, "lab.amplitude").values, ElementsAre(0.5, 0.25));
+  EXPECT_THAT(column(results, "lab.rate").values, ElementsAre(2, 1));
+  EXPECT_THAT(column(results, "lab.law_rate").values, ElementsAre(2.25, 1.5));
+  EXPECT_THAT(column(results, "lab.bar_amplitude").values, ElementsAre(0.5, 0.5, 0.5, 0.25, 0.25, 0.25));
+  EXPECT_THAT(column(results, "lab.bar_rate").values, ElementsAre(1.5, 2.5, NanSensitiveDoubleEq(nothing),
+                                                                  0.75, 1.25, NanSensitiveDoubleEq(nothing)));
+  lab.reynolds_max = estimate(200);
+  collect("lab", lab, results);
+  EXPECT_EQ(fact(results, "lab.reynolds_max"), "200 +- 0.1");
+}
+
+TEST(CollectCompare, SaysWhereASimulationExceedsTheLawMost) {
+  CompareResult both;
+  both.recording = fitted();
+  ComparedCurve more, law;
+  more.label = "one constant decay rate";
+  law.label = "the law";
+  const double tops[] = {1, 1.2, 1.5, 1.1};
+  for (int i = 0; i < 4 * 40; ++i) {
+    const double t = i * std::numbers::pi / 20, x = std::cos(t - std::numbers::pi / 2);
+    law.trajectory.t.push_back(t);
+    law.trajectory.x.push_back(x);
+    more.trajectory.t.push_back(t);
+    more.trajectory.x.push_back(tops[i / 40] * x);
+  }
+  more.rms = 0.5;
+  more.r_squared = 0.75;
+  more.amplitude_ratio_end = 1.25;
+  more.phase_drift = -0.5;
+  both.curves = {more, law};
+  Results results;
+  collect("c", both, results);
+  EXPECT_EQ(fact(results, "c.1.label"), "one constant decay rate");
+  EXPECT_EQ(fact(results, "c.2.label"), "the law");
+  EXPECT_EQ(fact(results, "c.1.rms"), "0.5 m");
+  EXPECT_EQ(fact(results, "c.1.r_squared"), "0.75");
+  EXPECT_EQ(fact(results, "c.1.amplitude_error_end"), "0.25");
+  EXPECT_EQ(fact(results, "c.1.phase_drift"), "-0.5 rad");
+  EXPECT_EQ(fact(results, "c.samples"), "3");
+  EXPECT_EQ(fact(results, "c.explanation"), explanation(both));
+  EXPECT_NEAR(value(results, "c.1.excess_max"), 0.5, 1e-9);
+  EXPECT_NEAR(value(results, "c.1.excess_max_t"), 4.5 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(value(results, "c.2.excess_max"), 0, 1e-12);
+  EXPECT_EQ(column(results, "c.1.top").values.size(), 4u);
+  EXPECT_NEAR(column(results, "c.1.bottom").values[1], -1.2, 1e-9);
+  EXPECT_EQ(column(results, "c.1.x").values.size(), 160u);
+}
+
+}  // namespace
+}  // namespace cromer

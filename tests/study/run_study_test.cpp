@@ -1,0 +1,198 @@
+#include "cromer/study/run_study.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "tests/study/collected.h"
+
+namespace cromer {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+const std::string files = std::string(CROMER_SOURCE_DIR) + "/tests/cli/transcripts/files/";
+
+Study study_of(const std::string& toml) {
+  const auto study = read_study(toml, files + "lab.toml");
+  EXPECT_TRUE(study) << (study ? "" : study.error().message);
+  return study ? *study : Study{};
+}
+
+StudyRun done(const std::string& toml, const Watch& watch = {}) {
+  const auto run = run_study(study_of(toml), watch);
+  EXPECT_TRUE(run) << (run ? "" : run.error().message);
+  return run ? *run : StudyRun{};
+}
+
+/// What is wrong, without the file before it; "" where nothing is.
+std::string refusal(const std::string& toml) {
+  const auto run = run_study(study_of(toml));
+  return run ? "" : run.error().message.substr(files.size());
+}
+
+/// How it failed, without the file before it.
+std::string failure(const std::string& toml) {
+  const std::string said = done(toml).failure;
+  return said.empty() ? "" : said.substr(files.size());
+}
+
+TEST(RunStudy, SaysWhichTaskItIsAtAndHowFar) {
+  std::vector<std::string> said;
+  const Study study = study_of(
+      "[[task]]\nsimulate = \"a\"\nuntil = 1\n[[task]]\nsimulate = \"b\"\nuntil = 1\n"
+      "[[task]]\ndifference = \"d\"\nof = \"a.1\"\nminus = \"b.1\"\n");
+  const auto run = run_study(study, {}, [&](const std::string& what, double share) {
+    said.push_back(what + " " + shortest(share));
+  });
+  ASSERT_TRUE(run);
+  EXPECT_THAT(
+      said, ElementsAre("simulate a 0", "simulate b 0.3333333333333333", "difference d 0.6666666666666666"));
+  EXPECT_EQ(run->failure, "");
+  EXPECT_THAT(run->warnings, IsEmpty());
+  EXPECT_THAT(run->shown, IsEmpty());
+  EXPECT_EQ(fact(run->results, "d.peak"), "0 m");
+}
+
+TEST(RunStudy, TheLargestDifferenceIsLookedForInAllRows) {
+  const std::string two =
+      "[[task]]\nsimulate = \"a\"\nmethod = \"exact\"\nstep = 0.5\nuntil = 1\n"
+      "[[task]]\nsimulate = \"b\"\nmethod = \"exact\"\nstep = 0.5\nuntil = 1\nposition = 3\n"
+      "[[task]]\nsimulate = \"c\"\nuntil = 3\n";
+  const auto difference = [&](const std::string& of, const std::string& minus) {
+    return two + "[[task]]\ndifference = \"d\"\nof = \"" + of + "\"\nminus = \"" + minus + "\"\n";
+  };
+  EXPECT_EQ(fact(done(difference("a.1", "b.1")).results, "d.peak"), "2 m");
+  EXPECT_EQ(fact(done(difference("b.1", "a.1")).results, "d.peak"), "2 m");
+  EXPECT_EQ(refusal(difference("a.1", "c.1")),
+            "lab.toml:15:1: \"a.1\" and \"c.1\" have not the same number of rows");
+  EXPECT_EQ(refusal(difference("a.2", "b.1")),
+            "lab.toml:15:1: \"a.2.x\" is no column of this study; did you mean \"a.1.x\"?");
+  EXPECT_EQ(refusal(difference("a.1", "e.1")).substr(0, 23), "lab.toml:15:1: \"e.1.x\" ");
+}
+
+TEST(RunStudy, WarningsAreNamedAndThoseToBeShownAreNoWarnings) {
+  const std::string grows = "[[task]]\nsimulate = \"grows\"\nmethod = \"rk4\"\nuntil = 1\ntolerance = 1e-9\n";
+  std::vector<std::string> early;
+  Watch watch;
+  watch.warn = [&](const std::vector<std::string>& said) {
+    early.insert(early.end(), said.begin(), said.end());
+  };
+  EXPECT_THAT(done(grows, watch).warnings, ElementsAre("grows: --tolerance has no effect on rk4"));
+  EXPECT_THAT(early, ElementsAre("grows: --tolerance has no effect on rk4"));
+  early.clear();
+  const StudyRun shows = done(grows + "shows = \"no effect on rk4\"\n", watch);
+  EXPECT_THAT(shows.warnings, IsEmpty());
+  EXPECT_THAT(shows.shown, ElementsAre("grows: --tolerance has no effect on rk4"));
+  EXPECT_THAT(early, IsEmpty());
+  const StudyRun other = done(grows + "shows = \"unstable\"\n", watch);
+  EXPECT_THAT(other.warnings,
+              ElementsAre("grows: --tolerance has no effect on rk4",
+                          files + "lab.toml:1:1: simulate grows is to show \"unstable\", and does not"));
+  EXPECT_THAT(other.shown, IsEmpty());
+  EXPECT_THAT(early, SizeIs(1));
+}
+
+TEST(RunStudy, EndsWhereATaskFails) {
+  const std::string away =
+      "[[task]]\nsimulate = \"away\"\nmethod = [\"exact\", \"forward-euler\"]\nstep = 1\nuntil = 2000\n"
+      "[[task]]\nsimulate = \"b\"\nuntil = 1\n";
+  EXPECT_THAT(failure(away), testing::StartsWith("lab.toml:1:1: simulate away: forward-euler: diverged"));
+  EXPECT_EQ(fact(done(away).results, "away.1.label"), "none");
+  EXPECT_EQ(fact(done(away).results, "b.1.label"), "none");
+  const std::atomic<bool> stop{true};
+  const StudyRun stopped = done("[[task]]\nmethod_map = \"m\"\n[[task]]\nmethod_map = \"n\"\n", {&stop, {}});
+  EXPECT_EQ(stopped.failure, files + "lab.toml:1:1: method-map m: interrupted");
+  EXPECT_EQ(fact(stopped.results, "n.natural_frequency"), "none");
+}
+
+TEST(RunStudy, RefusalsOfATaskNameItsPlace) {
+  EXPECT_EQ(refusal("[[task]]\nsimulate = \"a\"\nmas = 1\n"),
+            "lab.toml:3:7: \"mas\" is no option of simulate; did you mean \"mass\"?");
+  EXPECT_EQ(refusal("[[task]]\nsimulate = \"a\"\nmass = [1, 2]\n"),
+            "lab.toml:3:8: \"mass\" takes one value, not a list");
+  EXPECT_EQ(refusal("[[task]]\nsimulate = \"a\"\nmass = -1\n"),
+            "lab.toml:3:8: --mass: it must be positive, not -1 kg");
+  EXPECT_EQ(refusal("[[task]]\nsimulate = \"a\"\nmass = \"{b.mass}\"\n"),
+            "lab.toml:3:8: \"b.mass\" is no result of this study");
+  EXPECT_EQ(refusal("[[task]]\nsimulate = \"a\"\ndisc_diameter = 1\n"),
+            "lab.toml:3:17: \"disc_diameter\" is no option of simulate; it is one of fit");
+  EXPECT_EQ(refusal("[[task]]\nsimulate = \"a\"\nstiffness = 0\n").substr(0, 14), "lab.toml:1:1: ");
+  EXPECT_EQ(refusal("[[task]]\nsimulate = \"a\"\nzzzzzzzzz = 0\n"),
+            "lab.toml:3:13: \"zzzzzzzzz\" is no option of simulate");
+  EXPECT_EQ(refusal("[[task]]\nfit = \"a\"\nmethod = \"rk4\"\nfile = \"swing.csv\"\n"),
+            "lab.toml:3:10: \"method\" is no option of fit; it is one of simulate");
+  EXPECT_EQ(refusal("[[task]]\nfit = \"a\"\n"), "lab.toml:1:1: \"fit\" needs file = \"a recording\"");
+  EXPECT_THAT(refusal("[[task]]\nfit = \"a\"\nfile = \"none.csv\"\n"), HasSubstr("none.csv"));
+  EXPECT_EQ(refusal("[[task]]\nspectrum = \"a\"\n"),
+            "lab.toml:1:1: \"spectrum\" needs file = \"a recording\"");
+  EXPECT_EQ(refusal("[[task]]\nresonance = \"a\"\ndrive_amplitude = 1\ndamping = 1\nfrequency_from = 0\n"),
+            "lab.toml:5:18: --frequency-from: it must be positive, not 0 rad/s");
+  EXPECT_EQ(refusal("[[task]]\nresonance = \"a\"\npoints = 0\n"),
+            "lab.toml:3:10: --points: it must be positive, not 0");
+  EXPECT_THAT(refusal("[[task]]\nsimulate = \"a\"\ndrive_file = \"none.csv\"\n"),
+              HasSubstr("lab.toml:1:1: --drive-file: "));
+  EXPECT_THAT(refusal("[[task]]\nsimulate = \"a\"\nbase_motion = \"none.csv\"\n"),
+              HasSubstr("lab.toml:1:1: --base-motion: "));
+  EXPECT_EQ(refusal("[[task]]\nsweep = \"a\"\nevent = \"turning-point\"\n"),
+            "lab.toml:3:9: --event: a sweep measures whole runs; look for events with simulate");
+}
+
+TEST(RunStudy, FitsEachRunOfARecording) {
+  const Results one =
+      done("[[task]]\nfit = \"lab\"\nfile = \"swing.csv\"\nlaw = \"viscous\"\nmass = 2\n").results;
+  EXPECT_EQ(fact(one, "lab.file"), "swing.csv");
+  EXPECT_EQ(fact(one, "lab.mass"), "2 kg");
+  EXPECT_EQ(fact(one, "lab.1.file"), "none");
+  EXPECT_THAT(failure("[[task]]\nfit = \"lab\"\nfile = \"noise.csv\"\nlaw = \"viscous\"\n"),
+              testing::StartsWith("lab.toml:1:1: fit lab: noise.csv: "));
+  const Results two = done("[[task]]\nfit = \"lab\"\nfile = \"two_runs.csv\"\nlaw = \"viscous\"\n").results;
+  EXPECT_EQ(fact(two, "lab.file"), "none");
+  EXPECT_EQ(fact(two, "lab.1.file"), "two_runs.csv");
+  EXPECT_EQ(fact(two, "lab.2.file"), "two_runs.csv");
+}
+
+TEST(RunStudy, SweepsTakeListsAsGrids) {
+  const std::string sweep = "[[task]]\nsweep = \"grid\"\ndrive_amplitude = 1\n";
+  const StudyRun run = done(sweep + "damping_ratio = [0.25, 0.5]\ndrive_frequency = [1, 2, 3]\n");
+  EXPECT_EQ(fact(run.results, "grid.points"), "6");
+  EXPECT_EQ(fact(run.results, "grid.2.label"), "damping ratio 0.5");
+  EXPECT_THAT(column(run.results, "grid.1.drive_frequency").values, ElementsAre(1, 2, 3));
+  EXPECT_THAT(run.warnings, IsEmpty());
+  EXPECT_EQ(failure(sweep + "drive_frequency = [0.5, 2]\n"), "lab.toml:1:1: sweep grid: no point settled");
+  EXPECT_THAT(done(sweep + "drive_frequency = [0.5, 2]\n").warnings,
+              testing::Contains("grid: 2 of 2 points never settled"));
+  const StudyRun half = done(sweep + "damping = [0, 1]\ndrive_frequency = [0.5, 2]\n");
+  EXPECT_EQ(half.failure, "");
+  EXPECT_THAT(half.warnings, testing::Contains("grid: 2 of 4 points never settled"));
+  EXPECT_EQ(fact(half.results, "grid.not_settled"), "2");
+}
+
+TEST(RunStudy, OptionsOfStudiesAloneReachTheirTasks) {
+  const Results curve =
+      done(
+          "[[task]]\nresonance = \"r\"\nmethod = \"exact\"\ndrive_amplitude = 1\n"
+          "damping_ratios = [0.25, 0.5]\nfrequency_from = 2\nfrequency_to = 4\npoints = 3\n")
+          .results;
+  EXPECT_THAT(column(curve, "r.2.frequency").values, ElementsAre(2, 3, 4));
+  EXPECT_EQ(fact(curve, "r.1.damping_ratio"), "0.25");
+  EXPECT_EQ(fact(curve, "r.2.damping_ratio"), "0.5");
+  const Results map =
+      done("[[task]]\nmethod_map = \"m\"\nmethod = \"rk4\"\nfrom = 0.5\nto = 2\npoints = 3\n").results;
+  EXPECT_THAT(column(map, "m.1.wh").values, ElementsAre(0.5, 1, 2));
+  const Results work = done(
+                           "[[task]]\nwork_precision = \"w\"\nmethod = \"rk4\"\nuntil = 6\nlongest = 0.05\n"
+                           "halvings = 2\n")
+                           .results;
+  EXPECT_EQ(column(work, "w.1.error").values.size(), 3u);
+  const Results error = done("[[task]]\nlocal_error = \"e\"\nmethod = [\"rk4\", \"verlet\"]\n").results;
+  EXPECT_EQ(fact(error, "e.2.label"), "verlet");
+}
+
+}  // namespace
+}  // namespace cromer
