@@ -102,9 +102,11 @@ TEST(RunStudy, EndsWhereATaskFails) {
   const std::string away =
       "[[task]]\nsimulate = \"away\"\nmethod = [\"exact\", \"forward-euler\"]\nstep = 1\nuntil = 2000\n"
       "[[task]]\nsimulate = \"b\"\nuntil = 1\n";
-  EXPECT_THAT(failure(away), testing::StartsWith("lab.toml:1:1: simulate away: forward-euler: diverged"));
-  EXPECT_EQ(fact(done(away).results, "away.1.label"), "none");
-  EXPECT_EQ(fact(done(away).results, "b.1.label"), "none");
+  const StudyRun ended = done(away);
+  EXPECT_THAT(ended.failure,
+              testing::StartsWith(files + "lab.toml:1:1: simulate away: forward-euler: diverged"));
+  EXPECT_EQ(fact(ended.results, "away.1.label"), "none");
+  EXPECT_EQ(fact(ended.results, "b.1.label"), "none");
   const std::atomic<bool> stop{true};
   const StudyRun stopped = done("[[task]]\nmethod_map = \"m\"\n[[task]]\nmethod_map = \"n\"\n", {&stop, {}});
   EXPECT_EQ(stopped.failure, files + "lab.toml:1:1: method-map m: interrupted");
