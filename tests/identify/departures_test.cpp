@@ -24,8 +24,10 @@ SyntheticRecord of_amplitudes(const std::vector<double>& amplitudes) {
   return record;
 }
 
-std::string stop_of(const std::vector<double>& amplitudes) {
-  return sudden_stop(of_amplitudes(amplitudes).record(), 1, "m");
+std::string stop_of(const std::vector<double>& amplitudes, bool described = false, double resolution = 0) {
+  SyntheticRecord record = of_amplitudes(amplitudes);
+  record.resolution = resolution;
+  return sudden_stop(record.record(), 1, "m", described);
 }
 
 std::string stops(const char* between, const char* amplitude) {
@@ -71,7 +73,8 @@ TEST(SuddenStop, InTheLastWindow) {
 }
 
 TEST(SuddenStop, WithoutAUnitThereIsNone) {
-  EXPECT_EQ(sudden_stop(of_amplitudes({1, 1, 1, 1, 1, 1, 0.5, 0}).record(), 1, ""), stops("6 and 7", "1"));
+  EXPECT_EQ(sudden_stop(of_amplitudes({1, 1, 1, 1, 1, 1, 0.5, 0}).record(), 1, "", false),
+            stops("6 and 7", "1"));
 }
 
 TEST(SuddenStop, IsNoneWhereTheSwingComesBack) {
@@ -99,6 +102,33 @@ TEST(SuddenStop, FollowsASwingThatLasted) {
   EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.6, 0.1, 0, 0, 0}), "");
 }
 
+// Friction halves it at least; what leaves more in two windows is no friction, whatever law goes along with
+// it.
+TEST(SuddenStop, OfASwingNearlyDoneOrDescribedIsNoFriction) {
+  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.0351, 0.02, 0, 0, 0}), stops("5 and 6", "0.0351 m"));
+  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.0349, 0.02, 0, 0, 0}), "");
+  EXPECT_EQ(stop_of({1, 0.3, 0.03, 0.03, 0.0301, 0.02, 0, 0, 0}), stops("5 and 6", "0.0301 m"));
+  EXPECT_EQ(stop_of({1, 0.3, 0.03, 0.03, 0.03, 0.02, 0, 0, 0}), "");
+  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.045, 0.02, 0, 0, 0}, false, 0.0044), stops("5 and 6", "0.045 m"));
+  EXPECT_EQ(stop_of({1, 0.3, 0.05, 0.05, 0.045, 0.02, 0, 0, 0}, false, 0.0046), "");
+  EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.71, 0.1, 0, 0, 0}, true), stops("5 and 6", "0.71 m"));
+  EXPECT_EQ(stop_of({1, 1, 1, 0.8, 0.69, 0.1, 0, 0, 0}, true), "");
+}
+
+// What is left after the last whole window tells as well.
+TEST(SuddenStop, IsSeenInTheLastPeriod) {
+  const auto with_rest = [](std::size_t samples) {
+    SyntheticRecord record = of_amplitudes({1, 1, 1, 1, 1, 1, 1, 0.5});
+    for (std::size_t i = 1; i <= samples; ++i) {
+      record.t.push_back(8 + 0.125 * static_cast<double>(i));
+      record.y.push_back(0);
+    }
+    return sudden_stop(record.record(), 1, "m", false);
+  };
+  EXPECT_EQ(with_rest(2), "");
+  EXPECT_EQ(with_rest(7), stops("7 and 7.875", "1 m"));
+}
+
 // Four samples in a window are too few to know its amplitude.
 TEST(SuddenStop, NeedsSixSamplesInAWindow) {
   const SyntheticRecord record = of_amplitudes({1, 1, 1, 0.5, 0, 0, 0, 0});
@@ -106,7 +136,7 @@ TEST(SuddenStop, NeedsSixSamplesInAWindow) {
     SyntheticRecord some;
     for (std::size_t i = 0; i < record.t.size(); ++i)
       if (i % 8 < keep) some.t.push_back(record.t[i]), some.y.push_back(record.y[i]);
-    return sudden_stop(some.record(), 1, "m");
+    return sudden_stop(some.record(), 1, "m", false);
   };
   EXPECT_NE(thinned(6), "");
   EXPECT_EQ(thinned(5), "");

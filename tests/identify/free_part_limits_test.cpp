@@ -210,7 +210,21 @@ TEST(FreePartLimits, WhatStaysWithinATwentiethIsStill) {
   const auto part = Made{}.add(12, {1, 1, 1, 0.953125}).add(52, of_ten).add(36, of_ten).free();
   ASSERT_TRUE(part);
   EXPECT_EQ(part->from, 12 * h);
-  EXPECT_FALSE(Made{}.add(12, {1, 1, 1, 0.9375}).add(88, of_ten).free());
+  // Two samples beyond are noise, three are the swing.
+  const auto two = Made{}.add(6, {1}).add(2, {0.9375}).add(4, {1}).add(88, of_ten).free();
+  ASSERT_TRUE(two);
+  EXPECT_EQ(two->from, 12 * h);
+  const auto three = Made{}.add(6, {1}).add(3, {0.9375}).add(3, {1}).add(88, of_ten).free();
+  ASSERT_TRUE(three);
+  EXPECT_EQ(three->from, 5 * h);
+  const auto both_sides = Made{}.add(6, {1}).add(3, {0.9375, 1.0625}).add(3, {1}).add(88, of_ten).free();
+  ASSERT_TRUE(both_sides);
+  EXPECT_EQ(both_sides->from, 12 * h);
+}
+
+TEST(FreePartLimits, NoiseWidensTheBand) {
+  // Second differences of the first three samples: noise of 0.4/sqrt(6), a band of 0.65.
+  EXPECT_TRUE(Made{}.add(12, {1, 0.9, 1.2, 1}).add(88, of_ten).free());
 }
 
 // What was at rest, or nearer than half the amplitude to where it then swings, was set going.
