@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "cromer/base/quantity.h"
-#include "cromer/report/text_width.h"
+#include "cromer/report/enhanced_text.h"
 #include "length_unit.h"
 #include "measured_axis.h"
 #include "motion_curves.h"

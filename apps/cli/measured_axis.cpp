@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "cromer/report/text_width.h"
+#include "cromer/report/enhanced_text.h"
 #include "cromer/study/task/used_samples.h"
 #include "length_unit.h"
 #include "words.h"

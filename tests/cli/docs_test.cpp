@@ -1,7 +1,6 @@
 // Every command that the documentation shows, run as it stands there.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -61,7 +60,6 @@ std::string text_of(const std::string& path) {
 }
 
 TEST(Docs, TheExampleOfStudiesIsAStudy) {
-  if (std::system("command -v gnuplot > /dev/null") != 0) GTEST_SKIP() << "no gnuplot";
   const std::string page = text_of("docs/studies.md"), begin = "```toml\n";
   const auto from = page.find(begin) + begin.size();
   const Folder folder;

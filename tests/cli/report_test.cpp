@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <complex>
-#include <cstdlib>
 
 #include "program.h"
 
@@ -15,8 +14,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr const char* source = CROMER_SOURCE_DIR;
-
-bool has_gnuplot() { return std::system("command -v gnuplot > /dev/null") == 0; }
 
 /// One lab's report and its numbers.
 struct Lab {
@@ -47,7 +44,6 @@ void expect_figures(const Lab& lab, int count) {
 }
 
 TEST(Report, OfTheResonanceLabHasItsFiguresAndTheTheorysNumbers) {
-  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
   const Lab lab("resonance.toml");
   ASSERT_EQ(lab.end.status, 0) << lab.end.err;
   expect_figures(lab, 5);
@@ -63,7 +59,6 @@ TEST(Report, OfTheResonanceLabHasItsFiguresAndTheTheorysNumbers) {
 }
 
 TEST(Report, OfTheSpringLabAnswersItsQuestions) {
-  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
   const Lab lab("spring_lab.toml");
   ASSERT_EQ(lab.end.status, 0) << lab.end.err;
   expect_figures(lab, 15);
@@ -85,7 +80,6 @@ TEST(Report, OfTheSpringLabAnswersItsQuestions) {
 }
 
 TEST(Report, OfTheMethodsLabHasEveryMethodAndTheTheorysNumbers) {
-  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
   const Lab lab("methods.toml");
   ASSERT_EQ(lab.end.status, 0) << lab.end.err;
   EXPECT_THAT(lab.end.err, Not(HasSubstr("warning")));
@@ -124,7 +118,6 @@ TEST(Report, OfTheMethodsLabHasEveryMethodAndTheTheorysNumbers) {
 }
 
 TEST(Report, PrintsOneJsonDocument) {
-  if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot";
   Folder folder;
   folder.write("s.toml", "title = \"S\"\n[[task]]\nsimulate = \"a\"\n");
   const Finished end = folder.run({"report", "s.toml", "-o", "out", "--json"});

@@ -1,17 +1,23 @@
-// The picture itself: where gnuplot has put what the layout says.
+// From a figure to the bytes of its picture.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "cromer/report/figure.h"
+#include "cromer/report/installed_font.h"
 #include "cromer/report/layout.h"
-#include "cromer/report/process.h"
+#include "cromer/report/shared_library.h"
+#include "tests/report/example_figures.h"
+#include "tests/support/xml.h"
 
 namespace cromer {
 namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 std::vector<std::vector<double>> paths_of(const std::string& svg, const std::string& colour) {
   std::vector<std::vector<double>> paths;
@@ -29,8 +35,7 @@ std::vector<std::vector<double>> paths_of(const std::string& svg, const std::str
   return paths;
 }
 
-TEST(Drawing, TheCurvePassesWhereTheDataAre) {
-  if (gnuplot_version().empty()) GTEST_SKIP() << "gnuplot is not installed";
+TEST(Draw, TheCurvePassesWhereTheDataAre) {
   Figure figure;
   Panel& panel = figure.panels.emplace_back();
   Curve& curve = panel.curves.emplace_back();
@@ -44,47 +49,109 @@ TEST(Drawing, TheCurvePassesWhereTheDataAre) {
   ASSERT_EQ(paths.size(), 1u);
   ASSERT_EQ(paths[0].size(), 8u);
   for (std::size_t i = 0; i < 4; ++i) {
-    EXPECT_NEAR(paths[0][2 * i], f.x + f.width * curve.x[i] / 10, 0.6) << i;
-    EXPECT_NEAR(paths[0][2 * i + 1], f.y + f.height * (1 - curve.y[i]) / 2, 0.6) << i;
+    EXPECT_NEAR(paths[0][2 * i], f.x + f.width * curve.x[i] / 10, 0.01) << i;
+    EXPECT_NEAR(paths[0][2 * i + 1], f.y + f.height * (1 - curve.y[i]) / 2, 0.01) << i;
   }
 }
 
-TEST(Drawing, SaysWhatGnuplotComplainsOf) {
-  const std::string path = std::getenv("PATH") ? std::getenv("PATH") : "";
-  std::string folder = "/tmp/cromer-gnuplot-XXXXXX";
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  const auto answer = [&](const std::string& script) {
-    const auto made =
-        run_process({"/bin/sh", "-c", "cat > " + folder + "/gnuplot; chmod +x " + folder + "/gnuplot"},
-                    "#!/bin/sh\n" + script + "\n");
-    EXPECT_TRUE(made.ok());
-    ::setenv("PATH", (folder + ":" + path).c_str(), 1);
-    Figure figure;
-    figure.id = "figure-7";
-    const auto drawn = draw(figure, FigureFormat::svg);
-    ::setenv("PATH", path.c_str(), 1);
-    return drawn.ok() ? "drawn" : drawn.error().message;
-  };
-  EXPECT_EQ(answer("exit 0"), "gnuplot could not draw figure-7: it wrote no picture");
-  EXPECT_EQ(answer("printf '\\n   ^\\nline 0: no\\nmore' >&2; echo x; exit 3"),
-            "gnuplot could not draw figure-7: line 0: no");
-  EXPECT_EQ(answer("printf 'no end' >&2; exit 1"), "gnuplot could not draw figure-7: no end");
-  EXPECT_THAT(answer("echo 'unknown or ambiguous terminal type' >&2; exit 1"),
-              testing::HasSubstr("this gnuplot lacks that format, gnuplot-nox and gnuplot-qt have it"));
-  EXPECT_EQ(answer("echo '<svg></svg>'"), "drawn");
-  ::setenv("PATH", (folder + ":" + path).c_str(), 1);
-  EXPECT_EQ(gnuplot_version(), "<svg></svg>");
-  ::setenv("PATH", path.c_str(), 1);
-  EXPECT_TRUE(run_process({"rm", "-r", folder}, "").ok());
+TEST(Draw, EveryExampleIsASmallSvgThatCanStandInAPage) {
+  for (const Figure& figure : examples()) {
+    const auto svg = draw(figure, FigureFormat::svg);
+    ASSERT_TRUE(svg.ok()) << svg.error().message;
+    EXPECT_EQ(test::xml_fault(*svg), "");
+    EXPECT_LT(svg->size(), 150000u);
+    EXPECT_THAT(*svg, HasSubstr("aria-label=\"What is seen: x &amp; more\""));
+    EXPECT_THAT(
+        *svg, HasSubstr("font-family=\"'Segoe UI', -apple-system, Roboto, 'Noto Sans', Lato, sans-serif\""));
+    EXPECT_THAT(*svg, Not(HasSubstr(" id=")));
+    for (const Panel& panel : figure.panels)
+      for (const Curve& curve : panel.curves) EXPECT_THAT(*svg, HasSubstr(curve.name));
+  }
 }
 
-TEST(Process, ASignalIsAStatusAboveAHundredAndTwentyEight) {
-  EXPECT_EQ(run_process({"/bin/sh", "-c", "kill -9 $$"}, "")->exit_status, 128 + 9);
-  const auto both = run_process({"/bin/sh", "-c", "cat; echo wrong >&2; exit 7"}, "in");
-  EXPECT_EQ(both->out, "in");
-  EXPECT_EQ(both->err, "wrong\n");
-  EXPECT_EQ(both->exit_status, 7);
-  EXPECT_EQ(run_process({"/no/such/program"}, "").error().message, "No such file or directory");
+TEST(Draw, AFigureWithoutTitleIsCalledByItsId) {
+  Figure figure = of({three_methods()});
+  figure.title = "";
+  EXPECT_THAT(*draw(figure, FigureFormat::svg), HasSubstr("aria-label=\"figure-1\""));
+}
+
+TEST(Draw, IsWellFormedWhateverTheNames) {
+  for (const std::string name :
+       {"a]]>b", "x<y>z & \"q\"", "\x1b[31mred\a", "broken \xff\xc3", "\xEF\xBF\xBE", "it's `x` $(y)"}) {
+    Figure figure = of({three_methods()});
+    figure.title = name;
+    for (std::string* text :
+         {&figure.panels[0].curves[0].name, &figure.panels[0].x.name, &figure.panels[0].title})
+      *text = name;
+    const auto svg = draw(figure, FigureFormat::svg);
+    ASSERT_TRUE(svg.ok()) << svg.error().message;
+    EXPECT_EQ(test::xml_fault(*svg), "") << name;
+  }
+}
+
+/// Its big-endian number at `at`.
+unsigned png_number(const std::string& png, std::size_t at) {
+  unsigned value = 0;
+  for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(png.at(i));
+  return value;
+}
+
+bool is_missing(const Result<std::string>& picture) {
+  return !picture && picture.error().message.find("apt install librsvg2-2") != std::string::npos;
+}
+
+TEST(Draw, APngHasTwoPxForEachOfTheFigures) {
+  const auto png = draw(examples()[2], FigureFormat::png);
+  if (is_missing(png)) GTEST_SKIP() << png.error().message;
+  ASSERT_TRUE(png.ok()) << png.error().message;
+  EXPECT_THAT(*png, StartsWith("\x89PNG\r\n"));
+  EXPECT_EQ(png_number(*png, 16), 960u);
+  EXPECT_EQ(png_number(*png, 20), 880u);
+  EXPECT_GT(png->size(), 20000u);
+}
+
+TEST(Draw, APdfHasThreeQuartersOfAPointForEachPx) {
+  const auto pdf = draw(examples()[0], FigureFormat::pdf);
+  if (is_missing(pdf)) GTEST_SKIP() << pdf.error().message;
+  ASSERT_TRUE(pdf.ok()) << pdf.error().message;
+  EXPECT_THAT(*pdf, StartsWith("%PDF-"));
+  EXPECT_THAT(*pdf, HasSubstr("/MediaBox [ 0 0 570 330 ]"));
+  EXPECT_THAT(*pdf, HasSubstr(is_installed("Lato") ? "+Lato" : "+DejaVu"));
+  EXPECT_THAT(*pdf, testing::EndsWith("%%EOF\n"));
+}
+
+TEST(Draw, AMapIsAPictureOfAFewBytesForEachCell) {
+  Figure mapped;
+  Panel& panel = mapped.panels.emplace_back();
+  panel.map = HeatMap{.x = {0, 1}, .y = {0, 1}, .z = {0, 1, 2, NAN}, .name = "z"};
+  const auto svg = draw(mapped, FigureFormat::svg);
+  ASSERT_TRUE(svg.ok());
+  EXPECT_THAT(*svg, HasSubstr("href=\"data:image/png;base64,"));
+  EXPECT_LT(svg->size(), 10000u);
+}
+
+TEST(InstalledFont, IsNoneThatHasAnInventedName) { EXPECT_FALSE(is_installed("No Such Font 7")); }
+
+TEST(SharedLibrary, WhatIsMissingIsNotFound) {
+  int (*function)() = nullptr;
+  EXPECT_FALSE(find_function("libno-such-library.so.7", "f", function));
+  EXPECT_FALSE(find_function("libc.so.6", "no_such_function_7", function));
+  EXPECT_TRUE(find_function("libc.so.6", "getpid", function));
+  EXPECT_GT(function(), 0);
+}
+
+TEST(FigureFormat, IsTheEndingOfTheName) {
+  EXPECT_EQ(*figure_format("a.b/plot.svg"), FigureFormat::svg);
+  EXPECT_EQ(*figure_format("A.SVG"), FigureFormat::svg);
+  EXPECT_EQ(*figure_format("PLOT.PNG"), FigureFormat::png);
+  EXPECT_EQ(*figure_format("z.PdF"), FigureFormat::pdf);
+}
+
+TEST(FigureFormat, NeedsANameBeforeAKnownEnding) {
+  for (const char* path : {"x.jpg", ".svg", ".pdf", "svg", "a.svgz"})
+    EXPECT_FALSE(figure_format(path).ok()) << path;
+  EXPECT_EQ(figure_format("x.jpg").error().message,
+            "\"x.jpg\" names no figure: end it with .svg, .png or .pdf");
 }
 
 }  // namespace

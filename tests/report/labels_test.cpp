@@ -85,8 +85,6 @@ TEST(TextWidth, MarkupTakesNoRoom) {
   EXPECT_DOUBLE_EQ(text_width("time {/:Italic t} (s)", 12, false, Typeface::dejavu_sans), plain);
   EXPECT_LT(text_width("x_{00}", 12, false, Typeface::dejavu_sans),
             text_width("x00", 12, false, Typeface::dejavu_sans));
-  EXPECT_EQ(without_markup("{/:Italic ω}_{0} \\{a\\}"), "ω0 {a}");
-  EXPECT_EQ(without_markup(figure_text("a_b{c}^@&~\\")), "a_b{c}^@&~\\");
 }
 
 TEST(TextWidth, WrapsAtSpacesOutsideBraces) {

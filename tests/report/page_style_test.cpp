@@ -83,7 +83,6 @@ TEST(PageStyle, EveryColourOfAFigureHasItsPartnerInTheDark) {
   for (const RoleStyle& role : palette())
     if (role.line != light_surface.text_3) expect(role.line, role.line_dark);
   expect("#FFFFFF", "#171C23");
-  expect("#ffffff", "#171C23");
   expect("#4A5361", "#B7C0CC");
   expect("#626C7A", "#949FAE");
   expect("#7B8594", "#76828F");

@@ -24,6 +24,7 @@ TEST(TextWidth, GrowsWithSizeWeightAndFont) {
   EXPECT_DOUBLE_EQ(text_width("Mass", 1, true, Typeface::dejavu_sans), 1.13 * one);
   EXPECT_DOUBLE_EQ(text_width("Mass", 1, false, Typeface::lato), 0.91 * one);
   EXPECT_DOUBLE_EQ(text_width("Mass", 1, true, Typeface::lato), 0.92 * one);
+  EXPECT_DOUBLE_EQ(text_width("{/:Bold Mass}Mass", 1, false, Typeface::lato), (0.92 + 0.91) * one);
 }
 
 TEST(TextWidth, SubscriptsAreFourFifths) {
@@ -33,19 +34,7 @@ TEST(TextWidth, SubscriptsAreFourFifths) {
   EXPECT_DOUBLE_EQ(thousandths("x_{0{/:Italic 0}}0"), x + 2.6 * zero);
   EXPECT_DOUBLE_EQ(thousandths("{x}0"), x + zero);
   EXPECT_DOUBLE_EQ(thousandths("x_{0}^{0}0"), x + 2.6 * zero);
-}
-
-TEST(TextWidth, WhatIsNoMarkupIsSeen) {
-  EXPECT_EQ(without_markup("a_"), "a_");
-  EXPECT_EQ(without_markup("a^"), "a^");
-  EXPECT_EQ(without_markup("a\\"), "a\\");
-  EXPECT_EQ(without_markup("}a}"), "a");
-  EXPECT_EQ(without_markup("{/Symbol"), "");
-  EXPECT_EQ(without_markup("{"), "");
-  EXPECT_EQ(without_markup("{/:Bold a b}c"), "a bc");
-  EXPECT_EQ(without_markup("a\nb"), "a b");
-  EXPECT_EQ(without_markup("x_{0}y^2\u00e4"), "x0y2\u00e4");
-  EXPECT_EQ(figure_text("a\\{}_^@&~b"), "a\\\\\\{\\}\\_\\^\\@\\&\\~b");
+  EXPECT_DOUBLE_EQ(thousandths("x^{0_0}"), x + (0.8 + 0.64) * zero);
 }
 
 TEST(Wrapped, ALineThatJustFitsStays) {
@@ -59,6 +48,7 @@ TEST(Wrapped, ALineThatJustFitsStays) {
   EXPECT_EQ(wrapped("a\n\nb", 10, false, Typeface::lato, room), (Lines{"a", "", "b"}));
   EXPECT_EQ(wrapped("{a b} {c {d e} f} g", 10, false, Typeface::lato, 1),
             (Lines{"{a b}", "{c {d e} f}", "g"}));
+  EXPECT_EQ(wrapped("a\\{ b", 10, false, Typeface::lato, 1), (Lines{"a\\{", "b"}));
   EXPECT_EQ(wrapped("a} b", 10, false, Typeface::lato, 1), (Lines{"a}", "b"}));
   EXPECT_EQ(wrapped("{a\nb c", 10, false, Typeface::lato, 1), (Lines{"{a", "b c"}));
 }

@@ -153,7 +153,7 @@ TEST_F(MakeFigure, says_what_cannot_be_filled) {
             "lab.toml:7:1: \"short\" has 1 rows, \"a\" has 3: they cannot be subtracted");
 }
 
-TEST(Enhanced, italics_become_gnuplots) {
+TEST(Enhanced, italics_become_those_of_figures) {
   EXPECT_EQ(to_enhanced("position *x* (cm)"), "position {/:Italic x} (cm)");
   EXPECT_EQ(to_enhanced("2 * 3"), "2 * 3");
 }

@@ -1,62 +1,55 @@
 #include <fmt/format.h>
 
+#include "cromer/base/ascii.h"
+#include "cromer/report/enhanced_text.h"
 #include "cromer/report/figure.h"
-#include "cromer/report/process.h"
-#include "cromer/report/tidy_svg.h"
+#include "cromer/report/installed_font.h"
+#include "cromer/report/layout.h"
+#include "cromer/report/librsvg.h"
+#include "cromer/report/svg.h"
 
 namespace cromer {
 namespace {
 
-// Lato where fontconfig has it; asked once. Without an answer the wider DejaVu Sans, fontconfig's own
-// stand-in.
-Typeface installed_typeface() {
-  static const Typeface found = [] {
-    const auto match = run_process({"fc-match", "-f", "%{family}", "Lato"}, "");
-    return match.ok() && match->exit_status == 0 && match->out.find("Lato") != std::string::npos
-               ? Typeface::lato
-               : Typeface::dejavu_sans;
-  }();
-  return found;
+constexpr std::string_view readers_fonts = "'Segoe UI', -apple-system, Roboto, 'Noto Sans', Lato, sans-serif";
+constexpr double smaller_dejavu = 1;  // [px] which is wider than Lato
+
+std::string alternative_text(const Figure& figure) {
+  return without_markup(figure.title.empty() ? figure.id : figure.title);
 }
 
-// The first line of gnuplot's complaint that says something.
-std::string complaint(const std::string& text) {
-  std::size_t start = 0;
-  while (start < text.size()) {
-    const std::size_t end = std::min(text.find('\n', start), text.size());
-    const std::string line = text.substr(start, end - start);
-    if (line.find_first_not_of(" \t^") != std::string::npos) return line;
-    start = end + 1;
-  }
-  return "it wrote no picture";
+// An SVG is read with a font nobody knows here: it is measured as the widest.
+std::string for_readers(const Figure& figure) {
+  return to_svg(lay_out(figure, Typeface::dejavu_sans), alternative_text(figure), readers_fonts);
+}
+
+// In Lato where it is installed, else in DejaVu Sans, fontconfig's own stand-in.
+Result<std::string> for_this_machine(const Figure& figure, FigureFormat format) {
+  static const bool has_lato = is_installed("Lato");
+  const Layout layout =
+      has_lato ? lay_out(figure, Typeface::lato) : lay_out(figure, Typeface::dejavu_sans, smaller_dejavu);
+  const std::string svg =
+      to_svg(layout, alternative_text(figure), has_lato ? "Lato, sans-serif" : "'DejaVu Sans', sans-serif");
+  const auto converted = format == FigureFormat::png ? png_of : pdf_of;
+  return converted(svg, layout.width, layout.height);
 }
 
 }  // namespace
 
-Result<std::string> draw(const Figure& figure, FigureFormat format) {
-  const Typeface typeface = format == FigureFormat::svg ? Typeface::dejavu_sans : installed_typeface();
-  auto output = run_process({"gnuplot", "-d"}, gnuplot_script(figure, format, typeface));
-  if (!output) {
-    return Error{
-        fmt::format("figures are drawn by gnuplot, which could not be run ({}): install it, for instance "
-                    "with apt install gnuplot-nox",
-                    output.error().message)};
-  }
-  if (output->exit_status != 0 || output->out.empty()) {
-    const bool no_cairo = output->err.find("unknown or ambiguous terminal") != std::string::npos;
-    return Error{
-        fmt::format("gnuplot could not draw {}: {}{}", figure.id.empty() ? "the figure" : figure.id,
-                    complaint(output->err),
-                    no_cairo ? "; this gnuplot lacks that format, gnuplot-nox and gnuplot-qt have it" : "")};
-  }
-  if (format != FigureFormat::svg) return std::move(output->out);
-  return tidy_svg(output->out, without_markup(figure.title.empty() ? figure.id : figure.title));
+Result<FigureFormat> figure_format(const std::string& path) {
+  const std::string name = lower(path);
+  const auto ends_with = [&](std::string_view ending) {
+    return name.size() > ending.size() && name.ends_with(ending);
+  };
+  if (ends_with(".svg")) return FigureFormat::svg;
+  if (ends_with(".png")) return FigureFormat::png;
+  if (ends_with(".pdf")) return FigureFormat::pdf;
+  return Error{fmt::format("\"{}\" names no figure: end it with .svg, .png or .pdf", path)};
 }
 
-std::string gnuplot_version() {
-  const auto answer = run_process({"gnuplot", "--version"}, "");
-  if (!answer || answer->exit_status != 0) return "";
-  return answer->out.substr(0, answer->out.find('\n'));
+Result<std::string> draw(const Figure& figure, FigureFormat format) {
+  if (format == FigureFormat::svg) return for_readers(figure);
+  return for_this_machine(figure, format);
 }
 
 }  // namespace cromer

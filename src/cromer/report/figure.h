@@ -1,5 +1,4 @@
-// A figure as data: panels of curves with a role, a name and a remark. Drawn by gnuplot in the look of this
-// project.
+// A figure as data: panels of curves with a role, a name and a remark. Drawn in the look of this project.
 #pragma once
 
 #include <limits>
@@ -8,7 +7,6 @@
 #include <vector>
 
 #include "cromer/base/result.h"
-#include "cromer/report/text_width.h"
 
 namespace cromer {
 
@@ -22,8 +20,8 @@ enum class Mark { line, dots, band, crosses };
 struct Curve {
   std::vector<double> x, y;  ///< same length; NaN breaks the line
   std::string role;
-  std::string name;    ///< the word at the curve; empty: none. May carry {/:Italic w}-like gnuplot enhanced
-                       ///< markup; "\n" breaks it
+  std::string name;    ///< the word at the curve; empty: none. May carry the markup of
+                       ///< enhanced_text.h; "\n" breaks it
   std::string remark;  ///< what it does, under the name: "grows, -0.060 1/s"
   std::string
       remark_outside{};  ///< of crosses: added to the remark where some of them stand at the frame's edge
@@ -109,15 +107,8 @@ struct Figure {
 enum class FigureFormat { svg, png, pdf };
 Result<FigureFormat> figure_format(const std::string& path);
 
-/// The gnuplot script that draws it on its standard output; pure.
-std::string gnuplot_script(const Figure& figure, FigureFormat format, Typeface typeface = Typeface::lato);
-
-/// Draws it with gnuplot (`gnuplot -d`, data in the script) and returns the picture's bytes. gnuplot missing
-/// or failing is an Error that says what to do. The SVG is rewritten by tidy_svg: it can stand in a page as
-/// it is.
+/// The picture's bytes. An SVG is drawn here and can stand in a page as it is; PNG and PDF need librsvg, and
+/// an Error says so where it is missing.
 Result<std::string> draw(const Figure& figure, FigureFormat format);
-
-/// "gnuplot 5.4 patchlevel 4"; empty where there is none.
-std::string gnuplot_version();
 
 }  // namespace cromer

@@ -1,4 +1,4 @@
-// A figure with every place worked out, in px, y downwards: what the script then only has to write.
+// A figure with every place worked out, in px, y downwards: what the SVG then only has to write.
 #pragma once
 
 #include <array>
@@ -8,6 +8,7 @@
 
 #include "cromer/report/figure.h"
 #include "cromer/report/labels.h"
+#include "cromer/report/text_width.h"
 
 namespace cromer {
 

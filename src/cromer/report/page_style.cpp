@@ -119,8 +119,8 @@ void add_dark_figures(std::string& css) {
     }
   };
   const SurfaceColours &l = light_surface, &d = dark_surface;
-  exchange(l.ground, d.ground), exchange("#ffffff", d.ground), exchange(l.ink, d.ink),
-      exchange(l.text_2, d.text_2), exchange(l.text_3, d.text_3);
+  exchange(l.ground, d.ground), exchange(l.ink, d.ink), exchange(l.text_2, d.text_2),
+      exchange(l.text_3, d.text_3);
   exchange(l.axis, d.axis), exchange(l.grid, d.grid), exchange(l.zero_line, d.zero_line);
   for (const RoleStyle& role : palette())
     exchange(role.line, role.line_dark), exchange(role.word, role.word_dark);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "cromer/report/enhanced_text.h"
+
 namespace cromer {
 namespace {
 
@@ -14,51 +16,20 @@ constexpr std::array<short, 95> advance{
     611, 685, 390, 337, 390, 838, 500, 500, 613, 635, 550, 635, 615, 352,  635, 634, 278, 278, 579,
     278, 974, 634, 612, 635, 635, 411, 521, 392, 634, 592, 818, 592, 592,  525, 636, 337, 636, 838};
 constexpr double other_advance = 0.72;  // Greek and signs, on the safe side
-constexpr double small_script = 0.8;    // gnuplot's size of sub- and superscripts
+constexpr std::string_view no_break_space = "\u00A0";
 constexpr double bold_dejavu = 1.13, regular_lato = 0.91, bold_lato = 0.92;  // against DejaVu Sans, regular
 
-// One character or piece of markup at text[i]: calls draw(bytes, script depth) for what is seen, returns the
-// next index.
-template <class Draw>
-void scan(std::string_view text, Draw draw) {
-  int depth = 0;
-  std::vector<bool> script;  // for each open brace: whether it opened a sub- or superscript
-  for (std::size_t i = 0; i < text.size();) {
-    const char c = text[i];
-    if (c == '\\' && i + 1 < text.size()) {
-      draw(text.substr(i + 1, 1), depth);
-      i += 2;
-    } else if ((c == '_' || c == '^') && i + 1 < text.size()) {
-      if (text[i + 1] == '{') {
-        script.push_back(true);
-        ++depth;
-        i += 2;
-      } else {
-        draw(text.substr(i + 1, 1), depth + 1);
-        i += 2;
-      }
-    } else if (c == '{') {
-      script.push_back(false);
-      ++i;
-      if (i < text.size() &&
-          text[i] == '/') {  // {/:Bold …}, {/Symbol …}, {/*1.2 …}: the name ends at the blank
-        const std::size_t blank = text.find(' ', i);
-        i = blank == std::string_view::npos ? text.size() : blank + 1;
-      }
-    } else if (c == '}') {
-      if (!script.empty()) {
-        depth -= script.back();
-        script.pop_back();
-      }
-      ++i;
-    } else {
-      std::size_t length = 1;
-      while (i + length < text.size() && (static_cast<unsigned char>(text[i + length]) & 0xC0) == 0x80)
-        ++length;
-      draw(text.substr(i, length), depth);
-      i += length;
-    }
+/// Of plain text, in font sizes.
+double advances(std::string_view text) {
+  double sum = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(text[i]);
+    if (c >= ' ' && c <= '~')
+      sum += advance[c - ' '] / 1000.0;
+    else if ((c & 0xC0) != 0x80)  // once for each character
+      sum += text.substr(i).starts_with(no_break_space) ? advance[0] / 1000.0 : other_advance;
   }
+  return sum;
 }
 
 double relative_width(bool bold, Typeface typeface) {
@@ -70,14 +41,9 @@ double relative_width(bool bold, Typeface typeface) {
 
 double text_width(std::string_view text, double size, bool bold, Typeface typeface) {
   double width = 0;
-  scan(text, [&](std::string_view bytes, int depth) {
-    const unsigned char c = static_cast<unsigned char>(bytes.front());
-    const double own = c >= ' ' && c <= '~' ? advance[c - ' '] / 1000.0
-                       : bytes == "\u00A0"  ? 0.318
-                                            : other_advance;
-    width += depth > 0 ? own * small_script : own;
-  });
-  return width * size * relative_width(bold, typeface);
+  for (const TextRun& run : runs_of(text))
+    width += advances(run.text) * run.size * relative_width(bold || run.bold, typeface);
+  return width * size;
 }
 
 std::vector<std::string> wrapped(std::string_view text, double size, bool bold, Typeface typeface,
@@ -102,6 +68,10 @@ std::vector<std::string> wrapped(std::string_view text, double size, bool bold, 
     start = end + 1;
   };
   for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\\') {
+      ++i;
+      continue;
+    }
     if (text[i] == '{') ++braces;
     if (text[i] == '}') braces = std::max(0, braces - 1);
     if (text[i] == '\n') take_word(i, true);
@@ -109,21 +79,6 @@ std::vector<std::string> wrapped(std::string_view text, double size, bool bold, 
   }
   take_word(text.size(), true);
   return lines;
-}
-
-std::string figure_text(std::string_view plain) {
-  std::string out;
-  for (const char c : plain) {
-    if (std::string_view("\\{}_^@&~").find(c) != std::string_view::npos) out += '\\';
-    out += c;
-  }
-  return out;
-}
-
-std::string without_markup(std::string_view text) {
-  std::string out;
-  scan(text, [&](std::string_view bytes, int) { out += bytes == "\n" ? " " : bytes; });
-  return out;
 }
 
 }  // namespace cromer

@@ -20,11 +20,4 @@ double text_width(std::string_view text, double size, bool bold, Typeface typefa
 std::vector<std::string> wrapped(std::string_view text, double size, bool bold, Typeface typeface,
                                  double room);
 
-/// Text as it is meant to be read, made safe for a name, title or note of a figure: the characters with a
-/// meaning in enhanced text are escaped.
-std::string figure_text(std::string_view plain);
-
-/// The reverse, for alternative texts: markup and escapes removed.
-std::string without_markup(std::string_view text);
-
 }  // namespace cromer

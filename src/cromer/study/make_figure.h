@@ -13,7 +13,7 @@ namespace cromer {
 /// The figure with its numbers, its texts filled. Errors name the place in the study file.
 Result<Figure> make_figure(const FigureSpec& spec, const Results& results);
 
-/// The page's markup (*x*, x_{0}) as gnuplot's.
+/// The page's markup (*x*, x_{0}) as a figure's (enhanced_text.h).
 std::string to_enhanced(const std::string& markup);
 
 }  // namespace cromer

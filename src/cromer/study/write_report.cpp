@@ -28,12 +28,10 @@ Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, cons
 }
 
 std::string versions(const std::string& program) {
-  std::string text = program;
-  if (const std::string gnuplot = gnuplot_version(); !gnuplot.empty()) text += " · figures by " + gnuplot;
 #if defined(__clang__)
-  return text + " · compiled by clang " __clang_version__;
+  return program + " · compiled by clang " __clang_version__;
 #else
-  return text + " · compiled by g++ " __VERSION__;
+  return program + " · compiled by g++ " __VERSION__;
 #endif
 }
 

@@ -1,0 +1,31 @@
+// The markup of names, titles and notes in figures: {/:Italic x} and {/:Bold x}, _0 or _{0} below the line,
+// ^2 or ^{2} above it, and a backslash before a character that is meant as it stands.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cromer {
+
+/// A stretch of text in one style.
+struct TextRun {
+  std::string text;
+  bool italic = false, bold = false;
+  double size =
+      1;  ///< as a share of the text's font size; 0.8 in a sub- or superscript, 0.64 in one of those
+  double rise = 0;  ///< of its baseline over the text's, in font sizes
+
+  friend bool operator==(const TextRun&, const TextRun&) = default;
+};
+
+/// The runs of one line. Every text can be read: braces that do not match are left out.
+std::vector<TextRun> runs_of(std::string_view enhanced);
+
+/// Text as it is meant to be read, made safe for a name, title or note of a figure.
+std::string figure_text(std::string_view plain);
+
+/// The reverse, for alternative texts: markup and escapes removed, a blank for a line's end.
+std::string without_markup(std::string_view enhanced);
+
+}  // namespace cromer

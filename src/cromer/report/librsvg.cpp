@@ -1,0 +1,151 @@
+#include "cromer/report/librsvg.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include "cromer/report/shared_library.h"
+
+namespace cromer {
+namespace {
+
+constexpr double png_scale = 2, pt_per_px = 0.75;
+
+// As in librsvg/rsvg.h (2.46), cairo.h, cairo-pdf.h (1.16) and glib.h (2).
+struct Handle;
+struct Surface;
+struct Context;
+struct Viewport {
+  double x, y, width, height;
+};
+struct GError {
+  std::uint32_t domain;
+  int code;
+  char* message;
+};
+using Write = int (*)(void* closure, const unsigned char* bytes, unsigned count);
+constexpr int rgb24 = 1, success = 0;  // CAIRO_FORMAT_RGB24, CAIRO_STATUS_SUCCESS
+
+struct Libraries {
+  Handle* (*new_from_data)(const unsigned char* bytes, std::size_t count, GError**);
+  int (*render_document)(Handle*, Context*, const Viewport*, GError**);
+  Surface* (*image_surface)(int format, int width, int height);
+  Surface* (*pdf_surface)(Write, void* closure, double width_pt, double height_pt);
+  int (*write_png)(Surface*, Write, void* closure);
+  void (*finish)(Surface*);
+  int (*surface_status)(Surface*);
+  void (*surface_destroy)(Surface*);
+  Context* (*context_of)(Surface*);
+  void (*context_destroy)(Context*);
+  const char* (*status_text)(int status);
+  void (*unref)(void*);
+  void (*error_free)(GError*);
+
+  bool load() {
+    constexpr const char *rsvg = "librsvg-2.so.2", *cairo = "libcairo.so.2";
+    return find_function(rsvg, "rsvg_handle_new_from_data", new_from_data) &&
+           find_function(rsvg, "rsvg_handle_render_document", render_document) &&
+           find_function(cairo, "cairo_image_surface_create", image_surface) &&
+           find_function(cairo, "cairo_pdf_surface_create_for_stream", pdf_surface) &&
+           find_function(cairo, "cairo_surface_write_to_png_stream", write_png) &&
+           find_function(cairo, "cairo_surface_finish", finish) &&
+           find_function(cairo, "cairo_surface_status", surface_status) &&
+           find_function(cairo, "cairo_surface_destroy", surface_destroy) &&
+           find_function(cairo, "cairo_create", context_of) &&
+           find_function(cairo, "cairo_destroy", context_destroy) &&
+           find_function(cairo, "cairo_status_to_string", status_text) &&
+           find_function("libgobject-2.0.so.0", "g_object_unref", unref) &&
+           find_function("libglib-2.0.so.0", "g_error_free", error_free);
+  }
+};
+
+const Result<Libraries>& libraries() {
+  static const Result<Libraries> loaded = []() -> Result<Libraries> {
+    Libraries found;
+    if (found.load()) return found;
+    return Error{
+        fmt::format("PNG and PDF are drawn by librsvg, which cannot be loaded ({}): install it, for instance "
+                    "with apt install librsvg2-2; .svg needs nothing",
+                    dlerror())};
+  }();
+  return loaded;
+}
+
+int append(void* text, const unsigned char* bytes, unsigned count) {
+  static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+  return success;
+}
+
+Error not_drawn(std::string_view reason) {
+  return Error{fmt::format("librsvg could not draw the figure: {}", reason)};
+}
+
+template <class T>
+using Owned = std::unique_ptr<T, void (*)(T*)>;
+
+class Renderer {
+ public:
+  explicit Renderer(const Libraries& libraries) : lib_(libraries) {}
+
+  Result<std::string> png(std::string_view svg, double width, double height) {
+    const auto px = [](double size) { return static_cast<int>(std::lround(png_scale * size)); };
+    const auto surface = owned(lib_.image_surface(rgb24, px(width), px(height)));
+    if (const auto drawn = draw(svg, surface.get(), png_scale * width, png_scale * height); !drawn)
+      return drawn.error();
+    std::string bytes;
+    if (const int status = lib_.write_png(surface.get(), append, &bytes); status != success)
+      return not_drawn(lib_.status_text(status));
+    return bytes;
+  }
+
+  Result<std::string> pdf(std::string_view svg, double width, double height) {
+    const double width_pt = pt_per_px * width, height_pt = pt_per_px * height;
+    std::string bytes;
+    const auto surface = owned(lib_.pdf_surface(append, &bytes, width_pt, height_pt));
+    if (const auto drawn = draw(svg, surface.get(), width_pt, height_pt); !drawn) return drawn.error();
+    lib_.finish(surface.get());
+    if (const int status = lib_.surface_status(surface.get()); status != success)
+      return not_drawn(lib_.status_text(status));
+    return bytes;
+  }
+
+ private:
+  Owned<Surface> owned(Surface* surface) const { return {surface, lib_.surface_destroy}; }
+
+  /// Fills the surface.
+  Result<void> draw(std::string_view svg, Surface* surface, double width, double height) const {
+    GError* failed = nullptr;
+    const std::unique_ptr<Handle, void (*)(void*)> handle(
+        lib_.new_from_data(reinterpret_cast<const unsigned char*>(svg.data()), svg.size(), &failed),
+        lib_.unref);
+    if (!handle) return reason_of(failed);
+    const Owned<Context> context(lib_.context_of(surface), lib_.context_destroy);
+    const Viewport all{0, 0, width, height};
+    if (!lib_.render_document(handle.get(), context.get(), &all, &failed)) return reason_of(failed);
+    return {};
+  }
+
+  Error reason_of(GError* failed) const {
+    const Error error = not_drawn(failed ? failed->message : "it gave no reason");
+    if (failed) lib_.error_free(failed);
+    return error;
+  }
+
+  const Libraries& lib_;
+};
+
+}  // namespace
+
+Result<std::string> png_of(std::string_view svg, double width, double height) {
+  if (!libraries()) return libraries().error();
+  return Renderer(*libraries()).png(svg, width, height);
+}
+
+Result<std::string> pdf_of(std::string_view svg, double width, double height) {
+  if (!libraries()) return libraries().error();
+  return Renderer(*libraries()).pdf(svg, width, height);
+}
+
+}  // namespace cromer
