@@ -89,6 +89,13 @@ TEST(Svg, WithoutDataTheFrameAloneIsDrawn) {
   EXPECT_EQ(drawn(words("{/:Italic }")), "");
 }
 
+TEST(Svg, AFrameTooNarrowForAPxOfItsMapHasTheBarAlone) {
+  PlacedPanel panel = empty_panel();
+  panel.map = PlacedMap{0, 40, {}, {95, 5, 4, 40}};
+  EXPECT_THAT(drawn(panel), StartsWith("<image style=\"image-rendering:pixelated\" "
+                                       "preserveAspectRatio=\"none\" x=\"95\""));
+}
+
 TEST(Svg, TheGridStandsAtNumbersAloneAndTicksPointOutwards) {
   PlacedPanel panel = empty_panel();
   panel.x_ticks = {{30, false}, {40, true}};

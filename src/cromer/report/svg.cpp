@@ -174,6 +174,7 @@ class Svg {
 
   /// Inside the file; sharp at every size.
   void image(const std::vector<double>& values, int columns, int rows, const Box& box) {
+    if (values.empty()) return;
     add("<image style=\"image-rendering:pixelated\" preserveAspectRatio=\"none\"");
     corners(box);
     add(" href=\"data:image/png;base64,{}\"/>\n", base64(map_png(values, columns, rows)));
