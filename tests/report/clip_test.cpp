@@ -25,7 +25,9 @@ void expect_near(const Pieces& pieces, const Pieces& expected) {
 }
 
 TEST(Clip, WhatLiesInsideStaysToTheBit) {
-  const std::vector<Spot> line{{10, 20}, {50.123456789, 30}, {110, 70}, {10, 70}};
+  std::vector<Spot> line{{10, 20}, {110, 70}};
+  for (int i = 0; i < 100; ++i)
+    line.push_back({60 + 49.9 * std::cos(0.7 * i), 45 + 24.9 * std::sin(0.3 * i)});
   EXPECT_EQ(pieces_inside(line, frame), Pieces{line});
 }
 

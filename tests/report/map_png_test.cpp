@@ -61,14 +61,14 @@ std::string colour(const std::string& palette, std::size_t index) {
 }
 
 TEST(MapPng, HasItsRowsTopDownAndNoColourForWhatIsNoNumber) {
-  const Chunks png = chunks_of(map_png({0, 1, 0.5, NAN, -3, 7}, 2, 3));
+  const Chunks png = chunks_of(map_png({0, 1, 0.5, NAN, 7, -3}, 2, 3));
   EXPECT_EQ(png.order, "IHDR PLTE tRNS IDAT IEND ");
   const std::string& header = png.contents.at("IHDR");
   EXPECT_EQ(number(header, 0), 2u);
   EXPECT_EQ(number(header, 4), 3u);
   EXPECT_EQ(header.substr(8),
             std::string("\x08\x03\0\0\0", 5));  // 8 bits, of a palette, neither filter nor interlace
-  const std::string expected("\0\x01\xFF\0\x80\0\0\x01\xFF", 9);
+  const std::string expected("\0\xFF\x01\0\x80\0\0\x01\xFF", 9);
   EXPECT_EQ(inflated(png.contents.at("IDAT"), expected.size()), expected);
   EXPECT_EQ(png.contents.at("tRNS"), std::string(1, '\0'));
   EXPECT_EQ(png.contents.at("IEND"), "");

@@ -95,8 +95,8 @@ class Renderer {
     if (const auto drawn = draw(svg, surface.get(), png_scale * width, png_scale * height); !drawn)
       return drawn.error();
     std::string bytes;
-    if (const int status = lib_.write_png(surface.get(), append, &bytes); status != success)
-      return not_drawn(lib_.status_text(status));
+    if (const auto written = done(lib_.write_png(surface.get(), append, &bytes)); !written)
+      return written.error();
     return bytes;
   }
 
@@ -106,16 +106,21 @@ class Renderer {
     const auto surface = owned(lib_.pdf_surface(append, &bytes, width_pt, height_pt));
     if (const auto drawn = draw(svg, surface.get(), width_pt, height_pt); !drawn) return drawn.error();
     lib_.finish(surface.get());
-    if (const int status = lib_.surface_status(surface.get()); status != success)
-      return not_drawn(lib_.status_text(status));
+    if (const auto finished = done(lib_.surface_status(surface.get())); !finished) return finished.error();
     return bytes;
   }
 
  private:
   Owned<Surface> owned(Surface* surface) const { return {surface, lib_.surface_destroy}; }
 
-  /// Fills the surface.
+  Result<void> done(int status) const {
+    if (status != success) return not_drawn(lib_.status_text(status));
+    return {};
+  }
+
+  /// Fills the surface, unless cairo could not make it.
   Result<void> draw(std::string_view svg, Surface* surface, double width, double height) const {
+    if (const auto made = done(lib_.surface_status(surface)); !made) return made.error();
     GError* failed = nullptr;
     const std::unique_ptr<Handle, void (*)(void*)> handle(
         lib_.new_from_data(reinterpret_cast<const unsigned char*>(svg.data()), svg.size(), &failed),
