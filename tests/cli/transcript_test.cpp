@@ -1,9 +1,8 @@
 // Whole conversations with the program, word for word: tests/cli/transcripts/*.txt. Each has commands
-// ("$ cromer ...", and "$ show FILE" or "$ words FILE" of what they wrote), what they print (what goes to
-// standard error after
-// "! "), and their exit status where it is not 0. Long numbers may differ in the last digit from
-// compiler to compiler. Run with CROMER_WRITE_TRANSCRIPTS=1, the test writes what is printed now into
-// the files: read the difference before you commit it.
+// ("$ cromer ...", and "$ show FILE", "$ words FILE" or "$ picture FILE" of what they wrote), what they print
+// (what goes to standard error after "! "), and their exit status where it is not 0. Long numbers may differ
+// in the last digit from compiler to compiler. Run with CROMER_WRITE_TRANSCRIPTS=1, the test writes what is
+// printed now into the files: read the difference before you commit it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -41,10 +40,52 @@ std::string words_in(const std::string& markup) {
   return words;
 }
 
+/// The numbers of path data or points, as pairs: how many, and what they span, in whole px.
+std::string span_of(const std::string& numbers) {
+  std::string plain = std::regex_replace(numbers, std::regex("h0"), "");  // a dot: a line of no length
+  std::replace_if(
+      plain.begin(), plain.end(), [](char c) { return c >= 'A' || c == ','; }, ' ');
+  std::istringstream read(plain);
+  double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
+  int count = 0;
+  for (double value = 0; read >> value; ++count) {
+    low[count % 2] = std::min(low[count % 2], value);
+    high[count % 2] = std::max(high[count % 2], value);
+  }
+  std::ostringstream text;
+  text << count / 2 << " points";
+  for (const int axis : {0, 1})
+    text << (axis == 0 ? ", " : " x ") << std::lround(low[axis]) << " to " << std::lround(high[axis]);
+  return text.str();
+}
+
+/// What is drawn in a figure, a line each: with its looks, where it stands, and of a curve what it spans.
+std::string picture_in(const std::string& svg) {
+  static const std::regex shape("<(path|polygon|rect|circle|image|text) ([^>]*?)/?>([^\n]*)"),
+      attribute("([a-z-]+)=\"([^\"]*)\""), tag("<[^>]*>");
+  std::string picture;
+  for (std::sregex_iterator each(svg.begin(), svg.end(), shape), end; each != end; ++each) {
+    const std::string attributes = (*each)[2];
+    picture += "  " + (*each)[1].str();
+    for (std::sregex_iterator a(attributes.begin(), attributes.end(), attribute); a != end; ++a) {
+      const std::string name = (*a)[1], value = (*a)[2];
+      const bool many = name == "d" || name == "points", place = name == "x" || name == "y";
+      if (name == "href" || name == "style") continue;
+      picture += ' ' + (many    ? span_of(value)
+                        : place ? std::to_string(std::lround(std::stod(value)))
+                                : value);
+    }
+    if ((*each)[1] == "text") picture += ": " + std::regex_replace((*each)[3].str(), tag, "");
+    picture += '\n';
+  }
+  return picture;
+}
+
 std::string printed_by(const Folder& folder, const std::string& line) {
   std::vector<std::string> words = words_of(line);
   if (words.at(0) == "show") return folder.read(words.at(1));
   if (words.at(0) == "words") return words_in(folder.read(words.at(1)));
+  if (words.at(0) == "picture") return picture_in(folder.read(words.at(1)));
   EXPECT_EQ(words.at(0), "cromer") << line;
   words.erase(words.begin());
   const Finished end = folder.run(words);
