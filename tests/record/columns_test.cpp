@@ -26,6 +26,12 @@ std::vector<int> run_of_columns(const Recording& recording) {
   return all;
 }
 
+TEST(Columns, LastOnesWithoutNameAndValuesAreLeftOut) {
+  EXPECT_EQ(read("x (m),\n1.5,\n2.5,\n1.5,\n").table.columns.size(), 1u);
+  EXPECT_EQ(read("t (s),x (m),,\n0.1,1.5,,\n0.2,2.5,,\n").table.columns.size(), 2u);
+  EXPECT_EQ(read("t (s),x (m),,y\n0.1,1.5,,\n0.2,2.5,,\n").table.columns.size(), 4u);
+}
+
 TEST(Runs, GroupsOfColumns) {
   // Graphical Analysis: a restarted run has the same label.
   EXPECT_THAT(
