@@ -53,7 +53,7 @@ const left = new RegExp(
     'no power of ten', 'Fortran', 'too unequal', 'tables of the file', 'tables: ', 'numbers end at', 'names of the columns of set',
     'samples per second, for', 'a number in', // of options whose unit is always named
     // parts of sentences, which the questions below put together
-    '^[{]} this recording', '^[{]} A law', '^: [{]} is only', '^[{]} [{]} far', 'from sample to sample[)]$', 's[{]}$', '^it must [{]}', '^be positive', '^not be', '^lie between', 'run [{]}$', '^[{]}: the uncert', '^[{]} ± ',
+    '^[{]} this recording', '^[{]} A law', '^: [{]} is only', '^[{]} [{]} far', 'from sample to sample[)]$', 'samples apart[)]$', '^noise lifts small peaks', 's[{]}$', '^it must [{]}', '^be positive', '^not be', '^lie between', 'run [{]}$', '^[{]}: the uncert', '^[{]} ± ',
     '^no drive is seen', '^nothing (is seen|drives)', '^a free law leaves', // of a drive that was named
     'swing.s own', 'a second mode', '--[{]}', // said in one
   ].join('|'),
