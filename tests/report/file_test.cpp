@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -202,6 +204,20 @@ TEST_F(WriteFile, APipeThatNobodyReadsFromIsNotWaitedFor) {
   const auto written = write_file(path("pipe"), "one");
   ASSERT_FALSE(written.ok());
   EXPECT_EQ(written.error().message, "cannot write " + path("pipe") + ": nobody reads from this pipe");
+}
+
+TEST_F(WriteFile, ASocketIsNoPipe) {
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string name = path("socket");
+  ASSERT_LT(name.size(), sizeof address.sun_path);
+  name.copy(address.sun_path, name.size());
+  ASSERT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  const auto written = write_file(name, "one");
+  ASSERT_FALSE(written.ok());
+  EXPECT_EQ(written.error().message, "cannot write " + name + ": No such device or address");
+  ::close(socket);
 }
 
 TEST_F(WriteFile, APipeIsWrittenToDirectlyPieceByPiece) {

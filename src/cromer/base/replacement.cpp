@@ -62,7 +62,9 @@ std::string place_of(int descriptor) { return fmt::format("/proc/self/fd/{}", de
 }  // namespace
 
 Error cannot_write(const std::string& path, int number) {
-  const char* reason = number == ENXIO ? "nobody reads from this pipe" : std::strerror(number);
+  std::error_code failed;
+  const bool unread = number == ENXIO && fs::is_fifo(path, failed);
+  const char* reason = unread ? "nobody reads from this pipe" : std::strerror(number);
   return {fmt::format("cannot write {}: {}", path, reason)};
 }
 

@@ -335,13 +335,12 @@ std::size_t names_inside(const Panel& panel) {
 
 // Of crosses that stand at the frame's edge it is said.
 void say_what_is_outside(Panel& panel) {
-  const bool has_crosses = std::any_of(panel.curves.begin(), panel.curves.end(),
-                                       [](const Curve& curve) { return !curve.remark_outside.empty(); });
-  if (!has_crosses) return;
-  const AxisRange y = y_range(panel, x_range(panel));
-  for (Curve& curve : panel.curves)
+  for (Curve& curve : panel.curves) {
+    if (curve.remark_outside.empty()) continue;
+    const AxisRange y = y_range(panel, x_range(panel));
     if (std::any_of(curve.y.begin(), curve.y.end(), [&](double at) { return at < y.low || at > y.high; }))
       curve.remark += curve.remark_outside;
+  }
 }
 
 }  // namespace

@@ -90,11 +90,11 @@ std::string sudden_stop(const Record& record, double period, std::string_view un
   std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
   if (windows.size() < 8) return {};
   // What is left at the end, too.
-  const double last_from = record.t.back() - period;
-  const auto last = std::lower_bound(record.t.begin(), record.t.end(), last_from) - record.t.begin();
-  if (record.t.back() > windows.back().to + 0.25 * period)
+  if (const double end = record.t.back(); end > windows.back().to + 0.25 * period) {
+    const auto first = std::lower_bound(record.t.begin(), record.t.end(), end - period) - record.t.begin();
     windows.push_back(
-        {last_from, record.t.back(), sinusoid_amplitude(record.y.subspan(static_cast<std::size_t>(last)))});
+        {end - period, end, sinusoid_amplitude(record.y.subspan(static_cast<std::size_t>(first)))});
+  }
   double largest = 0, later = 0;
   for (const AmplitudeWindow& window : windows) largest = std::max(largest, window.amplitude);
   // From the end: the largest amplitude of all that follows, against the one before the window between.

@@ -11,24 +11,13 @@
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/diagnose/sample_noise.h"
 #include "cromer/identify/diagnose/second_mode.h"
 
 namespace cromer {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
-
-// Standard deviation of what is independent from sample to sample: a second difference sees six times its
-// variance, and little of anything slow.
-double noise_of(std::span<const double> r) {
-  if (r.size() < 3) return 0;
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < r.size(); ++i) {
-    const double d = r[i - 1] - 2 * r[i] + r[i + 1];
-    sum += d * d;
-  }
-  return std::sqrt(sum / (6 * static_cast<double>(r.size() - 2)));
-}
 
 double middle(const AmplitudeWindow& window) { return 0.5 * (window.from + window.to); }
 

@@ -11,6 +11,7 @@
 #include "cromer/base/median.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/kink.h"
+#include "cromer/identify/diagnose/sample_noise.h"
 
 namespace cromer {
 namespace {
@@ -103,16 +104,6 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
                                     kink->t)};
 }
 
-// Of the second differences, which a motion as slow as a swing hardly has.
-double noise_of_differences(std::span<const double> y) {
-  double squares = 0;
-  for (std::size_t i = 2; i < y.size(); ++i) {
-    const double bend = y[i] - 2 * y[i - 1] + y[i - 2];
-    squares += bend * bend / (6 * static_cast<double>(y.size() - 2));
-  }
-  return std::sqrt(squares);
-}
-
 // Held still, displaced or at rest.
 std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing) {
   // Not of a spike.
@@ -130,7 +121,7 @@ std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing)
   if (quarter < 3) return std::nullopt;
   held /= static_cast<double>(quarter);
   // Noise does not let go of it: that leaves by more than its own size, and for good.
-  const double band = std::max(0.05 * amplitude, 4 * noise_of_differences(record.y.first(quarter)));
+  const double band = std::max(0.05 * amplitude, 4 * noise_of(record.y.first(quarter)));
   const auto side = [&](std::size_t i) {
     const double off = record.y[std::min(i, record.y.size() - 1)] - held;
     return off > band ? 1 : off < -band ? -1 : 0;
