@@ -20,7 +20,7 @@
 
 namespace {
 
-using namespace cromer::bench;
+using namespace cromer::core::bench;
 
 struct Options {
   std::size_t records = 2000;
@@ -64,8 +64,8 @@ void print(const Tally& tally) {
 }
 
 int write_figure(const std::vector<Tally>& tallies, const std::string& path) {
-  const auto format = cromer::figure_format(path);
-  const auto picture = format ? cromer::draw(coverage_figure(tallies), *format) : format.error();
+  const auto format = cromer::core::figure_format(path);
+  const auto picture = format ? cromer::core::draw(coverage_figure(tallies), *format) : format.error();
   if (!picture) {
     std::fprintf(stderr, "calibration: --figure %s: %s\n", path.c_str(), picture.error().message.c_str());
     return 1;

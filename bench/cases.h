@@ -9,7 +9,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/run/steps.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// W1: one forced run, 8000 steps, all states kept. Lab one: m = 1 kg, k = 9 N/m, F = 1 N at 3 rad/s, from
 /// rest, 80 s in steps of 10 ms.
@@ -44,4 +44,4 @@ double acceleration(const ForcedRun& run, double t, double x, double v) {
   return force / o.mass;
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -12,7 +12,8 @@
 
 namespace {
 
-using namespace cromer;
+using namespace cromer::core;
+using cromer::State;
 
 template <class Number>
 void report(const char* row, long long steps, double h) {

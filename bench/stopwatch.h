@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// Times several pieces of work in turn, so that a machine that drifts drifts for all of them, and gives the
 /// median of each [s].
@@ -33,4 +33,4 @@ double median_seconds(const Work& work, int rounds) {
   return medians(std::vector<Work>{work}, rounds).front();
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -11,7 +11,7 @@
 #include "bench/cases.h"
 #include "cromer/model/terms.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// The law as SUNDIALS calls it.
 template <Terms terms>
@@ -88,4 +88,4 @@ long long arkode(const ForcedRun& run, double row_spacing, double tolerance, std
   return evaluations;
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -26,7 +26,7 @@
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using namespace cromer;
+using namespace cromer::core;
 using bench::ForcedRun;
 
 struct Timed {
@@ -169,7 +169,7 @@ int main(int argc, char** argv) {
   add_odeint<bench::duffing_terms>(works, bench::forced_runs[2], kept);
 
   ours(bench::forced_runs[0], "euler-cromer", keep);
-  const Trajectory rows = KeepEvery(keep).take();
+  const cromer::Trajectory rows = KeepEvery(keep).take();
   std::string text;
   const std::vector<CsvColumn> columns{{"t (s)", std::span<const double>(rows.t)},
                                        {"x (m)", std::span<const double>(rows.x)},

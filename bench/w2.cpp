@@ -23,7 +23,7 @@
 
 namespace {
 
-using namespace cromer;
+using namespace cromer::core;
 
 constexpr int oscillators = 1024, steps = 2000;
 constexpr double h = 0.02;

@@ -19,7 +19,9 @@
 
 namespace {
 
-using namespace cromer;
+using namespace cromer::core;
+using cromer::BetweenSamples;
+using cromer::Peaks;
 
 constexpr std::size_t samples = 4000, periods = 1000;
 constexpr double spacing = 0.01;

@@ -21,7 +21,7 @@
 
 namespace {
 
-using namespace cromer;
+using namespace cromer::core;
 
 struct Samples {
   std::vector<double> t, y;

@@ -20,9 +20,9 @@ std::string swing(std::size_t bytes) {
   text.reserve(bytes + 64);
   for (long n = 0; text.size() < bytes; ++n) {
     const double t = static_cast<double>(n) / 100;
-    text += cromer::shortest(t);
+    text += cromer::core::shortest(t);
     text += ',';
-    text += cromer::shortest(0.3 + 0.05 * std::exp(-1e-5 * t) * std::cos(6 * t));
+    text += cromer::core::shortest(0.3 + 0.05 * std::exp(-1e-5 * t) * std::cos(6 * t));
     text += '\n';
   }
   return text;
@@ -35,11 +35,11 @@ int main(int argc, char** argv) {
   if (argc > 1) std::ofstream(argv[1], std::ios::binary) << text;
   std::size_t rows = 0;
   const std::vector<std::function<void()>> works{[&] {
-    const auto recording = cromer::read_recording(text, "swing.csv", {});
+    const auto recording = cromer::core::read_recording(text, "swing.csv", {});
     if (!recording) std::abort();
     rows = recording->lines.size();
   }};
-  const double seconds = cromer::bench::medians(works, argc > 2 ? std::atoi(argv[2]) : 5).front();
+  const double seconds = cromer::core::bench::medians(works, argc > 2 ? std::atoi(argv[2]) : 5).front();
   std::printf("reading %.0f MB of CSV, %zu rows\tcromer\t%.9g\n", static_cast<double>(text.size()) / 1e6,
               rows, seconds);
   std::fprintf(stderr, "%.0f MB/s\n", static_cast<double>(text.size()) / seconds / 1e6);

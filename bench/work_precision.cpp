@@ -25,7 +25,8 @@
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using namespace cromer;
+using namespace cromer::core;
+using cromer::State;
 using bench::ForcedRun;
 
 constexpr double row_spacing = 0.1;  // [s]

@@ -1,26 +1,20 @@
-// A recording's file, a mass with its uncertainty: how stiff is the spring?
+// From a logger's file to the law of motion, each number with its uncertainty.
+#include <cromer/cromer.h>
+
 #include <cstdio>
 #include <string>
 
-#include "cromer/base/quantity.h"
-#include "cromer/report/read_file.h"
-#include "cromer/study/task/fit.h"
-
-int main(int count, char** words) {
-  using namespace cromer;
-  const std::string file = std::string(count > 1 ? words[1] : "data") + "/recording2.csv";
-  const auto bytes = read_file(file);
-  if (!bytes) return std::fprintf(stderr, "%s\n", bytes.error().message.c_str()), 2;
-
-  FitOptions options;
-  options.mass = Quantity{0.2176, 0.0003};  // kg
-  const auto fits = fit(*bytes, file, options);
+int main(int argc, char** argv) {
+  const std::string folder = argc > 1 ? argv[1] : "data";
+  const auto swing = cromer::read_file(folder + "/recording2.csv");
+  if (!swing) return std::fprintf(stderr, "%s\n", swing.error().message.c_str()), 2;
+  const auto fits = cromer::fit(*swing, {.mass = {0.2176, 0.0003}});
   if (!fits) return std::fprintf(stderr, "%s\n", fits.error().message.c_str()), 2;
-
-  const FittedRecording& found = fits->front();
-  std::printf("law: %s\n", to_text(found.fit.law).c_str());
-  for (const NamedEstimate& each : found.parameters)
-    std::printf("%-20s %s\n", each.name.c_str(),
-                format_quantity({each.estimate.value, each.estimate.standard_error}, each.unit).c_str());
-  return found.find("stiffness") ? 0 : 1;
+  for (const cromer::LawFit& fit : *fits) {
+    std::printf("run %d: %s\n", fit.run, fit.law.c_str());
+    for (const cromer::Parameter& each : fit.parameters) {
+      const cromer::Quantity number{each.estimate.value, each.estimate.standard_error};
+      std::printf("  %-18s %s\n", each.name.c_str(), cromer::format_quantity(number, each.unit).c_str());
+    }
+  }
 }

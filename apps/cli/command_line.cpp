@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// In single quotes; a quote inside ends them, stands escaped, and opens them again.
@@ -25,4 +25,4 @@ std::string command_line(std::string_view command, const Arguments& arguments) {
   return line;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -6,9 +6,9 @@
 
 #include "commands.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "cromer COMMAND ...", each word quoted where a shell would need it.
 std::string command_line(std::string_view command, const Arguments& arguments);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

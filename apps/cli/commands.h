@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// What stands on the command line after the command's name.
 using Arguments = std::vector<std::string>;
@@ -27,4 +27,4 @@ int run_record(const Arguments& arguments);
 int run_serve(const Arguments& arguments);
 int run_report(const Arguments& arguments);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -19,7 +19,7 @@
 #include "text_table.h"
 #include "watching.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::string with_unit(std::string name, const CompareResult& comparison) {
@@ -113,4 +113,4 @@ int run_compare(const Arguments& arguments) {
   return ok ? done : no_success;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -5,7 +5,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/report/csv.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 std::string compare_csv(const std::vector<CompareResult>& comparisons) {
   std::string out;
@@ -29,4 +29,4 @@ std::string compare_csv(const std::vector<CompareResult>& comparisons) {
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

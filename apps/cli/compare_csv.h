@@ -6,10 +6,10 @@
 
 #include "cromer/study/task/compare.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "run,curve,t (s),measured displacement (m),simulated displacement (m)": from the fitted equilibrium, in
 /// the SI unit of the column.
 std::string compare_csv(const std::vector<CompareResult>& comparisons);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

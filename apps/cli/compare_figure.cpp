@@ -9,7 +9,7 @@
 #include "measured_axis.h"
 #include "motion_curves.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// How far the amplitude is off at the end, in words.
@@ -81,4 +81,4 @@ Figure compare_figure(const std::vector<CompareResult>& comparisons) {
   return figure;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

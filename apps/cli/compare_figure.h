@@ -6,9 +6,9 @@
 #include "cromer/report/figure.h"
 #include "cromer/study/task/compare.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// One panel for each simulated curve, the measured motion under it.
 Figure compare_figure(const std::vector<CompareResult>& comparisons);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/ground_motion.h"
+#include "cromer/base/pi.h"
 #include "cromer/report/ticks.h"
 #include "length_unit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// What the panel shows.
 struct Frame {
@@ -119,4 +117,4 @@ void add_equal_lines(Panel& panel, bool in_g) {
   panel.curves.insert(panel.curves.begin(), lines.begin(), lines.end());
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -22,7 +22,7 @@
 #include "syntax.h"
 #include "watching.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// One file that cannot be read ends the command; of many it is a row.
@@ -169,4 +169,4 @@ int run_fit(const Arguments& arguments) {
   return good ? done : no_success;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -9,7 +9,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/report/csv.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// A quantity of the table's head: one of another unit (the equilibrium of an angle) is another column.
@@ -23,8 +23,8 @@ struct Quantity {
 };
 
 /// All quantities of one recording, in the order of the JSON document.
-std::vector<NamedEstimate> numbers_of(const FittedRecording& fitted) {
-  std::vector<NamedEstimate> all = fitted.parameters;
+std::vector<Parameter> numbers_of(const FittedRecording& fitted) {
+  std::vector<Parameter> all = fitted.parameters;
   all.insert(all.end(), fitted.derived.begin(), fitted.derived.end());
   for (std::size_t i = 0; i < fitted.segments.size(); ++i)
     all.push_back({fmt::format("decay_rate_segment_{}", i + 1), fitted.segments[i].rate, "1/s"});
@@ -54,10 +54,10 @@ double or_empty(double value) {
 }
 
 void append_row(std::string& out, const FittedRecording& fitted, const std::vector<Quantity>& head) {
-  const std::vector<NamedEstimate> numbers = numbers_of(fitted);
+  const std::vector<Parameter> numbers = numbers_of(fitted);
   std::vector<double> cells;
   for (const auto& quantity : head) {
-    const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const NamedEstimate& number) {
+    const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const Parameter& number) {
       return number.name == quantity.name && number.unit == quantity.unit;
     });
     const Estimate estimate =
@@ -96,4 +96,4 @@ std::string fit_csv(const std::vector<FittedRecording>& fits) {
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

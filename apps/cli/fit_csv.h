@@ -6,11 +6,11 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// One row per recording and run: "file,run,column,law,status", then every quantity that any of them has,
 /// with its standard error beside it ("stiffness (N/m),stiffness standard error (N/m)"), the residual and the
 /// message. What a recording has not is an empty cell.
 std::string fit_csv(const std::vector<FittedRecording>& fits);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

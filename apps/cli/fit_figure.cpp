@@ -12,7 +12,7 @@
 #include "measured_axis.h"
 #include "motion_curves.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 Panel measured_panel(const FittedRecording& fitted, const MeasuredAxis& axis) {
@@ -198,4 +198,4 @@ Figure fit_figure(const std::vector<FittedRecording>& fits) {
   return figure;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -6,11 +6,11 @@
 #include "cromer/report/figure.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Motion and residual of each recording that could be fitted, one above the other, and what else its fit
 /// shows (decay, samples held out, hysteretic swings); measured samples alone of one that could not. More
 /// than three recordings stand in a grid.
 Figure fit_figure(const std::vector<FittedRecording>& fits);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -13,7 +13,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/report/read_file.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 constexpr std::string_view endings[] = {".csv", ".txt", ".tsv", ".dat", ".lvm", ".asc",
@@ -131,4 +131,4 @@ std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, co
   return fits;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

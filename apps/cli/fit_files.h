@@ -6,7 +6,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// What was named on the command line, folders opened.
 struct RecordingFiles {
@@ -25,4 +25,4 @@ Result<RecordingFiles> recording_files(const std::vector<std::string>& named);
 std::vector<FittedRecording> fit_files(const std::vector<std::string>& files, const FitOptions& options,
                                        const Watch& watch);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -18,7 +18,7 @@
 #include "text_table.h"
 #include "words.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// Measured points with error bars, masses in grams; where they lie close to a line they are ringed.
@@ -239,4 +239,4 @@ Figure mass_line_figure(const MassLine& line) {
   return figure;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

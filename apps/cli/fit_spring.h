@@ -8,7 +8,7 @@
 #include "cromer/study/task/mass_line.h"
 #include "output.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// What `cromer fit` is asked instead of, or beyond, the law.
 struct SpringOptions {
@@ -36,4 +36,4 @@ std::string mass_line_csv(const MassLine& line);
 /// Period squared against mass.
 Figure mass_line_figure(const MassLine& line);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

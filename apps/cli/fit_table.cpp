@@ -11,13 +11,13 @@
 #include "text_table.h"
 #include "words.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 constexpr std::string_view shown[] = {"frequency", "decay_rate",      "drag", "friction", "cubic",
                                       "stiffness", "drag_coefficient"};
 
-const NamedEstimate* find(const FittedRecording& fitted, std::string_view name) {
+const Parameter* find(const FittedRecording& fitted, std::string_view name) {
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& number : *list)
       if (number.name == name && std::isfinite(number.estimate.value)) return &number;
@@ -52,7 +52,7 @@ std::vector<std::string> row_of(const FittedRecording& fitted, const std::string
                                fitted.succeeded() ? to_text(fitted.fit.law) : std::string(fitted.status())};
   const bool any = !fitted.parameters.empty();
   for (const auto column : columns) {
-    const NamedEstimate* number = find(fitted, column);
+    const Parameter* number = find(fitted, column);
     row.push_back(!number ? ""
                           : format_concise({number->estimate.value, number->estimate.standard_error},
                                            number->unit == "1" ? "" : number->unit));
@@ -83,4 +83,4 @@ std::string fit_table(const std::vector<FittedRecording>& fits) {
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

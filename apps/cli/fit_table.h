@@ -6,9 +6,9 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// One line per recording and run with what the laws have in common; one that failed says why.
 std::string fit_table(const std::vector<FittedRecording>& fits);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

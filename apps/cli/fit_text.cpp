@@ -12,7 +12,7 @@
 #include "text_table.h"
 #include "words.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 Estimate in_hertz(const Estimate& angular) {
@@ -43,7 +43,7 @@ std::string heading(const FittedRecording& fitted) {
 
 // Why a law of lower BIC was not taken: of those within strong evidence the one of fewest parameters is.
 std::string_view why_not(const Candidate& lower, double by) {
-  return by < strong_evidence ? "too little to speak against fewer or better known terms"
+  return by < strong_evidence ? "too little to prefer more or rarer terms"
          : lower.converged    ? "but with terms that are not sure"
                               : "but its fit has not converged";
 }
@@ -165,4 +165,4 @@ std::string fit_text(const std::vector<FittedRecording>& fits) {
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

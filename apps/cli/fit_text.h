@@ -6,9 +6,9 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// A list of quantities for each recording, each with unit and uncertainty.
 std::string fit_text(const std::vector<FittedRecording>& fits);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -7,7 +7,7 @@
 #include "cromer/base/ascii.h"
 #include "lab_page.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 bool is_number(std::string_view host) {
@@ -92,4 +92,4 @@ std::string random_token() {
   return token;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

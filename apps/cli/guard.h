@@ -7,7 +7,7 @@
 
 #include "http_server.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 struct Guard {
   int port = 0;
@@ -29,4 +29,4 @@ std::string random_token();
 /// 127.0.0.0/8 and ::1.
 bool is_loopback(std::string_view address);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -2,7 +2,7 @@
 
 #include "syntax.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 constexpr std::size_t help_column = 34;
@@ -81,4 +81,4 @@ std::string help(const Syntax& syntax) {
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -17,7 +17,7 @@
 
 #include "cromer/record/live/descriptor.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 namespace asio = boost::asio;
 namespace beast = boost::beast;
@@ -155,7 +155,9 @@ void HttpConnection::answer(HttpAnswer what, bool keep) {
     file_ = Descriptor(::open(what.file.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat found {};
     if (!file_.is_open() || ::fstat(file_.number(), &found) != 0)
-      return answer(refused(errno == ENOENT ? 404 : 503, "the recording cannot be read now"), keep);
+      return answer(errno == ENOENT ? refused(404, "the recording is gone")
+                                    : refused(503, "the recording cannot be read now"),
+                    keep);
     length = static_cast<std::size_t>(found.st_size);
   }
   http::response<http::empty_body> head;
@@ -176,7 +178,7 @@ void HttpConnection::answer(HttpAnswer what, bool keep) {
   send_next();
 }
 
-// Whoever does not read what is sent costs a piece, not a recording.
+// A client that does not read holds one piece in memory, not a whole recording.
 void HttpConnection::send_next() {
   constexpr std::size_t of_file = 16 << 10, of_memory = 256 << 10;  // bytes
   asio::const_buffer body;
@@ -185,7 +187,7 @@ void HttpConnection::send_next() {
     piece_.resize(before + std::min(left_, of_file));
     const ssize_t got = ::pread(file_.number(), piece_.data() + before, piece_.size() - before,
                                 static_cast<off_t>(sent_bytes_));
-    if (got <= 0) return close();  // it has become shorter than was promised
+    if (got <= 0) return close();  // shorter than promised, or unreadable
     piece_.resize(before + static_cast<std::size_t>(got));
     sent_bytes_ += static_cast<std::size_t>(got);
     left_ -= static_cast<std::size_t>(got);
@@ -293,4 +295,4 @@ void HttpConnections::send_events() {
   for (const auto& connection : listening) connection->send_events();
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

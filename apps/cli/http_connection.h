@@ -9,7 +9,7 @@
 
 #include "http_server.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 class HttpConnection;
 
@@ -25,8 +25,8 @@ class HttpConnections {
   std::size_t count() const { return open_.size(); }
   std::size_t listeners() const;
 
-  /// Closes the oldest that waits for a request; without one the oldest that listens, or takes its answer
-  /// slowly.
+  /// Closes the oldest that waits for a request; else the oldest that listens; else the oldest that an answer
+  /// is being sent to.
   void make_room();
   void end_all();
   /// To each listener, unless it is still busy with what it was sent before.
@@ -37,4 +37,4 @@ class HttpConnections {
   std::map<std::size_t, std::shared_ptr<HttpConnection>> open_;
 };
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

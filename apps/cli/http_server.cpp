@@ -15,7 +15,7 @@
 #include "cromer/study/json/live.h"
 #include "http_connection.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 namespace asio = boost::asio;
@@ -23,8 +23,8 @@ using Failure = boost::system::error_code;
 
 constexpr auto tick = std::chrono::milliseconds(100);
 
-/// As many connections as the system allows, some descriptors kept for files and devices; and no more than
-/// their requests and pieces of answers fit into a few ten megabytes.
+/// As many connections as the system allows, less some descriptors for files and devices; at most 1024, whose
+/// requests and pieces of answers take a few tens of megabytes.
 std::size_t most_connections() {
   constexpr rlim_t most = 1024, kept = 32, fewest = 8;
   rlimit files{};
@@ -44,7 +44,8 @@ struct HttpServer::State {
   asio::steady_timer timer{context}, pause{context};
   HttpConnections connections;
   std::size_t most = most_connections();
-  bool accepting = false, ticking = false;  // a handler is set, which it may not be where memory is out
+  // Whether a handler is waiting: none is after an allocation failed.
+  bool accepting = false, ticking = false;
 
   void accept() {
     acceptor.async_accept([this](Failure failed, asio::ip::tcp::socket socket) {
@@ -121,7 +122,7 @@ int HttpServer::port() const {
 }
 
 void HttpServer::run(const std::function<bool()>& stop) {
-  // Out of memory nobody is served for a while, and what is recorded meanwhile is not ended by it.
+  // When memory runs out, nobody is served for a while; the recording goes on.
   for (;;) {
     try {
       if (!state_->accepting) state_->accept();
@@ -135,4 +136,4 @@ void HttpServer::run(const std::function<bool()>& stop) {
   }
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

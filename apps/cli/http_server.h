@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 struct HttpRequest {
   std::string method;        ///< "GET", ...
@@ -71,4 +71,4 @@ class HttpServer {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

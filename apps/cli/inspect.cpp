@@ -15,7 +15,7 @@
 #include "recording_csv.h"
 #include "syntax.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// "Pos B (mm): position, 356 samples at Time B (s)"; the time only where there are several.
@@ -112,4 +112,4 @@ int run_inspect(const Arguments& arguments) {
              : refuse("standard output cannot be written");
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

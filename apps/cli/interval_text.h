@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "between 19.99912 and 20.00054", with so many digits that the interval's width has three.
 inline std::string interval_text(double low, double high) {
@@ -17,4 +17,4 @@ inline std::string interval_text(double low, double high) {
   return fmt::format("between {:.{}g} and {:.{}g}", low, digits, high, digits);
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

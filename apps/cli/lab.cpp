@@ -10,7 +10,7 @@
 #include "cromer/report/read_file.h"
 #include "lab_page.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// Of two digits.
@@ -62,7 +62,10 @@ void answer_later(TaskQueue& queue, const HttpServer::Respond& respond, std::fun
     try {
       respond(work());
     } catch (const std::bad_alloc&) {
-      respond({.status = 503});
+      try {
+        respond({.status = 503});
+      } catch (const std::bad_alloc&) {  // nobody is told; the recording goes on
+      }
     }
   });
 }
@@ -137,4 +140,4 @@ HttpAnswer Lab::page() {
   return answer;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -10,7 +10,7 @@
 #include "live_session.h"
 #include "task_queue.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Every request that the guard lets pass is answered; see docs/recording.md.
 class Lab {
@@ -31,11 +31,11 @@ class Lab {
   LiveSession& session_;
   Guard guard_;
   std::string page_;
-  std::shared_ptr<const std::string> page_bytes_;  ///< as the file was at
+  std::shared_ptr<const std::string> page_bytes_;  ///< the page as it was at page_time_; empty: none
   std::filesystem::file_time_type page_time_{};
   std::string page_policy_;
   // What waits for devices, one after the other; a stop does not wait for a start.
   TaskQueue starts_, stops_;
 };
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 const std::string head =
@@ -42,4 +42,4 @@ std::string token_is_missing() {
          "Jeder Start des Programms ergibt eine neue.</p></html>\n";
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

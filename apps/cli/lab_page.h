@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// The file itself: beside the build (build/page) or installed (share/cromer); "" where neither is.
 std::string find_lab_page();
@@ -14,4 +14,4 @@ std::string page_is_missing();
 /// What is shown where the address lacks the token, or has another one; English and German.
 std::string token_is_missing();
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

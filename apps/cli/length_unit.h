@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 struct LengthUnit {
   std::string_view symbol;
@@ -18,4 +18,4 @@ constexpr LengthUnit length_unit(double size) {
   return {"µm", 1e-6};
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

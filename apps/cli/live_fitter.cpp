@@ -4,7 +4,7 @@
 #include <chrono>
 #include <new>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 LiveFitter::LiveFitter(const Recorder& recorder, std::string column)
     : recorder_(recorder), column_(std::move(column)), thread_([this] { work(); }) {}
@@ -32,7 +32,9 @@ void LiveFitter::work() {
 
 void LiveFitter::fit_again_and_again() {
   Rows rows;
-  std::size_t seen = 0;  // of the recorder's rows
+  // Only what is fitted: a copy of all rows might be too much again.
+  const std::size_t held = recorder_.status().samples;
+  std::size_t seen = held - std::min(held, live_fit_rows);  // of the recorder's rows
   double next = steady_seconds() + 1;
   while (!stop_) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -55,4 +57,4 @@ void LiveFitter::fit_again_and_again() {
   }
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

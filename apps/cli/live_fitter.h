@@ -10,7 +10,7 @@
 #include "cromer/record/live/recorder.h"
 #include "cromer/study/live_fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 class LiveFitter {
  public:
@@ -35,4 +35,4 @@ class LiveFitter {
   std::thread thread_;
 };
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

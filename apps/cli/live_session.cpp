@@ -7,7 +7,7 @@
 
 #include "cromer/study/json/live.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -57,7 +57,7 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   if (stops_ != stops_before) {
     lock.unlock();
     next->recorder->stop();
-    return Error{"stopped before it had begun"};
+    return Error{"the recording was stopped while it was starting"};
   }
   next->number = ++recordings_;
   paths_[next->name] = path;
@@ -114,4 +114,4 @@ std::string LiveSession::events(EventCursor& cursor) const {
   return event("status", status()) + "\n" + text;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -11,7 +11,7 @@
 #include "live_fitter.h"
 #include "record_options.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 class LiveSession {
  public:
@@ -53,4 +53,4 @@ class LiveSession {
   std::size_t recordings_ = 0, stops_ = 0;
 };
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -12,7 +12,7 @@
 #include "message.h"
 #include "output.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 constexpr Command commands[] = {
@@ -65,14 +65,14 @@ int run(const Arguments& arguments) {
 }
 
 }  // namespace
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli
 
 int main(int count, char** words) {
   try {
-    return cromer::cli::run({words + 1, words + count});
+    return cromer::core::cli::run({words + 1, words + count});
   } catch (const std::bad_alloc&) {
-    return cromer::cli::refuse("not enough memory for this");
+    return cromer::core::cli::refuse("not enough memory for this");
   } catch (const std::exception& problem) {
-    return cromer::cli::refuse(problem.what());
+    return cromer::core::cli::refuse(problem.what());
   }
 }

@@ -12,7 +12,7 @@
 #include "length_unit.h"
 #include "words.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::string unit_of(const FittedRecording& fitted) {
@@ -97,4 +97,4 @@ AmplitudeUnit amplitude_unit(const FittedRecording& fitted, double largest) {
   return {figure_text(series.unit), series.to_si};
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

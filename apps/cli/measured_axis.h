@@ -7,7 +7,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Names and units are safe for a figure's text.
 struct MeasuredAxis {
@@ -37,4 +37,4 @@ struct AmplitudeUnit {
 };
 AmplitudeUnit amplitude_unit(const FittedRecording& fitted, double largest);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

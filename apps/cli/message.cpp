@@ -5,7 +5,7 @@
 #include "cromer/base/utf8.h"
 #include "exit_status.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 bool silent = false;
@@ -32,4 +32,4 @@ void warn(const std::vector<std::string>& warnings, bool quiet) {
   for (const auto& warning : warnings) complain("warning: " + warning);
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// From here on this process says nothing, on neither stream: another one says the same.
 void fall_silent();
@@ -19,4 +19,4 @@ int refuse(std::string_view message);
 /// Each as "cromer: warning: ...", unless quiet.
 void warn(const std::vector<std::string>& warnings, bool quiet);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -13,7 +13,7 @@
 #include "syntax.h"
 #include "text_table.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::string table(const std::vector<MethodRow>& methods) {
@@ -106,4 +106,4 @@ int run_methods(const Arguments& arguments) {
              : refuse("standard output cannot be written");
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

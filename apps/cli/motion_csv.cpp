@@ -6,7 +6,7 @@
 #include "cromer/study/task/fitted_motion.h"
 #include "cromer/study/task/motion_units.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::string heading(std::string_view name, std::string_view unit) {
@@ -49,4 +49,4 @@ std::string motion_csv(const std::vector<FittedRecording>& fits) {
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

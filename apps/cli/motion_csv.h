@@ -6,10 +6,10 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),v from the samples (m/s),set aside" of
 /// every fit that has values; the units are the column's.
 std::string motion_csv(const std::vector<FittedRecording>& fits);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

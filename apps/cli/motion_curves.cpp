@@ -5,17 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/analysis/envelope.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/report/thinning.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t most_swings = 20;       // with more, the lines of two motions run into each other
 constexpr std::size_t columns = 2000;         // more than a figure has pixels
@@ -264,4 +263,4 @@ void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis&
   panel.curves.push_back(std::move(below));
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

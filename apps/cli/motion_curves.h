@@ -8,7 +8,7 @@
 #include "cromer/study/task/fit.h"
 #include "measured_axis.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// A motion at increasing times.
 struct SampledMotion {
@@ -47,4 +47,4 @@ void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& a
 void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
                 const Curve& look);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -10,7 +10,7 @@
 #include "cromer/cluster/tables_file.h"
 #include "cromer/report/file.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 void add_output_options(std::vector<Option>& options, OutputOptions& output, OutputKinds kinds,
                         std::string_view what) {
@@ -79,4 +79,4 @@ bool print(std::string_view text) {
   return std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size() && std::fflush(stdout) == 0;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/report/figure.h"
+#include "cromer/result.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 struct OutputOptions {
   bool json = false;
@@ -44,4 +44,4 @@ Result<void> write_plot(const std::string& path, const Figure& figure);
 /// On standard output, what could drive a terminal spelled out; false if it could not take all of it.
 bool print(std::string_view text);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 std::vector<std::string> reached_at(const std::string& address) {
   if (address != "0.0.0.0") return {address.find(':') == std::string::npos ? address : "[" + address + "]"};
@@ -28,4 +28,4 @@ std::vector<std::string> reached_at(const std::string& address) {
   return all;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -13,7 +13,7 @@
 #include "output.h"
 #include "syntax.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// Looks like an option, not like a value: a negative number has one dash and no letter after it.
@@ -108,4 +108,4 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
   return std::nullopt;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "5.8 %": two digits, whole percents from 100 on; "0 %" where only rounding is left.
 inline std::string percent(double part) {
@@ -17,4 +17,4 @@ inline std::string percent(double part) {
 /// The same with its sign: "+5.8 %".
 inline std::string percent_off(double part) { return (part >= 1e-12 ? "+" : "") + percent(part); }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -18,7 +18,7 @@
 #include "watching.h"
 #include "words.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// "1234 samples, 100.0 a second, last 0.0213; frequency 0.9552(3) Hz"
@@ -109,4 +109,4 @@ int run_record(const Arguments& arguments) {
   return conclude(*recorder, options, output);
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

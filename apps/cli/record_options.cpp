@@ -7,7 +7,7 @@
 #include "cromer/report/file.h"
 #include "cromer/version.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// "2026-11-22T04:10:00Z"
@@ -70,4 +70,4 @@ std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<
   return std::make_unique<Recorder>(make_source(setup.source, setup.lines), std::move(settings));
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -10,7 +10,7 @@
 #include "cromer/record/live/recorder.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 struct RecordOptions {
   std::string from;                ///< a source; "" none
@@ -38,4 +38,4 @@ Result<RecordSetup> check(const RecordOptions& options);
 std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
                                         const std::string& path, const std::string& command);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

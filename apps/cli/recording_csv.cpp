@@ -6,7 +6,7 @@
 #include "cromer/record/dialects/clean_table.h"
 #include "cromer/report/csv.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options) {
   const auto table = clean_table(recording, options);
@@ -19,4 +19,4 @@ Result<std::string> recording_csv(const Recording& recording, const ReadOptions&
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

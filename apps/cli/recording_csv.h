@@ -3,12 +3,12 @@
 
 #include <string>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Time first and strictly increasing, the other columns in the file's own units, whatever the dialect was.
 Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -16,7 +16,7 @@
 #include "syntax.h"
 #include "watching.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// "21 November 2026", of the machine's own calendar.
@@ -84,4 +84,4 @@ int run_report(const Arguments& arguments) {
   return done;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -15,7 +15,7 @@
 #include "syntax.h"
 #include "watching.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 struct ServeOptions {
@@ -101,4 +101,4 @@ int run_serve(const Arguments& arguments) {
   return serve(options.address, options.port, options.page, session);
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

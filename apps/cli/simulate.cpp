@@ -16,7 +16,7 @@
 #include "syntax.h"
 #include "watching.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// Half of the machine's memory: what is kept is written out once more as text.
@@ -76,4 +76,4 @@ int run_simulate(const Arguments& arguments) {
   return result->ok() ? done : no_success;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

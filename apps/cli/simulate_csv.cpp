@@ -10,7 +10,7 @@
 #include "cromer/model/sensor.h"
 #include "cromer/report/csv.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::vector<std::string> comments(const SimulateResult& result, const Arguments& arguments) {
@@ -72,4 +72,4 @@ std::string simulate_csv(const SimulateResult& result, const Arguments& argument
   return result.options.sensor.used ? sensor_csv(result, head) : states_csv(result, head);
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -6,10 +6,10 @@
 #include "commands.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "run,t (s),x (m),v (m/s),energy (J)"; with a sensor what a logger would write, "Time (s),Position (m)",
 /// several runs side by side. Comments at the head say where the numbers come from.
 std::string simulate_csv(const SimulateResult& result, const Arguments& arguments);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -13,7 +13,7 @@
 #include "cromer/study/task/simulate_setup.h"
 #include "length_unit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// Largest |x| from the first state to the one at `until`.
@@ -162,4 +162,4 @@ Figure simulate_figure(const SimulateResult& result) {
   return figure;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -4,10 +4,10 @@
 #include "cromer/report/figure.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Methods by their own colours, the exact solution first; one method at several drive frequencies as an
 /// ordered family. A run that grows without end is cut at the frame and said to grow.
 Figure simulate_figure(const SimulateResult& result);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -6,7 +6,7 @@
 #include "cromer/study/json/documents.h"
 #include "cromer/version.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const Arguments& arguments) {
   std::vector<Hdf5Table> tables(1);
@@ -36,4 +36,4 @@ std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const Argum
   return tables;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

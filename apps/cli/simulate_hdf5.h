@@ -5,9 +5,9 @@
 #include "cromer/cluster/tables_file.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// A group for each run, "run_1" and so on: t, x, v and energy at the kept states, and what a sensor read.
 std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const Arguments& arguments);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -16,7 +16,7 @@
 #include "percent.h"
 #include "text_table.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -148,4 +148,4 @@ std::string simulate_text(const SimulateResult& result) {
          effects(result);
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -5,10 +5,10 @@
 
 #include "cromer/study/task/simulate.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// The runs' ends, their events, the steps that --accuracy chose, the steady motion and what gets through,
 /// and what each method made of the law.
 std::string simulate_text(const SimulateResult& result);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

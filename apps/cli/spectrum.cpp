@@ -15,7 +15,7 @@
 #include "syntax.h"
 #include "watching.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// What this command writes beside the common files.
@@ -119,4 +119,4 @@ int run_spectrum(const Arguments& arguments) {
              : refuse("standard output cannot be written");
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// SD, PSV and PSA; `what` says of which motion: "", " 1", " RotD50".
@@ -57,4 +57,4 @@ std::string component_name(const SpectrumResult& result, std::size_t c) {
   return column.substr(0, column.find(" ("));
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

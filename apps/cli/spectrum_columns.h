@@ -7,7 +7,7 @@
 
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Columns that are computed, with their headers: "SD (m)".
 struct NamedColumns {
@@ -26,4 +26,4 @@ NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectr
 /// "east" where the two components are columns of one file, else "component 1".
 std::string component_name(const SpectrumResult& result, std::size_t c);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

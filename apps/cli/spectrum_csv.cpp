@@ -6,7 +6,7 @@
 #include "cromer/report/csv.h"
 #include "spectrum_columns.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::vector<CsvColumn> columns_of(const NamedColumns& cells) {
@@ -50,4 +50,4 @@ std::string fourier_csv(const SpectrumResult& result, const Arguments& arguments
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

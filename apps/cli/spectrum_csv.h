@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// One row for each damping ratio and period, in the order asked for.
 std::string spectrum_csv(const SpectrumResult& result, const Arguments& arguments);
@@ -14,4 +14,4 @@ std::string spectrum_csv(const SpectrumResult& result, const Arguments& argument
 /// Fourier amplitudes of the recording, one column for each component.
 std::string fourier_csv(const SpectrumResult& result, const Arguments& arguments);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -12,7 +12,7 @@
 #include "equal_lines.h"
 #include "spectrum_columns.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::string damping_name(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
@@ -238,4 +238,4 @@ Figure tripartite_figure(const SpectrumResult& result) {
   return figure;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

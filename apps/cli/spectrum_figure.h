@@ -4,7 +4,7 @@
 #include "cromer/report/figure.h"
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Pseudo-acceleration against period (of two components with their rotations), or a shock spectrum against
 /// frequency.
@@ -13,4 +13,4 @@ Figure spectrum_figure(const SpectrumResult& result);
 /// Pseudo-velocity against period, both logarithmic, over lines of equal displacement and acceleration.
 Figure tripartite_figure(const SpectrumResult& result);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -6,7 +6,7 @@
 #include "cromer/version.h"
 #include "spectrum_columns.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// "PSA RotD50 (g)" as "PSA_RotD50 (g)".
@@ -45,4 +45,4 @@ std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const Argum
   return {std::move(table)};
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

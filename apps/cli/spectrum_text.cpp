@@ -9,7 +9,7 @@
 #include "spectrum_columns.h"
 #include "text_table.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 constexpr std::size_t most_rows = 24;
@@ -142,4 +142,4 @@ std::string spectrum_text(const SpectrumResult& result) {
   return text;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -5,8 +5,8 @@
 
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 std::string spectrum_text(const SpectrumResult& result);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

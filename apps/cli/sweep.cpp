@@ -22,7 +22,7 @@
 #include "syntax.h"
 #include "watching.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// [bytes] for the rows: written out as CSV they take six times as much (measured), as JSON twice that.
@@ -198,4 +198,4 @@ int run_sweep(const Arguments& arguments) {
   return no_success;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -11,7 +11,7 @@
 #include "cromer/study/task/sweep_rows.h"
 #include "length_unit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 constexpr std::uint64_t most_curves = 5;
@@ -230,4 +230,4 @@ Result<Figure> sweep_figure(const SweepResult& result) {
   return Drawing(result, axes).draw();
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

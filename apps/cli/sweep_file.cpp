@@ -7,7 +7,7 @@
 #include "cromer/study/task/sweep_rows.h"
 #include "cromer/version.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// The file's rows without their status, which is counted.
@@ -67,4 +67,4 @@ Result<SweepResult> fill_sweep_file(RowsFile& file, SweepPlan plan, const SweepO
   return result;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -6,7 +6,7 @@
 #include "cromer/cluster/rows_file.h"
 #include "cromer/study/task/sweep.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// Lays the file out, or with `resume` opens what there is.
 Result<RowsFile> open_sweep_file(const SweepPlan& plan, const std::string& path, bool resume,
@@ -17,4 +17,4 @@ Result<RowsFile> open_sweep_file(const SweepPlan& plan, const std::string& path,
 Result<SweepResult> fill_sweep_file(RowsFile& file, SweepPlan plan, const SweepOptions& options,
                                     const ChunkMaker& make, const Watch& watch);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

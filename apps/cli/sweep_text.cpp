@@ -10,7 +10,7 @@
 #include "cromer/study/task/sweep_rows.h"
 #include "text_table.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 constexpr std::uint64_t most_rows = 24;
@@ -118,4 +118,4 @@ std::string sweep_trouble(const SweepResult& result) {
   return text;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

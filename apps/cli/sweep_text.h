@@ -5,7 +5,7 @@
 
 #include "cromer/study/task/sweep.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "euler-cromer, closed form, steps of 0.01 s".
 std::string how(const SweepPlan& plan);
@@ -17,4 +17,4 @@ std::string sweep_text(const SweepResult& result);
 /// How many points did not come to an answer; empty where all did.
 std::string sweep_trouble(const SweepResult& result);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -12,7 +12,7 @@
 #include "cromer/study/task/sweep_trajectories.h"
 #include "output.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// One block of states of one point, as rows.
@@ -73,4 +73,4 @@ Result<std::string> write_trajectories(const SweepPlan& plan, const TrajectoryOp
   return said;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/sweep.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 struct TrajectoryOptions {
   std::string path{};   ///< FILE.csv; "" none
@@ -22,4 +22,4 @@ Result<std::string> announce_trajectories(const SweepPlan& plan, const Trajector
 Result<std::string> write_trajectories(const SweepPlan& plan, const TrajectoryOptions& options,
                                        const std::string& command, const Watch& watch);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

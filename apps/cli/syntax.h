@@ -9,7 +9,7 @@
 #include "commands.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 struct Syntax {
   std::string_view command;
@@ -28,4 +28,4 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
 /// The text of --help.
 std::string help(const Syntax& syntax);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

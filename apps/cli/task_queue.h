@@ -7,7 +7,7 @@
 #include <mutex>
 #include <thread>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 class TaskQueue {
  public:
@@ -49,4 +49,4 @@ class TaskQueue {
   std::thread thread_;
 };
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

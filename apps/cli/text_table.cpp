@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 /// Characters of a UTF-8 text: bytes that do not continue one.
@@ -34,4 +34,4 @@ std::string text_table(const std::vector<std::vector<std::string>>& rows, std::s
   return out;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 namespace {
 
 std::atomic<bool> stop_asked{false};
@@ -79,4 +79,4 @@ void clear_progress() {
   progress_shown = false;
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -3,7 +3,7 @@
 
 #include "cromer/base/interrupt.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// A Watch that Ctrl-C (or a termination signal) interrupts: the first asks the work to stop and keep what it
 /// has, the second ends the program. Progress, with the time that is likely left, is shown on standard error
@@ -17,4 +17,4 @@ Watch watching_ranks(bool quiet);
 /// Takes the progress line away, if there is one.
 void clear_progress();
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

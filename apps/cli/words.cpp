@@ -4,7 +4,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 std::string in_words(std::string_view name) {
   std::string words(name);
@@ -22,4 +22,4 @@ std::string fitted_unit(const FittedRecording& fitted) {
   return "";
 }
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

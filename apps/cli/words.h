@@ -6,7 +6,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer::cli {
+namespace cromer::core::cli {
 
 /// "decay rate" for decay_rate.
 std::string in_words(std::string_view name);
@@ -17,4 +17,4 @@ std::string in_words(const Estimate& estimate, std::string_view unit);
 /// The SI unit of the column that was fitted, as its equilibrium has it; "" where nothing was fitted.
 std::string fitted_unit(const FittedRecording& fitted);
 
-}  // namespace cromer::cli
+}  // namespace cromer::core::cli

@@ -7,7 +7,7 @@
 #include "bench/calibration/in_parallel.h"
 #include "cromer/identify/choose/choose_law.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 namespace {
 
 // Starts of every phase, each with its own bound on the scatter.
@@ -167,4 +167,4 @@ Choices choose(const TrueLaw& truth, const Condition& condition, double strength
   return choices;
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

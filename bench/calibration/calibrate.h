@@ -5,7 +5,7 @@
 #include "bench/calibration/simulated_record.h"
 #include "bench/calibration/tally.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// Fits `records` records with the true law, on all processors. The tally does not depend on their number.
 Tally calibrate(const TrueLaw& law, const Condition& condition, std::size_t records,
@@ -27,4 +27,4 @@ struct Choices {
 Choices choose(const TrueLaw& law, const Condition& condition, double strength, std::size_t records,
                const Progress& progress);
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

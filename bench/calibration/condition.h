@@ -1,7 +1,7 @@
 // How the records are made: a base condition, and one departure at a time from it.
 #pragma once
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// What the intervals and the scatter must be there (issue "Identify", calibration).
 enum class Demand {
@@ -57,4 +57,4 @@ inline constexpr Condition conditions[] = {
     {.name = "noise grows with motion", .demand = Demand::honest, .amplitude_to_noise = 500, .growth = 0.05},
 };
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 namespace {
 
 // Names in the order of their first appearance.
@@ -73,4 +73,4 @@ Figure coverage_figure(const std::vector<Tally>& tallies) {
   return figure;
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

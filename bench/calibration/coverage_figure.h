@@ -6,9 +6,9 @@
 #include "bench/calibration/tally.h"
 #include "cromer/report/figure.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// One row for each condition, in it one line for each law from its worst to its best parameter.
 Figure coverage_figure(const std::vector<Tally>& tallies);
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

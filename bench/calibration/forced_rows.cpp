@@ -13,7 +13,7 @@
 #include "cromer/model/sensor.h"
 #include "cromer/run/solve.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 namespace {
 
 constexpr double natural_frequency = 6, decay_rate = 0.1, duration = 40;  // [rad/s, 1/s, s]
@@ -209,4 +209,4 @@ Tally calibrate(const ForcedRow& row, std::size_t records, const Progress& progr
   return tally;
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -4,7 +4,7 @@
 #include "bench/calibration/in_parallel.h"
 #include "bench/calibration/tally.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 struct ForcedRow {
   const char* law;
@@ -29,4 +29,4 @@ inline constexpr ForcedRow forced_rows[] = {
 /// bound at hand: scatter is over the root mean square of the standard errors.
 Tally calibrate(const ForcedRow& row, std::size_t records, const Progress& progress);
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

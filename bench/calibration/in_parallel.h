@@ -11,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// Called with the number of records done, from any thread but never from two at a time.
 using Progress = std::function<void(std::size_t)>;
@@ -44,4 +44,4 @@ inline std::uint64_t seed_of(std::string_view law, std::string_view condition, s
   return hash + i * 0x9E3779B97F4A7C15u;
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -9,7 +9,7 @@
 #include "cromer/model/sensor.h"
 #include "cromer/run/solve.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 namespace {
 
 constexpr double sample_step = 2 * std::numbers::pi / natural_frequency / samples_per_cycle;  // [s]
@@ -96,4 +96,4 @@ double effective_noise(const Condition& condition, double angular_frequency) {
   return std::sqrt(noise * noise * density + condition.resolution * condition.resolution / 12);
 }
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

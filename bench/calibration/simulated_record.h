@@ -8,7 +8,7 @@
 #include "bench/calibration/truth.h"
 #include "cromer/identify/record.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 /// One motion on a grid so fine that jittered samples fall on it.
 struct Waveform {
@@ -39,4 +39,4 @@ SimulatedRecord simulate_record(const Waveform& waveform, const Condition& condi
 /// [rad/s]: what a bound on the scatter is made of.
 double effective_noise(const Condition& condition, double angular_frequency);
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

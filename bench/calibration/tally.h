@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 struct ParameterTally {
   std::string name;
@@ -23,4 +23,4 @@ struct Tally {
   std::vector<ParameterTally> parameters;
 };
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -8,7 +8,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer::bench {
+namespace cromer::core::bench {
 
 inline constexpr double amplitude = 0.05;       // [m] at the first sample
 inline constexpr double natural_frequency = 6;  // [rad/s]
@@ -58,4 +58,4 @@ struct Truth {
   }
 };
 
-}  // namespace cromer::bench
+}  // namespace cromer::core::bench

@@ -8,7 +8,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// ln of the ratio of the turning points a period apart, over the period: the amplitude falls by its mean
@@ -42,4 +42,4 @@ TEST(AmplitudeDecay, FrictionTakesTheSameAmplitudeEveryCycle) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 
 #include "cromer/analysis/amplitude_decay.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -65,4 +65,4 @@ TEST(AmplitudeDecay, IsTheSumOfWhatEachTermTakes) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -19,7 +19,7 @@
 #include "cromer/run/solve.h"
 #include "tests/support/problems.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 LinearLaw<double> linear(double w0, double zeta) { return {.decay_rate = zeta * w0, .stiffness = w0 * w0}; }
@@ -257,4 +257,4 @@ TEST(EffectiveOscillator, WhatNeverSettlesHasNoSteadyState) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

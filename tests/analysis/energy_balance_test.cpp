@@ -15,7 +15,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr Terms everything{.drive = true, .law = law_of("viscous+drag+cubic")};
@@ -129,4 +129,4 @@ TEST(EnergyBalance, OfOneStateIsThatState) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/analysis/exact_energy_balance.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Oscillator<double> unit{.mass = 1, .stiffness = 0, .friction = 1};
@@ -121,4 +121,4 @@ TEST(EnergyBalance, WhatIsLeftOverIsTheMethods) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Envelope, follows_the_amplitude_of_a_decaying_swing) {
@@ -111,4 +111,4 @@ TEST(Interpolate, between_and_beyond) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

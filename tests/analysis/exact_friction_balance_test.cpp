@@ -8,7 +8,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/friction.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -71,4 +71,4 @@ TEST(SquareOverArc, IsTheIntegralOfTheSquareOfTheVelocity) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

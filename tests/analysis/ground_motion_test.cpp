@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi, g = 9.80665;
@@ -128,4 +128,4 @@ TEST(FourierAmplitude, IsTheSumWrittenOut) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

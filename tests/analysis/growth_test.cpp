@@ -10,7 +10,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Oscillator<double> spring{.mass = 0.2, .stiffness = 16.6};
@@ -95,4 +95,4 @@ TEST(FitLine, IsThatOfLeastSquares) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 
 #include "cromer/analysis/frequency_response.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -106,4 +106,4 @@ TEST(HystereticPeaks, AreTheSumOfSteadyStates) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

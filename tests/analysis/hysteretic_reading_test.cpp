@@ -13,7 +13,7 @@
 
 #include "cromer/analysis/hysteretic_peaks.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -94,4 +94,4 @@ TEST(HystereticReading, ARecordingThatFillsItsLengthIsNotPadded) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

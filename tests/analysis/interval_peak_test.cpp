@@ -9,7 +9,7 @@
 #include <numbers>
 #include <random>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi, infinite = std::numeric_limits<double>::infinity();
@@ -162,4 +162,4 @@ TEST(Extremes, TheMagnitudeIsTheLargerSide) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Oscillator<double> undamped{.mass = 2, .stiffness = 72};  // w = 6 rad/s
@@ -64,4 +64,4 @@ TEST(Invariants, TheModifiedEnergyByHand) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double period = 2 * std::numbers::pi;
@@ -68,4 +68,4 @@ TEST(LimitCycle, IsOfTheSideThatItBeginsOn) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/model/sensor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Pearson's points with York's weights: the published test of every such line. D. York, Can. J. Phys. 44,
@@ -166,4 +166,4 @@ TEST(LineWithErrors, OfPointsOnALineWithoutErrorsNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

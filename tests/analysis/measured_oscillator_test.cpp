@@ -16,7 +16,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Of a law of 1 kg.
@@ -232,4 +232,4 @@ TEST(Recurrence, OfWhatDoesNotSwingIsNone) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 
 #include "cromer/model/sampled_drive.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::vector<double> noise(std::size_t n) {
@@ -112,4 +112,4 @@ TEST(IntervalMap, MeetsChopra) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

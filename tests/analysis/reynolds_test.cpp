@@ -10,7 +10,7 @@
 
 #include "cromer/analysis/air.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Air, HasThePublishedValues) {
@@ -133,4 +133,4 @@ TEST(SpeedWindows, OneWithoutASampleIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

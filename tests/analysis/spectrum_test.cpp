@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -228,4 +228,4 @@ TEST(StrongestLines, AreNotRefinedBesideZeroOrOnAFlatTop) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

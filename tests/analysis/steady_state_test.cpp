@@ -10,7 +10,7 @@
 #include "cromer/run/solve.h"
 #include "tests/support/problems.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(FrequencyResponse, MeetsThePublishedValues) {
@@ -197,4 +197,4 @@ TEST(MeasuredSteadyState, OfWhatDoesNotPushThereIsNone) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

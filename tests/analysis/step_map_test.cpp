@@ -14,7 +14,7 @@
 #include "cromer/analysis/method_steady_state.h"
 #include "cromer/methods/all.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Matrix = std::array<std::array<double, 3>, 3>;  // rows
@@ -279,4 +279,4 @@ TEST(FirstUnstableStep, IsWhereTheRadiusLeavesOne) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/methods/rk4.h"
 #include "cromer/run/root.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -143,4 +143,4 @@ TEST(Swing, StiffnessIsThatOfSmallSwings) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -138,4 +138,4 @@ TEST(TermsShowThemselves, EachKeepsOrTakesItsEnergy) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 
 #include "cromer/model/sensor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Decay {
@@ -146,4 +146,4 @@ TEST(HalfPowerBandwidth, OfALineThatDoesNotFallOnBothSidesIsNone) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/analysis/frequency_response.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using namespace std::complex_literals;
@@ -71,4 +71,4 @@ TEST(Transmissibility, ResonanceIsBelowTheNaturalFrequency) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

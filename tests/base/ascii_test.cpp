@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Ascii, OnlyItsLettersAndDigitsCount) {
@@ -23,4 +23,4 @@ TEST(Ascii, BlanksAtBothEndsGo) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(CoarsePower, LogarithmIsAsGoodAsItSays) {
@@ -33,4 +33,4 @@ TEST(CoarsePower, FarPowersEndAtTheLimits) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Compensated, SumsKeepWhatDoublesDrop) {
@@ -83,4 +83,4 @@ TEST(Compensated, SineAndCosineCarryTheRestByTheirSlopes) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

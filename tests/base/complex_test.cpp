@@ -4,7 +4,7 @@
 
 #include <complex>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Complex, CalculatesAsTheStandardLibraryDoes) {
@@ -22,4 +22,4 @@ TEST(Complex, CalculatesAsTheStandardLibraryDoes) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Coupled, AddsAndMultipliesByComponents) {
@@ -42,4 +42,4 @@ TEST(Coupled, OfNumbersBecomesOneOfDuals) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using D = Dual<double, 2>;
@@ -111,4 +111,4 @@ TEST(Dual, ComparesAtAndBesideTheLimit) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -89,4 +89,4 @@ TEST(FormatConcise, IsTheLongFormWhereItHasNoSense) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/base/bytes.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::DoubleEq;
@@ -172,4 +172,4 @@ TEST(Grid, AUnitThatDoesNotBelongIsNotRemembered) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

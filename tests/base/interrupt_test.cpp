@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Watch, AnEmptyOneNeverStops) {
@@ -36,4 +36,4 @@ TEST(Watch, StopsWhenMoreStepsAreTakenThanThereAre) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(UpperMedian, IsTheMiddleOrTheUpperOfTwo) {
@@ -17,4 +17,4 @@ TEST(UpperMedian, IsTheMiddleOrTheUpperOfTwo) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

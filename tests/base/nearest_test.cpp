@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::array<std::string_view, 5> methods{"forward-euler", "euler-cromer", "implicit-euler", "verlet",
@@ -88,4 +88,4 @@ TEST(Nearest, NamesAllThatContainIt) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/base/bytes.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 void expect(std::string_view text, double value, std::size_t length, char decimal = '.') {
@@ -69,4 +69,4 @@ TEST(Bytes, GoOnToTheNextUnitWhereTheyWouldHaveFourDigits) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST(ParseQuantity, WhatOverflowsIsTooLarge) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/base/number.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -231,4 +231,4 @@ TEST(LeadingNumber, TakesTheLongestNumber) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -137,4 +137,4 @@ TEST_F(ReplacementOf, WhatCannotBeIsNamed) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

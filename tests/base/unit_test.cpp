@@ -7,7 +7,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -165,4 +165,4 @@ TEST(ParseUnit, TheWordThatIsUnknownIsNamed) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

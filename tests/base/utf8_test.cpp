@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Printable, KeepsWhatPeopleRead) {
@@ -122,4 +122,4 @@ TEST(Utf8, WhereverInALongTextAByteIsNone) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::AllOf;
@@ -142,4 +142,4 @@ TEST(BadOptions, AnUnwritableFolderKeepsItsOldFile) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -9,7 +9,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -174,4 +174,4 @@ TEST(BadRecording, ASeismometerAtRestExitsOneAndSaysWhy) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -171,4 +171,4 @@ TEST(BadRuns, AStopThatWasAskedForIsNone) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

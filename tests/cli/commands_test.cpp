@@ -4,7 +4,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -129,4 +129,4 @@ TEST(Compare, LaysSimulationsBesideTheRecording) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 /// The lines set in by four that begin with "cromer ", with their continuations.
@@ -93,4 +93,4 @@ TEST(Docs, EveryKeyOfAStudyIsExplained) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

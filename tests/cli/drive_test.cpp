@@ -8,7 +8,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -107,4 +107,4 @@ TEST(Drive, SaysWhatGetsThrough) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -7,7 +7,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -161,4 +161,4 @@ TEST(FitForced, WithoutASpringTheFigureShowsTheWholeMotion) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

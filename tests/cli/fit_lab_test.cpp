@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using testing::HasSubstr;
@@ -407,4 +407,4 @@ TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

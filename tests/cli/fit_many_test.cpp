@@ -8,7 +8,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using testing::HasSubstr;
@@ -141,4 +141,4 @@ TEST(FitMany, OneRunThatCannotBeReadLeavesTheOthers) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -78,4 +78,4 @@ INSTANTIATE_TEST_SUITE_P(Fit, UnfitRecording, ::testing::ValuesIn(unfit),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

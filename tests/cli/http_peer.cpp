@@ -12,7 +12,7 @@
 
 #include "live_devices.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 std::string request(int port, const std::string& first_line, const std::string& headers,
                     const std::string& body) {
@@ -67,4 +67,4 @@ bool Served::is_up() const {
          status_of(ask(port_, request(port_, "GET /"))) == 200;
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

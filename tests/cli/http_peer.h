@@ -8,7 +8,7 @@
 #include "program.h"
 #include "tests/support/peer.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// "GET /" with a good Host and what else is given, each line with its end; "Connection: close".
 std::string request(int port, const std::string& first_line, const std::string& headers = "",
@@ -39,4 +39,4 @@ class Served {
   std::string address_;
 };
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

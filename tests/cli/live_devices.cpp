@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <utility>
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 /// A socket that listens at a port of this computer; at a free one where that is 0, which is then told.
@@ -195,4 +195,4 @@ std::string Phone::answer(const std::string& target) {
          R"(,"timedRun":false,"countDown":0}})";
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

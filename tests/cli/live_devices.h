@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// A free decay, as all devices here measure it.
 double swing(double t);
@@ -90,4 +90,4 @@ void write_by_the_clock(const SerialLine& serial, double rate, double seconds, c
   }
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -17,7 +17,7 @@
 
 #include "tests/support/xml.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 constexpr const char* out_name = ".standard-output";
@@ -152,4 +152,4 @@ std::string recording(int samples, double decay_rate) {
   return text;
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

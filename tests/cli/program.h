@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// What a finished process leaves: exit status (-signal where a signal ended it), standard output and error.
 struct Finished {
@@ -54,4 +54,4 @@ std::vector<std::string> words_of(const std::string& line);
 /// A damped oscillation as a logger would write it, `samples` at 100 a second.
 std::string recording(int samples, double decay_rate = 0.05);
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 #include "live_devices.h"
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -281,4 +281,4 @@ TEST(Record, OverwritesNothingAndNamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

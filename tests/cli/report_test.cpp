@@ -7,7 +7,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -185,4 +185,4 @@ TEST(Report, NeedsAStudyAndAFolder) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -7,7 +7,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 const std::string data = CROMER_SOURCE_DIR "/data/";
@@ -105,4 +105,4 @@ TEST(SampleData, TheSoftSpringsOfTheCapstoneLabMeetTheirAuthors) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

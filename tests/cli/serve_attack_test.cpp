@@ -11,7 +11,7 @@
 #include "live_devices.h"
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -324,4 +324,4 @@ TEST(ServeAttack, AStopDoesNotWaitForADeviceThatDoesNotAnswer) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

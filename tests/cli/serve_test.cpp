@@ -9,7 +9,7 @@
 #include "live_devices.h"
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -218,4 +218,4 @@ TEST(Serve, WhatCannotBeReachedIsSaidAndTheServerGoesOn) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

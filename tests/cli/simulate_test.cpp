@@ -11,7 +11,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -274,4 +274,4 @@ TEST(Simulate, AFigureSaysHowFarTheLastSwingGoes) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -9,7 +9,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -296,4 +296,4 @@ TEST(Spectrum, WarnsOfPeriodsThatAreTooShort) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

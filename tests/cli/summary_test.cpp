@@ -7,7 +7,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -56,4 +56,4 @@ TEST(Summary, OfALawWithDragSaysWhereTheEnergyWent) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

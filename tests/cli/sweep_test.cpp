@@ -12,7 +12,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -302,4 +302,4 @@ TEST(SweepCommand, RefusesBadGridsAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

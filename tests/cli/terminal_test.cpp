@@ -5,7 +5,7 @@
 #include "cromer/base/utf8.h"
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -76,4 +76,4 @@ TEST(Terminal, IsNotDrivenByWhatIsTyped) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -18,7 +18,7 @@
 
 #include "program.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 const std::filesystem::path folder_of_transcripts = std::string(CROMER_SOURCE_DIR) + "/tests/cli/transcripts";
@@ -174,4 +174,4 @@ INSTANTIATE_TEST_SUITE_P(Of, Transcript, testing::ValuesIn(names_of_transcripts(
                          [](const auto& each) { return each.param; });
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -4,7 +4,7 @@
 
 #include <cstring>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 std::map<std::string, std::vector<double>> datasets(const std::string& path) {
   std::map<std::string, std::vector<double>> all;
@@ -36,4 +36,4 @@ bool same_bits(const std::map<std::string, std::vector<double>>& a,
   return true;
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// All datasets of numbers, by name; empty where the file does not open.
 std::map<std::string, std::vector<double>> datasets(const std::string& path);
@@ -14,4 +14,4 @@ std::map<std::string, std::vector<double>> datasets(const std::string& path);
 bool same_bits(const std::map<std::string, std::vector<double>>& a,
                const std::map<std::string, std::vector<double>>& b);
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

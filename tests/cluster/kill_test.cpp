@@ -12,7 +12,7 @@
 
 #include "tests/cluster/started.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using test::contents;
@@ -165,4 +165,4 @@ TEST_F(Killed, by_a_full_disk_at_the_beginning_leaves_nothing) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 
 #include "tests/cluster/started.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using test::contents;
@@ -101,4 +101,4 @@ TEST(RankThreads, are_the_share_of_the_machine) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

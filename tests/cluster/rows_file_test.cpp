@@ -13,7 +13,7 @@
 
 #include "tests/cluster/started.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using test::contents;
@@ -278,4 +278,4 @@ TEST(RowsFile, of_ten_million_rows_takes_little_memory) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -22,14 +22,14 @@ namespace {
 
 std::atomic<bool> stop_asked{false};
 
-cromer::ChunkedRows slow_rows(std::uint64_t rows, std::uint64_t rows_per_chunk, int microseconds,
-                              const std::string& name) {
-  cromer::ChunkedRows work;
+cromer::core::ChunkedRows slow_rows(std::uint64_t rows, std::uint64_t rows_per_chunk, int microseconds,
+                                    const std::string& name) {
+  cromer::core::ChunkedRows work;
   work.columns = {"amplitude (m)", "phase (rad)"};
   work.rows = rows;
   work.rows_per_chunk = rows_per_chunk;
   work.description = "{\"name\": \"" + name + "\", \"rows\": " + std::to_string(rows) + "}";
-  work.make = [=](std::uint64_t chunk, double* to, const cromer::Watch& watch) {
+  work.make = [=](std::uint64_t chunk, double* to, const cromer::core::Watch& watch) {
     // Uneven: some take three times as long as others.
     std::this_thread::sleep_for(
         std::chrono::microseconds(microseconds * static_cast<int>(1 + chunk * 7 % 5) / 3));
@@ -52,7 +52,7 @@ int fail(const std::string& message, int status) {
 }  // namespace
 
 int main(int count, char** words) {
-  using namespace cromer;
+  using namespace cromer::core;
   if (count < 6) return 2;
   RowsFileOptions options{.path = words[1], .program = "rows_program", .command = "rows_program"};
   std::string name = "slow";

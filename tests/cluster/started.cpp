@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 namespace fs = std::filesystem;
 
@@ -96,4 +96,4 @@ std::string contents(const std::string& path) {
 
 bool exists(const std::string& path) { return fs::exists(path); }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// A folder of its own for a test, removed at its end.
 class Folder {
@@ -48,4 +48,4 @@ bool have_mpirun();
 std::string contents(const std::string& path);
 bool exists(const std::string& path);
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -13,7 +13,7 @@
 #include "tests/cluster/datasets.h"
 #include "tests/cluster/started.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using test::contents;
@@ -252,4 +252,4 @@ TEST_F(SweepFile, wrong_options_are_told_once_by_all_ranks) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

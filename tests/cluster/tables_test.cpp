@@ -13,7 +13,7 @@
 
 #include "tests/cluster/started.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -192,4 +192,4 @@ TEST_F(Tables, WhereTheyCannotBeWrittenNothingIsLeft) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// 103 rows of two columns in chunks of 10; rounding differs from row to row, and chunks take unlike times.
@@ -163,4 +163,4 @@ TEST(Chunks, pass_on_what_making_them_throws) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

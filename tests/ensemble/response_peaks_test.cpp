@@ -11,7 +11,7 @@
 
 #include "cromer/ensemble/dispatch.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -195,4 +195,4 @@ TEST(ResponsePeaks, ByDefaultTheFastestUnitWalks) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 
 #include "cromer/methods/all.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // So few bits that every angle of a million steps is exact.
@@ -59,4 +59,4 @@ TEST(RotatedForce, EveryMethodOfFixedStepsHasOneOrDivisions) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

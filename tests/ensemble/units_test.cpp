@@ -17,7 +17,7 @@
 #include "cromer/run/keep.h"
 #include "cromer/study/task/run_law.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using cromer_group::Group;
@@ -187,7 +187,7 @@ TEST_P(OfUnit, SumsGiveAmplitudePhaseAndEnergyOfTheSteadyState) {
       const double c = std::cos(angle), sine = std::sin(angle);
       x += w * scalar.x[n], xc += w * scalar.x[n] * c, cs += w * c * sine, ss += w * sine * sine;
       xx += w * scalar.x[n] * scalar.x[n];
-      energy += w * cromer::energy(oscillator_of(law, i), {scalar.x[n], scalar.v[n]});
+      energy += w * cromer::core::energy(oscillator_of(law, i), {scalar.x[n], scalar.v[n]});
     }
     EXPECT_NEAR(group->sums.x.of[i], x, 1e-10 * steps);
     EXPECT_NEAR(group->sums.xc.of[i], xc, 1e-10 * steps);
@@ -248,4 +248,4 @@ TEST(Symbols, AUnitSharesNoCode) {
 #endif
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -88,14 +88,15 @@ std::string file_of(unsigned long seed) {
   const auto n = static_cast<std::size_t>(log_uniform(engine, 9, 800));
   const std::vector<double> t = times_of(engine, n), y = values_of(engine, t);
   std::string text = "t (s),x (m)\n";
-  for (std::size_t i = 0; i < n; ++i) text += cromer::shortest(t[i]) + "," + cromer::shortest(y[i]) + "\n";
+  for (std::size_t i = 0; i < n; ++i)
+    text += cromer::core::shortest(t[i]) + "," + cromer::core::shortest(y[i]) + "\n";
   return text;
 }
 
 /// The first sentence with a number that is none.
-std::string nonsense_in(const std::vector<cromer::FittedRecording>& fits) {
+std::string nonsense_in(const std::vector<cromer::core::FittedRecording>& fits) {
   static const std::regex number("(^|[^a-zA-Z])(inf|nan)([^a-zA-Z]|$)");
-  for (const cromer::FittedRecording& fit : fits) {
+  for (const cromer::core::FittedRecording& fit : fits) {
     std::vector<std::string> said = fit.warnings;
     said.push_back(fit.fit.message);
     for (const std::string& sentence : said)
@@ -118,11 +119,11 @@ int main(int count, char** words) {
       fmt::print("{}", file);
       continue;
     }
-    cromer::FitOptions options;
+    cromer::core::FitOptions options;
     if (seed % 4 == 0) options.law = "viscous";
     if (seed % 10 == 1) options.drive_frequency = "auto";
     const std::clock_t begin = std::clock();
-    const auto fits = cromer::fit(file, "generated.csv", options, {});
+    const auto fits = cromer::core::fit(file, "generated.csv", options, {});
     const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     total += took;
     if (const std::string sentence = fits ? nonsense_in(*fits) : ""; !sentence.empty()) {

@@ -11,7 +11,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t million = 1'000'000;
@@ -172,4 +172,4 @@ const Hostile hostile_files[] = {
 INSTANTIATE_TEST_SUITE_P(Files, HostileFiles, testing::ValuesIn(hostile_files));
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "targets.h"
 #include "tests/support/peer.h"
 
-namespace cromer::fuzz {
+namespace cromer::core::fuzz {
 namespace {
 
 class Served {
@@ -65,4 +65,4 @@ int http(const std::uint8_t* data, std::size_t size) {
   return 0;
 }
 
-}  // namespace cromer::fuzz
+}  // namespace cromer::core::fuzz

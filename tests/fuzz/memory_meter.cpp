@@ -33,7 +33,7 @@ void operator delete[](void* memory) noexcept { give_back(memory); }
 void operator delete(void* memory, std::size_t) noexcept { give_back(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { give_back(memory); }
 
-namespace cromer {
+namespace cromer::core {
 
 std::size_t most_bytes_held(FunctionRef<void()> call) {
   const std::size_t before = held;
@@ -42,4 +42,4 @@ std::size_t most_bytes_held(FunctionRef<void()> call) {
   return most - before;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

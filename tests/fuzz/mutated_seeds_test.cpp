@@ -16,7 +16,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);  // of a recording
 
-namespace cromer::fuzz {
+namespace cromer::core::fuzz {
 namespace {
 
 namespace fs = std::filesystem;
@@ -100,4 +100,4 @@ INSTANTIATE_TEST_SUITE_P(Targets, MutatedSeeds,
                          [](const auto& each) { return each.param.name; });
 
 }  // namespace
-}  // namespace cromer::fuzz
+}  // namespace cromer::core::fuzz

@@ -14,15 +14,15 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
-void check_table(const cromer::Table& table) {
-  for (const cromer::Column& column : table.columns) {
+void check_table(const cromer::core::Table& table) {
+  for (const cromer::core::Column& column : table.columns) {
     require(column.values.size() == table.rows());
     require(column.run >= 1);
     for (const double value : column.values) require(!std::isinf(value));
   }
 }
 
-void check_series(const cromer::Series& series) {
+void check_series(const cromer::core::Series& series) {
   require(series.t.size() < 2 || (series.rate > 0 && std::isfinite(series.rate)));
   require(series.t.size() == series.y.size() && series.t.size() == series.lines.size());
   for (std::size_t i = 0; i < series.t.size(); ++i) {
@@ -36,11 +36,11 @@ void check_series(const cromer::Series& series) {
 
 /// The first byte chooses the options, the rest is the file.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cromer;
+  using namespace cromer::core;
   if (size == 0) return 0;
   const unsigned choice = data[0];
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  ReadOptions options;
+  cromer::ReadOptions options;
   options.skip_bad_rows = (choice & 1u) != 0;
   if (choice & 2u) options.rate = 100;
   if (choice & 4u) options.decimal = ",";

@@ -10,7 +10,7 @@
 #include "cromer/record/live/line_reader.h"
 #include "cromer/study/study_file.h"
 
-namespace cromer::fuzz {
+namespace cromer::core::fuzz {
 namespace {
 
 void require(bool holds) {
@@ -85,4 +85,4 @@ int study(const std::uint8_t* data, std::size_t size) {
   return 0;
 }
 
-}  // namespace cromer::fuzz
+}  // namespace cromer::core::fuzz

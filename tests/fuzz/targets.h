@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace cromer::fuzz {
+namespace cromer::core::fuzz {
 
 using Target = int (*)(const std::uint8_t* data, std::size_t size);
 
@@ -19,4 +19,4 @@ int study(const std::uint8_t* data, std::size_t size);
 /// fault.
 int http(const std::uint8_t* data, std::size_t size);
 
-}  // namespace cromer::fuzz
+}  // namespace cromer::core::fuzz

@@ -5,7 +5,7 @@
 
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
@@ -51,4 +51,4 @@ TEST(ChooseLaw, ASpringThatIsNotSymmetricIsFound) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -108,4 +108,4 @@ TEST(WithoutUnsureTerms, LeavesOutWhatMayBeNoneAndCanBeLeftOut) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

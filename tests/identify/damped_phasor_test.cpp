@@ -7,7 +7,7 @@
 #include "cromer/base/dual.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // The same sums from the definition, sample by sample, with derivatives by dual numbers.
@@ -81,4 +81,4 @@ TEST(DampedPhasor, BestAmplitudesAreExactAtTheTrueRates) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -32,7 +32,7 @@ std::string stop_of(const std::vector<double>& amplitudes, bool described = fals
 
 std::string stops(const char* between, const char* amplitude) {
   return std::string("the swing stops between ") + between + " s, from an amplitude of " + amplitude +
-         " to rest within a period, as where a hand catches it: end before with --to";
+         " to less than a tenth of it within a period, as where a hand catches it: end before with --to";
 }
 
 TEST(AmplitudeWindows, StandOneAfterTheOther) {
@@ -318,4 +318,4 @@ TEST(LeavesALine, InTooFewSamplesIsNotDenied) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
@@ -81,4 +81,4 @@ TEST(DescribeFit, IntervalsHoldAtABound) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

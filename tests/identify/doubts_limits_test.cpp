@@ -10,7 +10,7 @@
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -400,4 +400,4 @@ TEST(MeanDecay, IsWrittenWithItsError) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

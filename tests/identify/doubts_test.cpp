@@ -11,7 +11,7 @@
 #include "cromer/identify/diagnose/departures.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -178,4 +178,4 @@ TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/run/solve.h"
 #include "tests/identify/forced_truth.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct DrivenTruth {
@@ -207,4 +207,4 @@ TEST(DrivenFit, DryFrictionIsToldFromDamping) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

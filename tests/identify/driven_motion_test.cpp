@@ -6,7 +6,7 @@
 #include "cromer/identify/motion/recorded_force.h"
 #include "tests/identify/forced_truth.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Half the gradient of the sum of squares, with the sign turned, is what the normal equations hold.
@@ -97,4 +97,4 @@ TEST(RecordedColumns, ABlocksEdgeShowsNowhere) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

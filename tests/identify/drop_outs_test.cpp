@@ -6,7 +6,7 @@
 
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(DropOuts, RunsOfZerosOutsideTheMotion) {
@@ -120,4 +120,4 @@ TEST(DropOuts, OfAVeryLongRecord) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Motion swing_of(const std::string& law) {
@@ -157,4 +157,4 @@ TEST(Effort, OfTheClosedFormIsAFewIterations) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 
 #include "tests/identify/forced_truth.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Law linear = law_of("viscous"), with_drag = law_of("viscous+drag"),
@@ -294,4 +294,4 @@ TEST(ForcedFit, WhatTheRecordDoesNotDetermineIsNamed) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/methods/dormand_prince.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct ForcedTruth {
   double w0 = 12, g = 0.35, drag = 0, quadratic = 0, cubic = 0, gain = 2.5, offset = 0;
@@ -108,4 +108,4 @@ inline ForcedSynthetic forced_synthetic(const ForcedTruth& truth, const std::fun
   return record;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

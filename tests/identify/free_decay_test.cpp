@@ -6,7 +6,7 @@
 
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 LawFit fit_viscous(const SyntheticRecord& record) { return fit_law(record.record(), {}); }
@@ -177,4 +177,4 @@ TEST(LawFit, ShiftScaleAndTimeUnitChangeNothingElse) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

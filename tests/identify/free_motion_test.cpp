@@ -9,7 +9,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const FreeSwing disc{.angular_frequency = 8.849,
@@ -188,4 +188,4 @@ TEST(ChooseLaw, DragIntervalsHold) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/identify/diagnose/free_part.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double h = 0.125;  // [s] times and differences of them are exact
@@ -313,4 +313,4 @@ TEST(FreePartLimits, ALevelThatRoseOrHardlyFell) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -188,4 +188,4 @@ TEST(LostMotion, NoneWhereItIsSeenToTheEnd) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

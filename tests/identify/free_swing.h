@@ -7,7 +7,7 @@
 
 #include "cromer/identify/motion/motion_model.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline std::vector<double> even_times(std::size_t n, double h) {
   std::vector<double> t(n);
@@ -48,4 +48,4 @@ inline Trajectory free_motion(const Motion& motion, std::span<const double> t, d
   return motion_states(motion, {}, t, h);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -179,4 +179,4 @@ TEST(FrictionFit, AMotionThatStopsAfterAFewHalfSwingsIsFound) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 
 #include "tests/identify/forced_truth.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Columns of time, force where there are three, and position.
@@ -73,4 +73,4 @@ TEST(HardRecords, AReadingIsTriedFromWhereAnotherLed) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Interruption, NoLawConvergesWhenItIsInterrupted) {
@@ -43,4 +43,4 @@ TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/choose/kind_of_motion.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double strong = 6, hair = 1e-6;
@@ -295,4 +295,4 @@ TEST(KindOfMotionLimits, AHarmonicIsNoModeUnlessTheDriveIsKnown) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

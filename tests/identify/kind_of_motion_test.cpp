@@ -7,7 +7,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Two lines of amplitude 0.03 with decay rates g and f.
@@ -60,4 +60,4 @@ TEST(KindOfMotion, AHarmonicIsNoModeUnlessTheDriveIsKnown) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Curve {
@@ -86,4 +86,4 @@ TEST(Kink, IsNoneInABeat) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

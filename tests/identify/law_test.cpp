@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Law, ReadsAnySumInAnyOrder) {
@@ -38,4 +38,4 @@ TEST(Law, RefusesEmptyAndRepeatedTerms) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // y = a exp(-b t): its normal equations, given data.
@@ -98,4 +98,4 @@ TEST(NormalEquations, InverseTimesMatrixIsOne) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // A decaying oscillation, its parameters' derivatives a linear model: frequency, decay, equilibrium, both
@@ -260,4 +260,4 @@ TEST(Noise, TimesThatJitterAreNoGaps) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/identify/start/envelope_track.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const FreeSwing disc{.angular_frequency = 6,
@@ -126,4 +126,4 @@ TEST(EnvelopeTrack, FindsTheLawsStartValues) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

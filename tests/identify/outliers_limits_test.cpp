@@ -7,7 +7,7 @@
 #include "cromer/identify/diagnose/outliers.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -145,4 +145,4 @@ TEST(Outliers, AreSoughtFiveTimesAtMost) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -144,4 +144,4 @@ TEST(Outliers, LeaveTheChoiceOfTheLawAlone) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/least_squares/sampling.h"
 #include "cromer/identify/motion/recorded_force.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Any polynomial of fifth degree.
@@ -97,4 +97,4 @@ TEST(RecordedColumns, AreTheForceBetweenItsSamples) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

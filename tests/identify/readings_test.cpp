@@ -12,7 +12,7 @@
 #include "cromer/identify/choose/criterion.h"
 #include "tests/identify/forced_truth.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Change = std::function<void(LawFit&)>;
@@ -154,7 +154,7 @@ TEST(Readings, SayWhatTheOtherWouldMakeOfTheNumbers) {
     for (const char* each : {"decay_rate", "force_gain"}) {
       const double off = std::abs(other[each].value - chosen[each].value) / chosen[each].standard_error;
       if (off > 1)
-        expected += fmt::format("{}{} {:.6g} ({:.1f} of its standard errors away)",
+        expected += fmt::format("{}{} {:.6g} ({:.1f} of the stated standard errors away)",
                                 expected.empty() ? "; the other would make the " : ", ",
                                 std::string(each) == "decay_rate" ? "decay rate" : "force gain",
                                 other[each].value, off);
@@ -237,4 +237,4 @@ TEST(Readings, AnInterruptionEndsTheChoice) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/identify/diagnose/refusal.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::HasSubstr;
@@ -207,4 +207,4 @@ TEST(RefusalLimits, FewestSamples) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 FitStatus status_of(const SyntheticRecord& record) {
@@ -111,4 +111,4 @@ TEST(Refusal, HoldsForEveryLaw) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

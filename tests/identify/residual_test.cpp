@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::vector<double> white(std::size_t n, unsigned seed) {
@@ -72,4 +72,4 @@ TEST(Residual, NothingLeftIsNoCorrelation) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

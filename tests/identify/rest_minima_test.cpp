@@ -9,7 +9,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double noise = 1e-3;
@@ -88,4 +88,4 @@ TEST(RestMinima, EqualMinimaCountEqually) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -98,4 +98,4 @@ TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

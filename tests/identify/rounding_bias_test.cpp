@@ -7,7 +7,7 @@
 
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(RoundingBias, TheExpectedErrorIsTheMeanOverTheNoise) {
@@ -52,4 +52,4 @@ TEST(RoundingBias, CoarseRoundingWidensTheUncertainties) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -80,4 +80,4 @@ TEST(SecondMode, HarmonicsAreCalledThat) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

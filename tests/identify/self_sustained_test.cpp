@@ -9,7 +9,7 @@
 #include "cromer/identify/diagnose/doubts.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double decay_rate = -0.1, van_der_pol = 40, limit = 0.1414;  // sqrt(0.8/40)
@@ -75,4 +75,4 @@ TEST(SelfSustained, NeedsItsBound) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

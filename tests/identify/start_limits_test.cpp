@@ -9,7 +9,7 @@
 #include "cromer/identify/start/start_values.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double w = 6, g = 0.05, h = 0.02;
@@ -114,4 +114,4 @@ TEST(DrivenStart, IsNoneOfARecordThatRests) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

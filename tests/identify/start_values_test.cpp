@@ -11,7 +11,7 @@
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double two_pi = 2 * std::numbers::pi;
@@ -215,4 +215,4 @@ TEST(StartValues, PendulumFromALargeAngleIsChosen) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Starts, OfASwingAreThoseOfItsFirstPart) {
@@ -116,4 +116,4 @@ TEST(Starts, AlongAnEnvelopeAreThoseOfEachLaw) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

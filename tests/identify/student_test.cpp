@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // For one and two degrees of freedom the distribution has a closed form.
@@ -40,4 +40,4 @@ TEST(Student, QuantileAndProbabilityUndoEachOther) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

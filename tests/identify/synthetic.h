@@ -8,7 +8,7 @@
 #include "cromer/identify/law_fit.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct SyntheticRecord {
   std::vector<double> t, y;
@@ -40,4 +40,4 @@ inline SyntheticRecord viscous_record(const Truth& truth, const std::vector<doub
   return record;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

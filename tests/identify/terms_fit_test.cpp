@@ -12,7 +12,7 @@
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // A coefficient that changes a swing of 1 at 6 rad/s by a few percent. A term for which none is chosen has
@@ -210,4 +210,4 @@ TEST(TermsFit, EachTermIsChosen) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/run/solve.h"
 #include "tests/support/every_method.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Oscillating = DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}>;
@@ -211,4 +211,4 @@ TEST_P(EveryMethod, TabulatedDriveIsTheDrive) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/methods/dormand_prince.h"
 #include "cromer/methods/rk4.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// x'' = -x - z, z' = 2 v - z.
@@ -41,4 +41,4 @@ TEST(Coupled, CarriesDualsThroughAMethod) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/model/driven_oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const DrivenOscillator<double, Terms{.drive = true, .law = law_of("viscous")}> swinging({1, 9, 0.4, 0, 0, 0},
@@ -62,4 +62,4 @@ TEST(DormandPrince, ARejectedCopyLeavesTheMemoryAsItWas) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

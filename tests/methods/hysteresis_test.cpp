@@ -13,7 +13,7 @@
 #include "cromer/run/solve.h"
 #include "tests/support/every_method.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using System = HystereticOscillator<HarmonicForce<double>>;
@@ -163,4 +163,4 @@ TEST(Hysteresis, ItsRateHasTheDerivativeOfItsDifferences) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

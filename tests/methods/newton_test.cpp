@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Newton, ConvergesQuadratically) {
@@ -59,4 +59,4 @@ TEST(Newton, NotANumberIsNotConvergence) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

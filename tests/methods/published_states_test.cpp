@@ -9,7 +9,7 @@
 #include "tests/support/every_method.h"
 #include "tests/support/problems.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Calls f with the law of a problem. The laws of the file are these four; with_terms would compile them all.
@@ -62,4 +62,4 @@ TEST(PublishedStatesFile, HasNoMethodThatTheRegistryLacks) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

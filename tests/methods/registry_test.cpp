@@ -5,7 +5,7 @@
 
 #include "cromer/methods/all.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Registry, NamesAreUniqueAndFound) {
@@ -40,4 +40,4 @@ TEST(Registry, SettingsReachTheMethod) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include "cromer/model/driven_oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // The same law with its terms as a type: what with_terms calls with.
@@ -56,4 +56,4 @@ TEST(AnyTerms, AbsentTermsDoNotOverflow) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(BandLimited, KeepsTheSamplesAndConstants) {
@@ -52,4 +52,4 @@ TEST(BandLimited, BesselFunction) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/model/pulse.h"
 #include "cromer/model/sampled_drive.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Gauss-Legendre with five points on many panels between neighbouring corners.
@@ -208,4 +208,4 @@ TEST(Chirp, WithoutASweepIsHarmonic) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Oscillator<double> everything{
@@ -83,4 +83,4 @@ TEST(TabulatedForce, AgreesWithTheCosineAfterAMillionSteps) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

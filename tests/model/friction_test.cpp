@@ -4,7 +4,7 @@
 
 #include "cromer/model/driven_oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Smooth = DrivenOscillator<double, Terms{.law = law_of("viscous")}>;
@@ -55,4 +55,4 @@ TEST(Friction, IsInTheLawAsATermOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(GeneralDrive, JoinsTheLawWithoutLosingATerm) {
@@ -39,4 +39,4 @@ TEST(GeneralDrive, HasAClosedFormWhereLawAndForceHaveOne) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/model/pulse.h"
 #include "cromer/model/sampled_drive.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -95,4 +95,4 @@ TEST(NextTurn, OfAChirpIsItsExtrema) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct FiveNodes {
@@ -59,4 +59,4 @@ TEST(NodeForce, IsTheForceAfterAStepBackAndALeap) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "tests/support/problems.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Per unit mass, as with_terms does it.
@@ -243,4 +243,4 @@ TEST(Propagate, EnergyIsConservedWithoutDampingAndDrive) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

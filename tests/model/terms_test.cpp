@@ -16,7 +16,7 @@
 #include "cromer/model/law_force.h"
 #include "cromer/model/terms/coefficient_unit.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using D = Dual<double, 1>;
@@ -159,4 +159,4 @@ TEST(Terms, OfEverySetAccelerateAlikeHoweverTheyAreCompiled) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

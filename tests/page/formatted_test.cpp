@@ -12,7 +12,7 @@
 
 #include "apps/web/core/decimal.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 /// Halves, powers of two and ten, the least and the largest; then doubles of any bits and of everyday size.
@@ -93,4 +93,4 @@ TEST(Formatted, PutsTextIn) {
 }
 
 }  // namespace
-}  // namespace cromer::page
+}  // namespace cromer::core::page

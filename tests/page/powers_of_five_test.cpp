@@ -3,7 +3,7 @@
 #include <fast_float/fast_float.h>
 #include <gtest/gtest.h>
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 TEST(PowersOfFive, AreThoseOfFastFloat) {
@@ -14,4 +14,4 @@ TEST(PowersOfFive, AreThoseOfFastFloat) {
 }
 
 }  // namespace
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -6,7 +6,7 @@
 #include "cromer/record/dialects/recording.h"
 #include "tests/record/archives.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -122,4 +122,4 @@ TEST(Archive, FilesWithoutTimesAreReadWhereNoneHasThem) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

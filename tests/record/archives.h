@@ -8,7 +8,7 @@
 
 #include "cromer/base/concat.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline std::string little(std::size_t value, int bytes) {
   std::string text;
@@ -55,4 +55,4 @@ inline std::string zipped(const std::vector<File>& files, bool pack = true, std:
   return data + directory + end;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::AllOf;
@@ -112,4 +112,4 @@ TEST(BadCell, MostRowsLostIsSaidFirst) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

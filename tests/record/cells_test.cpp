@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -99,4 +99,4 @@ TEST(Cells, AreQuotedShort) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

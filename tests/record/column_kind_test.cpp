@@ -11,7 +11,7 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -257,4 +257,4 @@ TEST(CleanTable, SensorsKeepTheirOwnTimes) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/record/dialects/recording.h"
 #include "cromer/record/dialects/time.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -151,4 +151,4 @@ TEST(Commas, QuotesTellDecimalsFromSeparators) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

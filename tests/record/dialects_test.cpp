@@ -11,7 +11,7 @@
 #include "cromer/record/dialects/recording.h"
 #include "tests/record/reading.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -133,7 +133,7 @@ TEST(VernierFormat, ARowWithABadCellBelongsToItsSet) {
   EXPECT_THAT(runs(two), ElementsAre(1, 2));
   std::string cut = vernier + "Run 1\n" + names;
   for (int i = 0; i < 9; ++i) cut += "0.5\t1.25\n";
-  EXPECT_THAT(read(cut + "0.5\t1.2").warnings, ElementsAre(HasSubstr("the last line, 16, ends within")));
+  EXPECT_THAT(read(cut + "0.5\t1.2").warnings, ElementsAre(HasSubstr("the last line, 16, seems cut within")));
 }
 
 std::string dialect(const std::string& text) { return read(text).dialect.name; }
@@ -196,4 +196,4 @@ TEST(Capstone, RunsAboveTheNames) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::Contains;
@@ -272,4 +272,4 @@ TEST(DropOuts, ComeBackToWhereTheyLeft) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -4,7 +4,7 @@
 
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -126,4 +126,4 @@ TEST(Encoding, WindowsLettersAreRead) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -175,4 +175,4 @@ TEST(Header, BetweenBlanksABracketBelongsToItsName) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -7,7 +7,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -86,4 +86,4 @@ TEST(Heading, ATimesUnitIsNeverGuessed) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/record/dialects/recording.h"
 #include "tests/record/reading.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -134,8 +134,8 @@ TEST(LabViewFile, ALastLineThatIsCutIsSaid) {
   std::string text = head("One") + end + "X_Value\ta\n";
   for (int i = 0; i < 9; ++i) text += concat({std::to_string(i), "\t1.25\n"});
   EXPECT_THAT(read(text + "9\t1.2").warnings,
-              ElementsAre(HasSubstr("the last line, 16, ends within a number")));
+              ElementsAre(HasSubstr("the last line, 16, seems cut within a number")));
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::HasSubstr;
@@ -179,4 +179,4 @@ TEST(Commas, TheMessageShowsTheFirstRow) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

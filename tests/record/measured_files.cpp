@@ -1,6 +1,6 @@
 #include "tests/record/measured_files.h"
 
-namespace cromer {
+namespace cromer::core {
 
 std::vector<Known> measured_files() {
   return {
@@ -300,4 +300,4 @@ std::vector<Known> measured_files() {
              "column \"t\" has no unit: s is assumed"}}};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

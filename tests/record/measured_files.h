@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// What a file is known to hold: counted and read off in it by hand, beside what its author says of it.
 struct Known {
@@ -23,4 +23,4 @@ inline void PrintTo(const Known& known, std::ostream* out) { *out << known.file;
 
 std::vector<Known> measured_files();
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "cromer/record/dialects/recording.h"
 #include "tests/record/measured_files.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -118,4 +118,4 @@ TEST(MeasuredFiles, TheLongRunsHaveNoOutliersButRoundingSteps) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/record/dialects/recording.h"
 #include "tests/record/reading.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::AllOf;
@@ -197,4 +197,4 @@ TEST(HeadersAgain, BeginARun) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -37,7 +37,8 @@ TEST(LastLine, CutWithinItsNumberIsLeftOut) {
   for (const char* cut : {"0,35;0", "0,35;0,", "0,35;0,3", "0,35;-0,3", "0,"}) {
     const Recording r = read(rows_of(20, "-0,34") + cut);
     EXPECT_EQ(r.table.rows(), 20u) << cut;
-    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("the last line, 22, ends within a number"))) << cut;
+    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("the last line, 22, seems cut within a number")))
+        << cut;
   }
   EXPECT_EQ(read(rows_of(20, "1,25E-03") + "0,35;1,25E-0").table.rows(), 20u);
 }
@@ -275,4 +276,4 @@ TEST(ReadRecording, ManyShortRowsCostNoMemory) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What is read, or an empty recording and a failure.
 inline Recording read(std::string_view text, std::string_view file = "lab.txt",
@@ -40,4 +40,4 @@ inline const std::vector<double>& values(const Recording& recording, std::size_t
   return recording.table.columns.at(j).values;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const std::filesystem::path seeds = std::filesystem::path(CROMER_SOURCE_DIR) / "tests" / "fuzz" / "corpus";
@@ -85,4 +85,4 @@ INSTANTIATE_TEST_SUITE_P(Corpus, RoundTrip, testing::ValuesIn(readable_seeds()),
 });
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

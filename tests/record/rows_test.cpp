@@ -9,7 +9,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -71,7 +71,7 @@ TEST(Rows, FarShorterOnesThanTheTableIsWideAreRefused) {
 
 TEST(LastLine, EightRowsShowHowNumbersAreWritten) {
   EXPECT_THAT(said(repeated(8, "0.5;1.25\n"), "0.5;1.2"),
-              "the last line, 9, ends within a number, \"1.2\": it is left out");
+              "the last line, 9, seems cut within a number, \"1.2\": it is left out");
   EXPECT_EQ(said(repeated(7, "0.5;1.25\n"), "0.5;1.2"), "");
   // Rows without that value show nothing, and hide none behind them.
   EXPECT_NE(said(repeated(8, "0.5;1.25\n") + "0.5;\n0.5\n", "0.5;1.2"), "");
@@ -133,9 +133,10 @@ TEST(LastLine, ARemarkBehindTheRowsIsNone) {
 TEST(LastLine, ThatIsNoNumberAndBeginsAsOneIsLeftOut) {
   const auto rows = rows_of("0;1\n1;1.5e");
   ASSERT_TRUE(rows.ok());
-  EXPECT_EQ(rows->last_line, "the last line, 2, ends within a number, \"1;1.5e\": it is left out");
+  EXPECT_EQ(rows->last_line, "the last line, 2, seems cut within a number, \"1;1.5e\": it is left out");
   EXPECT_EQ(rows->lines.size(), 1u);
-  for (const char* text : {"0;1\n1;1.5e\n", "0;1\n1;abc", "0;1\nabe;e", "1;1.5e"})
+  EXPECT_EQ(rows_of("0;1\n1;1.5e-")->lines.size(), 1u);
+  for (const char* text : {"0;1\n1;1.5e\n", "0;1\n1;abc", "0;1\nabe;e", "1;1.5e", "0;1\n12 done", "0;1\n1;E"})
     EXPECT_FALSE(rows_of(text).ok()) << text;
 }
 
@@ -152,4 +153,4 @@ TEST(NoRows, TheShortestBadCellIsNamed) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -333,4 +333,4 @@ TEST(Tops, OneOfTwoFlatOnesMayHaveThreeSamples) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

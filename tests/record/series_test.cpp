@@ -8,7 +8,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -180,4 +180,4 @@ TEST(NumberRuns, ColumnsWithoutALabelBelongToTheirNeighbours) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/record/dialects/lines.h"
 #include "cromer/record/dialects/sets_below.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -163,4 +163,4 @@ TEST(SetsBelow, TitlesNameTheRun) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

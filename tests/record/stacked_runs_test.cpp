@@ -8,7 +8,7 @@
 
 #include "cromer/record/dialects/columns.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -120,4 +120,4 @@ TEST(Restarts, OfOneTimeOfOneRunOnly) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

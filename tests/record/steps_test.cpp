@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 std::vector<double> times(int samples, double step) {
@@ -223,4 +223,4 @@ TEST(Steps, MissingSamplesAreNoRounding) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -10,7 +10,7 @@
 #include "cromer/record/dialects/clean_table.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::AllOf;
@@ -342,4 +342,4 @@ TEST(CleanTable, ReadsBackAsItself) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -117,4 +117,4 @@ TEST(TimeColumn, IsTheNearestBeforeElseOfTheRunElseOfAll) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -8,7 +8,7 @@
 #include "cromer/record/dialects/uff.h"
 #include "cromer/record/dialects/uff_function.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::ElementsAre;
@@ -165,4 +165,4 @@ TEST(UffFields, LoadCasesAreRuns) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -11,7 +11,7 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -140,5 +140,13 @@ TEST(Uff, WhatIsNoTimeResponseIsLeftOut) {
   EXPECT_EQ(read("-1\n58\n1.5\n2\n").table.columns.size(), 1u);
 }
 
+TEST(Uff, AWordAmongTheNumbersIsNoEndOfThem) {
+  const auto recording =
+      read_recording(text_set({}, "  1.00000E+00  2.00000E+00\n  three\n"), "beam.uff", {});
+  ASSERT_FALSE(recording);
+  EXPECT_THAT(recording.error().message, HasSubstr("beam.uff:15"));
+  EXPECT_THAT(recording.error().message, HasSubstr("three"));
+}
+
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "tests/record/archives.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using testing::HasSubstr;
@@ -162,4 +162,4 @@ TEST(Zip, FiftyTimesItsPackedSizeAndTenKilobytesAreUnpacked) {
 }
 
 }  // namespace
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

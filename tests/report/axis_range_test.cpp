@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -275,4 +275,4 @@ TEST(XRange, IsThatOfVerySmallAndVeryLargeNumbersToo) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

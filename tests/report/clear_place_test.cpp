@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Box frame{10, 20, 400, 300};
@@ -269,4 +269,4 @@ TEST_F(OnlyPlace, LooksAgainWhereNoOtherCurveIsWithinEightPx) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Pieces = std::vector<std::vector<Spot>>;
@@ -81,4 +81,4 @@ TEST(Clip, ABandIsHeldAtTheUpperAndLowerEdge) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

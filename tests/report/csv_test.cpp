@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Csv, WritesHeaderCommentsTextAndMissingValues) {
@@ -85,4 +85,4 @@ TEST(Csv, AShorterColumnEndsInEmptyCells) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -15,7 +15,7 @@
 // fontconfig reaches its patterns by offsets, which the leak sanitizer cannot follow.
 extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -158,4 +158,4 @@ TEST(FigureFormat, NeedsANameBeforeAKnownEnding) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 
 // What gtest prints of a run that is not the expected one.
 void PrintTo(const TextRun& run, std::ostream* out) {
@@ -63,4 +63,4 @@ TEST(EnhancedText, AnyTextCanBeMeantAsItStands) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

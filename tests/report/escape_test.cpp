@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Escaped, NothingEndsAnAttributeOrATag) {
@@ -29,4 +29,4 @@ TEST(WellFormed, WhatIsHiddenOrTurnsTheWritingIsSpelledOut) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/report/figure.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline Curve swing(const std::string& role, double rate, double seconds = 8, double step = 0.01) {
   Curve curve;
@@ -97,4 +97,4 @@ inline std::vector<Figure> examples() {
           of({Panel{}})};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

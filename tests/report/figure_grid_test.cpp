@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Figure of(FigureSize size, int columns, std::vector<int> spans) {
@@ -54,4 +54,4 @@ TEST(FigureGrid, ARowEndsWhereTheNextPanelDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/report/layout.h"
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Figure of(std::vector<Panel> panels) {
@@ -117,4 +117,4 @@ TEST(FigureLayout, APointAloneIsADotAndFewPointsHaveDotsOnTheirLine) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/report/layout.h"
 #include "tests/report/example_figures.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::vector<PlacedText> texts_of(const Layout& layout) {
@@ -146,4 +146,4 @@ TEST(FigureLayout, AStepBeyondTheAxisLeavesItWithoutTicks) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -237,4 +237,4 @@ TEST_F(WriteFile, APipeIsWrittenToDirectlyPieceByPiece) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

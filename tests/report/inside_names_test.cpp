@@ -8,7 +8,7 @@
 #include "cromer/report/place_curve.h"
 #include "cromer/report/place_names.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The words of a panel whose axes run from 0 to 1 in a frame of 400 by 300 px at (50, 40).
@@ -158,4 +158,4 @@ TEST(NameLists, AreForMoreThanSixNamesOrWhereNoPlaceIsGood) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/report/text_width.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Spread, LeavesWhatHasRoom) {
@@ -114,4 +114,4 @@ TEST(Spread, LeavesTheGapsAndStaysWithinItsEnds) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

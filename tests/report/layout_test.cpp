@@ -12,7 +12,7 @@
 #include "cromer/report/palette.h"
 #include "cromer/report/place_map.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Panel line(std::vector<double> x, std::vector<double> y) {
@@ -375,4 +375,4 @@ TEST(Axes, NumbersOfALogarithmicAxisStandAtTheirRatios) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST_F(Librsvg, APictureTooLargeForCairoIsAnError) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 unsigned number(const std::string& bytes, std::size_t at) {
@@ -93,4 +93,4 @@ TEST(Base64, IsThatOfTheStandard) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

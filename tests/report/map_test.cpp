@@ -5,7 +5,7 @@
 
 #include "cromer/report/place_map.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 HeatMap map_of(std::vector<double> z, bool decades) {
@@ -127,4 +127,4 @@ TEST(MapScale, TwoDecadesAndMoreGetEvenRatios) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -130,4 +130,4 @@ TEST(PageStyle, TheHintsOfAScrolledTableMirrorEachOther) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/report/page_text.h"
 #include "tests/support/xml.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -214,4 +214,4 @@ TEST(Page, CodeIsAsItWasTyped) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(PageText, AMarkWithoutItsOtherEndIsAStar) {
@@ -63,4 +63,4 @@ TEST(PageText, ALineEndIsABlankAndAnEmptyLineAParagraph) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 double channel(std::string_view colour, std::size_t at) {
@@ -153,4 +153,4 @@ TEST(Palette, CurvesAreOneAndAHalfPxWideAndGridLinesThin) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

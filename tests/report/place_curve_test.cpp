@@ -8,7 +8,7 @@
 
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const double none = std::nan("");
@@ -167,4 +167,4 @@ TEST(HeightAtEnd, IsTheLastPointsOrTheLastPeakOfASwing) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/report/palette.h"
 #include "cromer/report/place_curve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const TextSizes sizes;
@@ -353,4 +353,4 @@ TEST(OutsideNames, GoBelowThePlotOnlyWhereItIsTooLow) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

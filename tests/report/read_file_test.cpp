@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -87,4 +87,4 @@ TEST_F(ReadFile, ZerosAfterABeginningAreData) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/report/map_png.h"
 #include "tests/support/xml.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -228,4 +228,4 @@ TEST(Svg, WordsAreEscapedAndWellFormed) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

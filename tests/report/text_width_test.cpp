@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 double thousandths(std::string_view text) { return text_width(text, 1000, false, Typeface::dejavu_sans); }
@@ -54,4 +54,4 @@ TEST(Wrapped, ALineThatJustFitsStays) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -206,4 +206,4 @@ TEST(Extremes, ColumnsAreAsWideWhereverTheyBegin) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -144,4 +144,4 @@ TEST(Ticks, OfALogarithmicAxisStandAtDigitsTimesPowersOfTen) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/run/solve.h"
 #include "tests/support/problems.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Run {
@@ -161,4 +161,4 @@ TEST(FirstStep, FollowsTheMotionNotTheUnits) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/model/general_drive.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Oscillator<double> law{.mass = 0.7, .stiffness = 20, .damping = 0.4};
@@ -123,4 +123,4 @@ TEST(Breaks, ASlideGoesOnFromPulseToPulse) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

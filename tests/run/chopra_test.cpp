@@ -14,7 +14,7 @@
 #include "cromer/model/general_drive.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double last_digits = 2e-4;  // two units of the last digit
@@ -90,4 +90,4 @@ TEST_F(Chopra, AverageAcceleration) { compare(run_by({.newton = {}, .beta = 0.25
 TEST_F(Chopra, LinearAcceleration) { compare(run_by({.newton = {}, .beta = 1.0 / 6, .gamma = 0.5}), 7); }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

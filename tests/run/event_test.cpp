@@ -13,7 +13,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -206,4 +206,4 @@ TEST(Events, PassedIsASignThatChanges) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

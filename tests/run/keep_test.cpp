@@ -8,7 +8,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Oscillator<double> spring{.mass = 1, .stiffness = 9};
@@ -53,4 +53,4 @@ TEST(KeepEvery, HandsOnAllStatesOfAMassThatSlidesAndSticks) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

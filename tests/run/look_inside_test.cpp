@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Path = std::function<State<double>(double)>;
@@ -193,4 +193,4 @@ TEST(LookInside, ATurnNearTheEndOfAPartIsSeenOfAnyPart) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

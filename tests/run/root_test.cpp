@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(FindRoot, IsRightToRoundingWithFewEvaluations) {
@@ -82,4 +82,4 @@ TEST(FindRoot, NeverTakesMoreThanSomeSixtyEvaluations) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/run/solve.h"
 #include "cromer/run/stick_slip.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Spring = DrivenOscillator<double, Terms{}>;
@@ -142,4 +142,4 @@ TEST(FixedSteps, APhaseEndsBetweenRowsOrOnOne) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const Oscillator<double> spring{.mass = 1, .stiffness = 9};
@@ -300,4 +300,4 @@ TEST(Solve, AWatchedRunIsInterruptedWithinAFewHundredSteps) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

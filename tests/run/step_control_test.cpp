@@ -14,7 +14,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Trial<double> trial(State<double> y, State<double> error) { return {.y = y, .error = error}; }
@@ -211,4 +211,4 @@ TEST(AdaptiveSteps, AnInterruptEndsThemBeforeTheNext) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

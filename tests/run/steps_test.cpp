@@ -13,7 +13,7 @@
 #include "cromer/run/event.h"
 #include "cromer/run/keep.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Steps, TheLastOneIsWhatIsLeft) {
@@ -234,4 +234,4 @@ TEST(Event, DistanceIsFromTheValue) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

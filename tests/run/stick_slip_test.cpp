@@ -17,7 +17,7 @@
 #include "cromer/run/solve.h"
 #include "tests/support/problems.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Run {
@@ -300,4 +300,4 @@ TEST(StickSlip, APullThatJustBalancesIsRest) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

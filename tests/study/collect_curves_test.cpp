@@ -7,7 +7,7 @@
 
 #include "tests/study/collected.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -182,4 +182,4 @@ TEST(CollectSpectrum, OfAShockHasItsFourAccelerations) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

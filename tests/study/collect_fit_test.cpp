@@ -7,7 +7,7 @@
 
 #include "tests/study/collected.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -145,4 +145,4 @@ TEST(CollectCompare, SaysWhereASimulationExceedsTheLawMost) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "tests/study/collected.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::DoubleEq;
@@ -171,4 +171,4 @@ TEST(CollectSimulate, SaysWhatGetsThrough) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "tests/study/collected.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -88,4 +88,4 @@ TEST(CollectSweep, WhereNothingHasANumberThereIsNoExtreme) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/study/collect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -36,4 +36,4 @@ inline ResultColumn column(const Results& results, const std::string& name) {
   return found ? **found : ResultColumn{};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

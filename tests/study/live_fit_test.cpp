@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double decay_rate = 0.05, frequency = 1.5;
@@ -57,4 +57,4 @@ TEST(LiveFit, SaysNothingBeforeThereIsAnythingToSay) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

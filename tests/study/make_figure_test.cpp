@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 class MakeFigure : public testing::Test {
@@ -159,4 +159,4 @@ TEST(Enhanced, italics_become_those_of_figures) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -106,4 +106,4 @@ TEST_F(MakePage, SaysWhereATextIsThatCannotBeFilled) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

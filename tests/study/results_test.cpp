@@ -6,7 +6,7 @@
 
 #include "cromer/study/json/study.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Results, KeepNumbersTextsAndColumnsByName) {
@@ -63,4 +63,4 @@ TEST(Results, AreADocument) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

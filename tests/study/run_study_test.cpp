@@ -8,7 +8,7 @@
 
 #include "tests/study/collected.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST(RunStudy, OptionsOfStudiesAloneReachTheirTasks) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

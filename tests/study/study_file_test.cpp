@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::string message(std::string_view toml) {
@@ -316,4 +316,4 @@ TEST(StudyFile, a_task_keeps_its_settings_as_they_would_be_typed) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 class Text : public testing::Test {
@@ -104,4 +104,4 @@ TEST_F(Text, says_what_is_wrong) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 
 class EveryMethod : public testing::TestWithParam<std::string_view> {
  protected:
@@ -56,4 +56,4 @@ inline std::string name_of_test(const testing::TestParamInfo<std::string_view>& 
   return name;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <utility>
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 double seconds_now() {
@@ -74,4 +74,4 @@ bool Peer::is_closed_within(double seconds) const {
   return false;
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

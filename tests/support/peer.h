@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// A connection to a port of this computer; closed with the object.
 class Peer {
@@ -27,4 +27,4 @@ class Peer {
   int socket_ = -1;
 };
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

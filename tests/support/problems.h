@@ -10,7 +10,7 @@
 #include "cromer/model/drive.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer::problems {
+namespace cromer::core::problems {
 
 inline nlohmann::json read(const std::string& name) {
   std::ifstream file(std::string(CROMER_SOURCE_DIR) + "/tests/problems/" + name);
@@ -39,4 +39,4 @@ struct Problem {
         start{number(p, "x0"), number(p, "v0")} {}
 };
 
-}  // namespace cromer::problems
+}  // namespace cromer::core::problems

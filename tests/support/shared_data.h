@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-namespace cromer {
+namespace cromer::core {
 
 inline std::string data(const std::string& name) {
   return std::string(CROMER_SOURCE_DIR) + "/../shared/data/" + name;
@@ -24,4 +24,4 @@ inline std::string bytes_of(const std::string& path) {
 #define SKIP_WITHOUT(path) \
   if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here"
 
-}  // namespace cromer
+}  // namespace cromer::core

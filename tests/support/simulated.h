@@ -8,7 +8,7 @@
 
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline SimulateResult simulated(const SimulateOptions& options) {
   auto result = simulate(options);
@@ -28,4 +28,4 @@ inline std::string refusal(const SimulateOptions& options) {
   return result ? "" : result.error().message;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <regex>
 #include <string>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// What a reader of XML complains of; "" where it does not.
 inline std::string xml_fault(const std::string& document) {
@@ -26,4 +26,4 @@ inline std::string html_fault(const std::string& document) {
   return xml_fault(std::regex_replace(document, without_end, "<$1$2/>"));
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

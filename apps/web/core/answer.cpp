@@ -22,7 +22,7 @@
 #include "request.h"
 #include "resonance_curves.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 Answer bad_input(const Error& error) {
@@ -245,4 +245,4 @@ Answer answer(std::string_view text, std::string_view file) {
   return bad_input(Error{"there is no task \"" + request->task + "\""});
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 enum class Status { done = 0, no_success = 1, bad_input = 2 };
 
@@ -20,4 +20,4 @@ struct Answer {
 /// its name is the option "file-name".
 Answer answer(std::string_view request, std::string_view file);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -2,7 +2,7 @@
 
 #include "cromer/methods/all.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 /// With a method of its own: the registry hands out temporary ones.
@@ -34,4 +34,4 @@ std::unique_ptr<Stepper> stepper_of(std::string_view method, const MethodSetting
   });
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -8,11 +8,11 @@
 #include "cromer/model/any_terms.h"
 #include "cromer/run/stepper.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 /// The method of that name, which must be in the list, at the start of a run from y at t. The system outlives
 /// it.
 std::unique_ptr<Stepper> stepper_of(std::string_view method, const MethodSettings& settings,
                                     const AnyTerms& system, double t, const State<double>& y);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -11,7 +11,7 @@
 
 #include "cromer/base/number.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 /// A whole number in figures of 32 bits, the lowest first.
@@ -180,4 +180,4 @@ Decimal fewest_digits(double value) {
   }
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

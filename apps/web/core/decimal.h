@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 /// digits[0].digits[1]... × 10^exponent; "0" and 0 for zero.
 struct Decimal {
@@ -20,4 +20,4 @@ Decimal behind_point(double value, int count);
 /// The fewest digits that are read back as the same double, and of those the nearest.
 Decimal fewest_digits(double value);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

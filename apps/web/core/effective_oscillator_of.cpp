@@ -3,7 +3,7 @@
 #include "any_method.h"
 #include "cromer/study/task/method_effect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 EffectiveOscillator effective_oscillator_of(std::string_view method, const MethodSettings& settings,
                                             const LinearLaw<double>& law, double h) {
@@ -25,4 +25,4 @@ EffectiveOscillator effective_oscillator_of(std::string_view method, const Metho
   return analyse(step_map_of<double>(image, law), h, law.drive_frequency);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

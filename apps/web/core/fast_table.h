@@ -12,7 +12,7 @@ struct powers {
   static constexpr int smallest_power_of_five = binary_format<double>::smallest_power_of_ten();
   static constexpr int largest_power_of_five = binary_format<double>::largest_power_of_ten();
   inline static const auto power_of_five_128 =
-      cromer::page::powers_of_five<smallest_power_of_five, largest_power_of_five>();
+      cromer::core::page::powers_of_five<smallest_power_of_five, largest_power_of_five>();
 };
 
 }  // namespace fast_float

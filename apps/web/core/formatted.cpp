@@ -6,7 +6,7 @@
 
 #include "decimal.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 void append_scientific(std::string& text, const Decimal& decimal) {
@@ -88,4 +88,4 @@ std::string formatted(std::string_view text, std::initializer_list<Argument> arg
   return result;
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 class Argument {
  public:
@@ -35,4 +35,4 @@ class Argument {
 /// {}, {0} and, of numbers, {:.6g}, {:.2f}, {:.0e} or {:.{}g}, whose digits are an argument of their own.
 std::string formatted(std::string_view text, std::initializer_list<Argument> arguments);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

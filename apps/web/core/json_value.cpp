@@ -6,7 +6,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t shortest_block = 16;
@@ -116,4 +116,4 @@ std::vector<double>& json_blocks() {
   return blocks;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

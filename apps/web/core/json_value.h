@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The blocks of the documents written since they were last cleared.
 std::vector<double>& json_blocks();
@@ -72,4 +72,4 @@ class JsonValue {
   std::vector<std::pair<std::string, JsonValue>> items_{};
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 struct MethodResonance {
   std::string method;
@@ -15,4 +15,4 @@ struct MethodResonance {
   std::vector<double> phase{};      // [rad] lag behind the force
 };
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -10,7 +10,7 @@
 #include "cromer/study/json/effect.h"
 #include "cromer/study/task/run_effect.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 Json block(std::size_t first, std::size_t count) {
@@ -105,4 +105,4 @@ Json motions_of(const SimulateResult& result) {
   return document;
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

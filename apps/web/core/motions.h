@@ -4,11 +4,11 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 /// {"runs": [...], "linear_part": {...}, "warnings": [...]}: of the document of study/json what is asked at
 /// every move of a slider, and what the law itself is known by.
 /// The columns go straight into json_blocks(); runs with the same times share them.
 Json motions_of(const SimulateResult& result);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

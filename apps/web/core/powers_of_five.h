@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 /// A whole number of up to 1152 bits, the lowest 32 first.
 class LongNumber {
@@ -78,4 +78,4 @@ std::array<std::uint64_t, 2 * (most - least + 1)> powers_of_five() {
   return powers;
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

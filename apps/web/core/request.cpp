@@ -2,22 +2,7 @@
 
 #include <algorithm>
 
-#include "cromer/base/nearest.h"
-
-namespace cromer::page {
-namespace {
-
-Error unknown(std::string_view name, const Request& request, const std::vector<Option>& options) {
-  std::vector<std::string_view> names;
-  for (const Option& option : options) names.push_back(option.name);
-  const std::string near = nearest(name, names);
-  std::string message = "--" + std::string(name) + " is no option of " + request.task;
-  if (!near.empty()) message += "; did you mean --" + near + "?";
-  return Error{message};
-}
-
-}  // namespace
-
+namespace cromer::core::page {
 Result<Request> read_request(std::string_view text) {
   Request request;
   for (std::size_t from = 0; from < text.size();) {
@@ -48,15 +33,7 @@ std::string take(Request& request, std::string_view name, std::string_view other
 }
 
 Result<void> assign(const Request& request, const std::vector<Option>& options) {
-  for (const auto& setting : request.settings) {
-    const auto option = std::find_if(options.begin(), options.end(),
-                                     [&](const Option& each) { return each.name == setting.first; });
-    if (option == options.end()) return unknown(setting.first, request, options);
-    if (auto good = cromer::assign(*option, setting.second); !good) return good;
-    if (auto good = check(*option); !good) return good;
-    if (option->asked) *option->asked = true;
-  }
-  return {};
+  return core::assign(request.settings, options, request.task);
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -3,17 +3,16 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 struct Request {
   std::string task;
-  std::vector<std::pair<std::string, std::string>> settings{};  ///< in the order given
+  std::vector<TypedOption> settings{};  ///< in the order given
   std::string file_name = "recording";
 };
 
@@ -27,4 +26,4 @@ std::string take(Request& request, std::string_view name, std::string_view other
 /// the value, as the command line says it.
 Result<void> assign(const Request& request, const std::vector<Option>& options);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

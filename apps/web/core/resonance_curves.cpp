@@ -4,7 +4,7 @@
 #include "cromer/study/task/simulate_setup.h"
 #include "settled_curve.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 /// `run` has an effect of its own.
@@ -44,4 +44,4 @@ Result<std::vector<MethodResonance>> resonance_curves(const SimulateOptions& opt
   return curves;
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "cromer/base/grid.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 #include "method_resonance.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 /// One for each method of the options. Of a linear law and a method with a step of its own by the closed form
 /// of the method's map; else by stepping (settled_curve.h). An Error where nothing drives it.
 Result<std::vector<MethodResonance>> resonance_curves(const SimulateOptions& options,
                                                       const Grid& frequencies);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

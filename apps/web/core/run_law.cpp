@@ -9,7 +9,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// As take_uniform_steps.
@@ -96,4 +96,4 @@ Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   return run_terms(AnyTerms(per_mass, force_of(run.drive, run.oscillator.mass)), per_mass, run, keep, watch);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

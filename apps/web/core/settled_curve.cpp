@@ -8,7 +8,7 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/methods/dormand_prince.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 namespace {
 
 constexpr double first_cycles = 32, most_cycles = 512;
@@ -88,4 +88,4 @@ Result<MethodResonance> settled_curve(const SimulateOptions& options, const Simu
   return curve;
 }
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

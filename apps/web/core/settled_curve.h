@@ -2,11 +2,11 @@
 #pragma once
 
 #include "cromer/base/grid.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 #include "method_resonance.h"
 
-namespace cromer::page {
+namespace cromer::core::page {
 
 /// Of the run's method, from rest at each frequency; `options` are those it was set up by. The run's step, or
 /// Dormand-Prince to 1e-6 where the options give no tolerance. A point has settled where two windows of ten
@@ -15,4 +15,4 @@ namespace cromer::page {
 Result<MethodResonance> settled_curve(const SimulateOptions& options, const SimulatedRun& run,
                                       const Grid& frequencies);
 
-}  // namespace cromer::page
+}  // namespace cromer::core::page

@@ -6,8 +6,8 @@
 
 namespace {
 
-cromer::page::Answer& last() {
-  static cromer::page::Answer answer;
+cromer::core::page::Answer& last() {
+  static cromer::core::page::Answer answer;
   return answer;
 }
 
@@ -21,7 +21,7 @@ CROMER_EXPORT(page_release) void page_release(void* bytes) { std::free(bytes); }
 /// The status; text and numbers are good until the next call.
 CROMER_EXPORT(page_answer)
 int page_answer(const char* request, std::size_t length, const char* file, std::size_t file_length) {
-  last() = cromer::page::answer({request, length}, {file, file_length});
+  last() = cromer::core::page::answer({request, length}, {file, file_length});
   return static_cast<int>(last().status);
 }
 CROMER_EXPORT(page_text) const char* page_text() { return last().text.data(); }

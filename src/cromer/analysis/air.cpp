@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 
 double air_density(double T) {
   constexpr double pressure = 101325;                                // [Pa]
@@ -18,4 +18,4 @@ double air_dynamic_viscosity(double T) {
 
 double air_kinematic_viscosity(double T) { return air_dynamic_viscosity(T) / air_density(T); }
 
-}  // namespace cromer
+}  // namespace cromer::core

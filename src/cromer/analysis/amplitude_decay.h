@@ -9,7 +9,7 @@
 #include "cromer/analysis/cycle_average.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 template <class Real>
 struct CycleDecay {
@@ -33,4 +33,4 @@ struct CycleDecay {
 
 using AmplitudeDecay = CycleDecay<double>;
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -16,7 +16,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/model/terms/all.h"
 
-namespace cromer {
+namespace cromer::core {
 
 template <class Real>
 struct CycleAverage {
@@ -52,4 +52,4 @@ CycleAverage<Real> cycle_average(const Real& A, const Real& w) {
   return average;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Pair = std::array<Complex<Precise>, 2>;
@@ -175,4 +175,4 @@ std::optional<double> first_unstable_step(const LinearLaw<double>& law,
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

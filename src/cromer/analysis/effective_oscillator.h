@@ -22,7 +22,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// More digits than double where the machine has them: beyond the stability limit the small eigenvalue is a
 /// difference of large numbers. Where long double is 113 digits in software it costs too much.
@@ -147,4 +147,4 @@ std::optional<double> stability_limit(const M& method, const LinearLaw<double>& 
                              [&](double h) { return effective_oscillator(method, free, h).spectral_radius; });
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The energy at y of what has this mass, and coefficients as sum_of_forces takes them.
 template <Law law, class Source, class Real>
@@ -28,4 +28,4 @@ Real energy(const Oscillator<Real>& oscillator, const State<Real>& y) {
   return energy<any_terms>(oscillator.mass, oscillator, law_of(oscillator), y);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What takes energy, each in its place: the terms of the velocity, and dry friction.
 inline constexpr Law resistances = terms_of_velocity.with(law_with<Friction>);
@@ -103,4 +103,4 @@ inline EnergyBalance energy_balance(const Oscillator<double>& oscillator, const 
   return balance;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

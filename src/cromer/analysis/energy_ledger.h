@@ -10,7 +10,7 @@
 #include "cromer/base/state.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A recorder that follows the balance of a run in equal steps (the last may be shorter): the trapezoidal
 /// rule with Gregory's end corrections up to fifth differences. Where the power is smooth the error is of
@@ -96,4 +96,4 @@ class EnergyLedger {
   std::size_t count_ = 0;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cstddef>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Point {
@@ -54,4 +54,4 @@ double interpolate(std::span<const double> at, std::span<const double> values, d
   return values[i - 1] + share * (values[i] - values[i - 1]);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

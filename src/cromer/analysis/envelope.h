@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Turning points, each the vertex of the parabola through the largest (smallest) sample and its neighbours.
 /// With a period of n samples the vertex is low by about (pi/n)^4/6 of the amplitude at most.
@@ -23,4 +23,4 @@ Envelope envelope(std::span<const double> t, std::span<const double> x);
 /// the same length, not empty.
 double interpolate(std::span<const double> at, std::span<const double> values, double t);
 
-}  // namespace cromer
+}  // namespace cromer::core

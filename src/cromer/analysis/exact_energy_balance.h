@@ -9,7 +9,7 @@
 #include "cromer/base/state.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One ten-point Gauss-Legendre panel: exact for polynomials of degree 19.
 template <class F>
@@ -75,4 +75,4 @@ EnergyBalance exact_energy_balance(const F& force, const Oscillator<double>& osc
   return energy_balance(oscillator, state(0.0), state(until), exact_work(force, state, 0, until, panel));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -20,7 +20,7 @@
 #include "cromer/run/stepper.h"
 #include "cromer/run/stick_slip.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Integral of v^2 [m^2/s] over the arc of a sliding mass from y0 at `from` to `until`, to rounding. The
 /// panels begin as short as the fastest decay and double, up to a quarter of a period where there is one:
@@ -73,4 +73,4 @@ requires(ExactSystem<SlidingSystem<S>, double>) EnergyBalance
   return energy_balance(oscillator, start, course.y, work);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

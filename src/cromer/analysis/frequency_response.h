@@ -8,7 +8,7 @@
 #include "cromer/model/linear_quantities.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct SteadyState {
   double amplitude = 0;  // [m] X
@@ -97,4 +97,4 @@ inline double resonance_frequency(const Oscillator<double>& oscillator) {
   return squared > 0 ? std::sqrt(squared) : 0;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,7 +1,7 @@
 // Gauss's rule of eight points: means over an interval, exact for polynomials up to degree 15.
 #pragma once
 
-namespace cromer {
+namespace cromer::core {
 
 /// The mean of f over [from, to]; f may give another type than its argument's.
 template <class T, class F>
@@ -16,4 +16,4 @@ auto mean_over(const T& from, const T& to, const F& f) {
   return sum;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

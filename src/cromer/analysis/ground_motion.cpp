@@ -8,7 +8,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Integral of a^2 over the part p, 0 to 1, of an interval of unit length.
@@ -75,4 +75,4 @@ FourierAmplitude fourier_amplitude(std::span<const double> a, double h) {
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/model/sampled_drive.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline constexpr double standard_gravity = 9.80665;  // [m/s^2]
 
@@ -32,4 +32,4 @@ struct FourierAmplitude {
 
 FourierAmplitude fourier_amplitude(std::span<const double> acceleration, double h);
 
-}  // namespace cromer
+}  // namespace cromer::core

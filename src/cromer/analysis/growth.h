@@ -10,9 +10,9 @@
 #include "cromer/analysis/line.h"
 #include "cromer/base/state.h"
 #include "cromer/model/oscillator.h"
-#include "cromer/run/trajectory.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// E(t) = E0 exp(rate t), fitted.
 struct EnergyGrowth {
@@ -34,4 +34,4 @@ inline EnergyGrowth energy_growth(const Oscillator<double>& oscillator, const Tr
   return {fit_line(trajectory.t, logarithm).slope};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 
 #include "cromer/analysis/frequency_response.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Amplitudes = std::vector<std::complex<double>>;
@@ -103,4 +103,4 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
   return peaks;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

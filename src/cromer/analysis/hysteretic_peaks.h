@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The peaks of the displacement [m] relative to a ground that shakes as recorded, of unit masses on springs
 /// w^2 (1 + i eta), w = 2 pi/T. Each frequency of the recording is answered as hysteretic_response() has it;
@@ -17,4 +17,4 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
 /// How many samples the slowest of them takes [1]: memory is about 64 bytes for each.
 double hysteretic_samples(std::size_t samples, double h, double longest_period, double loss_factor);
 
-}  // namespace cromer
+}  // namespace cromer::core

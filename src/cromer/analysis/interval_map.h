@@ -6,7 +6,7 @@
 #include "cromer/model/propagate.h"
 #include "cromer/model/ramp_response.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// y(h) = A y(0) + from f(0) + to f(h), f the force per unit mass at the ends of the interval: a ramp
 /// between them, or f(0) throughout where it is held.
@@ -44,4 +44,4 @@ IntervalMap<Real> interval_map(const LinearLaw<Real>& law, const Real& h, bool h
           .stiffness = s};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

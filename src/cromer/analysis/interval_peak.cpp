@@ -3,7 +3,7 @@
 #include <numbers>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// q and its first three derivatives.
@@ -106,4 +106,4 @@ void include_free(const LinearLaw<double>& law, const Watched<double>& watched, 
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/analysis/response_filter.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Least and greatest value.
 struct Extremes {
@@ -54,4 +54,4 @@ void include_inside(const LinearLaw<double>& law, const Watched<double>& watched
 void include_free(const LinearLaw<double>& law, const Watched<double>& watched, const State<double>& y,
                   Extremes& range);
 
-}  // namespace cromer
+}  // namespace cromer::core

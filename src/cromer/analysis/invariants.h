@@ -7,7 +7,7 @@
 #include "cromer/base/state.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// m/2 (v^2 + w^2 x^2 - h w^2 x v) [J], w^2 = k/m: what Euler-Cromer with steps of h [s] conserves exactly,
 /// where the energy itself swings by about w h/2. Of the linear law without damping, drag, friction and
@@ -43,4 +43,4 @@ class Drift {
   double first_ = 0, largest_ = 0;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/methods/rk4.h"
 #include "cromer/model/law_force.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct FreeSystem {
@@ -62,4 +62,4 @@ std::optional<double> limit_cycle_amplitude(const Oscillator<double>& per_mass, 
   return std::nullopt;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

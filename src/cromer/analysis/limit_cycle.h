@@ -5,7 +5,7 @@
 
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The largest displacement [unit] of the limit cycle of an oscillator per unit mass without hysteresis, from
 /// `near` > 0, an amplitude not far from it, and `period` > 0 [s], about that of the swing: where the next
@@ -13,4 +13,4 @@ namespace cromer {
 /// forces are smooth. Empty where none is found.
 std::optional<double> limit_cycle_amplitude(const Oscillator<double>& per_mass, double near, double period);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace cromer {
+namespace cromer::core {
 
 struct Line {
   double slope = 0;
@@ -27,4 +27,4 @@ inline Line fit_line(std::span<const double> x, std::span<const double> y) {
   return {slope, mean_y - slope * mean_x};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/analysis/line.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Weighted {
@@ -107,4 +107,4 @@ std::optional<LineWithErrors> fit_line_with_errors(const std::vector<UncertainPo
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

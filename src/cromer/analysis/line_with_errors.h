@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 struct UncertainPoint {
   double x = 0, y = 0;
@@ -27,4 +27,4 @@ struct LineWithErrors {
 /// x alike.
 std::optional<LineWithErrors> fit_line_with_errors(const std::vector<UncertainPoint>& points);
 
-}  // namespace cromer
+}  // namespace cromer::core

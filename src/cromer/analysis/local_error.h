@@ -9,7 +9,7 @@
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Errors of a single step from one state, for each step size; an order p method has slopes of p + 1.
 struct LocalError {
@@ -44,4 +44,4 @@ requires Method<M, S, double> && ExactSystem<S, double> LocalError local_error(
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

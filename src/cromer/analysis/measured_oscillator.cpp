@@ -7,7 +7,7 @@
 
 #include "cromer/analysis/line.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Where the cubic through two states (v of opposite signs) is steepest in neither direction.
@@ -95,4 +95,4 @@ std::optional<Recurrence> measure_recurrence(const std::vector<double>& x, doubl
   return Recurrence{std::atan2(std::sqrt(discriminant), p / 2) / length, -std::log(q) / (2 * length)};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "cromer/run/trajectory.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A place where the motion turns.
 struct TurningPoint {
@@ -43,4 +43,4 @@ struct Recurrence {
 std::optional<Recurrence> measure_recurrence(const std::vector<double>& x, double spacing,
                                              double angular_frequency);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/base/complex.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct MethodSteadyState {
   SteadyState position;  // the lag from -pi/2 to 3 pi/2
@@ -77,4 +77,4 @@ std::optional<MethodSteadyState> method_steady_state(const M& method, const Line
   return steady_state_of(step_map<Precise>(method, law, h), law.drive_frequency, h, uncertainty);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -16,7 +16,7 @@
 
 #include "cromer/analysis/interval_map.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The quantity that is watched: x + v weighted.
 template <class Real>
@@ -90,4 +90,4 @@ ResponseFilter<Real> response_filter(const IntervalMap<Real>& m, const Watched<R
   return {m.xx * m.vv - m.xv * m.vx, kappa, n0 / gain, -n2 / gain, gain};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

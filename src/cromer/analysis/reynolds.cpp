@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Top {
@@ -48,4 +48,4 @@ std::vector<SpeedWindow> speed_windows(std::span<const double> t, std::span<cons
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Re = |v| D / nu, with D [m] the diameter and nu [m^2/s] > 0 the kinematic viscosity.
 double reynolds_number(double v, double D, double nu);
@@ -22,4 +22,4 @@ struct SpeedWindow {
 /// may miss every top: then its value says nothing of the motion's scale.
 std::vector<SpeedWindow> speed_windows(std::span<const double> t, std::span<const double> v, double length);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // The transform of real values, whose length is a power of two. Its tables cost as much as itself: those of
@@ -145,4 +145,4 @@ std::optional<SpectralLine> strongest_line(const Spectrum& spectrum) {
   return lines.front();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

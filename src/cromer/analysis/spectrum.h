@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// One-sided amplitude spectrum: a sinusoid of amplitude A shows a peak of A.
 struct Spectrum {
@@ -35,4 +35,4 @@ std::optional<SpectralLine> strongest_line(const Spectrum& spectrum);
 /// The local maxima of at least `share` of the highest, that one first; no more than `most` of them.
 std::vector<SpectralLine> strongest_lines(const Spectrum& spectrum, double share, std::size_t most);
 
-}  // namespace cromer
+}  // namespace cromer::core

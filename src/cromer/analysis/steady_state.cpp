@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Sinusoid {
@@ -87,4 +87,4 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
   return measured;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "cromer/analysis/frequency_response.h"
-#include "cromer/base/result.h"
 #include "cromer/model/drive.h"
-#include "cromer/run/trajectory.h"
+#include "cromer/result.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What the end of a driven motion looks like at the drive's frequency.
 struct MeasuredSteadyState {
@@ -29,4 +29,4 @@ struct MeasuredSteadyState {
 Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
                                                  const HarmonicDrive<double>& drive, int cycles = 10);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/all.h"
 
-namespace cromer {
+namespace cromer::core {
 
 template <class Real>
 struct Swing {
@@ -91,4 +91,4 @@ struct Swing {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

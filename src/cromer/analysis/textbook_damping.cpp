@@ -6,7 +6,7 @@
 
 #include "cromer/analysis/line.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Vertex of the parabola through sample i and its neighbours, their steps taken as equal.
@@ -112,4 +112,4 @@ std::optional<HalfPowerBandwidth> half_power_bandwidth(std::span<const double> t
   return HalfPowerBandwidth{*above + *below, best, narrowest};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace cromer {
+namespace cromer::core {
 
 /// ln of the ratio of neighbouring peaks on one side, as the slope of ln(peak) over all peaks.
 struct PeakDecrement {
@@ -35,4 +35,4 @@ struct HalfPowerBandwidth {
 std::optional<HalfPowerBandwidth> half_power_bandwidth(std::span<const double> t, std::span<const double> y,
                                                        double w);
 
-}  // namespace cromer
+}  // namespace cromer::core

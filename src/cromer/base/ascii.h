@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
@@ -24,4 +24,4 @@ constexpr std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,7 +1,7 @@
 // The bits of one type as another: std::bit_cast, which the page's standard library lacks.
 #pragma once
 
-namespace cromer {
+namespace cromer::core {
 
 template <class To, class From>
 constexpr To bit_cast(const From& from) {
@@ -9,4 +9,4 @@ constexpr To bit_cast(const From& from) {
   return __builtin_bit_cast(To, from);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace cromer {
+namespace cromer::core {
 
 std::string bytes_in_words(double bytes) {
   constexpr const char* units[] = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
@@ -11,4 +11,4 @@ std::string bytes_in_words(double bytes) {
   return fmt::format("{:.3g} {}", bytes, units[unit]);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/base/bit_cast.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// log2 x, for normal x > 0. Error: below 9e-4; exact at powers of 2.
 inline double coarse_log2(double x) {
@@ -28,4 +28,4 @@ inline double coarse_exp2(double y) {
   return power * bit_cast<double>(static_cast<std::uint64_t>(whole + 1023) << 52);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include <concepts>
 #include <type_traits>
 
-namespace cromer {
+namespace cromer::core {
 
 /// value + rest, |rest| at most half a unit in the last place of value. Sums and differences are right to
 /// 2^-105 of the larger operand; products, quotients and functions are rounded to doubles (they make the
@@ -65,4 +65,4 @@ inline Compensated abs(const Compensated& x) { return x.value < 0 ? -x : x; }
 inline Compensated sin(const Compensated& x) { return {std::sin(x.value), std::cos(x.value) * x.rest}; }
 inline Compensated cos(const Compensated& x) { return {std::cos(x.value), -std::sin(x.value) * x.rest}; }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,7 +1,7 @@
 // Complex numbers over any scalar (std::complex is defined for the floating types only).
 #pragma once
 
-namespace cromer {
+namespace cromer::core {
 
 template <class Real>
 struct Complex {
@@ -25,4 +25,4 @@ struct Complex {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

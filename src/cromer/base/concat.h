@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 inline std::string concat(std::initializer_list<std::string_view> pieces) {
   std::string text;
@@ -13,4 +13,4 @@ inline std::string concat(std::initializer_list<std::string_view> pieces) {
   return text;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

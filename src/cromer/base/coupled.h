@@ -12,7 +12,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/base/magnitude.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A pair, added and multiplied by numbers component by component. As a number it counts as its first.
 template <class Real>
@@ -80,4 +80,4 @@ constexpr Coupled<double> larger(const Coupled<double>& a, const Coupled<double>
   return {larger(a.first, b.first), larger(a.second, b.second)};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

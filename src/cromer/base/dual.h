@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace cromer {
+namespace cromer::core {
 
 /// A value and its N partial derivatives. Comparisons look at the value alone.
 template <class Real, std::size_t N>
@@ -171,4 +171,4 @@ Dual<Real, N> atan2(const Dual<Real, N>& y, const Dual<Real, N>& x) {
   return angle;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::string_view true_minus = "\u2212";
@@ -130,6 +130,12 @@ std::string shortest(double value) {
   std::array<char, 32> text;
   return {text.data(), write_shortest(text.data(), value)};
 }
+
+}  // namespace cromer::core
+
+namespace cromer {
+
+using namespace core;
 
 std::string format_quantity(Quantity quantity, std::string_view unit) {
   const auto [value, uncertainty] = quantity;

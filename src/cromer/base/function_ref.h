@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 
 template <class Signature>
 class FunctionRef;
@@ -31,4 +31,4 @@ class FunctionRef<R(A...)> {
   R (*call_)(void*, A...);
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double most_points = 9007199254740992.0;  // 2^53: beyond, points cannot be told apart
@@ -155,4 +155,4 @@ Result<std::vector<double>> values_of(const Grid& grid, double bytes_per_point, 
   return values;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Values in the order asked for, computed one by one: a range costs no memory however long it is.
 class Grid {
@@ -58,4 +58,4 @@ Result<std::vector<double>> values_of(const Grid& grid, double bytes_per_point, 
 /// That so many points, bytes_per_point each, can be held; said as values_of says it. For products of grids.
 Result<void> fits_in_memory(double points, double bytes_per_point, double memory);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Handed to everything that may take long; all members may be empty.
 struct Watch {
@@ -30,4 +30,4 @@ struct Watch {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/base/dual.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// |x| without its derivatives.
 template <class Real>
@@ -34,4 +34,4 @@ constexpr Number choose(bool truth, const Number& yes, const Number& no) {
   return truth ? yes : no;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

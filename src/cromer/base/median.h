@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The value in the middle, of an even number of them the upper of the two; their order changes. `values` is
 /// not empty and holds no NaN.
@@ -15,4 +15,4 @@ inline double upper_median(std::span<double> values) {
   return *middle;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/base/ascii.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t longest_name = 200;  // nobody means a name of ours with more
@@ -82,4 +82,4 @@ std::string nearest_names(std::string_view typed, std::span<const std::string_vi
   return text;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

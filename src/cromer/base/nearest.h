@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The name of smallest edit distance (insert, delete, substitute, swap neighbours) to `typed`, case ignored,
 /// if that distance is at most a third of the longer length plus one; otherwise empty.
@@ -19,4 +19,4 @@ std::string nearest(std::string_view typed, std::span<const std::string_view> na
 /// was typed, in their order; empty where nothing is near.
 std::string nearest_names(std::string_view typed, std::span<const std::string_view> names);
 
-}  // namespace cromer
+}  // namespace cromer::core

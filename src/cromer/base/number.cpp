@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #endif
 
-namespace cromer {
+namespace cromer::core {
 
 std::optional<LeadingNumber> leading_number(std::string_view text, char decimal) {
   constexpr std::string_view true_minus = "\u2212";
@@ -62,4 +62,4 @@ double to_15_digits(double value) {
   return clean;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

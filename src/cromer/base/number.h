@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The number that begins `text` and, in `length`, how many bytes it takes: "-3.75e-5 m" gives -3.75e-5
 /// and 8. A leading + and the true minus sign (U+2212) are understood, words (nan, inf) and hexadecimal are
@@ -23,4 +23,4 @@ char* write_shortest(char* to, double value);
 /// 0.23610000000000003.
 double to_15_digits(double value);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/base/number.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// What an SI unit measures, in words, with an example to follow.
@@ -223,6 +223,12 @@ Result<Written> read(std::string_view text) {
 double scaled(double number, double factor) { return factor < 1 ? number / (1 / factor) : number * factor; }
 
 }  // namespace
+
+}  // namespace cromer::core
+
+namespace cromer {
+
+using namespace core;
 
 Result<Quantity> parse_quantity(std::string_view text, std::string_view si_unit) {
   const auto target = parse_unit(si_unit);

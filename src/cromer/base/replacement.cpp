@@ -16,7 +16,7 @@
 #include <system_error>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -163,4 +163,4 @@ Result<void> Replacement::take_place() {
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The file that a path stands for: symbolic links are followed to their end, whether anything is there or
 /// not, so that a link stays one.
@@ -53,4 +53,4 @@ class Replacement {
   int descriptor_ = -1;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,16 +4,9 @@
 
 #include <concepts>
 
-namespace cromer {
+#include "cromer/trajectory.h"
 
-/// Position and velocity of one oscillator.
-template <class Real>
-struct State {
-  Real x;  // [m]
-  Real v;  // [m/s]
-
-  friend bool operator==(const State&, const State&) = default;
-};
+namespace cromer::core {
 
 /// Something with an acceleration [m/s^2] at a time [s], position [m] and velocity [m/s].
 template <class S, class Real>
@@ -28,4 +21,4 @@ concept ExactSystem = System<S, Real> && requires(const S& system, Real t0, Real
   { system.propagate(t0, t, y0) } -> std::convertible_to<State<Real>>;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// One column. Missing values are NaN. All columns of a Table have the same length (shorter runs are padded).
 struct Column {
@@ -23,4 +23,4 @@ struct Table {
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().values.size(); }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Symbol {
@@ -240,4 +240,4 @@ Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
   return unit;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

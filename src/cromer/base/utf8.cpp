@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Bytes of the valid UTF-8 sequence that begins at `i`, 0 if there is none.
@@ -134,4 +134,4 @@ void append_utf8(std::string& text, std::uint32_t code) {
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Whether all bytes are UTF-8: no overlong forms, no surrogates, nothing beyond U+10FFFF.
 bool is_utf8(std::string_view s);
@@ -22,4 +22,4 @@ std::string printable_json(std::string_view document);
 /// Appends a code point up to U+10FFFF.
 void append_utf8(std::string& text, std::uint32_t code);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <exception>
 #include <new>
 
-namespace cromer {
+namespace cromer::core {
 
 Crew::Crew(const ChunkedRows& work, int threads) : thread_([this, &work, threads] { run(work, threads); }) {}
 
@@ -78,4 +78,4 @@ std::string Crew::problem() {
   return problem_;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

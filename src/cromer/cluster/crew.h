@@ -14,7 +14,7 @@
 
 #include "cromer/ensemble/chunks.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A finished chunk: the words of a message, its number first, then the rows.
 struct MadeChunk {
@@ -61,4 +61,4 @@ class Crew {
   std::thread thread_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

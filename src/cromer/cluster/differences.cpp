@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -45,4 +45,4 @@ std::string differences(const std::string& there, const std::string& here) {
   return changes.size() > most ? text + "; and more" : text;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

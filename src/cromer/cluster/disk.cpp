@@ -12,7 +12,7 @@
 #include "cromer/base/bytes.h"
 #include "cromer/base/replacement.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Error cannot(const char* what, const std::string& path, int number) {
@@ -96,4 +96,4 @@ Result<void> remove_file(const std::string& path) {
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A file opened for writing at places. Errors name the file, the system's reason and, where the disk is
 /// full, the cure.
@@ -48,4 +48,4 @@ Result<void> rename_file(const std::string& from, const std::string& to);
 /// Removes, likewise; it may be absent.
 Result<void> remove_file(const std::string& path);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include "cromer/cluster/differences.h"
 
-namespace cromer {
+namespace cromer::core {
 
 using std::chrono::microseconds;
 
@@ -118,4 +118,4 @@ void HandOut::end() {
   for (int rank = 1; rank < static_cast<int>(members_.size()); ++rank) post_.send(rank, Kind::stop, {0});
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/cluster/messages.h"
 #include "cromer/ensemble/chunks.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Each rank has as many chunks in hand as it has threads, and one more while there are plenty: it never
 /// waits for the next one, and towards the end no rank holds a chunk that another could begin.
@@ -46,4 +46,4 @@ class HandOut {
   Result<void> good_{};
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -54,6 +54,6 @@ const CromerHdf5* cromer_hdf5();
 
 }  // extern "C"
 
-namespace cromer {
+namespace cromer::core {
 constexpr int hdf5_module_version = 2;
 }

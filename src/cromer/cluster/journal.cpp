@@ -10,7 +10,7 @@
 #include <chrono>
 #include <thread>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr char finished = 'x', unfinished_mark = '-';
@@ -91,4 +91,4 @@ Result<void> Journal::mark(const std::vector<std::uint64_t>& chunks) const {
   return file_.sync();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

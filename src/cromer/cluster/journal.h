@@ -7,7 +7,7 @@
 
 #include "cromer/cluster/disk.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// FILE.journal beside FILE. Its size never changes, so that a full disk cannot stop it, and a chunk is
 /// marked by one byte, which is written or not. One program at a time has it.
@@ -37,4 +37,4 @@ class Journal {
   std::uint64_t chunks_ = 0, begin_ = 0;  // begin_: where the characters begin [bytes]
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

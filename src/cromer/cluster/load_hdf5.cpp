@@ -2,7 +2,7 @@
 
 #include "cromer/cluster/module.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Result<const CromerHdf5*> load_hdf5() {
   auto found = load_module({"libcromer_hdf5.so", "cromer_hdf5", "HDF5 files", "libhdf5-dev"});
@@ -19,4 +19,4 @@ std::pair<std::string, std::string> name_and_unit(const std::string& column) {
   return {column.substr(0, open), column.substr(open + 2, column.size() - open - 3)};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "cromer/base/result.h"
 #include "cromer/cluster/hdf5_module.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// An Error where there is none says where it was looked for and what to do.
 Result<const CromerHdf5*> load_hdf5();
@@ -15,4 +15,4 @@ Result<const CromerHdf5*> load_hdf5();
 /// "amplitude (m)" is amplitude in m; what has no unit has "1".
 std::pair<std::string, std::string> name_and_unit(const std::string& column);
 
-}  // namespace cromer
+}  // namespace cromer::core

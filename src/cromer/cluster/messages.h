@@ -10,7 +10,7 @@
 
 #include "cromer/cluster/mpi_module.h"
 
-namespace cromer {
+namespace cromer::core {
 
 using Words = std::vector<std::uint64_t>;
 
@@ -78,4 +78,4 @@ class Post {
   std::list<Letter> letters_{};
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,4 +45,4 @@ Result<void*> load_module(const Module& module) {
                   module.what, module.file, looked_in, module.package)};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

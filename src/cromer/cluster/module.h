@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A shared library of ours and what it takes to have it.
 struct Module {
@@ -19,4 +19,4 @@ struct Module {
 /// program, and in ../lib and the like beside that. An Error says where it was looked for and what to do.
 Result<void*> load_module(const Module& module);
 
-}  // namespace cromer
+}  // namespace cromer::core

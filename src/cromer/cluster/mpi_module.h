@@ -29,6 +29,6 @@ const CromerMpi* cromer_mpi();
 
 }  // extern "C"
 
-namespace cromer {
+namespace cromer::core {
 constexpr int mpi_module_version = 1;
 }

@@ -14,7 +14,7 @@
 #include "cromer/cluster/messages.h"
 #include "cromer/cluster/module.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::optional<int> number_in(const char* variable) {
@@ -155,4 +155,4 @@ void Ranks::help_or_tell(const ChunkedRows& work, int threads, const Watch& watc
   while (!post.empty()) crew.wait(microseconds(50));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
 #include "cromer/ensemble/chunks.h"
+#include "cromer/result.h"
 
 struct CromerMpi;
 
-namespace cromer {
+namespace cromer::core {
 
 /// Which of how many this process is, as those who started it left it in the environment.
 struct RankPlace {
@@ -60,4 +60,4 @@ class Ranks {
   bool over_ = false;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/cluster/rows_file_layout.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ Result<void> RowsFile::close() {
   return journal_.remove();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

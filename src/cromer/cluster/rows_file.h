@@ -14,7 +14,7 @@
 #include "cromer/cluster/journal.h"
 #include "cromer/ensemble/chunks.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A column that the rows run over in order.
 struct RowsAxis {
@@ -85,4 +85,4 @@ class RowsFile {
 /// Bytes that the file of this work takes.
 double rows_file_bytes(const ChunkedRows& work, const RowsFileOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

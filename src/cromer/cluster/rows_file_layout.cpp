@@ -9,7 +9,7 @@
 #include "cromer/cluster/differences.h"
 #include "cromer/cluster/load_hdf5.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t message_room = 512;
@@ -132,4 +132,4 @@ Result<void> find_in_file(const ChunkedRows& work, const RowsFileOptions& option
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 
 #include "cromer/cluster/rows_file.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A dataset of the file.
 struct LaidOut {
@@ -31,4 +31,4 @@ Result<void> make_file(const std::string& path, const ChunkedRows& work, const R
 Result<void> find_in_file(const ChunkedRows& work, const RowsFileOptions& options,
                           std::vector<LaidOut>& datasets);
 
-}  // namespace cromer
+}  // namespace cromer::core

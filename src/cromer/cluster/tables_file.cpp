@@ -6,7 +6,7 @@
 #include "cromer/cluster/disk.h"
 #include "cromer/cluster/load_hdf5.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t message_room = 512;
@@ -96,4 +96,4 @@ Result<void> write_tables(const std::string& path, const std::vector<Hdf5Table>&
   return fresh->take_place();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One dataset of doubles. Without a shape it has one dimension.
 struct Hdf5Column {
@@ -32,4 +32,4 @@ Result<void> can_write_tables();
 /// bytes for the same tables. Errors: no module, no room, no leave to write.
 Result<void> write_tables(const std::string& path, const std::vector<Hdf5Table>& tables);
 
-}  // namespace cromer
+}  // namespace cromer::core

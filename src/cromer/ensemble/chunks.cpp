@@ -8,7 +8,7 @@
 #include <atomic>
 #include <mutex>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// A chunk on its way through the pipeline. Its memory is used again and again.
@@ -110,4 +110,4 @@ Result<ChunksEnd> make_chunks(const ChunkedRows& work, const std::vector<std::ui
   return make_chunks(work, source, threads, counting, watch);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

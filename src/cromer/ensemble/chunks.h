@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Work that falls into chunks, each of which depends on nothing but its number: so the rows are the same
 /// bits whoever makes them, in whatever order.
@@ -59,4 +59,4 @@ using ChunkMaker =
 /// How many threads that is: `threads`, or where it is 0 one for each processor this process may use.
 int threads_of(int threads);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -17,7 +17,7 @@ void cromer_walk_avx512(const cromer_walk::Filters& filters, const cromer_walk::
 #endif
 }
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::string_view names[] = {"baseline", "avx2", "avx512"};
@@ -53,4 +53,4 @@ Result<KernelUnit> choose_unit_by_environment() {
   return choose_unit(name ? name : "");
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

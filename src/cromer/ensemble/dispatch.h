@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/ensemble/filter_walk.h"
 #include "cromer/ensemble/group.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The kernel for one instruction set.
 struct KernelUnit {
@@ -26,4 +26,4 @@ Result<KernelUnit> choose_unit(std::string_view name = {});
 /// The same with the name in the environment variable CROMER_SIMD, where it is set.
 Result<KernelUnit> choose_unit_by_environment();
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/terms.h"
 
-namespace cromer {
+namespace cromer::core {
 
 static_assert(term_count <= cromer_group::most_terms);
 
@@ -52,4 +52,4 @@ PointStatus status_of(const cromer_group::Group& group, int i) {
   return std::isfinite(group.x.of[i] - group.v.of[i]) ? PointStatus::done : PointStatus::not_finite;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/ensemble/group.h"
 #include "cromer/ensemble/point.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The points at their starts; places that are left over repeat the last one.
 void fill_group(std::span<const Point> points, cromer_group::Group& group);
@@ -17,4 +17,4 @@ cromer_group::Order order_of(const Stepping& stepping, long long steps, const do
 /// not_finite or no_convergence where that is so of the i-th; else done.
 PointStatus status_of(const cromer_group::Group& group, int i);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/analysis/response_filter.h"
 #include "cromer/ensemble/filter_walk.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// So many packs in flight: the chain from one step to the next has the latency of two operations, and other
 /// packs fill it.
@@ -82,4 +82,4 @@ void walk_lanes(const cromer_walk::Filters& filters, const cromer_walk::Walk& wa
     FilterLanes<Pack, in_flight>(filters, first).run(walk, first, blocks);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -22,7 +22,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/terms.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Sums of one pack over the states it has left.
 template <class Real, Law law>
@@ -41,7 +41,7 @@ struct PackSums {
     xc += wx * cosine;
     xs += wx * sine;
     xx += wx * y.x;
-    energy += weight * cromer::energy<law>(Real(1.0), per_mass, present, y);
+    energy += weight * cromer::core::energy<law>(Real(1.0), per_mass, present, y);
   }
 
   void add_to(cromer_group::Sums& sums, std::size_t first) const {
@@ -261,4 +261,4 @@ void advance_with_terms(cromer_group::Group& group, const M& method, const crome
   group.lanes = Real::size;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/base/magnitude.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A yes or no for each lane.
 template <class Arch>
@@ -79,4 +79,4 @@ struct Pack {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

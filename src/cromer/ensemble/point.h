@@ -9,7 +9,7 @@
 #include "cromer/model/drive.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// An oscillator without friction, its drive, start and step.
 struct Point {
@@ -57,4 +57,4 @@ struct PointResult {
   double cycles = 0;    ///< of the drive until it had settled
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

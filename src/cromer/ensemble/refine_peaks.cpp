@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The steps of one block from its beginning, with the state of the motion.
@@ -229,4 +229,4 @@ State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, co
   return steps.state();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

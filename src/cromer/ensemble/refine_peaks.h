@@ -9,7 +9,7 @@
 #include "cromer/analysis/interval_peak.h"
 #include "cromer/ensemble/filter_walk.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One oscillator of a walk.
 struct WalkedLaw {
@@ -44,4 +44,4 @@ Extremes refined(const cromer_walk::Walk& walk, std::span<const double> largest_
 /// The motion at the last sample (the end of its hold).
 State<double> last_state(const cromer_walk::Walk& walk, const WalkedLaw& law, const WalkedLane& lane);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/refine_peaks.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 double period_of(const LinearLaw<double>& law) { return 2 * std::numbers::pi / std::sqrt(law.stiffness); }
@@ -128,4 +128,4 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
   return found;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

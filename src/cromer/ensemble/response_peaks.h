@@ -7,8 +7,9 @@
 #include "cromer/analysis/interval_peak.h"
 #include "cromer/ensemble/filter_walk.h"
 #include "cromer/model/sampled_drive.h"
+#include "cromer/spectrum.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Acceleration of the ground, evenly sampled; at least two samples. With `hold` the last one lasts a spacing
 /// more.
@@ -18,10 +19,6 @@ struct GroundMotion {
   BetweenSamples between = BetweenSamples::linear;
   std::size_t refinement = 1;  ///< every so many are recorded samples, those between were put in
 };
-
-/// Where extremes are looked for while the ground shakes: everywhere, at the recorded samples, or, as PEER
-/// does, at the fewest equal parts of an interval that are at most T/10 long.
-enum class Peaks { continuous, samples, peer };
 
 enum class ResponseOf {
   displacement,          // [m] relative to the ground, its sign turned
@@ -53,4 +50,4 @@ std::size_t substeps(double spacing, double period);
 std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<const LinearLaw<double>> laws,
                                           const PeakSearch& search);
 
-}  // namespace cromer
+}  // namespace cromer::core

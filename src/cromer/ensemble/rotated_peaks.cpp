@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr Watched<double> displacement{1, 0};
@@ -188,4 +188,4 @@ std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundM
   return found;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/ensemble/response_peaks.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Over the directions 0, 1, ... 179 degrees of the peak displacement that way (D. M. Boore, Bull. Seism.
 /// Soc. Am. 100, 1830 (2010)). The largest of whole degrees is at most 4e-5 below that of all directions.
@@ -22,4 +22,4 @@ inline constexpr int directions = 180;
 std::vector<RotatedPeaks> rotated_peaks(const GroundMotion& first, const GroundMotion& second,
                                         std::span<const LinearLaw<double>> laws, Peaks peaks);
 
-}  // namespace cromer
+}  // namespace cromer::core

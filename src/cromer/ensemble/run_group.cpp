@@ -11,7 +11,7 @@
 #include "cromer/ensemble/fill_group.h"
 #include "cromer/run/steps.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using cromer_group::Group;
@@ -86,4 +86,4 @@ bool run_group(const KernelUnit& unit, std::span<const Point> points, const Step
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

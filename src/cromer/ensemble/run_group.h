@@ -9,7 +9,7 @@
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/point.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// When a driven motion counts as settled, and how long that may take.
 struct Settling {
@@ -35,4 +35,4 @@ bool settle_group(const KernelUnit& unit, std::span<const Point> points, const S
 bool run_group(const KernelUnit& unit, std::span<const Point> points, const Stepping& stepping,
                std::span<const double> until, std::span<PointResult> results, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/ensemble/fill_group.h"
 #include "cromer/ensemble/run_group.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using cromer_group::Group;
@@ -146,4 +146,4 @@ bool settle_group(const KernelUnit& unit, std::span<const Point> points, const S
   return true;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/base/dual.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The `Time` of a step whose drive is ready at the step's nodes. The count is the same for all lanes and
 /// known when the method is compiled, so that a drive finds its node without looking at the seconds.
@@ -31,4 +31,4 @@ struct StepTime {
   friend auto value_of(const StepTime& t) { return value_of(t.seconds); }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/methods/method.h"
 #include "cromer/model/harmonic_force.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline std::pair<double, double> cosine_and_sine(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
@@ -146,4 +146,4 @@ class SteppedPhasor {
   Real turn_cosine_, turn_sine_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

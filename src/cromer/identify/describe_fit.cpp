@@ -12,7 +12,7 @@
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/least_squares/noise.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Beyond so many samples correlation is known without their Jacobian, and beyond such an order it is a wrong
@@ -283,4 +283,4 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   say_bounds(fit, fitted, record);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

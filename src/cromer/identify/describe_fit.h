@@ -8,7 +8,7 @@
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/least_squares/normal_equations.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Euclidean norm of the values about their mean.
 double centred_norm(std::span<const double> y);
@@ -39,4 +39,4 @@ struct DescribedMinimum {
 /// while its ratio to another is, make the status undetermined: the message names what is known instead.
 void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& minimum);
 
-}  // namespace cromer
+}  // namespace cromer::core

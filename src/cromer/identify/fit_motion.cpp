@@ -11,6 +11,7 @@
 
 #include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/swing.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_settings.h"
@@ -20,10 +21,9 @@
 #include "cromer/identify/start/driven_start.h"
 #include "cromer/identify/start/forced_start.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double coarsest = 1.0 / 20;  // step, in periods: off by a millionth a radian
 
 // A record beside the motions of one law, as the minimiser asks for them.
@@ -111,8 +111,8 @@ struct Thinned {
 // Of a recorded force's motion no step is longer than between two samples, or than half a radian.
 double recorded_step(double spacing, double w) { return w > 0 ? std::min(spacing, 0.5 / w) : spacing; }
 
-// A motion much faster than the record's, by a start that is far off, is not worth its steps: how often the
-// record goes through its mean tells how fast it is [rad/s].
+// The highest frequency worth following [rad/s]: a start that is far off may be much faster than the record,
+// whose crossings of its mean tell how fast it swings.
 double fastest_seen(const Record& record, double w0) {
   double mean = 0;
   for (const double y : record.y) mean += y / static_cast<double>(record.y.size());
@@ -166,8 +166,8 @@ class StepLength {
     const double rms = std::max(std::sqrt(at.equations.sum_of_squares / samples),
                                 least * centred_norm(problem_.record().y) / std::sqrt(n));
     if (!recorded()) return motion_step(w_, duration_, 0.05 * rms / (std::sqrt(n) * amplitude_));
-    // A standard error moves the motion by one residual's rms in all. A motion that no step follows is none
-    // of the record's.
+    // A standard error moves the motion by one residual's rms in all. Steps shorter than this are not tried:
+    // such a motion does not belong to the record.
     constexpr double shortest = 1.0 / 256;
     const double least_step = shortest * recorded_step(problem_.options().drive.force.spacing, w_);
     for (int halvings = 0; halvings < 6 && h > least_step; ++halvings, h /= 2) {
@@ -294,7 +294,7 @@ std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions&
       motion.law = options.law;
       motion.set_angular_frequency(std::sqrt((1 - share) * stiffness));
       motion.set_decay_rate(0.3 * linear.decay_rate());
-      // It gives way where beta |z|^n = A: at z = 2 A times the width.
+      // The force levels off where beta |z|^n = A, at z = 2 width amplitude A.
       const double slope = share * stiffness, n = options.hysteresis_exponent;
       motion.per_mass.hysteresis_stiffness = slope;
       motion.per_mass.hysteresis_beta = slope / std::pow(2 * width * amplitude * slope, n);
@@ -305,10 +305,10 @@ std::vector<Motion> hysteretic_starts(const Motion& linear, const LawFitOptions&
   return starts;
 }
 
-// Of a motion that friction stops within a few half swings no envelope tells how many: what the friction
-// takes in each of so many, beside how much other damping, and where in the band that it holds the body came
-// to rest. Damped swings fitted through the rest have a frequency that is off by a tenth or so.
-std::vector<Motion> gliding_starts(const Motion& known, const Record& record) {
+// Starts for a motion that friction stops within a few half swings, whose envelope does not tell how many.
+// They differ in the number of half swings, in the other damping, in where within the friction band the body
+// rests, and in the frequency: a damped swing fitted to such a record is off by up to a tenth.
+std::vector<Motion> friction_starts(const Motion& known, const Record& record) {
   std::vector<Motion> starts;
   const std::span<const double> end = record.y.last(std::max<std::size_t>(1, record.y.size() / 10));
   const double rest = std::accumulate(end.begin(), end.end(), 0.0) / static_cast<double>(end.size());
@@ -333,8 +333,8 @@ std::vector<Motion> gliding_starts(const Motion& known, const Record& record) {
   return starts;
 }
 
-// Of each number of half swings before the rest the two of least squares: a search seldom leads from one
-// number to another.
+// For each number of half swings before the rest, the two starts of least squares: a search seldom changes
+// that number.
 std::vector<Motion> closest_of_each(const std::vector<Motion>& starts, const Problem& problem, double h) {
   std::map<int, std::vector<std::pair<double, std::size_t>>> sums;
   for (std::size_t i = 0; i < starts.size(); ++i) {
@@ -465,17 +465,17 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
     const double amplitude = amplitude_of(record, known.motion.angular_frequency());
     from = best_of(hysteretic_starts(known.motion, options, amplitude), known, problem);
   }
-  // More than a fifth of the amplitude in a period: a few half swings may be all there are.
-  const bool glides = options.drive.kind == DriveKind::none && options.law.has<Friction>() &&
-                      record.derivative == 0 && options.law.shares(springs) &&
-                      known.decay_rate * two_pi > 0.2 * known.motion.angular_frequency();
-  if (glides) {
+  // More than a fifth of the amplitude is lost in a period: friction may stop it within a few half swings.
+  const bool may_stop_early = options.drive.kind == DriveKind::none && options.law.has<Friction>() &&
+                              record.derivative == 0 && options.law.shares(springs) &&
+                              known.decay_rate * two_pi > 0.2 * known.motion.angular_frequency();
+  if (may_stop_early) {
     // Its first swings are enough to begin with.
     const double w = known.motion.angular_frequency();
     const Thinned few(first_periods(record, w, 8), two_pi / w, options.drive.kind);
     const Problem beginning(few.record, options, fitted, watch);
     std::vector<Motion> starts =
-        closest_of_each(gliding_starts(known.motion, record), beginning, coarsest * two_pi / w);
+        closest_of_each(friction_starts(known.motion, record), beginning, coarsest * two_pi / w);
     starts.push_back(known.motion);
     from = {best_of(starts, known, beginning).motion, record.t.size(), known.decay_rate};
   }
@@ -526,4 +526,4 @@ LawFit fit_motion(const Record& record, const LawFitOptions& options, const Know
   return fit;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/start/envelope_track.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What is found once and serves the fits of all laws under one drive.
 struct Beginning {
@@ -30,4 +30,4 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
 LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
                   const Watch& watch, bool roughly = false);
 
-}  // namespace cromer
+}  // namespace cromer::core

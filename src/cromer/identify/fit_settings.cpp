@@ -9,7 +9,7 @@
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
 
-namespace cromer {
+namespace cromer::core {
 
 LeastSquaresOptions least_squares_options(const Record& record, const LawFitOptions& options) {
   LeastSquaresOptions result;
@@ -46,7 +46,7 @@ Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
 
 std::string why_ended(const Watch& watch) {
   return watch.out_of_steps()
-             ? "following these laws takes more steps than so few samples are worth, as when "
+             ? "these laws need more integration steps than a record of this length is worth, as when "
                "noise looks like a fast swing: stopped"
              : "interrupted";
 }
@@ -78,4 +78,4 @@ void set_status(LawFit& fit, LeastSquaresReason reason) {
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

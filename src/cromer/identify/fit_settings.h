@@ -7,7 +7,7 @@
 #include "cromer/identify/law_fit.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Tolerances and scale of a record's least squares; no bounds yet.
 LeastSquaresOptions least_squares_options(const Record& record, const LawFitOptions& options);
@@ -70,4 +70,4 @@ Minimum minimise_both(const Model& model, const Parameters& start, const LeastSq
   return minimum;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/start_values.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // The viscous law in the phasor's own parameters, grown from a first part to the whole record.
@@ -184,4 +184,4 @@ LawFit fit_viscous(const Record& record, const LawFitOptions& options, const Wat
   return fit;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

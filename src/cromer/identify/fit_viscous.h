@@ -6,7 +6,7 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One decaying sinusoid over the whole record, or a refusal.
 LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Watch& watch);
@@ -25,4 +25,4 @@ std::optional<FirstPeriods> fit_first_periods(const Record& record, double angul
 /// every sinusoid is none to refuse, and a warning says so.
 LawFit fit_viscous(const Record& record, const LawFitOptions& options, const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Of the terms that can be typed: all but the spring.
@@ -67,4 +67,4 @@ std::string to_text(const Law& law) {
   return text;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

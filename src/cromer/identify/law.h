@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "cromer/base/result.h"
 #include "cromer/model/law.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Reads "viscous+drag": any sum of the registry's terms in any order, each at most once, blanks allowed. A
 /// linear spring is part of it, or a pendulum in its place. An unknown term is an Error that suggests the
@@ -20,4 +20,4 @@ std::string to_text(const Law& law);
 /// The names of all terms that can be typed, "viscous, drag, … and pendulum".
 std::string law_names();
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,29 +11,7 @@
 #include "cromer/identify/fit_viscous.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
-namespace cromer {
-
-std::string_view name(FitStatus status) {
-  switch (status) {
-    case FitStatus::converged:
-      return "converged";
-    case FitStatus::iteration_limit:
-      return "iteration_limit";
-    case FitStatus::no_oscillation:
-      return "no_oscillation";
-    case FitStatus::too_short:
-      return "too_short";
-    case FitStatus::too_noisy:
-      return "too_noisy";
-    case FitStatus::clipped:
-      return "clipped";
-    case FitStatus::overdamped:
-      return "overdamped";
-    case FitStatus::undetermined:
-      return "undetermined";
-  }
-  return "";
-}
+namespace cromer::core {
 
 const Estimate* LawFit::find(std::string_view wanted) const {
   const auto at = std::find(names.begin(), names.end(), wanted) - names.begin();
@@ -58,13 +36,14 @@ double LawFit::covariance_of(std::string_view a, std::string_view b) const {
 }
 
 Estimate LawFit::swing_frequency() const {
-  constexpr std::string_view spring = "angular_frequency", slip = Hysteresis::coefficients[0].parameter;
+  constexpr std::string_view spring = "angular_frequency", hysteretic = Hysteresis::coefficients[0].parameter;
   const Estimate w = (*this)[spring];
-  const Estimate* stiffness = find(slip);
+  const Estimate* stiffness = find(hysteretic);
   if (!stiffness || !(w.value * w.value + stiffness->value > 0)) return w;
   const double together = std::sqrt(w.value * w.value + stiffness->value);
-  const double variance = 4 * w.value * w.value * covariance_of(spring, spring) + covariance_of(slip, slip) +
-                          4 * w.value * covariance_of(spring, slip);
+  const double variance = 4 * w.value * w.value * covariance_of(spring, spring) +
+                          covariance_of(hysteretic, hysteretic) +
+                          4 * w.value * covariance_of(spring, hysteretic);
   return make_estimate(together, std::sqrt(std::max(0.0, variance)) / (2 * together), student);
 }
 
@@ -126,4 +105,4 @@ Trajectory motion_of(const LawFit& fit, std::span<const double> t) {
   return motion_states(fit.motion, fit.drive, t, fit.step);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -21,27 +21,16 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
 #include "cromer/identify/law.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/identify/record.h"
-#include "cromer/run/trajectory.h"
+#include "cromer/result.h"
+#include "cromer/status.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
-
-enum class FitStatus {
-  converged,
-  iteration_limit,
-  no_oscillation,
-  too_short,
-  too_noisy,
-  clipped,
-  overdamped,
-  undetermined  ///< of some parameters only a combination is known
-};
-std::string_view name(FitStatus status);  // "converged", ...
+namespace cromer::core {
 
 /// Parameters stand in the order of fitted_parameters(); position and velocity are those at the first sample,
 /// and of a harmonic drive amplitude and phase stand for cosine and sine. "unit" is that of the displacement.
@@ -127,4 +116,4 @@ std::vector<double> residuals_of(const LawFit& fit, const Record& record);
 /// increase from the first sample's; under a recorded force at times of its samples.
 Trajectory motion_of(const LawFit& fit, std::span<const double> t);
 
-}  // namespace cromer
+}  // namespace cromer::core

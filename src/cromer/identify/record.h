@@ -6,7 +6,7 @@
 
 #include "cromer/model/between_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Times [s], strictly increasing, and values of the same length in any unit; no NaN in either.
 struct Record {
@@ -36,4 +36,4 @@ struct ForceRecord {
   double time(std::size_t i) const { return begin + static_cast<double>(i) * spacing; }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

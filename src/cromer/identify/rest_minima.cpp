@@ -10,7 +10,7 @@
 #include "cromer/identify/least_squares/student.h"
 #include "cromer/identify/motion/motion_model.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double ruled_out = 25;  // variances above the lowest sum of squares
@@ -230,4 +230,4 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
         100 * second));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

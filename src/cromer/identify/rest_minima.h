@@ -12,7 +12,7 @@
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// `found` and the minima on either side of it, as far as the record does not rule them out (their sum of
 /// squares is not above the lowest by 25 variances or more); the lowest comes first. `found` alone where the
@@ -35,4 +35,4 @@ LeastSquaresSummary end_of_band_minimum(const Record& record, const FittedParame
 /// warning says so where another minimum has a weight of a twentieth or more.
 void spread_over(LawFit& fit, const FittedParameters& fitted, const std::vector<LeastSquaresSummary>& minima);
 
-}  // namespace cromer
+}  // namespace cromer::core

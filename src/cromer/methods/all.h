@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "cromer/base/nearest.h"
-#include "cromer/base/result.h"
 #include "cromer/methods/dormand_prince.h"
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/methods/exact.h"
@@ -24,8 +23,9 @@
 #include "cromer/methods/rk4.h"
 #include "cromer/methods/verlet.h"
 #include "cromer/methods/yoshida4.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 using AllMethods = std::tuple<ForwardEuler, EulerCromer, ImplicitEuler, Verlet, Newmark, ImplicitMidpoint,
                               GeneralizedAlpha, Heun, Rk4, Yoshida4, GaussLegendre4, DormandPrince, Exact>;
@@ -90,4 +90,4 @@ inline Result<void> check_method_name(std::string_view name) {
   return Error{message + ")"};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

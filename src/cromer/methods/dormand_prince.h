@@ -5,7 +5,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// DOPRI5: fifth order with an embedded fourth-order estimate, which chooses the steps; the last stage of a
 /// step is the first of the next. Dense output of fourth order by L. F. Shampine, Math. Comput. 46, 135
@@ -122,4 +122,4 @@ struct DormandPrince {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include "cromer/base/coupled.h"
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The position moves with the new velocity. That makes it symplectic: undamped, the energy swings by about w
 /// h/2 but never drifts.
@@ -36,4 +36,4 @@ struct EulerCromer {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

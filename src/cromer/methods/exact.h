@@ -2,7 +2,7 @@
 
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The closed form, where the system has one; from the start of the run, so that no error builds up, but for
 /// a sampled drive: that by the map of each interval.
@@ -50,4 +50,4 @@ struct Exact {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

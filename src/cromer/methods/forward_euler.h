@@ -2,7 +2,7 @@
 
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Both updates from the old state. Unstable without damping: the energy grows by 1 + w^2 h^2 a step.
 struct ForwardEuler {
@@ -31,4 +31,4 @@ struct ForwardEuler {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

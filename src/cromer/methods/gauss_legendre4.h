@@ -7,7 +7,7 @@
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The two-stage Gauss method: two equations, for the accelerations at the nodes t + (1/2 -+ sqrt(3)/6) h.
 /// It keeps the energy of the undamped linear law at any step.
@@ -59,8 +59,8 @@ struct GaussLegendre4 {
       return std::array<Unknown<Real, 2>, 2>{a[0] - system.acceleration(t + (0.5 - off) * h, x1, v1),
                                              a[1] - system.acceleration(t + (0.5 + off) * h, x2, v2)};
     };
-    const auto solved =
-        cromer::newton(residual, memory.accelerations, {memory.scale, acceleration_rounding(y, h)}, newton);
+    const auto solved = cromer::core::newton(residual, memory.accelerations,
+                                             {memory.scale, acceleration_rounding(y, h)}, newton);
     const auto& [a1, a2] = solved.root;
     memory = {solved.root, larger(memory.scale, larger(magnitude(a1), magnitude(a2)))};
     const Real mean = y.v + 0.5 * (to_first(a1, a2) + to_second(a1, a2));
@@ -70,4 +70,4 @@ struct GaussLegendre4 {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Newmark's updates with an acceleration of the method's own: (1 - alpha_m) a' + alpha_m a is the law's
 /// acceleration at the time and state alpha_f of the way back from the step's end. Second order, with the
@@ -64,7 +64,8 @@ struct GeneralizedAlpha {
              system.acceleration(t + (1 - alpha_f) * h, (1 - alpha_f) * position(next) + alpha_f * y.x,
                                  (1 - alpha_f) * velocity(next) + alpha_f * y.v);
     };
-    const auto solved = cromer::newton(residual, a, {memory.scale, acceleration_rounding(y, h)}, newton);
+    const auto solved =
+        cromer::core::newton(residual, a, {memory.scale, acceleration_rounding(y, h)}, newton);
     memory = {solved.root, larger(memory.scale, magnitude(solved.root))};
     return {.y = {position(solved.root), velocity(solved.root)},
             .newton_iterations = solved.iterations,
@@ -72,4 +73,4 @@ struct GeneralizedAlpha {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

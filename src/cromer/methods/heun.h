@@ -2,7 +2,7 @@
 
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The mean of the slopes at the old state and at forward Euler's new one. Undamped, the energy grows by
 /// (w h)^4/4 a step.
@@ -34,4 +34,4 @@ struct Heun {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// v' = v + h a(t + h, x', v'), x' = x + h v': the second put into the first leaves one equation, for v'.
 /// Stable at any step, and damps what is not damped: decay rate about w^2 h/2.
@@ -47,11 +47,11 @@ struct ImplicitEuler {
     };
     // A velocity that moves x by less than its last digit changes nothing.
     const Magnitude<Real> rounding = std::numeric_limits<double>::epsilon() / magnitude(h) * magnitude(y.x);
-    const auto solved = cromer::newton(residual, y.v + memory.rise, {memory.scale, rounding}, newton);
+    const auto solved = cromer::core::newton(residual, y.v + memory.rise, {memory.scale, rounding}, newton);
     const Real v = solved.root;
     memory = {v - y.v, larger(memory.scale, magnitude(v))};
     return {.y = {y.x + h * v, v}, .newton_iterations = solved.iterations, .converged = solved.converged};
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

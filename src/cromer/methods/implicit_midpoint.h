@@ -5,7 +5,7 @@
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// v' = v + h a, x' = x + h (v + v')/2 with a = a(t + h/2, (x + x')/2, (v + v')/2): one equation, for a. The
 /// one-stage Gauss method: it keeps the energy of the undamped linear law at any step.
@@ -46,8 +46,8 @@ struct ImplicitMidpoint {
       const Unknown<Real> v = middle_velocity(a);
       return a - system.acceleration(t + h / 2, y.x + h / 2 * v, v);
     };
-    const auto solved =
-        cromer::newton(residual, memory.acceleration, {memory.scale, acceleration_rounding(y, h)}, newton);
+    const auto solved = cromer::core::newton(residual, memory.acceleration,
+                                             {memory.scale, acceleration_rounding(y, h)}, newton);
     const Real a = solved.root;
     memory = {a, larger(memory.scale, magnitude(a))};
     return {.y = {y.x + h * middle_velocity(a), y.v + h * a},
@@ -56,4 +56,4 @@ struct ImplicitMidpoint {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

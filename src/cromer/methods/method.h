@@ -11,7 +11,7 @@
 #include "cromer/base/magnitude.h"
 #include "cromer/base/state.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What is known of a method before it runs.
 struct MethodInfo {
@@ -100,4 +100,4 @@ constexpr bool depends_on_velocity([[maybe_unused]] const S& system) {
     return depends_on_velocity<S>();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

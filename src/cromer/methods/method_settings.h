@@ -5,7 +5,7 @@
 #include "cromer/methods/newmark.h"
 #include "cromer/methods/newton.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A method takes what it has a use for.
 struct MethodSettings {
@@ -17,4 +17,4 @@ struct MethodSettings {
   friend bool operator==(const MethodSettings&, const MethodSettings&) = default;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// x' = x + h v + h^2 ((1/2 - beta) a + beta a'), v' = v + h ((1 - gamma) a + gamma a'), with a' = a(t + h,
 /// x', v'): one equation, for a'. beta 1/4 is the average acceleration (trapezoidal rule), 1/6 the linear
@@ -52,7 +52,8 @@ struct Newmark {
     const auto residual = [&](const Unknown<Real>& next) {
       return next - system.acceleration(t + h, position(next), velocity(next));
     };
-    const auto solved = cromer::newton(residual, a, {memory.scale, acceleration_rounding(y, h)}, newton);
+    const auto solved =
+        cromer::core::newton(residual, a, {memory.scale, acceleration_rounding(y, h)}, newton);
     memory.acceleration = solved.root;
     memory.scale = larger(memory.scale, magnitude(solved.root));
     return {.y = {position(solved.root), velocity(solved.root)},
@@ -61,4 +62,4 @@ struct Newmark {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/base/magnitude.h"
 #include "cromer/base/state.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct NewtonOptions {
   double tolerance = 1e-12;  ///< of the last update, relative to the motion's scale; 1e-15 to 1e-2
@@ -214,4 +214,4 @@ requires(!is_coupled<Real>) [[gnu::always_inline]] inline NewtonResult<Real, std
   return {u, options.iteration_limit, done};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

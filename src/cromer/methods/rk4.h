@@ -2,7 +2,7 @@
 
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The classical fourth-order method.
 struct Rk4 {
@@ -44,4 +44,4 @@ struct Rk4 {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/methods/method.h"
 #include "cromer/methods/newton.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Velocity Verlet: x' = x + h v + h^2/2 a, v' = v + h/2 (a + a(t + h, x', v')). Where the force depends on
 /// the velocity the second is an equation for v', solved by Newton's iteration.
@@ -54,7 +54,7 @@ struct Verlet {
       // A velocity that moves x by less than its last digit changes nothing.
       const Magnitude<Real> rounding =
           std::numeric_limits<double>::epsilon() * (magnitude(y.x) / magnitude(h));
-      const auto solved = cromer::newton(residual, y.v + h * a, {memory.scale, rounding}, newton);
+      const auto solved = cromer::core::newton(residual, y.v + h * a, {memory.scale, rounding}, newton);
       const Real v = solved.root;
       memory.acceleration = system.acceleration(t + h, x, v);
       memory.scale = larger(memory.scale, magnitude(v));
@@ -64,4 +64,4 @@ struct Verlet {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/methods/newton.h"
 #include "cromer/methods/verlet.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Three steps of velocity Verlet, the middle one backwards: their third-order errors cancel.
 struct Yoshida4 {
@@ -51,4 +51,4 @@ struct Yoshida4 {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

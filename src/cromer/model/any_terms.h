@@ -15,7 +15,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Smooth, or sliding one way with dry friction.
 class AnyTerms {
@@ -62,7 +62,7 @@ class AnyTerms {
   /// From one zero of the velocity to the next [s], of a linear law without a drive; else infinite.
   double zero_spacing() const {
     if (!linear() || driven()) return std::numeric_limits<double>::infinity();
-    return cromer::zero_spacing({.decay_rate = law_.damping / 2, .stiffness = law_.stiffness});
+    return cromer::core::zero_spacing({.decay_rate = law_.damping / 2, .stiffness = law_.stiffness});
   }
 
   /// The first time after t at which the drive turns; infinite without one.
@@ -101,4 +101,4 @@ class AnyFriction {
   double kinetic_, holding_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

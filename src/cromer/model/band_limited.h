@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Modified Bessel function I0 by its power series; relative error about 1e-15 for 0 <= x <= 20.
 inline double bessel_i0(double x) {
@@ -56,4 +56,4 @@ inline std::vector<double> refine_band_limited(std::span<const double> samples, 
   return fine;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

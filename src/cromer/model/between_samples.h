@@ -4,16 +4,9 @@
 #include <optional>
 #include <string_view>
 
-namespace cromer {
+#include "cromer/drive.h"
 
-/// Straight lines; each value until the next, as a converter does; or the sinc series through all of them.
-enum class BetweenSamples { linear, hold, band_limited };
-
-constexpr std::string_view name(BetweenSamples between) {
-  return between == BetweenSamples::linear ? "linear"
-         : between == BetweenSamples::hold ? "hold"
-                                           : "band-limited";
-}
+namespace cromer::core {
 
 /// Nothing of another word.
 constexpr std::optional<BetweenSamples> between_samples_of(std::string_view word) {
@@ -23,4 +16,4 @@ constexpr std::optional<BetweenSamples> between_samples_of(std::string_view word
   return std::nullopt;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

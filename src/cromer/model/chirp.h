@@ -8,7 +8,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/model/next_turn.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// F cos(theta(t)) from start to start + duration, zero outside. The frequency theta' runs from one end to
 /// the other: linear, w = from + (to - from) u/T; logarithmic, w = from (to/from)^(u/T); u = t - start.
@@ -105,4 +105,4 @@ class ChirpForce {
   Real amplitude_, log_ratio_ = Real(0);
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

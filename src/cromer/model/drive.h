@@ -1,7 +1,7 @@
 // What pushes the oscillator from outside.
 #pragma once
 
-namespace cromer {
+namespace cromer::core {
 
 /// F cos(w t + phi), t from the start of the run.
 template <class Real>
@@ -13,4 +13,4 @@ struct HarmonicDrive {
   friend bool operator==(const HarmonicDrive&, const HarmonicDrive&) = default;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -23,7 +23,7 @@
 #include "cromer/model/propagate.h"
 #include "cromer/model/terms.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A force under which the linear law's motion is known: a member propagate(law, t0, t, y0), on the law
 /// without a drive.
@@ -233,4 +233,4 @@ decltype(auto) with_terms(const Oscillator<Real>& oscillator, const HarmonicDriv
   return with_smooth_terms<false>(oscillator, force, std::forward<F>(f));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

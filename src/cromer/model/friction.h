@@ -16,7 +16,7 @@
 #include "cromer/base/state.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A smooth system and a constant deceleration: what slides one way.
 template <class S, class Real>
@@ -49,14 +49,14 @@ class Sliding {
   {
     LinearLaw<Real> law = smooth_.free_law();
     law.drive_amplitude = -friction_;
-    return cromer::propagate(law, t0, t, y0);
+    return cromer::core::propagate(law, t0, t, y0);
   }
 
   /// From one zero of the velocity to the next [s]: half a period; infinite where the motion does not swing.
   double zero_spacing() const requires requires(const S& smooth) { smooth.free_law(); }
   {
-    return cromer::zero_spacing({.decay_rate = value_of(smooth_.free_law().decay_rate),
-                                 .stiffness = value_of(smooth_.free_law().stiffness)});
+    return cromer::core::zero_spacing({.decay_rate = value_of(smooth_.free_law().decay_rate),
+                                       .stiffness = value_of(smooth_.free_law().stiffness)});
   }
 
  private:
@@ -113,4 +113,4 @@ class DryFriction {
   Real kinetic_, holding_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

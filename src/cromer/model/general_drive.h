@@ -10,7 +10,7 @@
 #include "cromer/model/pulse.h"
 #include "cromer/model/sampled_drive.h"
 
-namespace cromer {
+namespace cromer::core {
 
 template <class Real>
 using GeneralDrive = std::variant<PulseDrive<Real>, ChirpDrive<Real>, SampledDrive>;
@@ -51,4 +51,4 @@ decltype(auto) with_terms(const Oscillator<Real>& oscillator, const GeneralDrive
                     drive);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

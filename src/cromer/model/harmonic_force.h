@@ -10,7 +10,7 @@
 #include "cromer/model/next_turn.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// f cos(w t + phi).
 template <class Real>
@@ -37,7 +37,7 @@ struct HarmonicForce {
     law.drive_amplitude = amplitude;
     law.drive_frequency = frequency;
     law.drive_phase = phase;
-    return cromer::propagate(law, t0, t, y0);
+    return cromer::core::propagate(law, t0, t, y0);
   }
 };
 
@@ -81,4 +81,4 @@ class TabulatedForce {
   alignas(64) std::array<Real, block + 1> table_{}, cosine_{}, sine_{};
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// x'' = f(t) - z - the sum of the other smooth terms' forces, z' = the rate of the hysteresis; all per unit
 /// mass. Force gives f(t) [m/s^2], with its breaks if it has any.
@@ -56,4 +56,4 @@ class HystereticOscillator {
   Force force_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/all.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A set of the registry's terms.
 struct Law {
@@ -133,4 +133,23 @@ constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& oscillator) {
   return per_mass;
 }
 
-}  // namespace cromer
+/// The oscillator of that mass from its coefficients per unit mass: what divided_by_mass undoes.
+template <class Real>
+constexpr Oscillator<Real> multiplied_by_mass(const Oscillator<Real>& per_mass, const Real& mass) {
+  Oscillator<Real> oscillator = per_mass;
+  oscillator.mass = mass;
+  oscillator.static_friction = mass * per_mass.static_friction;
+  for_each_term([&]<class T>() {
+    for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
+      Real factor = mass;
+      if constexpr (HasInnerState<T>)
+        if (T::coefficients[i].fitted == FittedAs::not_a_force)
+          factor = Real(1) / T::shape_per_mass(mass, value_of(per_mass.hysteresis_exponent));
+      const auto member = T::template members<Real>[i];
+      oscillator.*member = factor * per_mass.*member;
+    }
+  });
+  return oscillator;
+}
+
+}  // namespace cromer::core

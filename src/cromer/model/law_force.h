@@ -10,7 +10,7 @@
 #include "cromer/model/law.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A law whose terms are told at run time: one type for all of them, where one for each set costs more than
 /// it saves.
@@ -137,4 +137,4 @@ inline double stiffness_at(const Oscillator<double>& oscillator, double x) {
          oscillator.hysteresis_stiffness;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

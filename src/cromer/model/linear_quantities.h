@@ -8,7 +8,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Of the free motion's envelope, c/2m [1/s].
 inline double decay_rate(const Oscillator<double>& o) { return o.damping / (2 * o.mass); }
@@ -51,4 +51,4 @@ inline LinearLaw<double> linear_law(const Oscillator<double>& o, const HarmonicD
           .drive_phase = drive.phase};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

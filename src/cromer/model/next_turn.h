@@ -8,7 +8,7 @@
 #include <limits>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The first time after t at which cos(angle) turns, where the angle passes a multiple of pi: angle_at(t)
 /// never falls, time_of(angle) is its inverse, and not a number or infinite for an angle that is never
@@ -22,4 +22,4 @@ double time_of_next_half_turn(double t, const AngleAt& angle_at, const TimeOf& t
   return std::numeric_limits<double>::infinity();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/model/harmonic_force.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Slots, evenly spaced over a step, of which no two nodes share the nearest: at most 63. Nodes::nodes are
 /// fractions of a step, from 0 to 1.
@@ -100,4 +100,4 @@ class NodeForce {
   std::array<Real, slots + 1> value_{}, cosine_{}, sine_{};
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -25,7 +25,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The linear law per unit mass.
 template <class Real>
@@ -170,4 +170,4 @@ State<Real> propagate(const LinearLaw<Real>& law, const Real& t0, const Real& t,
   return y;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/model/propagate.h"
 #include "cromer/model/ramp_response.h"
 
-namespace cromer {
+namespace cromer::core {
 
 enum class PulseShape { step, rectangular, half_sine, triangular };
 
@@ -116,7 +116,7 @@ class PulseForce {
     for (std::size_t i = 0; i <= size_ && value_of(now) < value_of(t); ++i) {
       const Real end = i < size_ && value_of(pieces_[i].begin) < value_of(t) ? pieces_[i].begin : t;
       if (!(value_of(end) > value_of(now))) continue;
-      y = i == 0 ? cromer::propagate(without_drive(law), now, end, y)
+      y = i == 0 ? cromer::core::propagate(without_drive(law), now, end, y)
                  : propagate_in(pieces_[i - 1], law, now, end, y);
       now = end;
     }
@@ -138,7 +138,7 @@ class PulseForce {
     law.drive_amplitude = piece.sine;
     law.drive_frequency = piece.frequency;
     law.drive_phase = Real(-std::numbers::pi / 2);
-    return cromer::propagate(law, from, t - piece.begin, y0);
+    return cromer::core::propagate(law, from, t - piece.begin, y0);
   }
 
   /// The piece that holds at t; nullptr before the first. A time that is a start to rounding is one.
@@ -159,4 +159,4 @@ class PulseForce {
   bool everywhere_ = false;            ///< the first piece holds at all times
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

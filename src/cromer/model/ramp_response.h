@@ -20,7 +20,7 @@
 #include "cromer/base/dual.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The motion from rest under the force (per unit mass) 1, and under t.
 template <class Real>
@@ -87,4 +87,4 @@ State<Real> propagate_ramp(const LinearLaw<Real>& law, const Real& level, const 
           free.slope * y0.v - law.stiffness * free.g * y0.x + level * free.g + slope * driven.step};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

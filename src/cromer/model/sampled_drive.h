@@ -13,7 +13,7 @@
 #include "cromer/model/propagate.h"
 #include "cromer/model/ramp_response.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Sample i acts at t = i * spacing, from the start of the run. A band-limited recording is refined first
 /// (band_limited.h), then linear.
@@ -135,4 +135,4 @@ class SampledForce {
   std::size_t pin_ = 0;  ///< the interval that holds at all times
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -12,7 +12,7 @@
 
 #include "cromer/base/number.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What the sensor does to a position.
 struct Sensor {
@@ -106,4 +106,4 @@ class SensorReadings {
   NormalDeviates deviates_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Whether sets of terms have code of their own. A term that is absent then costs nothing; the page, which
 /// must be small, has one code for all.
@@ -35,4 +35,4 @@ inline constexpr Law compiled_laws[] = {law_of("spring"),        law_of("viscous
                                         law_of("viscous+drag"),  law_of("cubic"),
                                         law_of("viscous+cubic"), law_of("viscous+drag+cubic")};
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double room = 0.05;  // of the span, above and below the data
@@ -151,4 +151,4 @@ std::vector<Tick> ticks_of(const Axis& axis, const AxisRange& range, int most) {
   return linear_ticks(range.low, range.high, step);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

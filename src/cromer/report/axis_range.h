@@ -6,7 +6,7 @@
 #include "cromer/report/figure.h"
 #include "cromer/report/ticks.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What an axis shows, mapped to px.
 struct AxisRange {
@@ -26,4 +26,4 @@ AxisRange y_range(const Panel& panel, const AxisRange& x);
 
 std::vector<Tick> ticks_of(const Axis& axis, const AxisRange& range, int most);
 
-}  // namespace cromer
+}  // namespace cromer::core

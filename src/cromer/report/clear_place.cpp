@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double leader_from = 14;     // a word this far from its point gets a leader line [px]
@@ -85,4 +85,4 @@ ClearPlace clear_place(const Drawn& drawn, const Box& frame, double width, doubl
   return first;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/report/labels.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What a name inside must keep clear of.
 struct Drawn {
@@ -26,4 +26,4 @@ struct ClearPlace {
 ClearPlace clear_place(const Drawn& drawn, const Box& frame, double width, double height, std::size_t own,
                        std::span<const Spot> wanted, std::span<const Spot> anywhere);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double slack = 0.01;  // [px] a curve that runs along the edge is seen
@@ -65,4 +65,4 @@ Band band_inside(const Band& band, const Box& frame) {
   return seen;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

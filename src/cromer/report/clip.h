@@ -5,7 +5,7 @@
 
 #include "cromer/report/labels.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A hundredth of a px outside, which nobody sees, still counts as inside.
 bool inside(Spot p, const Box& frame);
@@ -17,4 +17,4 @@ std::vector<std::vector<Spot>> pieces_inside(const std::vector<Spot>& line, cons
 /// The columns in the frame, cut at its upper and lower edge; NaN still parts the pieces.
 Band band_inside(const Band& band, const Box& frame);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/base/utf8.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t longest_number = 32;
@@ -82,4 +82,4 @@ void append_csv(std::string& out, std::span<const CsvColumn> columns, std::span<
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

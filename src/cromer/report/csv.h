@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// A column to write: its header and its numbers. Text columns (a run's label) repeat one text over all rows
 /// of a block.
@@ -22,4 +22,4 @@ struct CsvColumn {
 void append_csv(std::string& out, std::span<const CsvColumn> columns, std::span<const std::string> comments,
                 bool with_header);
 
-}  // namespace cromer
+}  // namespace cromer::core

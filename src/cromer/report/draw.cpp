@@ -8,17 +8,17 @@
 #include "cromer/report/librsvg.h"
 #include "cromer/report/svg.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::string_view readers_fonts = "'Segoe UI', -apple-system, Roboto, 'Noto Sans', Lato, sans-serif";
-constexpr double smaller_dejavu = 1;  // [px] which is wider than Lato
+constexpr double smaller_dejavu = 1;  // [px] off the font size: DejaVu Sans is wider than Lato
 
 std::string alternative_text(const Figure& figure) {
   return without_markup(figure.title.empty() ? figure.id : figure.title);
 }
 
-// An SVG is read with a font nobody knows here: it is measured as the widest.
+// The reader's font is not known here: texts are measured in the widest.
 std::string for_readers(const Figure& figure) {
   return to_svg(lay_out(figure, Typeface::dejavu_sans), alternative_text(figure), readers_fonts);
 }
@@ -52,4 +52,4 @@ Result<std::string> draw(const Figure& figure, FigureFormat format) {
   return for_this_machine(figure, format);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

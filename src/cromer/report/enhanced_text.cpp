@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double script_size = 0.8, superscript_rise = 0.5, subscript_rise = -0.3;
@@ -109,4 +109,4 @@ std::string without_markup(std::string_view enhanced) {
   return out;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// A stretch of text in one style.
 struct TextRun {
@@ -28,4 +28,4 @@ std::string figure_text(std::string_view plain);
 /// The reverse, for alternative texts: markup and escapes removed, a blank for a line's end.
 std::string without_markup(std::string_view enhanced);
 
-}  // namespace cromer
+}  // namespace cromer::core

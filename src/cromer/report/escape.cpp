@@ -2,7 +2,7 @@
 
 #include "cromer/base/utf8.h"
 
-namespace cromer {
+namespace cromer::core {
 std::string escaped(std::string_view text) {
   std::string out;
   out.reserve(text.size() + text.size() / 8);
@@ -32,11 +32,11 @@ std::string escaped(std::string_view text) {
 
 std::string well_formed(std::string document) {
   document = printable(as_utf8(document));
-  // Noncharacters, the only ones of three bytes that are not allowed.
+  // U+FFFE and U+FFFF, which XML does not allow.
   for (const std::string_view none : {"\xEF\xBF\xBE", "\xEF\xBF\xBF"})
     for (std::size_t i = 0; (i = document.find(none, i)) != std::string::npos;)
       document.replace(i, none.size(), "\uFFFD");
   return document;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// How a curve's points are drawn. Dots too dense to be told apart are drawn as a band, a band that is not
 /// dense as a line. Crosses stand at the frame's edge where their place is outside.
@@ -111,4 +111,4 @@ Result<FigureFormat> figure_format(const std::string& path);
 /// an Error says so where it is missing.
 Result<std::string> draw(const Figure& figure, FigureFormat format);
 
-}  // namespace cromer
+}  // namespace cromer::core

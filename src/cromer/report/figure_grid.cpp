@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double row_of_several = 310;
@@ -50,4 +50,4 @@ std::vector<std::vector<std::size_t>> rows_of(const Figure& figure) {
   return rows;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

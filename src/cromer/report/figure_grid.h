@@ -7,7 +7,7 @@
 
 #include "cromer/report/figure.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Sizes in pixels; the text's is a factor.
 struct Canvas {
@@ -23,4 +23,4 @@ std::string letter_of(std::size_t panel);
 /// Panels in rows: one row after the other, each as many columns wide as it says.
 std::vector<std::vector<std::size_t>> rows_of(const Figure& figure);
 
-}  // namespace cromer
+}  // namespace cromer::core

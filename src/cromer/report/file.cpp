@@ -10,7 +10,7 @@
 
 #include "cromer/base/replacement.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 bool write_all(int file, std::string_view bytes) {
@@ -79,4 +79,4 @@ Result<void> check_writable(const std::string& path) {
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,9 +5,9 @@
 #include <string_view>
 
 #include "cromer/base/function_ref.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// By a Replacement: on failure nothing is left and the Error names path and reason. "-" is standard output.
 /// A path that is no regular file (/dev/null, a pipe) is written to directly; a symbolic link keeps pointing,
@@ -25,4 +25,4 @@ Result<void> write_file(const std::string& path, const PiecesMaker& make);
 /// Changes nothing.
 Result<void> check_writable(const std::string& path);
 
-}  // namespace cromer
+}  // namespace cromer::core

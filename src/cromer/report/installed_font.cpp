@@ -2,7 +2,7 @@
 
 #include "cromer/report/shared_library.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // As in fontconfig/fontconfig.h, version 2.
@@ -53,4 +53,4 @@ bool is_installed(const std::string& font_family) {
   return fontconfig.load() && fontconfig.nearest(font_family) == font_family;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

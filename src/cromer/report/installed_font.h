@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Whether fontconfig has a font of this family; without fontconfig none is known.
 bool is_installed(const std::string& font_family);
 
-}  // namespace cromer
+}  // namespace cromer::core

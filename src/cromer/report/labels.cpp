@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double cell = 2;         // [px]
@@ -144,4 +144,4 @@ FreePlace free_place(const Occupancy& drawn, const Box& frame, double width, dou
   return best;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/report/thinning.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A rectangle in px, y downwards.
 struct Box {
@@ -57,4 +57,4 @@ struct FreePlace {
 FreePlace free_place(const Occupancy& drawn, const Box& frame, double width, double height,
                      std::span<const Spot> targets);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/report/place_map.h"
 #include "cromer/report/place_names.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double margin_share = 0.14;  // of the width, for names
@@ -333,7 +333,7 @@ std::size_t names_inside(const Panel& panel) {
       }));
 }
 
-// Of crosses that stand at the frame's edge it is said.
+// Adds to the remark where values lie beyond the frame: their crosses stand at its edge.
 void say_what_is_outside(Panel& panel) {
   for (Curve& curve : panel.curves) {
     if (curve.remark_outside.empty()) continue;
@@ -362,4 +362,4 @@ Layout lay_out(const Figure& source, Typeface typeface, double smaller_by) {
   return crowded ? lay_out_as_said(figure, typeface, smaller_by) : layout;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

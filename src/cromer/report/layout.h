@@ -10,7 +10,7 @@
 #include "cromer/report/labels.h"
 #include "cromer/report/text_width.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Font sizes of a figure [px].
 struct TextSizes {
@@ -78,4 +78,4 @@ struct Layout {
 
 Layout lay_out(const Figure& figure, Typeface typeface, double smaller_by = 0);
 
-}  // namespace cromer
+}  // namespace cromer::core

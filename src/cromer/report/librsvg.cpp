@@ -8,7 +8,7 @@
 
 #include "cromer/report/shared_library.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double png_scale = 2, pt_per_px = 0.75;
@@ -153,4 +153,4 @@ Result<std::string> pdf_of(std::string_view svg, double width, double height) {
   return Renderer(*libraries()).pdf(svg, width, height);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr char blank = 0;  // of the palette; the colours follow
@@ -88,4 +88,4 @@ std::string base64(std::string_view bytes) {
   return text;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double leading = 1.28;               // line height over font size
@@ -122,4 +122,4 @@ void place_list(PlacedPanel& placed, const Panel& panel, const std::vector<std::
   placed.texts.push_back(text);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

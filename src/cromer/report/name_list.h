@@ -7,7 +7,7 @@
 #include "cromer/report/layout.h"
 #include "cromer/report/place_names.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Whether the curve's name stands in the list.
 bool stands_in_list(const Curve& curve, const Panel& panel);
@@ -26,4 +26,4 @@ void place_list(PlacedPanel& placed, const Panel& panel, const std::vector<std::
                 const std::vector<PlacedCurve>& drawn, const TextSizes& sizes, Typeface typeface,
                 double room);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/report/page_style.h"
 #include "cromer/report/page_text.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 template <class... Args>
@@ -187,4 +187,4 @@ class Writer {
 
 std::string to_html(const Page& page) { return Writer().write(page); }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Texts are Markdown-like in a small way (page_text.h): *italic*, **bold**, `code`, x_{0} and x^{2} for sub-
 /// and superscript, blank line for a new paragraph. All else is escaped. Headings are numbered by the page.
@@ -66,4 +66,4 @@ struct Page {
 /// One HTML document, everything inside it, light and dark, printable.
 std::string to_html(const Page& page);
 
-}  // namespace cromer
+}  // namespace cromer::core

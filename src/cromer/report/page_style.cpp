@@ -5,7 +5,7 @@
 
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Typography of LOOK.md: 34/41 title, 17.5/28 summary, 16/25 text, 20/27 headings, 14/21 captions; a grid of
@@ -139,4 +139,4 @@ std::string page_style() {
   return css;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/report/escape.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::string_view no_break = "\u00A0";
@@ -160,4 +160,4 @@ std::string plain_words(std::string_view text) {
   return words;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 /// One paragraph as HTML: *italic*, **bold**, `code` (nothing inside it is markup), x_{0}, x^{2}, nested as
 /// they come; x_{d}^{2} stands one above the other. A star with a blank at its inner side, or without its
@@ -17,4 +17,4 @@ std::string paragraphs_html(std::string_view text);
 /// The words without markup, for titles.
 std::string plain_words(std::string_view text);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <iterator>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
@@ -126,4 +126,4 @@ std::string map_colour(double share) {
   return mixed_colour(map_colours[below], map_colours[below + 1], at - static_cast<double>(below));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 /// How a role is drawn. Colours are "#RRGGBB": `line` at least 3:1 against its ground, `word` at least 4.5:1.
 struct RoleStyle {
@@ -52,4 +52,4 @@ const RoleStyle& style_of(std::string_view role);
 /// The role of the i-th of n in an ordered family, from dark to light as far apart as can be; n > i.
 std::string family_role(std::size_t i, std::size_t n);
 
-}  // namespace cromer
+}  // namespace cromer::core

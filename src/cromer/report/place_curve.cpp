@@ -8,7 +8,7 @@
 
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double figure_width = 1.3 / 1.5;  // a figure's curves against the page's
@@ -150,4 +150,4 @@ double height_at_end(const std::vector<Spot>& spots, const Box& frame) {
   return std::clamp(has_peak && turns >= 2 ? last_peak : end, frame.y, frame.bottom());
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/report/axis_range.h"
 #include "cromer/report/layout.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The curve's points in px, NaN where nothing can be drawn; x far outside the panel is left out.
 std::vector<Spot> spots_of(const Curve& curve, const AxisRange& x, const AxisRange& y);
@@ -19,4 +19,4 @@ PlacedCurve place_curve(const Curve& curve, const std::vector<Spot>& spots, bool
 /// else at its end [px].
 double height_at_end(const std::vector<Spot>& spots, const Box& frame);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double least_ratio = 100;  // of the largest to the smallest, for even ratios
@@ -100,4 +100,4 @@ PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, 
   return placed;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

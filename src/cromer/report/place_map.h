@@ -6,7 +6,7 @@
 #include "cromer/report/axis_range.h"
 #include "cromer/report/layout.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What the axes of a map show: from the first middle to the last, half a cell more on either side.
 AxisRange map_x_range(const Panel& panel);
@@ -25,4 +25,4 @@ MapScale map_scale(const HeatMap& map);
 /// The map at every px of the frame, by the nearest cell.
 PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, const Box& frame);
 
-}  // namespace cromer
+}  // namespace cromer::core

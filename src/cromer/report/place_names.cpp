@@ -8,7 +8,7 @@
 #include "cromer/report/palette.h"
 #include "cromer/report/place_curve.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double leading = 1.28;    // line height over font size
@@ -275,4 +275,4 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

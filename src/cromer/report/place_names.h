@@ -6,7 +6,7 @@
 #include "cromer/report/axis_range.h"
 #include "cromer/report/layout.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Whether the curve's name stands in the right margin.
 bool stands_outside(const Curve& curve, const Panel& panel);
@@ -31,4 +31,4 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
                  const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
                  Typeface typeface);
 
-}  // namespace cromer
+}  // namespace cromer::core

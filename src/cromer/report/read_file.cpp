@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace cromer {
+namespace cromer::core {
 
 Result<std::string> read_file(const std::string& path) {
   struct stat info {};
@@ -44,4 +44,4 @@ Result<std::string> read_file(const std::string& path) {
   return bytes;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The bytes of a file, or of standard input for "-". Missing, unreadable, a folder, a device, or
 /// nothing but zeros at its beginning is an Error that names the path and the reason. Pipes are read to their
 /// end.
 Result<std::string> read_file(const std::string& path);
 
-}  // namespace cromer
+}  // namespace cromer::core

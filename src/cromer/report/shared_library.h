@@ -3,7 +3,7 @@
 
 #include <dlfcn.h>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Sets `function` to the library's function of that name; false where either is missing, dlerror() then says
 /// why. The library stays loaded.
@@ -14,4 +14,4 @@ bool find_function(const char* library, const char* name, Function*& function) {
   return function != nullptr;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/report/map_png.h"
 #include "cromer/report/palette.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double tick_length = 4.9, minor_tick_length = 2.4;             // [px]
@@ -243,4 +243,4 @@ std::string to_svg(const Layout& layout, std::string_view alternative_text, std:
   return Svg().document(layout, alternative_text, font_family);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

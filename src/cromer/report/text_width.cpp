@@ -5,7 +5,7 @@
 
 #include "cromer/report/enhanced_text.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Advance widths of DejaVu Sans for ' ' to '~', in thousandths of the font size.
@@ -81,4 +81,4 @@ std::vector<std::string> wrapped(std::string_view text, double size, bool bold, 
   return lines;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

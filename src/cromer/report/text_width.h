@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The font a figure will be drawn with. An SVG is read with a font nobody knows here: it is measured as the
 /// widest, DejaVu Sans.
@@ -20,4 +20,4 @@ double text_width(std::string_view text, double size, bool bold, Typeface typefa
 std::vector<std::string> wrapped(std::string_view text, double size, bool bold, Typeface typeface,
                                  double room);
 
-}  // namespace cromer
+}  // namespace cromer::core

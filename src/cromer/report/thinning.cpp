@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t longest_skip = 64;  // bounds the work; more collinear points than this are rare
@@ -176,4 +176,4 @@ double columns_per_period(std::span<const Spot> points) {
   return crossings < 2 ? std::numeric_limits<double>::infinity() : 2 * columns / crossings;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

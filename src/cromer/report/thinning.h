@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// A place in a picture, in px; y grows downwards unless said otherwise.
 struct Spot {
@@ -43,4 +43,4 @@ Band min_max_band(std::span<const Spot> points, int columns);
 /// infinite where it never crosses.
 double columns_per_period(std::span<const Spot> points);
 
-}  // namespace cromer
+}  // namespace cromer::core

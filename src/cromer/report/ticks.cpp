@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double slack = 1e-6;  // of a step: a tick that rounding put just outside still belongs
@@ -79,4 +79,4 @@ std::string tick_label(double value) {
   return fmt::format("{}×10^{{{}}}", mantissa, fixed(exponent, 0));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

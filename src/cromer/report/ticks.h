@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 struct Tick {
   double value = 0;
@@ -26,4 +26,4 @@ std::vector<Tick> logarithmic_ticks(double low, double high, int most);
 /// `value` as written at a tick: at most four digits, else as "2×10^{5}".
 std::string tick_label(double value);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -16,7 +16,7 @@
 #include "cromer/run/step_control.h"
 #include "cromer/run/stepper.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Whether the error of a step from t to t + h is the rounding of the acceleration, where the system says how
 /// large that is [m/s^2]: forces that all but cancel, or a drive that has hardly begun, set a motion going so
@@ -128,4 +128,4 @@ void take_adaptive_steps(const S& system, const M& method, const Rows& rows, con
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/run/outcome.h"
 #include "cromer/run/steps.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Times no further apart than this part of a step are the same.
 inline constexpr double same_time = 1e-9;
@@ -84,4 +84,4 @@ bool is_finite(const State<Real>& y) {
   return std::abs(value_of(y.x) - value_of(y.v)) <= std::numeric_limits<double>::max();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/base/state.h"
 
-namespace cromer {
+namespace cromer::core {
 
 enum class Crossing { any, rising, falling };
 
@@ -56,4 +56,4 @@ struct EventLog {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Into how many parts a step must be divided so that no two zeros of the velocity fall into one. The first
@@ -58,4 +58,4 @@ void take_fixed_steps(Stepper& stepper, const Rows& rows, const Lookout& look, C
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/run/look_inside.h"
 #include "cromer/run/stepper.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Goes on from where the course stands, from row to row, until the last one, the end of the phase (rest, or
 /// phase_end [s], to 1e-9 of a step), or an early end. A phase that begins between two rows first makes a
@@ -19,4 +19,4 @@ void take_fixed_steps(Stepper& stepper, const Rows& rows, const Lookout& look, C
                       AnyRecorder record, const Watch& watch, const Limits& limits,
                       double phase_end = std::numeric_limits<double>::infinity());
 
-}  // namespace cromer
+}  // namespace cromer::core

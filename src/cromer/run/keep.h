@@ -10,9 +10,9 @@
 #include "cromer/base/function_ref.h"
 #include "cromer/base/state.h"
 #include "cromer/run/steps.h"
-#include "cromer/run/trajectory.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Any recorder of states in doubles, its type forgotten: for loops in which a call for every state does not
 /// count.
@@ -97,4 +97,4 @@ struct KeepNone {
   void operator()(double, const State<Real>&) {}
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/run/root.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// A part of a step, from theta to theta.
@@ -91,4 +91,4 @@ Cut look_inside(const Lookout& look, double t, double h, const State<double>& y0
   return {.theta = 1, .y = y1};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/base/state.h"
 #include "cromer/run/event.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What to look for.
 struct Lookout {
@@ -32,4 +32,4 @@ using StateInside = FunctionRef<State<double>(double theta)>;
 Cut look_inside(const Lookout& look, double t, double h, const State<double>& y0, const State<double>& y1,
                 long long pieces, StateInside state_at, StateInside exactly);
 
-}  // namespace cromer
+}  // namespace cromer::core

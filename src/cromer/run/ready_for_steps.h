@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 
 /// A system for steps of any length, one after another: its own form that is ready at the method's nodes, if
 /// system and method have that, else the system itself.
@@ -33,4 +33,4 @@ class ReadyForSteps<S, M> {
   decltype(std::declval<const S&>().template on_nodes<M>()) ready_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cromer {
+namespace cromer::core {
 
 double find_root(FunctionRef<double(double)> f, double a, double fa, double b, double fb) {
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -32,4 +32,4 @@ double find_root(FunctionRef<double(double)> f, double a, double fa, double b, d
   return (f1 > 0) == positive_after ? x1 : x2;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -42,7 +42,7 @@
 #include "cromer/run/stick_slip.h"
 #include "cromer/run/uniform_steps.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// M can run S: with dry friction, the smooth systems of its phases.
 template <class M, class S, class Real>
@@ -185,4 +185,4 @@ requires(!CanRun<M, S, Real>::value) Outcome
   return outcome;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

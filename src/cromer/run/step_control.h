@@ -11,7 +11,7 @@
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What the caller sets: a plain number is the step.
 struct StepControl {
@@ -113,4 +113,4 @@ double first_step(const State<Real>& y, const Real& acceleration, double toleran
   return step > 0 && std::isfinite(step) ? step : otherwise;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

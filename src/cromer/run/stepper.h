@@ -6,7 +6,7 @@
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One step out of line, for where a call does not count: compiled once for each system and method.
 template <class S, class M, class Real, class Memory>
@@ -74,4 +74,4 @@ class StepperOf final : public Stepper {
   typename M::template Memory<double> memory_, before_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

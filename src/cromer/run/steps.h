@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cromer {
+namespace cromer::core {
 
 /// From the first to the last time of a run.
 struct Interval {
@@ -38,4 +38,4 @@ inline Steps count_steps(Interval interval, double step) {
 /// States 0, every, 2 every, ... of the run, for every >= 1. Each takes 24 bytes in a Trajectory.
 inline long long number_of_kept_states(Steps steps, long long every) { return steps.count() / every + 1; }
 
-}  // namespace cromer
+}  // namespace cromer::core

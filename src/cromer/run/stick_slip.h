@@ -14,7 +14,7 @@
 #include "cromer/run/keep.h"
 #include "cromer/run/root.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A system with dry friction: sliding(direction) is the smooth system of a phase (direction 1 or -1),
 /// pull(t, x) what friction must balance to hold it at rest, holding() the most it can [m/s^2]. If it
@@ -88,4 +88,4 @@ void stick_and_slip(const S& system, const Rows& rows, Course<double>& course,
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cromer {
+namespace cromer::core {
 
 Outcome walk_in_blocks(Interval interval, double step, int block, const Tally& tally,
                        FunctionRef<Status(long long first, long long last)> steps,
@@ -38,4 +38,4 @@ Outcome walk_in_blocks(Interval interval, double step, int block, const Tally& t
   return outcome;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

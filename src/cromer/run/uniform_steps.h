@@ -16,7 +16,7 @@
 #include "cromer/run/stepper.h"
 #include "cromer/run/steps.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A system for any times: itself.
 template <class S>
@@ -154,4 +154,4 @@ requires Method<M, S, Real> Outcome take_uniform_steps(const S& system, const M&
   return outcome;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

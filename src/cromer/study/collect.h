@@ -14,7 +14,7 @@
 #include "cromer/study/task/sweep.h"
 #include "cromer/study/task/work_precision.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// "id.N" for run N: label, steps, newton_per_step, peak, final.*, energy_*; steady.*, exact.* and
 /// transmissibility.* where it is driven. Columns t, x, v, energy.
@@ -61,4 +61,4 @@ void collect(const std::string& id, const SpectrumResult& spectrum, Results& res
 /// of at most 1000: label, options and measures.
 void collect(const std::string& id, const SweepResult& sweep, Results& results);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/collect.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 void set_estimate(Results& results, const std::string& name, const Estimate& estimate,
@@ -108,7 +108,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
   results.set(id + ".samples", static_cast<double>(fitted.series.t.size()));
   results.set(id + ".rms", fitted.fit.residual.rms, si_unit_of(fitted.series.quantity));
   for (const auto* group : {&fitted.parameters, &fitted.derived})
-    for (const NamedEstimate& each : *group)
+    for (const Parameter& each : *group)
       set_estimate(results, id + "." + each.name, each.estimate, each.unit);
   set_optional(results, id + ".mass", fitted.options.mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
@@ -146,4 +146,4 @@ void collect(const std::string& id, const CompareResult& compared, Results& resu
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

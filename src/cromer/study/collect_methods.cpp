@@ -3,7 +3,7 @@
 
 #include "cromer/study/collect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 void collect(const std::string& id, const MethodMapResult& map, Results& results) {
   results.set(id + ".natural_frequency", map.natural_frequency, "rad/s");
@@ -59,4 +59,4 @@ void collect(const std::string& id, const WorkPrecisionResult& work, Results& re
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

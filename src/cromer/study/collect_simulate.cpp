@@ -9,7 +9,7 @@
 #include "cromer/study/collect.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 double largest_magnitude(const std::vector<double>& values) {
@@ -164,4 +164,4 @@ void collect(const std::string& id, const LocalErrorResult& errors, Results& res
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

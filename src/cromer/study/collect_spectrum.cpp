@@ -2,7 +2,7 @@
 
 #include "cromer/study/collect.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// SD, PSV and PSA at the periods, as columns whose names end with `which`; the pseudo-accelerations.
@@ -66,4 +66,4 @@ void collect(const std::string& id, const SpectrumResult& all, Results& results)
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

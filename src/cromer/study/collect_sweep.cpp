@@ -6,7 +6,7 @@
 
 #include "cromer/study/collect.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::uint64_t most_named_points = 1000;
@@ -114,4 +114,4 @@ void collect(const std::string& id, const SweepResult& all, Results& results) {
     collector.point(fmt::format("{}.point.{}", id, row + 1), row);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/record/live/headings.h"
 #include "cromer/record/live/row_text.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t fewest = 20;  // rows
@@ -49,4 +49,4 @@ std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headin
   return best;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

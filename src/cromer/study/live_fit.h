@@ -8,7 +8,7 @@
 #include "cromer/record/live/rows.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 constexpr std::size_t live_fit_rows = 100000;
 
@@ -19,4 +19,4 @@ constexpr std::size_t live_fit_rows = 100000;
 std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headings, std::string_view column,
                                         const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

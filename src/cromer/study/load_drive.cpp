@@ -4,7 +4,7 @@
 
 #include "cromer/report/read_file.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Result<void> load_drive(SimulateOptions& options, const std::string& folder) {
   const bool ground = !options.base_motion.empty();
@@ -20,4 +20,4 @@ Result<void> load_drive(SimulateOptions& options, const std::string& folder) {
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,13 +3,13 @@
 
 #include <string>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Fills options.drive_record where a --drive-file or a --base-motion is named, its path relative to
 /// `folder`; otherwise does nothing. An Error says what is wrong with the file.
 Result<void> load_drive(SimulateOptions& options, const std::string& folder);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include "cromer/study/text.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// A column in the unit it is drawn in.
@@ -137,4 +137,4 @@ Result<Figure> make_figure(const FigureSpec& spec, const Results& results) {
   return figure;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

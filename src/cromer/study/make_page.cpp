@@ -2,7 +2,7 @@
 
 #include "cromer/study/text.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Fills texts one after another; the first Error stays.
@@ -86,4 +86,4 @@ Result<Page> make_page(const Study& study, const Results& results,
   return page;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,12 +4,12 @@
 #include <map>
 #include <string>
 
-#include "cromer/base/result.h"
 #include "cromer/report/page.h"
+#include "cromer/result.h"
 #include "cromer/study/results.h"
 #include "cromer/study/study_file.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A figure ready to be put on the page.
 struct DrawnFigure {
@@ -22,4 +22,4 @@ struct DrawnFigure {
 Result<Page> make_page(const Study& study, const Results& results,
                        const std::map<std::string, DrawnFigure>& figures, const std::string& footer);
 
-}  // namespace cromer
+}  // namespace cromer::core

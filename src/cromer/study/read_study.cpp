@@ -6,7 +6,7 @@
 #include "cromer/study/study_file.h"
 #include "cromer/study/toml_reader.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::string_view commands[] = {"simulate",    "fit",        "compare",    "resonance",
@@ -254,4 +254,4 @@ Result<Study> read_study(std::string_view bytes, const std::string& file) {
   return study;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include "cromer/base/nearest.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 template <class Map>
@@ -29,4 +29,4 @@ Result<const ResultColumn*> Results::column(std::string_view name) const {
   return &found->second;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "cromer/base/quantity.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A number with its SI unit ("" for a plain one).
 struct Number {
@@ -51,4 +51,4 @@ class Results {
   std::map<std::string, ResultColumn, std::less<>> columns_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

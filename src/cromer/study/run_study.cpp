@@ -1,6 +1,6 @@
 #include "cromer/study/run_study.h"
 
-namespace cromer {
+namespace cromer::core {
 
 namespace {
 
@@ -43,4 +43,4 @@ Result<StudyRun> run_study(const Study& study, const Watch& watch, const StudyPr
   return run;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/results.h"
 #include "cromer/study/study_file.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What the tasks found, and what they warned of ("name: warning").
 struct StudyRun {
@@ -37,4 +37,4 @@ Result<StudyRun> run_study(const Study& study, const Watch& watch = {}, const St
 /// Runs one task and adds what it found under its id.
 Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/study/run_study.h"
 #include "cromer/study/task_settings.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// A task at work: what it was asked, in which study, and where its results go.
@@ -247,4 +247,4 @@ Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& r
   return task.place.error("\"" + task.command + "\" is no command of a study");
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

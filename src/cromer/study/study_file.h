@@ -8,10 +8,10 @@
 #include <variant>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/report/figure.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Where something stands in the study file.
 struct Place {
@@ -114,4 +114,4 @@ struct Study {
 /// Reads a study. Errors name file, line and column; an unknown key gets the nearest right one suggested.
 Result<Study> read_study(std::string_view toml, const std::string& file);
 
-}  // namespace cromer
+}  // namespace cromer::core

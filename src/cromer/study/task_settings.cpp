@@ -7,7 +7,7 @@
 #include "cromer/study/task/sweep.h"
 #include "cromer/study/text.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::string as_key(std::string_view option) {
@@ -51,4 +51,4 @@ Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& op
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,16 +5,16 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/results.h"
 #include "cromer/study/study_file.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Assigns every setting to its option, results filled into the texts. An unknown key gets the nearest right
 /// one suggested; errors name the place.
 Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options,
                              const Results& results);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::string_view trimmed(std::string_view text) {
@@ -119,4 +119,4 @@ Result<std::string> fill(std::string_view text, const Results& results, std::str
   return out;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,10 +4,10 @@
 #include <string>
 #include <string_view>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/results.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Replaces each {name, modifier, ...} by its result. Modifiers: a whole number (significant digits), a unit
 /// ("cm", "%", "mJ": converted to), "bare" (without unit), "no ±" (without uncertainty), "concise" (the uncertainty in brackets behind the last digit), "signed" (a leading
@@ -16,4 +16,4 @@ namespace cromer {
 /// name or modifier is an Error.
 Result<std::string> fill(std::string_view text, const Results& results, std::string_view scope = "");
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include "cromer/base/nearest.h"
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The text the command line would take for this value; empty optional for tables and arrays.
@@ -185,4 +185,4 @@ Result<void> TomlReader::finish() const {
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,10 +11,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/study_file.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The first error stays; later ones are dropped. Ask for everything, then call finish().
 class TomlReader {
@@ -56,4 +56,4 @@ class TomlReader {
   std::optional<Error> error_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

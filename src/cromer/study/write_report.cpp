@@ -10,7 +10,7 @@
 #include "cromer/study/make_figure.h"
 #include "cromer/study/make_page.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, const Results& results,
@@ -93,4 +93,4 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
   return written;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

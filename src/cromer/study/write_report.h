@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/run_study.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct WrittenReport {
   std::string index;                 ///< path of index.html; empty if a task failed
@@ -25,4 +25,4 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
                                    const std::string& date, const std::string& program,
                                    const Watch& watch = {}, const StudyProgress& progress = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

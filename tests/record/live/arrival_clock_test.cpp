@@ -6,7 +6,7 @@
 
 #include "arrivals.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -309,4 +309,4 @@ TEST(ArrivalClock, SaysHowManyByTheRate) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 
 #include "cromer/record/live/arrival_clock.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 struct Sent {
   std::vector<double> sent, arrival;  // [s]
@@ -90,4 +90,4 @@ inline double worst_error(const std::vector<double>& times, const Sent& sent, st
   return std::max(sorted.back() - middle, middle - sorted.front());
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -10,7 +10,7 @@
 #include "cromer/record/live/source.h"
 #include "server.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::StartsWith;
@@ -113,4 +113,4 @@ TEST(Descriptor, OwnsItsNumber) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -13,7 +13,7 @@
 #include "cromer/record/live/recorder.h"
 #include "small_disk.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using test::SmallDisk;
@@ -122,4 +122,4 @@ TEST_F(FullDisk, OnlyWhatIsInTheFileIsCounted) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(Headings, StandInAFileWithoutQuotes) {
@@ -18,4 +18,4 @@ TEST(Headings, AreNamedWithOrWithoutTheirUnit) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

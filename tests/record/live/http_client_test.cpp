@@ -6,7 +6,7 @@
 #include "cromer/record/live/source.h"
 #include "server.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::StartsWith;
@@ -112,4 +112,4 @@ TEST(HttpClient, WhereNobodyListensItSaysSo) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -316,6 +316,12 @@ TEST(LineReader, TheFormOfTheNextLineShowsAWholeOne) {
   EXPECT_EQ(last.rows.size(), 0u);
   ASSERT_EQ(last.notices.size(), 1u);
   EXPECT_EQ(last.notices[0].kind, NoticeKind::connection);
+  SerialReading stopped;  // while its first line waits
+  stopped.take("12.4 1\n12.", 100.001);
+  stopped.reader.release_all(stopped.rows, stopped.notices);
+  EXPECT_EQ(stopped.rows.size(), 0u);
+  ASSERT_EQ(stopped.notices.size(), 1u);
+  EXPECT_EQ(stopped.notices[0].text, "what came first may be the end of a line, and is left out: \"12.4 1\"");
 }
 
 TEST(LineReader, RowsThatAreLetGoHaveOneValue) {
@@ -330,4 +336,4 @@ TEST(LineReader, RowsThatAreLetGoHaveOneValue) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

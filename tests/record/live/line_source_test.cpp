@@ -5,7 +5,7 @@
 
 #include "server.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -129,4 +129,4 @@ TEST(Sources, AreMadeByTheirNames) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -9,7 +9,7 @@
 #include "cromer/record/live/source.h"
 #include "server.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -204,4 +204,4 @@ TEST(PhyphoxSource, WhatItCannotOpenIsAnError) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

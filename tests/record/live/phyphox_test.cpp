@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -120,4 +120,4 @@ TEST(Phyphox, WhetherThePhoneMeasuresStandsInItsStatus) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "arrivals.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 namespace {
 
 double sum_of_delays(const std::vector<double>& arrivals, const RateLine& line) {
@@ -129,4 +129,4 @@ TEST(RateLine, RoughnessOfThreeIsTheirBend) {
 }
 
 }  // namespace
-}  // namespace cromer::test
+}  // namespace cromer::core::test

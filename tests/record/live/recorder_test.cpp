@@ -9,9 +9,10 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <new>
 #include <thread>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -270,6 +271,37 @@ TEST(Recorder, OutOfMemoryItGoesOnAndSaysSo) {
             "Time (s),Value\n1,10\n3,30\n# this computer ran out of memory: samples may be missing\n");
 }
 
+TEST(Recorder, OutOfMemoryAtItsEndItKeepsWhatWasRead) {
+  /// Of a row, with another one held back; memory runs out where it is finished, or where that is published.
+  class Starving final : public Source {
+   public:
+    explicit Starving(bool finishes) : finishes_(finishes) {}
+    Result<void> open() override { return {}; }
+    bool receive(double, Rows& rows, std::vector<Notice>&) override {
+      rows = rows_at({1});
+      return false;
+    }
+    void finish(Rows& rows, std::vector<Notice>&) override {
+      if (!finishes_) throw std::bad_alloc();
+      rows = rows_at({2});
+    }
+    const Headings& headings() const override { return headings_; }
+    SampleTimes times() const override {
+      if (finishes_ && ++published_ == 2) throw std::bad_alloc();
+      return {TimesBy::count};
+    }
+
+   private:
+    bool finishes_;
+    mutable int published_ = 0;
+    Headings headings_{"Time (s)", "Value"};
+  };
+  const std::string times = "# times: counted, at the rate of --rate\n";
+  EXPECT_EQ(Recorded(std::make_unique<Starving>(false)).content,
+            "Time (s),Value\n1,10\n# this computer ran out of memory: samples may be missing\n" + times);
+  EXPECT_EQ(Recorded(std::make_unique<Starving>(true)).content, "Time (s),Value\n1,10\n2,20\n" + times);
+}
+
 TEST(Recorder, WhereTheSourceCannotBeOpenedNoFileIsLeft) {
   class Closed final : public Source {
    public:
@@ -285,4 +317,4 @@ TEST(Recorder, WhereTheSourceCannotBeOpenedNoFileIsLeft) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <iterator>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ TEST_F(RecordingFiles, LinesOfAnyLengthAreWrittenWhole) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -27,4 +27,4 @@ TEST(Rows, TakeOthersAndKeepTheLastOnes) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// Bytes to send, and whether to close the connection behind them.
 struct Reply {
@@ -96,4 +96,4 @@ class Server {
   std::thread thread_;
 };
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

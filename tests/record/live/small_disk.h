@@ -4,7 +4,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 /// As long as the object lives, for the whole process.
 class SmallDisk {
@@ -25,4 +25,4 @@ class SmallDisk {
   rlimit before_{};
 };
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 void expect(std::string_view text, SourceKind kind, std::string_view place, int number) {
@@ -39,4 +39,4 @@ TEST(SourceName, WhatIsNoneNamesTheForms) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

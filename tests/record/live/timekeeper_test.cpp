@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::HasSubstr;
@@ -157,13 +157,58 @@ TEST(Timekeeper, BehindAJumpTheTimesGoOnByTheDevicesSteps) {
 TEST(Timekeeper, ATimeOfAThousandTrillionSecondsIsNone) {
   Timekeeper clock = running();
   EXPECT_EQ(said(clock.of_device(1e15, 1.0)),
-            "the device gave 1e+15 s, which is no time; the computer's clock is taken at 6 s");
+            "the device gave 1e+15 s, which is no time; 6 s is taken instead");
   Timekeeper first;
   EXPECT_EQ(first.of_device(1e15, 7).t, 0);
   Timekeeper late = running();
   EXPECT_NEAR(late.of_device(-1e15, 1.49).t, 6.49, 1e-9);
   EXPECT_EQ(late.of_device(6.5, 1.5).t, 6.5);
   EXPECT_EQ(running().of_device(9.9e14, 1e15).t, 9.9e14);
+}
+
+// The pause before a burst, as of USB and networks, was taken for a step of the device's clock: that seemed
+// to jump back behind it.
+TEST(Timekeeper, AGarbledTimeInABurstMovesNoOther) {
+  for (const int burst : {16, 200}) {
+    for (const int garbled : {3 * burst, 3 * burst + 1, 4 * burst - 1, 4 * burst}) {
+      Timekeeper clock;
+      for (int i = 0; i < 6 * burst; ++i) {
+        const double device = 7 + i * 0.001, arrival = 100 + (i / burst + 1) * burst * 0.001;
+        const Stamp stamp = clock.of_device(i == garbled ? 1e73 : device, arrival);
+        EXPECT_NEAR(stamp.t, device, i == garbled ? 1e-9 : 0) << burst << " " << garbled << " " << i;
+        EXPECT_EQ(stamp.notice.has_value(), i == garbled) << burst << " " << garbled << " " << said(stamp);
+      }
+    }
+  }
+}
+
+TEST(Timekeeper, BehindAGarbledTimeTheDevicesClockGoesOn) {
+  // The next true time is nearer than usual.
+  Timekeeper near = running();
+  EXPECT_NEAR(near.of_device(1e73, 1.0).t, 6, 1e-9);
+  const Stamp soon = near.of_device(5.995, 1.0);
+  EXPECT_GT(soon.t, 6);
+  EXPECT_EQ(said(soon), "");
+  EXPECT_EQ(near.of_device(6.01, 1.01).t, 6.01);
+  // A silence that ends with it is not said again.
+  Timekeeper silent = running();
+  EXPECT_NEAR(silent.of_device(1e73, 4.0).t, 9, 1e-9);
+  EXPECT_EQ(said(silent.of_device(9.01, 4.01)), "");
+  // One that may be no silence, as samples came as late before, is.
+  Timekeeper late = running();
+  late.of_device(6, 3.0);
+  EXPECT_NEAR(late.of_device(1e73, 6.0).t, 6.01, 1e-9);
+  EXPECT_EQ(said(late.of_device(9.01, 6.01)), "nothing for 3 s from 6.01 s on");
+  // A device that begins anew behind it loses no time.
+  Timekeeper anew = running();
+  EXPECT_NEAR(anew.of_device(1e73, 1.49).t, 6.49, 1e-9);
+  EXPECT_NEAR(anew.of_device(0, 1.6).t, 6.6, 1e-9);
+  // The pace is that of true times.
+  Timekeeper paced;
+  paced.of_device(3, 100);
+  paced.of_device(7, 102);
+  paced.of_device(1e73, 104);
+  EXPECT_EQ(paced.pace(), 2);
 }
 
 TEST(Timekeeper, TheUsualStepIsOfTheLastSixtyFour) {
@@ -209,4 +254,4 @@ TEST(Timekeeper, ThePaceIsKnownAfterTwoSeconds) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

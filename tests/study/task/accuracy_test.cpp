@@ -7,7 +7,7 @@
 
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -142,4 +142,4 @@ TEST(Accuracy, SaysWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/study/task/run_law.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The end of the run by a method in so many steps for each of the benchmark's.
@@ -56,4 +56,4 @@ TEST(BenchCases, EveryMethodRunsThemWithTheErrorOfItsOrder) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

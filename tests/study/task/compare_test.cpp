@@ -12,7 +12,7 @@
 #include "tests/study/task/disc_recording.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -301,4 +301,4 @@ TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/study/task/simulate.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::AllOf;
@@ -97,4 +97,4 @@ TEST(Compensated, GoesWithAccuracy) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/model/sensor.h"
 #include "cromer/study/task/static_stiffness.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -220,4 +220,4 @@ TEST(StaticLine, SaysWhatIsDoubtfulOfIt) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -37,7 +37,7 @@ LawFit released(double decay_rate) {
 }
 
 double value(const LawFit& fit, std::string_view name) {
-  for (const NamedEstimate& number : derived_quantities(fit, "m", 0))
+  for (const Parameter& number : derived_quantities(fit, "m", 0))
     if (number.name == name) return number.estimate.value;
   ADD_FAILURE() << name;
   return 0;
@@ -86,7 +86,7 @@ TEST(DerivedQuantities, ASwingThatIsFedHasALimitCycleAndNoQuality) {
   fit.covariance[3 * n + 3] = 0.1 * 0.1;
   const double limit = std::sqrt(8 * 0.1 / 2.5);
   bool found = false;
-  for (const NamedEstimate& number : derived_quantities(fit, "m", 0)) {
+  for (const Parameter& number : derived_quantities(fit, "m", 0)) {
     EXPECT_NE(number.name, "quality_factor");
     if (number.name != "limit_cycle_amplitude") continue;
     found = true;
@@ -161,7 +161,7 @@ TEST(DerivedQuantities, PropagateTheWholeCovariance) {
     other.estimates[i].value += by;
     return other;
   };
-  for (const NamedEstimate& number : derived_quantities(fit, "m", 0)) {
+  for (const Parameter& number : derived_quantities(fit, "m", 0)) {
     std::vector<double> slope;
     for (std::size_t i = 0; i < n; ++i)
       slope.push_back((value(moved(i, 1e-6), number.name) - value(moved(i, -1e-6), number.name)) / 2e-6);
@@ -181,7 +181,7 @@ TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
   set(fit, "drag", certain(0.3));
   std::vector<double> x;
   for (int i = 0; i < 1000; ++i) x.push_back(7 + 0.2 * std::sin(2 * pi * i / 100));
-  const std::vector<NamedEstimate> list = derived_quantities(fit, "m", 0, x);
+  const std::vector<Parameter> list = derived_quantities(fit, "m", 0, x);
   ASSERT_EQ(list.back().name, "at_amplitude");
   EXPECT_NEAR(list.back().estimate.value, 0.2, 1e-12);
   EXPECT_NEAR(list[2].estimate.value, (0.05 + 4 * 0.3 * w0 / (3 * pi) * 0.2) / w0, 1e-12);
@@ -190,4 +190,4 @@ TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/run/solve.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline constexpr Oscillator<double> disc_oscillator{
     .mass = 0.2176, .stiffness = 17.04, .damping = 0.000789, .drag = 0.02043};
@@ -38,4 +38,4 @@ inline Series disc_recording(unsigned seed = 2, double duration = 120,
   return series;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::AllOf;
@@ -79,4 +79,4 @@ TEST(DoubtfulRecordings, ComponentsOfTwoMotionsAreSaid) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

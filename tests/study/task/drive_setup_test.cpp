@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -324,4 +324,4 @@ TEST(DriveFile, SaysThatItBeginsLate) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/study/task/simulate.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::HasSubstr;
@@ -354,4 +354,4 @@ TEST(Drive, SeveralColumnsAreAsked) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

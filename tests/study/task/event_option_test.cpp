@@ -5,7 +5,7 @@
 
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -73,4 +73,4 @@ TEST(EventOption, FrictionNeedsNoSmallerStaticFriction) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

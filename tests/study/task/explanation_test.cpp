@@ -8,7 +8,7 @@
 #include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Two curves that the law fits: the law alone leaves 0.02 m and 0.01 m.
@@ -196,4 +196,4 @@ TEST(RunInWords, SaysWhetherALawThatKeepsItsEnergyDid) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

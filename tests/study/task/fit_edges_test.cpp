@@ -6,7 +6,7 @@
 #include "cromer/study/task/fit.h"
 #include "tests/study/task/disc_recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -152,4 +152,4 @@ TEST(FitEdges, ErrorsOfAnOptionBeginWithTheOption) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "tests/identify/forced_truth.h"
 #include "tests/support/shared_data.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -56,7 +56,7 @@ TEST(FitForced, NamesFollowTheContract) {
   const FittedRecording result = fitted(rig(), options);
   ASSERT_EQ(result.fit.status, FitStatus::converged) << result.fit.message;
   std::vector<std::string> names;
-  for (const NamedEstimate& number : result.parameters) names.push_back(number.name + " " + number.unit);
+  for (const Parameter& number : result.parameters) names.push_back(number.name + " " + number.unit);
   EXPECT_THAT(names,
               testing::ElementsAre("angular_frequency rad/s", "decay_rate 1/s", "cubic 1/(m² s²)",
                                    "quadratic 1/(m s²)", "force_gain m/(s² N)", "force_offset N",
@@ -299,4 +299,4 @@ TEST(FitDriven, FindsTheGeneratorOfTheBeats) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

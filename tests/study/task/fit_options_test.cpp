@@ -11,7 +11,7 @@
 #include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -28,35 +28,38 @@ const Quantity kilogram{1, 0};
 TEST(FitOptions, KnownQuantitiesArePositive) {
   EXPECT_EQ(said({}), "");
   EXPECT_EQ(said({.mass = Quantity{1e-300, 0}}), "");
-  EXPECT_EQ(said({.mass = Quantity{0, 0}}), "--mass 0: it must be positive");
+  EXPECT_EQ(said({.mass = Quantity{0, 0}}), "--mass: it must be positive, not 0 kg");
   EXPECT_EQ(said({.mass = kilogram, .spring_mass = Quantity{0, 0}}), "");
   EXPECT_EQ(said({.mass = kilogram, .spring_mass = Quantity{-0.5, 0}}),
-            "--spring-mass -0.5: it must be zero or more");
+            "--spring-mass: it must not be negative, not -0.5 kg");
   EXPECT_EQ(said({.spring_mass = Quantity{1, 0}}), "--spring-mass needs --mass as well");
   EXPECT_EQ(said({.disc_diameter = Quantity{1e-300, 0}}), "");
-  EXPECT_EQ(said({.disc_diameter = Quantity{0, 0}}), "--disc-diameter 0: it must be positive");
-  EXPECT_EQ(said({.disc_diameter = kilogram, .temperature = Quantity{1e-3, 0}}), "");
+  EXPECT_EQ(said({.disc_diameter = Quantity{0, 0}}), "--disc-diameter: it must be positive, not 0 m");
+  EXPECT_EQ(said({.disc_diameter = kilogram, .temperature = Quantity{100, 0}}), "");
+  EXPECT_EQ(said({.disc_diameter = kilogram, .temperature = Quantity{1900, 0}}), "");
+  EXPECT_THAT(said({.disc_diameter = kilogram, .temperature = Quantity{1901, 0}}),
+              testing::HasSubstr("between 100 K and 1900 K"));
   EXPECT_EQ(said({.disc_diameter = kilogram, .temperature = Quantity{0, 0}}),
-            "--temperature 0: it must be above 0 K");
+            "--temperature: it must lie between 100 K and 1900 K (for instance \"20 °C\"), not 0 K");
   EXPECT_EQ(
       said({.temperature = Quantity{300, 0}}),
       "--temperature needs --disc-diameter: the air's warmth matters to the Reynolds number and the drag "
       "coefficient of a disc only");
   EXPECT_EQ(said({.segment = 1e-300}), "");
-  EXPECT_EQ(said({.segment = 0}), "--segment 0: it must be positive");
+  EXPECT_EQ(said({.segment = 0}), "--segment: it must be positive, not 0 s");
   EXPECT_EQ(said({.segments = 1}), "");
-  EXPECT_EQ(said({.segments = 0}), "--segments 0: it must be positive");
+  EXPECT_EQ(said({.segments = 0}), "--segments: it must be positive, not 0");
   EXPECT_EQ(said({.hysteresis_exponent = 1}), "");
-  EXPECT_EQ(said({.hysteresis_exponent = 0.75}), "--hysteresis-exponent 0.75: it must be 1 or more");
+  EXPECT_EQ(said({.hysteresis_exponent = 0.75}), "--hysteresis-exponent: it must be at least 1, not 0.75");
 }
 
 TEST(FitOptions, TrialsAndTheirSeedNeedOneAnother) {
   EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 1000}), "");
   EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 10'000'000}), "");
   EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 999}),
-            "--monte-carlo 999: it must be between 1000 and 10000000 trials");
+            "--monte-carlo: it must lie between 1000 and 10000000 trials, not 999");
   EXPECT_EQ(said({.mass = kilogram, .monte_carlo = 10'000'001}),
-            "--monte-carlo 10000001: it must be between 1000 and 10000000 trials");
+            "--monte-carlo: it must lie between 1000 and 10000000 trials, not 10000001");
   EXPECT_EQ(said({.monte_carlo = 1000}),
             "--monte-carlo needs --mass: it checks the uncertainty of the spring constant");
   EXPECT_EQ(said({.seed_given = true}), "--seed needs --monte-carlo: it is the seed of its trials");
@@ -70,9 +73,9 @@ TEST(FitOptions, ARateIsThatOfALogger) {
     EXPECT_EQ(said(options), "") << rate;
   }
   options.read.rate = 0.5e-6;
-  EXPECT_EQ(said(options), "--rate 5e-07: it must be between 1e-6 and 1e12 Hz");
+  EXPECT_EQ(said(options), "--rate: it must lie between 1e-6 and 1e12 Hz, not 5e-07 Hz");
   options.read.rate = 2e12;
-  EXPECT_EQ(said(options), "--rate 2000000000000: it must be between 1e-6 and 1e12 Hz");
+  EXPECT_EQ(said(options), "--rate: it must lie between 1e-6 and 1e12 Hz, not 2e+12 Hz");
 }
 
 TEST(FitOptions, FromLiesBeforeTo) {
@@ -330,4 +333,4 @@ TEST(Quantities, HaveTheirOrderOfDerivative) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "tests/study/task/disc_recording.h"
 #include "tests/support/shared_data.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -128,7 +128,7 @@ TEST(FitTask, DerivedQuantitiesAgreeWithEachOther) {
 
 TEST(FitTask, NamesFollowTheContract) {
   std::vector<std::string> names;
-  for (const NamedEstimate& number : fitted(disc(), disc_options()).parameters)
+  for (const Parameter& number : fitted(disc(), disc_options()).parameters)
     names.push_back(number.name + " " + number.unit);
   EXPECT_THAT(names, testing::ElementsAre("angular_frequency rad/s", "decay_rate 1/s", "drag 1/m",
                                           "equilibrium m", "position m", "velocity m/s", "stiffness N/m",
@@ -292,4 +292,4 @@ TEST(FitTask, ARecordingWithoutOscillationIsRefused) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer::test {
+namespace cromer::core::test {
 
 inline const std::string shared = CROMER_SOURCE_DIR "/../shared/data/";
 
@@ -43,4 +43,4 @@ inline std::string list_of(const std::vector<std::vector<double>>& rows, std::si
   return list.str();
 }
 
-}  // namespace cromer::test
+}  // namespace cromer::core::test

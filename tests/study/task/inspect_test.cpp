@@ -10,7 +10,7 @@
 
 #include "cromer/record/dialects/clean_table.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -162,4 +162,4 @@ TEST(Inspect, TheFuzzersCorpusEndsInAnswers) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

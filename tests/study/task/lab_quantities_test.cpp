@@ -10,7 +10,7 @@
 #include "cromer/study/task/fitted_motion.h"
 #include "tests/study/task/disc_recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 FitOptions disc_options() {
@@ -176,4 +176,4 @@ TEST(FittedMotion, IsTheTrueMotionAndTheSamplesAgree) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 LocalErrorOptions spring(std::vector<std::string> methods) {
@@ -46,4 +46,4 @@ TEST(LocalErrors, need_a_closed_form_and_a_period) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/model/sensor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -53,4 +53,4 @@ TEST(MassLine, LeavesOutWhatFailedAndRefusesTheRest) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

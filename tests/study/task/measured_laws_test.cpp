@@ -10,7 +10,7 @@
 #include "cromer/study/task/fit.h"
 #include "tests/support/shared_data.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -80,7 +80,7 @@ TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {
       fitted("wheel-gyro/bicycle-wheel-radial-inertia-rate-gyro-measurement.csv", {.law = "viscous"});
   SKIP_WITHOUT_FIT(result);
   EXPECT_EQ(result->fit.names.size(), 5u);
-  for (const NamedEstimate& parameter : result->parameters) {
+  for (const Parameter& parameter : result->parameters) {
     if (parameter.name == "equilibrium") {
       EXPECT_EQ(parameter.unit, "rad/s");
     }
@@ -95,4 +95,4 @@ TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

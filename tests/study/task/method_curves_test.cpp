@@ -10,7 +10,7 @@
 #include "cromer/study/task/resonance.h"
 #include "cromer/study/task/work_precision.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -223,4 +223,4 @@ TEST(WorkPrecisionCurves, RefuseWordForWord) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/study/task/method_map.h"
 #include "cromer/study/task/work_precision.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(MethodMap, IsTheClosedFormOfTheEulers) {
@@ -76,4 +76,4 @@ TEST(WorkPrecision, FallsWithTheOrder) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 
 #include "cromer/methods/all.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(ListMethods, HasTheRegistryInItsOrder) {
@@ -171,4 +171,4 @@ TEST(MethodsPage, HasTheTableOfTheRegistry) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/base/concat.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Of a file whose second column is so named.
@@ -54,4 +54,4 @@ TEST(MotionUnits, HaveAnEnergyWithAMass) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

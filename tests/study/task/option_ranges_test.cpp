@@ -9,7 +9,7 @@
 #include "cromer/study/task/response_spectrum.h"
 #include "cromer/study/task/sweep.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// What a table's options take.
@@ -54,7 +54,11 @@ class Table {
 
 TEST(OptionRanges, OfFit) {
   Table<FitOptions> fit;
-  fit.positive({"run", "mass", "disc-diameter", "segment", "segments", "monte-carlo", "rate"});
+  fit.positive({"run", "mass", "disc-diameter", "segment", "segments"});
+  EXPECT_TRUE(fit.takes("monte-carlo", "1000") && fit.takes("monte-carlo", "10000000"));
+  EXPECT_FALSE(fit.takes("monte-carlo", "999") || fit.takes("monte-carlo", "10000001"));
+  EXPECT_TRUE(fit.takes("rate", "1e-6") && fit.takes("rate", "1e12"));
+  EXPECT_FALSE(fit.takes("rate", "0.9e-6") || fit.takes("rate", "1.1e12") || fit.takes("rate", "0"));
   fit.not_negative({"spring-mass"});
   fit.fraction({"hold-out"});
   EXPECT_TRUE(fit.takes("from", "-1") && fit.takes("to", "-1"));
@@ -110,4 +114,4 @@ TEST(OptionOwner, IsTheFirstCommandThatHasIt) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

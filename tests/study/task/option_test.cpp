@@ -12,7 +12,7 @@
 #include "cromer/study/task/compare.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -203,4 +203,4 @@ TEST(FitTable, FlagsAreTrueOrFalse) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/model/sensor.h"
 #include "tests/study/task/disc_recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -145,4 +145,4 @@ TEST(PlanRecording, RefusesGoalsThatAreNone) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

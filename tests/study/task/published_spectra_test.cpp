@@ -5,7 +5,7 @@
 
 #include "tests/study/task/ground_motion.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using test::ground_motion;
@@ -112,4 +112,4 @@ TEST(PublishedSpectra, Eqsig) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

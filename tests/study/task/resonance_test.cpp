@@ -7,7 +7,7 @@
 
 #include "cromer/analysis/frequency_response.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Complex = std::complex<double>;
@@ -127,4 +127,4 @@ TEST(Resonance, says_what_prevents_it) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include <numbers>
 #include <string>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -391,4 +391,4 @@ TEST(ResponseSpectrum, StopsWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

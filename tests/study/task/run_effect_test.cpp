@@ -14,7 +14,7 @@
 #include "cromer/study/task/simulate.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -202,4 +202,4 @@ TEST(RunEffect, OptionsOfTheMethodReachIt) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 
 #include "cromer/analysis/energy.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 SimulatedRun run_of(const SimulateOptions& options) {
@@ -180,4 +180,4 @@ TEST(RunEnergy, NeedsDenseStates) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/study/task/simulate.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::AllOf;
@@ -90,4 +90,4 @@ TEST(ModifiedEnergy, IsSaidInWords) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/study/task/simulate.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// What arrives, measured on the last cycles of a run.
@@ -109,4 +109,4 @@ TEST(RunTransmission, ThereIsNoneWhereNothingSettlesOrShakes) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

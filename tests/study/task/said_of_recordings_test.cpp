@@ -11,7 +11,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::AllOf;
@@ -242,4 +242,4 @@ TEST(SaidOfRecordings, UsedAreTheSamplesThatTheFitSaw) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/study/task/compare.h"
 #include "tests/identify/free_swing.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -63,4 +63,4 @@ TEST(SelfSustainedTask, NeverDiesDown) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

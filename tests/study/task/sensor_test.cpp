@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(SplitMix64, GivesThePublishedNumbers) {
@@ -95,4 +95,4 @@ TEST(SensorReadings, HaveTheNoiseAskedFor) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

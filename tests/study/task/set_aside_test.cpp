@@ -6,7 +6,7 @@
 #include "cromer/study/task/fit.h"
 #include "tests/study/task/disc_recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 TEST(SetAside, NeitherStretchesNorTextbookRulesSeeThem) {
@@ -47,4 +47,4 @@ TEST(SetAside, TheMotionBeginsAtTheFirstSampleThatTheFitSees) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,7 +11,7 @@
 #include "cromer/study/task/option.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -310,4 +310,4 @@ TEST(SetUp, EveryOptionKeepsToItsRange) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

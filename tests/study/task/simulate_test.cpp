@@ -11,7 +11,7 @@
 #include "cromer/study/task/simulate_setup.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::HasSubstr;
@@ -155,4 +155,4 @@ TEST(Simulate, ASensorReadsEveryKeptState) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::ElementsAre;
@@ -193,4 +193,4 @@ TEST(SpectrumSetup, TwoComponentsAreCutToTheShorter) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/model/sensor.h"
 #include "cromer/study/task/masses.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::HasSubstr;
@@ -99,4 +99,4 @@ TEST(StaticStiffness, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

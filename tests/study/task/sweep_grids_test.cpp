@@ -11,7 +11,7 @@
 #include "cromer/study/task/sweep.h"
 #include "sweep_options.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::AllOf;
@@ -252,4 +252,4 @@ TEST(SweepGrids, GridsMultiplyAndTheFrequencyRunsFastest) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 
 #include "cromer/study/task/sweep.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::HasSubstr;
@@ -77,4 +77,4 @@ TEST(SweepLossFactor, IsSaidOfSettledMotionsOfTheLinearLawAlone) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

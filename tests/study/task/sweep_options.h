@@ -8,7 +8,7 @@
 
 #include "cromer/study/task/sweep.h"
 
-namespace cromer {
+namespace cromer::core {
 
 using Values = std::map<std::string_view, std::string>;
 
@@ -39,4 +39,4 @@ inline Values with(Values values, const Values& more) {
   return values;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

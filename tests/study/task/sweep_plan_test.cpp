@@ -9,7 +9,7 @@
 #include "cromer/study/task/sweep_rows.h"
 #include "tests/study/task/sweep_options.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using testing::Contains;
@@ -456,4 +456,4 @@ TEST(SweepCounts, AStatusIsAWord) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

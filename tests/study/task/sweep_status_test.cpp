@@ -10,7 +10,7 @@
 
 #include "cromer/study/task/sweep.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -149,4 +149,4 @@ TEST(SweepStatus, LagsOutsideZeroToPiAreKeptAndCounted) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/study/task/sweep_rows.h"
 #include "sweep_options.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::ElementsAre;
@@ -355,4 +355,4 @@ TEST(Sweep, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

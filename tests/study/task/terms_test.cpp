@@ -18,7 +18,7 @@
 #include "sweep_options.h"
 #include "tests/support/simulated.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using ::testing::HasSubstr;
@@ -173,4 +173,4 @@ TEST(TermsInTasks, AreSweptAsTheyAreRun) {
 }
 
 }  // namespace
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@ namespace fmt {
 
 template <class... Values>
 std::string format(std::string_view text, const Values&... values) {
-  return cromer::page::formatted(text, {cromer::page::Argument(values)...});
+  return cromer::core::page::formatted(text, {cromer::core::page::Argument(values)...});
 }
 
 template <class... Values>

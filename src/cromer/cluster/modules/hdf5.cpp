@@ -165,6 +165,6 @@ bool read(const char* path, const CromerHdf5Reader* reader, char* message, std::
 
 extern "C" const CromerHdf5* cromer_hdf5() {
   H5dont_atexit();  // all is closed here; after a full disk HDF5's own tidying up crashes
-  static const CromerHdf5 interface { cromer::hdf5_module_version, create, read };
+  static const CromerHdf5 interface { cromer::core::hdf5_module_version, create, read };
   return &interface;
 }

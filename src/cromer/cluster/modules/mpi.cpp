@@ -50,7 +50,7 @@ void finish() { MPI_Finalize(); }
 
 extern "C" const CromerMpi* cromer_mpi() {
   static const CromerMpi interface {
-    cromer::mpi_module_version, start, send, sent, arrived, receive, finish
+    cromer::core::mpi_module_version, start, send, sent, arrived, receive, finish
   };
   return &interface;
 }

@@ -18,7 +18,7 @@
 #include "cromer/ensemble/members.h"
 #include "cromer/methods/all.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// By the method at that place of the list; false if it has no formula of fixed steps.
 template <class Real, std::size_t place>
@@ -35,10 +35,10 @@ bool advance_by(cromer_group::Group& group, const cromer_group::Order& order,
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core
 
 extern "C" bool CROMER_ADVANCE(cromer_group::Group& group, const cromer_group::Order& order) {
-  using namespace cromer;
+  using namespace cromer::core;
   const MethodSettings settings{.newton = {.tolerance = order.tolerance},
                                 .beta = order.beta,
                                 .gamma = order.gamma,

@@ -11,5 +11,5 @@
 
 extern "C" void CROMER_WALK(const cromer_walk::Filters& filters, const cromer_walk::Walk& walk,
                             cromer_walk::Block* blocks) {
-  cromer::walk_lanes<cromer::Pack<CROMER_PACK_ARCH>, CROMER_IN_FLIGHT>(filters, walk, blocks);
+  cromer::core::walk_lanes<cromer::core::Pack<CROMER_PACK_ARCH>, CROMER_IN_FLIGHT>(filters, walk, blocks);
 }

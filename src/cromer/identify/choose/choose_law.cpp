@@ -18,7 +18,7 @@
 #include "cromer/identify/fit_settings.h"
 #include "cromer/model/law_force.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // On how many samples laws are compared at most: it bounds the time that a choice takes. A record of up to
@@ -513,8 +513,8 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
     return choice;
   };
   if (options.every_sample || options.drive.kind != DriveKind::none) return choose(record);
-  // One law alone tells which samples stand out: to choose among all again takes far longer. What a wrong law
-  // leaves does not stand out, so that the viscous one may begin.
+  // Outliers are found with one law: to choose among all each time takes far longer. The viscous law may
+  // begin: what a wrong law leaves does not stand out.
   const auto settle = [&](const LawFit& from, const Law& law, std::vector<std::size_t> aside) {
     LawFitOptions one = every;
     one.law = law;
@@ -546,4 +546,4 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
   return choice;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct LawChoice {
   LawFit chosen;
@@ -48,4 +48,4 @@ struct GivenLaw {
 LawChoice choose_law(const Record& record, const LawFitOptions& options, const Watch& watch = {},
                      const GivenLaw& given = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 bool excludes_zero(const Estimate& term) { return term.low > 0 || term.high < 0; }
@@ -77,4 +77,4 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution)
   return best;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

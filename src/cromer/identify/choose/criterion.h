@@ -8,7 +8,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Schwarz's criterion of so many independent samples with residuals of this rms, fitted by so many
 /// parameters: the lower the better. Ann. Stat. 6, 461 (1978). Residuals below what rounding leaves
@@ -35,4 +35,4 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution 
 /// BIC that is not admissible may be so without it.
 std::vector<Law> without_unsure_terms(const LawFit& fit);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/identify/start/driven_start.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // The two lines to begin with: the swing's own and the steady one.
 std::optional<std::array<ModeStart, 2>> lines_of(const Record& record, const LawFit& driven) {
@@ -101,4 +99,4 @@ MotionJudgement judge_motion(const Record& record, const LawFit& free, const Law
   return judgement;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/choose/two_modes.h"
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 enum class MotionKind {
   free,                ///< the free law accounts for it as well as anything else, harmonics aside
@@ -29,4 +29,4 @@ struct MotionJudgement {
 MotionJudgement judge_motion(const Record& record, const LawFit& free, const LawFit& driven,
                              bool frequency_known);
 
-}  // namespace cromer
+}  // namespace cromer::core

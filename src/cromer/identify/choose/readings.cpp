@@ -7,7 +7,7 @@
 
 #include "cromer/identify/choose/criterion.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 bool converged(const LawFit& fit) { return fit.status == FitStatus::converged; }
@@ -21,7 +21,7 @@ std::size_t best_of(const std::vector<LawFit>& fits) {
   return best;
 }
 
-// What one fit makes of the parameters that another makes otherwise, in that one's standard errors.
+// Parameters that the other fit puts more than one of the chosen one's standard errors away.
 std::string differences(const LawFit& chosen, const LawFit& other) {
   std::string text;
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
@@ -30,7 +30,7 @@ std::string differences(const LawFit& chosen, const LawFit& other) {
     if (!there || is_of_the_start(chosen.names[i])) continue;
     const double off = std::abs(there->value - here.value) / here.standard_error;
     if (!(off > 1)) continue;
-    text += fmt::format("{}{} {:.6g} ({:.1f} of its standard errors away)", text.empty() ? "" : ", ",
+    text += fmt::format("{}{} {:.6g} ({:.1f} of the stated standard errors away)", text.empty() ? "" : ", ",
                         readable(chosen.names[i]), there->value, off);
   }
   return text;
@@ -174,4 +174,4 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
   return choice;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/identify/choose/choose_law.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The law under each reading of options.drive.force that is not given: `choose` makes the choice under one.
 /// The reading of lowest BIC is taken. Those within 6 of it stay open: they are named in a warning, and their
@@ -13,4 +13,4 @@ namespace cromer {
 LawChoice choose_reading(const Record& record, const LawFitOptions& options, const GivenLaw& given,
                          const std::function<LawChoice(const LawFitOptions&)>& choose, const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 bool is_off(const Estimate& here, double there) {
@@ -79,4 +79,4 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
       to_text(best.law), list, to_text(*decay));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A sentence for the user, empty where no rival is left. A rival lies within 6 of the chosen candidate's BIC
 /// (see criterion.h), has as many terms or one more (of a driven motion one more only with a lower
@@ -15,4 +15,4 @@ namespace cromer {
 /// standard errors that the chosen one claims; or it has another damping in the place of its own.
 std::string rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen);
 
-}  // namespace cromer
+}  // namespace cromer::core

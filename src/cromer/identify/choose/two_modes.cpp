@@ -7,7 +7,7 @@
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t most_samples = 100'000;
@@ -127,4 +127,4 @@ std::optional<TwoModes> fit_two_modes(const Record& record,
   return described(part, *best);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

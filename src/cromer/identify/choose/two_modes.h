@@ -14,7 +14,7 @@
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct Mode {
   Estimate angular_frequency;  // [rad/s] of the damped oscillation
@@ -45,4 +45,4 @@ struct ModeStart {
 std::optional<TwoModes> fit_two_modes(const Record& record,
                                       const std::vector<std::array<ModeStart, 2>>& starts);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/identify/describe_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct AmplitudeWindow {
   double from, to;   // [s]
@@ -30,4 +30,4 @@ inline std::vector<AmplitudeWindow> amplitude_windows(const Record& record, doub
   return windows;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "cromer/base/median.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 std::string with_unit(double value, std::string_view unit) {
   return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
@@ -42,7 +40,7 @@ Step best_step(std::span<const double> r, double variance) {
 }
 
 struct Wandering {
-  double line = 0, slope = 0;  ///< share of the variance, and size in time
+  double line = 0, slope = 0;  ///< of a straight line: its share of the variance, and its slope [unit/s]
   Step step;
 };
 
@@ -83,8 +81,8 @@ std::string wandering_zero(const Record& record, std::span<const double> r, std:
 }
 
 std::string sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
-  // What a law describes may end so by friction, which takes the same from every swing: of the amplitude
-  // before the last ones it leaves half.
+  // Friction stops a motion too, but the amplitude then halves within the last swings. Where a law describes
+  // the record, only a stop after a slower fall is reported.
   constexpr double no_friction = 0.7;
   const double least_before = described ? no_friction : 0.6;
   std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
@@ -106,8 +104,8 @@ std::string sudden_stop(const Record& record, double period, std::string_view un
                              before > no_friction * windows[i - 4].amplitude;
     if ((in_full_swing || nearly_done) && later < 0.1 * before)
       return fmt::format(
-          "the swing stops between {:.4g} and {:.4g} s, from an amplitude of {} to rest within a period, as "
-          "where a hand catches it: end before with --to",
+          "the swing stops between {:.4g} and {:.4g} s, from an amplitude of {} to less than a tenth of it "
+          "within a period, as where a hand catches it: end before with --to",
           windows[i - 2].to, windows[i].from, with_unit(before, unit));
   }
   return {};
@@ -166,4 +164,4 @@ bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const doub
   return top > times * upper_median(beside);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

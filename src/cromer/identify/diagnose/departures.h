@@ -8,7 +8,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The zero drifts, or jumps: a straight line or one step accounts for three tenths of the residuals'
 /// variance. Empty where neither does.
@@ -34,4 +34,4 @@ std::string turning_over(const Record& record);
 bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals,
                    double angular_frequency, double times = 30);
 
-}  // namespace cromer
+}  // namespace cromer::core

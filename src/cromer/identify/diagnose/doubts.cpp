@@ -4,20 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "cromer/identify/diagnose/sample_noise.h"
 #include "cromer/identify/diagnose/second_mode.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 double middle(const AmplitudeWindow& window) { return 0.5 * (window.from + window.to); }
 
@@ -49,7 +47,7 @@ std::string rise(const Record& record, double period, double noise) {
       middle(from), middle(to));
 }
 
-// Whether the largest amplitude is so many times the smallest at most; not where none can be seen.
+// Whether the largest amplitude is less than `range` times the smallest; false where no amplitude is found.
 bool stays_within(double range, const Record& record, double period) {
   double lowest = HUGE_VAL, largest = 0;
   for (const AmplitudeWindow& window : amplitudes(record, period)) {
@@ -208,4 +206,4 @@ std::string widening(const LawFit& fit, std::size_t samples) {
                      fit.independent_samples);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Sentences for the user; none where nothing is suspicious. Looked for are an amplitude that rises, one that
 /// falls by a few percent at most over twenty periods, a motion of a rounding step or two, what departures.h
@@ -31,4 +31,4 @@ bool something_is_left(const Record& record, const LawFit& fit);
 /// What residuals that are correlated have done to the uncertainties; empty where they are white.
 std::string widening(const LawFit& fit, std::size_t samples);
 
-}  // namespace cromer
+}  // namespace cromer::core

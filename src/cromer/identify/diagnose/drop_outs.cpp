@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // So many values tell a quantile to a hundredth of the whole and better.
@@ -50,4 +50,4 @@ std::vector<std::size_t> drop_outs(const Record& record) {
   return found;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

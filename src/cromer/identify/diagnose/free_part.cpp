@@ -13,7 +13,7 @@
 #include "cromer/identify/diagnose/kink.h"
 #include "cromer/identify/diagnose/sample_noise.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Swing {
@@ -106,7 +106,7 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
 
 // Held still, displaced or at rest.
 std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing) {
-  // Not of a spike.
+  // The amplitude by the largest distances but a few, which may be spikes.
   std::vector<double> distances;
   for (const double y : record.y) distances.push_back(std::abs(y - swing.centre));
   const auto few =
@@ -120,8 +120,9 @@ std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing)
     held += record.y[quarter++];
   if (quarter < 3) return std::nullopt;
   held /= static_cast<double>(quarter);
-  // Noise does not let go of it: that leaves by more than its own size, and for good.
+  // It is let go where three samples in a row leave the band on one side; noise alone does not do that.
   const double band = std::max(0.05 * amplitude, 4 * noise_of(record.y.first(quarter)));
+  if (band > 0.25 * amplitude) return std::nullopt;  // in so much noise a swing would look held
   const auto side = [&](std::size_t i) {
     const double off = record.y[std::min(i, record.y.size() - 1)] - held;
     return off > band ? 1 : off < -band ? -1 : 0;
@@ -231,4 +232,4 @@ std::optional<LostMotion> find_lost_motion(const Record& record) {
   return lost;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct FreePart {
   double from = 0;     // [s] the first time at which the motion is surely free
@@ -30,4 +30,4 @@ struct LostMotion {
 /// that friction holds, comes to rest at a turning point of its own size, and is not lost.
 std::optional<LostMotion> find_lost_motion(const Record& record);
 
-}  // namespace cromer
+}  // namespace cromer::core

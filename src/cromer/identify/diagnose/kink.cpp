@@ -8,7 +8,7 @@
 
 #include "cromer/identify/least_squares/normal_equations.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Linear least squares; row(i) gives the values of the n functions at the i-th place.
@@ -78,4 +78,4 @@ std::optional<Kink> find_kink(std::span<const double> t, std::span<const double>
   return Kink{middle + half * place, best.x[1] / half, best.x[2] / half};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

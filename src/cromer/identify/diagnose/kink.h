@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-namespace cromer {
+namespace cromer::core {
 
 struct Kink {
   double t = 0;       // [s]
@@ -19,4 +19,4 @@ struct Kink {
 /// 200 say all.
 std::optional<Kink> find_kink(std::span<const double> t, std::span<const double> amplitude);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/identify/describe_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Each term that takes energy, by its parameter, with the rate that a unit of it makes.
@@ -72,4 +72,4 @@ std::string to_text(const MeanDecay& decay) {
                      format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s"));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

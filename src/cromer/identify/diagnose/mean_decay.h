@@ -6,7 +6,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct MeanDecay {
   double amplitude = 0;  ///< of a lasting sinusoid with the record's variance, in the displacement's unit
@@ -26,4 +26,4 @@ bool is_fed(const LawFit& fit);
 /// "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude"
 std::string to_text(const MeanDecay& decay);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/base/median.h"
 #include "cromer/identify/least_squares/noise.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double normal = 1.4826;            // standard deviation over median absolute deviation
@@ -121,4 +121,4 @@ KeptSamples::KeptSamples(const Record& record, const std::vector<std::size_t>& w
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Indices, increasing, of samples whose residuals stand out from all of them and from the ten on either
 /// side: by more than sqrt(2 ln 5n) robust standard deviations, at least 4, so that normal noise has one in
@@ -59,4 +59,4 @@ WithoutOutliers<Result> settle_outliers(const Record& record, Result result, std
   return {std::move(result), std::move(aside), std::move(residuals)};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

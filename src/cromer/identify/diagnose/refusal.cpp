@@ -1,15 +1,13 @@
 #include "cromer/identify/diagnose/refusal.h"
+#include "cromer/base/pi.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Plateaus at one end of the values: how many there are and how long the longest lasts.
 struct Plateaus {
@@ -58,7 +56,7 @@ bool is_clipped(const Record& record, double amplitude, double w) {
   return false;
 }
 
-// What the record does in its last third is little beside all: more than a turn at the end of half a swing.
+// Whether the last third's range is under 5 % of the whole: a turning point at the end has more.
 bool comes_to_rest(const Record& record) {
   const auto range = [](std::span<const double> y) {
     const auto [low, high] = std::minmax_element(y.begin(), y.end());
@@ -203,4 +201,4 @@ std::optional<Refusal> refuse_frequency(const LawFit& fit) {
           : fmt::format("the law {} fits so badly that the frequency is unknown", to_text(fit.law))};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

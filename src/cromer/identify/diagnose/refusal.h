@@ -5,7 +5,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct Refusal {
   FitStatus status;
@@ -35,4 +35,4 @@ std::optional<Refusal> refuse_harmonic(const LawFit& fit);
 /// A frequency that is known to no more than a twentieth, by whatever law.
 std::optional<Refusal> refuse_frequency(const LawFit& fit);
 
-}  // namespace cromer
+}  // namespace cromer::core

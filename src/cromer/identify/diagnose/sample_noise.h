@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Standard deviation of what is independent from sample to sample: a second difference sees six times its
 /// variance, and little of anything slow. 0 of fewer than three values.
@@ -19,4 +19,4 @@ inline double noise_of(std::span<const double> values) {
   return std::sqrt(sum / (6 * static_cast<double>(values.size() - 2)));
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

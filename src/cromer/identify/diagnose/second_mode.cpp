@@ -4,20 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/median.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr std::size_t most_samples = 1U << 17;
 
 // The residuals at even times.
@@ -226,4 +225,4 @@ std::vector<std::string> second_modes(const Record& record, const LawFit& fit, s
   return sentences;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

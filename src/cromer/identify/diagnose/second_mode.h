@@ -7,7 +7,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// An angular frequency that may change as the motion dies down.
 struct FrequencyBand {
@@ -43,4 +43,4 @@ std::vector<std::string> second_modes(const Record& record, const LawFit& fit, s
 /// 0), and what they may be. `residuals` with their times and the record's resolution.
 std::vector<std::string> second_drives(const Record& residuals, double drive, std::string_view unit);
 
-}  // namespace cromer
+}  // namespace cromer::core

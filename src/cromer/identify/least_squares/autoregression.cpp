@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // 1 - sum over k of a_k exp(-i k angle).
@@ -59,4 +59,4 @@ Autoregression yule_walker(std::span<const double> rho, std::size_t samples, std
   return best;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// r_i = sum over k of a_k r_(i-k) + white noise.
 struct Autoregression {
@@ -28,4 +28,4 @@ struct Autoregression {
 /// The best order up to `most` < rho.size(), from the autocorrelations of so many samples.
 Autoregression yule_walker(std::span<const double> rho, std::size_t samples, std::size_t most);
 
-}  // namespace cromer
+}  // namespace cromer::core

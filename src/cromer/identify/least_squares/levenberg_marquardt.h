@@ -11,7 +11,7 @@
 
 #include "cromer/identify/least_squares/normal_equations.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct LeastSquaresOptions {
   int iteration_limit = 50;        // > 0
@@ -107,4 +107,4 @@ LeastSquaresSummary minimise(const Model& model, const Parameters& start,
   return at;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

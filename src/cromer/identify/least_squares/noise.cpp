@@ -6,7 +6,7 @@
 
 #include "cromer/identify/least_squares/residual.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // The autoregression of residuals, none where its density is within a twentieth of white noise's. Its
@@ -374,4 +374,4 @@ Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<co
   return noise;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

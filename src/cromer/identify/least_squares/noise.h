@@ -15,7 +15,7 @@
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/least_squares/sample_grid.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct Noise {
   std::vector<double> scale;  ///< standard deviation of each sample over the mean one (rms); empty: all alike
@@ -51,4 +51,4 @@ struct EstimateNoise {
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution = 0);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <iterator>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The most parameters a fit can have.
 inline constexpr int max_parameters = 20;
@@ -138,4 +138,4 @@ inline SquareMatrix inverse(const SquareMatrix& matrix, int size) {
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

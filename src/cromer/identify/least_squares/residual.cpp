@@ -7,7 +7,7 @@
 #include <limits>
 #include <unsupported/Eigen/FFT>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Sum of a[i] b[i] in eight strands.
@@ -202,4 +202,4 @@ Autoregression autoregression_of(std::span<const double> r, const std::vector<do
   return model;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

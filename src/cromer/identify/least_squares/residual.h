@@ -7,7 +7,7 @@
 #include "cromer/identify/least_squares/autoregression.h"
 #include "cromer/identify/least_squares/sample_grid.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct Residual {
   double rms = 0;              ///< in the unit of the record
@@ -49,4 +49,4 @@ double correlation_factor(std::span<const double> r, const std::vector<double>& 
 /// As many lags as white residuals need.
 std::size_t first_lags(std::size_t samples);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,14 +1,13 @@
 #include "cromer/identify/least_squares/rounding_bias.h"
+#include "cromer/base/pi.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 
 double expected_rounding_error(double value, double noise) {
   if (noise < 0.05) return std::round(value) - value;
-  constexpr double pi = std::numbers::pi;
   double sum = 0;
   for (int k = 1; k < 20; ++k) {
     const double blur = std::exp(-2 * pi * pi * k * k * noise * noise);
@@ -34,4 +33,4 @@ std::vector<double> rounded_motion(const Record& record, std::span<const double>
   return rounded;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Expected rounding error (rounded minus exact) of a value with normal noise, in steps of 1:
 ///   sum over k of (-1)^k sin(2 pi k value) exp(-2 pi² k² noise²) / (pi k).
@@ -20,4 +20,4 @@ double expected_rounding_error(double value, double noise);
 /// the resolution is unknown, or the noise blurs it (rms > 0.6 resolution).
 std::vector<double> rounded_motion(const Record& record, std::span<const double> residuals);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/identify/least_squares/sampling.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double most_places = 600;  // of a gap
@@ -32,4 +32,4 @@ SampleGrid find_grid(std::span<const double> t) {
   return grid;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 struct SampleGrid {
   double step = 1;                 ///< [s]
@@ -20,4 +20,4 @@ struct SampleGrid {
 /// those shorter than 1.75 medians. A gap has 600 places at most: nothing is correlated over more.
 SampleGrid find_grid(std::span<const double> t);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/base/median.h"
 
-namespace cromer {
+namespace cromer::core {
 
 double median_step(std::span<const double> t) {
   const double mean = (t.back() - t.front()) / static_cast<double>(t.size() - 1);
@@ -45,4 +45,4 @@ Sampling find_sampling(std::span<const double> t) {
   return sampling;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

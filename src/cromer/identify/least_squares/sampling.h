@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Consecutive samples [first, first + count). Where `uniform`, t[first + n] = t[first] + n h to a billionth
 /// of h, h the record's median step.
@@ -29,4 +29,4 @@ double median_step(std::span<const double> t);
 /// Cuts a record's times (strictly increasing) into stretches.
 Sampling find_sampling(std::span<const double> t);
 
-}  // namespace cromer
+}  // namespace cromer::core

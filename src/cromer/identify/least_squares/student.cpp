@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Gamma(a + 1/2)/(sqrt(a) Gamma(a)): its series in 1/a beyond 40, brought down by Gamma(a + 1) = a Gamma(a).
@@ -70,4 +70,4 @@ double student_quantile(double p, double degrees) {
   return t;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 // DLMF 8.17.22 (https://dlmf.nist.gov/8.17).
 #pragma once
 
-namespace cromer {
+namespace cromer::core {
 
 /// The probability of values below t. Relative error of the smaller tail: 1e-12 to ten
 /// thousand degrees, 1e-10 to a million.
@@ -14,4 +14,4 @@ double student_cdf(double t, double degrees);
 /// where 1 - p has the digits for it.
 double student_quantile(double p, double degrees);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include "cromer/identify/least_squares/student.h"
 
-namespace cromer {
+namespace cromer::core {
 
 double student_95(double degrees) {
   if (degrees > 1e6) return 1.959964;
@@ -15,4 +15,4 @@ Estimate make_estimate(double value, double standard_error, double t) {
   return {value, standard_error, value - t * standard_error, value + t * standard_error};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,14 +1,9 @@
 // From a covariance to what is said of a number.
 #pragma once
 
-namespace cromer {
+#include "cromer/quantity.h"
 
-/// One estimated number.
-struct Estimate {
-  double value = 0;
-  double standard_error = 0;  ///< widened for correlated residuals
-  double low = 0, high = 0;   ///< 95 % interval from Student's t
-};
+namespace cromer::core {
 
 /// Student's t that 95 % of the distribution with `degrees` > 0 of freedom lie within; at least one degree is
 /// assumed.
@@ -17,4 +12,4 @@ double student_95(double degrees);
 /// The estimate with its symmetric interval value ± t * standard_error.
 Estimate make_estimate(double value, double standard_error, double t);
 
-}  // namespace cromer
+}  // namespace cromer::core

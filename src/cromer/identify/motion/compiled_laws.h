@@ -4,7 +4,7 @@
 
 #include "cromer/model/terms.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline constexpr Law every_law_that_rubs = smooth_terms.with(law_with<Friction>);
 inline constexpr Law every_law = every_law_that_rubs.with(law_with<Hysteresis>);
@@ -39,4 +39,4 @@ inline constexpr Law driven_laws[] = {law_of("viscous"),
                                       every_law};
 #endif
 
-}  // namespace cromer
+}  // namespace cromer::core

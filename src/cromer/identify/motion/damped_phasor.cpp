@@ -3,7 +3,7 @@
 #include <cmath>
 #include <complex>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Complex = std::complex<double>;
@@ -260,4 +260,4 @@ void DampedPhasor::residuals(const Parameters& parameters, std::vector<double>& 
                    });
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

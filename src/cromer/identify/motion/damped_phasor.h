@@ -15,7 +15,7 @@
 #include "cromer/identify/least_squares/sampling.h"
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 class DampedPhasor {
  public:
@@ -45,4 +45,4 @@ class DampedPhasor {
   Sampling sampling_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

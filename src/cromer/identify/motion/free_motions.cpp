@@ -2,7 +2,7 @@
 #include "cromer/identify/motion/integrate_through.h"
 #include "cromer/identify/motion/units.h"
 
-namespace cromer {
+namespace cromer::core {
 
 using Unit = MotionUnit<free_laws, FreeColumns>;
 
@@ -43,4 +43,4 @@ VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion&
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

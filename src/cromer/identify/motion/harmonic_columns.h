@@ -5,7 +5,7 @@
 
 #include "cromer/identify/motion/motion.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// No drive.
 struct FreeColumns {
@@ -36,4 +36,4 @@ class HarmonicColumns {
   double cosine_, sine_, w_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -15,7 +15,7 @@
 #include "cromer/identify/motion/recorded_force.h"
 #include "cromer/model/terms.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A motion at one sample: what is observed of it, its velocity and position, each with its columns.
 template <class Path>
@@ -54,8 +54,8 @@ class MotionSample {
   double t_, length_, share_;
 };
 
-/// A motion that needs many times the steps of length h that the times take is not followed to its end: its
-/// law is none of the record's.
+/// The most steps that a motion may take through the times: many times as many as steps of length h would.
+/// A motion that needs more does not belong to the record, and is not followed to its end.
 inline double most_steps(std::span<const double> t, double h) {
   constexpr double many = 20, few = 10'000;
   return few + many * steps_through(t, h);
@@ -279,4 +279,4 @@ struct MotionUnit {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
-namespace cromer {
+namespace cromer::core {
 
 std::string readable(std::string_view name) {
   std::string words(name);
@@ -64,4 +64,4 @@ FittedParameters fitted_parameters(const Law& law, DriveKind drive, HeldParamete
   return fitted;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

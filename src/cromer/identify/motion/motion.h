@@ -18,7 +18,7 @@
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/model/law.h"
 
-namespace cromer {
+namespace cromer::core {
 
 enum class DriveKind { none, harmonic, recorded };
 
@@ -121,4 +121,4 @@ struct HeldParameters {
 FittedParameters fitted_parameters(const Law& law, DriveKind drive = DriveKind::none,
                                    HeldParameters held = {}, const Motion& values = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/identify/motion/units.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 const MotionFunctions& functions_of(const Drive& drive) {
@@ -50,4 +50,4 @@ std::vector<double> jacobian_of(const FittedParameters& fitted, const Parameters
   return functions_of(drive).jacobian(fitted, parameters, drive, record, h);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

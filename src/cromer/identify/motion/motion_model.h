@@ -8,9 +8,9 @@
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/motion/motion.h"
 #include "cromer/identify/record.h"
-#include "cromer/run/trajectory.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What acts on the motion beside its law: nothing, a harmonic force whose frequency is one of the motion's
 /// own numbers, or a recorded force.
@@ -74,4 +74,4 @@ struct VelocityGradient {
 VelocityGradient velocity_gradient(const FittedParameters& fitted, const Motion& motion, double duration,
                                    double h);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -16,7 +16,7 @@
 #include "cromer/identify/motion/motion.h"
 #include "cromer/model/law_force.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What code is compiled for: a law (a superset of those that share it), a kind of drive, and whether
 /// derivatives are wanted.
@@ -136,4 +136,4 @@ class MotionSystem {
   int direction_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

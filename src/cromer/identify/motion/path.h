@@ -24,7 +24,7 @@
 #include "cromer/methods/rk4.h"
 #include "cromer/run/root.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The number that a record sees, of a motion with or without an inner state.
 template <std::size_t N>
@@ -273,4 +273,4 @@ class Path {
   bool turning_ = false;  // at the end of the last step
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

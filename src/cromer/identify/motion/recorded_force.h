@@ -10,7 +10,7 @@
 #include "cromer/identify/record.h"
 #include "cromer/model/band_limited.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// gain (u + offset): columns of the gain and the offset. Works through the record block by block: memory
 /// does not grow with it.
@@ -86,4 +86,4 @@ class RecordedColumns {
   std::size_t block_ = static_cast<std::size_t>(-1) - block, margin_ = 0;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

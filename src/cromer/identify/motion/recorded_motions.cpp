@@ -2,10 +2,10 @@
 #include "cromer/identify/motion/integrate_through.h"
 #include "cromer/identify/motion/units.h"
 
-namespace cromer {
+namespace cromer::core {
 
 using Unit = MotionUnit<driven_laws, RecordedColumns>;
 
 const MotionFunctions recorded_motions{Unit::states, Unit::observed, Unit::equations, Unit::jacobian};
 
-}  // namespace cromer
+}  // namespace cromer::core

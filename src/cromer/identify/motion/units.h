@@ -3,7 +3,7 @@
 
 #include "cromer/identify/motion/motion_model.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What a unit does; see motion_model.h.
 struct MotionFunctions {
@@ -17,4 +17,4 @@ struct MotionFunctions {
 
 extern const MotionFunctions free_motions, harmonic_motions, recorded_motions;
 
-}  // namespace cromer
+}  // namespace cromer::core

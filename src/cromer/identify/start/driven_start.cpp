@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
+#include "cromer/base/pi.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr std::size_t most_samples = 2048;
 
 struct Samples {
@@ -151,4 +150,4 @@ std::optional<Motion> driven_start(const Record& observed, std::optional<double>
   return start;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

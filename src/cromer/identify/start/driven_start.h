@@ -6,7 +6,7 @@
 #include "cromer/identify/motion/motion.h"
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The viscous law under a harmonic force: a decaying and a steady sinusoid, their frequencies from the lines
 /// of the spectrum, the decay rate from a grid, all else by linear least squares. `drive` [rad/s] if it is
@@ -18,4 +18,4 @@ std::optional<Motion> driven_start(const Record& record, std::optional<double> d
 /// it at the first time.
 Motion integrated(const Motion& derivative, double pull);
 
-}  // namespace cromer
+}  // namespace cromer::core

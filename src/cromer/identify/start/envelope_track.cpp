@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/swing.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/state.h"
 #include "cromer/model/law.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t most_in_a_window = 96;
 
 // A pendulum's swing whose fundamental has the amplitude a [rad] < 4: Jacobi's elliptic functions as series
@@ -358,4 +357,4 @@ Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0) {
   return motion;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

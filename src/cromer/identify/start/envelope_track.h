@@ -8,7 +8,7 @@
 
 #include "cromer/identify/motion/motion_model.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct EnvelopeTrack {
   std::vector<double> t;          // [s] middles of windows of some periods each
@@ -29,4 +29,4 @@ std::optional<EnvelopeTrack> track_envelope(const Record& record, double angular
 /// cannot be negative is negative.
 Motion motion_along(const EnvelopeTrack& track, const Law& law, double t0);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,20 +5,19 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numbers>
 #include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
 #include "cromer/base/dual.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/start/driven_start.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t longest_segment = 65'536;
 
 // The longest length up to n whose transform is quick: no prime factor above 5.
@@ -291,4 +290,4 @@ std::optional<Motion> forced_start(const Record& record, const ForceRecord& forc
   return start;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/motion/motion.h"
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The law's linear part (a spring, or none where the law has none) by linear least squares on the equation
 /// of motion multiplied with smooth functions that vanish at the ends of stretches of the record, so that no
@@ -18,4 +18,4 @@ namespace cromer {
 /// found does not hold the body where it rests. At least 16 samples.
 std::optional<Motion> forced_start(const Record& record, const ForceRecord& force, const Law& law);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 #include <vector>
 
 #include "cromer/analysis/spectrum.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/sampling.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr std::size_t most_samples = 8192;  // of the part searched
 constexpr double most_steps = 32768;        // of its duration
 
@@ -270,4 +269,4 @@ StartValues grown(const Record& record, const StartValues& start) {
   return next;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/record.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What a part of the record shows, and from where the fit grows.
 struct StartValues {
@@ -31,4 +31,4 @@ StartValues grown(const Record& record, const StartValues& start);
 /// Standard error of the angular frequency [rad/s] at a phasor's minimum, had the samples white noise.
 double frequency_error(const LeastSquaresSummary& minimum, std::size_t samples);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -20,7 +20,7 @@
 #include "cromer/model/terms/van_der_pol.h"
 #include "cromer/model/terms/viscous.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// In the order in which laws are written and parameters listed.
 using AllTerms = std::tuple<Spring, Viscous, Drag, Friction, Cubic, Quadratic, OddQuadratic, Quintic,
@@ -49,4 +49,4 @@ inline constexpr std::size_t place_of_term = []<class... Each>(std::type_identit
   return place;
 }(std::type_identity<AllTerms>{});
 
-}  // namespace cromer
+}  // namespace cromer::core

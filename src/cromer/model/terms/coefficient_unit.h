@@ -7,7 +7,7 @@
 
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// How powers are written: "m^2", as typed, or "m²".
 enum class Powers { caret, superscript };
@@ -40,4 +40,4 @@ inline std::string unit_of(const CoefficientInfo& info, Powers powers = Powers::
   return unit_of_powers({{"kg", 1}, {"m", 1 + info.length}, {"s", info.time - 2}}, powers);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

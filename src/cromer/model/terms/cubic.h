@@ -3,7 +3,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A spring that stiffens (or softens) with the square of the displacement.
 struct Cubic {
@@ -33,4 +33,4 @@ struct Cubic {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

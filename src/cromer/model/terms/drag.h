@@ -5,7 +5,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Drag of a body in fast flow, in proportion to the square of the velocity.
 struct Drag {
@@ -33,4 +33,4 @@ struct Drag {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

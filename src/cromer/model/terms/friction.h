@@ -4,7 +4,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Dry friction while it slides; what it does at rest is in model/friction.h.
 struct Friction {
@@ -29,4 +29,4 @@ struct Friction {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A force z that depends on how the motion came where it is:
 /// z' = A x' - beta |x'| |z|^(n-1) z - gamma x' |z|^n.
@@ -65,4 +65,4 @@ struct Hysteresis {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

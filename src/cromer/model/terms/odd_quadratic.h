@@ -5,7 +5,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A spring whose stiffness changes with the displacement itself, the same to both sides.
 struct OddQuadratic {
@@ -36,4 +36,4 @@ struct OddQuadratic {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

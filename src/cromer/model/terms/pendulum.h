@@ -5,7 +5,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Gravity on a pendulum in place of a spring; x is an angle [rad].
 struct Pendulum {
@@ -37,4 +37,4 @@ struct Pendulum {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

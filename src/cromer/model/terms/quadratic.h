@@ -3,7 +3,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A spring that is not the same to both sides.
 struct Quadratic {
@@ -33,4 +33,4 @@ struct Quadratic {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What a cubic spring leaves at large swings.
 struct Quintic {
@@ -34,4 +34,4 @@ struct Quintic {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The linear spring: part of every law but those of a body without one.
 struct Spring {
@@ -33,4 +33,4 @@ struct Spring {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

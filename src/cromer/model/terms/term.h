@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 /// What a fit reports for a coefficient.
 enum class FittedAs {
@@ -82,4 +82,4 @@ concept HasInnerState = requires {
   T::has_inner_state;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

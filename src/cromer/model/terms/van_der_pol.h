@@ -3,7 +3,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Damping that grows with the displacement; with a negative viscous term, a swing that keeps itself going.
 struct VanDerPol {
@@ -29,4 +29,4 @@ struct VanDerPol {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

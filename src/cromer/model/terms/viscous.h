@@ -3,7 +3,7 @@
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms/term.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Damping in proportion to the velocity: the amplitude falls exponentially.
 struct Viscous {
@@ -32,4 +32,4 @@ struct Viscous {
   }
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

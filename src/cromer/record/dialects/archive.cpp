@@ -11,7 +11,7 @@
 #include "cromer/record/dialects/text_file.h"
 #include "cromer/record/dialects/zip.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 bool ends_as_text(std::string_view name) {
@@ -93,4 +93,4 @@ Result<Recording> read_archive(std::string_view bytes, const ReadOptions& option
   return whole;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

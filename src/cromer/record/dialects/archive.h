@@ -4,13 +4,13 @@
 
 #include <string_view>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Each data set with times is a run, called by its file; meta/ is passed over, sets without times are left
 /// out where others have them, and said. An Error begins with ": ".
 Result<Recording> read_archive(std::string_view bytes, const ReadOptions& options);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

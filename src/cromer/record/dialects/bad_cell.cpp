@@ -8,7 +8,7 @@
 #include "cromer/base/number.h"
 #include "cromer/record/dialects/cells.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// Digits become 0, runs of them one: "12:00:00.50" is "0:0:0.0".
@@ -86,4 +86,4 @@ std::string bad_cell(std::string_view cell, char decimal) {
   return {};
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

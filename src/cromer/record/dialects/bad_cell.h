@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// "it is a clock time: write the seconds since the start", "it has thousands separators: write 1000.0",
 /// ...;
@@ -12,4 +12,4 @@ namespace cromer::dialects {
 /// other decimal mark.
 std::string bad_cell(std::string_view cell, char decimal);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

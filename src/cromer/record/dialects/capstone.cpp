@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 void name_runs_above(Header& header) {
   auto& columns = header.headings;
@@ -29,4 +29,4 @@ void name_runs_above(Header& header) {
   header.titles.pop_back();
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

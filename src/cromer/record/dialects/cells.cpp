@@ -9,7 +9,7 @@
 #include "cromer/base/number.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 bool equal_without_case(std::string_view a, std::string_view small) {
@@ -113,4 +113,4 @@ std::string quoted(std::string_view cell) {
   return text;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Wider tables are refused: each column costs memory of its own, however little a file says of it.
 constexpr std::size_t most_columns = 2000;
@@ -63,4 +63,4 @@ Cell read_cell(std::string_view cell, char decimal);
 /// A cell as a message quotes it: short, and without control characters.
 std::string quoted(std::string_view cell);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -9,7 +9,7 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/time.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Result<Table> clean_table(const Recording& recording, const ReadOptions& options) {
   const Table& table = recording.table;
@@ -65,4 +65,4 @@ std::string column_heading(const Table& table, std::size_t column) {
   return several ? concat({title, " Run #", std::to_string(table.columns[column].run)}) : title;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Measure {
@@ -231,4 +231,4 @@ ToSi to_si(const Column& column) {
   return {column.quantity == "frequency" ? unit->factor / cycle : unit->factor, true};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/base/table.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// time, position, angle, velocity, angular velocity, acceleration, force, voltage, frequency; or "" where
 /// neither the unit nor the name (in English, German, Italian, French or Spanish) tells. The unit decides
@@ -33,4 +33,4 @@ std::string_view si_unit_of(std::string_view quantity);
 /// Lower case, without blanks, brackets, underscores, braces, backslashes and dollars: "x_{1}" is "x1".
 std::string plain_name(std::string_view name);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/base/nearest.h"
 #include "cromer/record/dialects/column_kind.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::string without_subscript(std::string name) {
@@ -256,4 +256,4 @@ void count_missing(Recording& recording) {
 }
 
 }  // namespace dialects
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/base/table.h"
 #include "cromer/record/dialects/header.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// "Position (mm)": name and unit as headings write them.
 std::string column_title(const Column& column);
@@ -44,4 +44,4 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
 void count_missing(Recording& recording);
 
 }  // namespace dialects
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/tracker.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 bool is_datastudio(const Header& header) {
@@ -53,4 +53,4 @@ std::string_view dialect_name(const Header& header) {
   return "plain";
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

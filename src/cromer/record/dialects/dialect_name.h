@@ -5,9 +5,9 @@
 
 #include "cromer/record/dialects/header.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// "PASCO Capstone", "DataStudio", "Tracker", "Logger Pro", "Graphical Analysis", "phyphox", or "plain".
 std::string_view dialect_name(const Header& header);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,7 +5,7 @@
 
 #include "cromer/record/dialects/series_shape.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// The signal with its changes from sample to sample; those across a gap in the times are unseen.
@@ -87,4 +87,4 @@ std::vector<DropOut> drop_outs(std::span<const double> t, std::span<const double
   return found;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

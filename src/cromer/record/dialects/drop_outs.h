@@ -6,7 +6,7 @@
 
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// One stretch of samples, from `first` up to, but without, `end`.
 struct DropOut {
@@ -20,4 +20,4 @@ struct DropOut {
 std::vector<DropOut> drop_outs(std::span<const double> t, std::span<const double> y, double step,
                                double resolution);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

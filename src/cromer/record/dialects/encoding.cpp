@@ -6,7 +6,7 @@
 #include "cromer/base/utf8.h"
 #include "cromer/record/dialects/utf16.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// Windows code page 1252, 0x80 to 0x9F; the five holes become the replacement character.
@@ -47,4 +47,4 @@ Result<Decoded> decode(std::string_view bytes) {
   return Decoded{from_cp1252(body), {}, "cp1252"};
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

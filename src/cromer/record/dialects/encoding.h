@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// A file's text as UTF-8. What is UTF-8 already is not copied: then `text` looks into the bytes given.
 struct Decoded {
@@ -20,4 +20,4 @@ struct Decoded {
 /// An empty file, damaged UTF-16, archives and other binary files are errors (without the file's name).
 Result<Decoded> decode(std::string_view bytes);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -7,7 +7,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using Cells = std::vector<std::string_view>;
@@ -254,4 +254,4 @@ Header find_header(const std::vector<std::string_view>& lines, std::size_t data,
   return header;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

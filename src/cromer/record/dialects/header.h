@@ -7,7 +7,7 @@
 
 #include "cromer/record/dialects/cells.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// One column's heading taken apart: `Position (mm) Run #1` is Position, mm, Run #1.
 struct Heading {
@@ -28,4 +28,4 @@ struct Header {
 /// `data` is the index of the first row.
 Header find_header(const std::vector<std::string_view>& lines, std::size_t data, const Layout& layout);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

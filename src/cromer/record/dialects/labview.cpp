@@ -14,7 +14,7 @@
 #include "cromer/record/dialects/rows.h"
 #include "cromer/record/dialects/series_shape.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 using Times = LabviewFile::Times;
@@ -178,4 +178,4 @@ Result<Sets> read_labview(const Source& source) {
   return found;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -4,7 +4,7 @@
 
 #include "cromer/record/dialects/set.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 bool is_labview(const Source& source);
 
@@ -12,4 +12,4 @@ bool is_labview(const Source& source);
 /// whatever Delta_X says; else they are X0 + i Delta_X. An Error begins with ": " or ":LINE: ".
 Result<Sets> read_labview(const Source& source);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -3,7 +3,7 @@
 #include "cromer/record/dialects/cells.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 constexpr std::string_view end_of_header = "***End_of_Header***";
@@ -58,4 +58,4 @@ LabviewSegment labview_segment(const std::vector<std::string_view>& lines, std::
   return segment;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// What the head of the file says, as far as reading needs it.
 struct LabviewFile {
@@ -34,4 +34,4 @@ LabviewFile labview_file(const std::vector<std::string_view>& lines);
 /// The header that begins at or behind line index `from`; its names are at lines.size() if there is none.
 LabviewSegment labview_segment(const std::vector<std::string_view>& lines, std::size_t from, char separator);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

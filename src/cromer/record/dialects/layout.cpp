@@ -10,7 +10,7 @@
 #include "cromer/record/dialects/header.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 constexpr std::size_t sampled_at_start = 50;
@@ -214,4 +214,4 @@ std::string_view separator_name(char separator) {
   }
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -4,11 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/cells.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// The layout under which most of a sample of the lines are rows of numbers. No such lines is an Error
 /// (without the file's name).
@@ -25,4 +25,4 @@ Result<Layout> settle_commas(const std::vector<std::string_view>& lines, const L
 /// "comma", "semicolon", "tab", "blanks", "none".
 std::string_view separator_name(char separator);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -1,6 +1,6 @@
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 std::vector<std::string_view> split_lines(std::string_view text) {
   const char end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
@@ -42,4 +42,4 @@ bool is_comment(std::string_view line) {
   return first != std::string_view::npos && (line[first] == '#' || line[first] == '%');
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// The lines of a text ended by LF, CR LF or (where there is no LF) CR, without their ends. Line i of the
 /// file is lines[i - 1]. The last one is empty, but for a text that ends within a line.
@@ -17,4 +17,4 @@ std::string_view trimmed(std::string_view text);
 bool is_blank(std::string_view line);
 bool is_comment(std::string_view line);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

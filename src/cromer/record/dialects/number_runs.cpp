@@ -7,7 +7,7 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/set.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// The label of each column's run as the header has it; a column without one belongs to its neighbours: a
@@ -61,4 +61,4 @@ void number_runs(Recording& recording, const Header& header) {
   say_labels(labels, recording.warnings);
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

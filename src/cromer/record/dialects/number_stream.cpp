@@ -8,7 +8,7 @@
 #include "cromer/record/dialects/bad_cell.h"
 #include "cromer/record/dialects/cells.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, std::size_t from,
                                   std::size_t most, bool until_words, long lines_before) {
@@ -42,4 +42,4 @@ Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, st
   return stream;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 struct NumberStream {
   std::vector<double> values;
@@ -20,4 +20,4 @@ struct NumberStream {
 Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, std::size_t from,
                                   std::size_t most, bool until_words, long lines_before = 0);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -13,7 +13,7 @@
 #include "cromer/record/dialects/lines.h"
 #include "cromer/record/dialects/number_stream.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 std::string capitals(std::string_view text) {
@@ -153,4 +153,4 @@ Result<Sets> read_peer(const Source& source) {
   return found;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,7 +5,7 @@
 
 #include "cromer/record/dialects/set.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 bool is_peer(const Source& source);
 
@@ -13,4 +13,4 @@ bool is_peer(const Source& source);
 /// An Error begins with ": " or ":LINE: ".
 Result<Sets> read_peer(const Source& source);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -13,7 +13,7 @@
 #include "cromer/record/dialects/stacked_runs.h"
 #include "cromer/record/dialects/tracker.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// "4684 0.0100" above a single column of 4684 rows: their number and their step.
@@ -92,4 +92,4 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   return recording;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

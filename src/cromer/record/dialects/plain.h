@@ -4,14 +4,14 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Stages 4 to 7 on the lines of a file: layout, header, rows, runs. `lines_before` of them are not given,
 /// but counted. An Error begins with ": " or ":LINE: ".
 Result<Recording> read_plain(const std::vector<std::string_view>& lines, const ReadOptions& options,
                              std::size_t lines_before = 0);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

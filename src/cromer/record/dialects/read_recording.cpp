@@ -9,7 +9,7 @@
 #include "cromer/record/dialects/text_file.h"
 #include "cromer/record/dialects/zip.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Result<Recording> read_recording(std::string_view bytes, std::string_view file, const ReadOptions& options) {
   using namespace dialects;
@@ -25,4 +25,4 @@ Result<Recording> read_recording(std::string_view bytes, std::string_view file, 
   return recording;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,19 +7,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/base/table.h"
+#include "cromer/read.h"
+#include "cromer/result.h"
 
-namespace cromer {
-
-/// What the user knows better than the file; empty means find out.
-struct ReadOptions {
-  std::string delimiter;    ///< "," ";" "\t" or "tab", " " or "blank"
-  std::string decimal;      ///< "." or ","
-  std::string time_column;  ///< name of the time column
-  double rate = 0;          ///< samples per second for files without a time column; 0: not given
-  bool skip_bad_rows = false;
-};
+namespace cromer::core {
 
 struct Gap {
   double t;       // [s] where it begins
@@ -100,4 +92,4 @@ std::vector<int> runs(const Recording& recording);
 Result<Series> take_series(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

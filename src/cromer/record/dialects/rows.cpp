@@ -7,7 +7,7 @@
 #include "cromer/record/dialects/bad_cell.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 constexpr std::string_view cure = "; --skip-bad-rows drops such rows";
@@ -31,13 +31,19 @@ Written written(std::string_view cell, char decimal) {
 }
 
 std::string cut_line(const std::string& line, const std::string& shown) {
-  return concat({"the last line, ", line, ", ends within a number, ", shown, ": it is left out"});
+  return concat({"the last line, ", line, ", seems cut within a number, ", shown, ": it is left out"});
 }
 
-/// Of a line without its end, which a row may have been.
-bool begins_a_number(std::string_view line) {
-  const std::size_t last = line.find_last_not_of("0123456789.,+-eE");
-  return line.find_first_of("0123456789") != std::string_view::npos && last + 1 < line.size();
+/// Whether a last line without a line end may be a row cut off: it has digits and ends as numbers do.
+bool may_be_cut_row(std::string_view line) {
+  constexpr std::string_view digits = "0123456789";
+  const auto ends_in = [&line](std::string_view one_of) {
+    return one_of.find(line.back()) != std::string_view::npos;
+  };
+  if (line.find_first_of(digits) == std::string_view::npos) return false;
+  if (!ends_in("eE")) return ends_in(digits) || ends_in("+-.,");
+  line.remove_suffix(1);  // an exponent's letter stands behind a digit
+  return ends_in(digits);
 }
 
 /// Looks at the last number of the last row, in a text that ends within its line, beside those above it.
@@ -134,7 +140,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
       row[count++] = cell.value;
     }
     const long number = static_cast<long>(rules.lines_before + i) + 1;
-    if (!bad.empty() && i + 1 == lines.size() && !rows.lines.empty() && begins_a_number(line)) {
+    if (!bad.empty() && i + 1 == lines.size() && !rows.lines.empty() && may_be_cut_row(line)) {
       rows.last_line = cut_line(std::to_string(number), quoted(line));
       break;
     }
@@ -188,4 +194,4 @@ std::string no_rows(const std::vector<std::string_view>& lines, std::string_view
   return concat({": ", reason});
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

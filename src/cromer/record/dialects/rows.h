@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/cells.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 struct Rows {
   std::vector<std::vector<double>> columns;  ///< of equal length; NaN where a value is missing
@@ -39,4 +39,4 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
 std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason,
                     std::size_t lines_before);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
@@ -24,7 +24,7 @@ double decimal_step(std::span<const double> values) {
       const double scaled = value * scale, whole = std::nearbyint(scaled);
       // What is next to nothing beside a unit is not written by whole units.
       if (whole == 0 && value != 0) return false;
-      return std::fabs(scaled - whole) <= 1e-9 * std::max(1.0, std::fabs(scaled));
+      return std::fabs(scaled - whole) <= std::min(0.01, 1e-9 * std::max(1.0, std::fabs(scaled)));
     });
     if (static_cast<double>(exact) >= nearly_all * static_cast<double>(values.size())) return 1 / scale;
   }
@@ -119,8 +119,9 @@ double rounding_step(std::span<const double> all) {
   std::vector<double> distinct = values;
   std::sort(distinct.begin(), distinct.end());
   const double range = distinct.back() - distinct.front();
+  // Of decimals in binary, whatever their distance from zero.
   const double noise =
-      1e-9 * std::max(std::fabs(distinct.front()), std::fabs(distinct.back()));  // of decimals in binary
+      std::max(1e-9 * range, 1e-15 * std::max(std::fabs(distinct.front()), std::fabs(distinct.back())));
   distinct.erase(
       std::unique(distinct.begin(), distinct.end(), [&](double a, double b) { return b - a <= noise; }),
       distinct.end());
@@ -234,4 +235,4 @@ bool tops_cut_off(std::span<const double> y, double step, double resolution) {
   return false;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

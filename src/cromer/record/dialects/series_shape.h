@@ -6,7 +6,7 @@
 
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// How many neighbours on either side say what is usual, and how many robust standard deviations are unusual.
 constexpr std::size_t reach = 20;
@@ -36,4 +36,4 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
 /// sinusoid of this size and frequency stays within one `resolution` of its top. `step` [s] between samples.
 bool tops_cut_off(std::span<const double> y, double step, double resolution);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -9,7 +9,7 @@
 
 #include "cromer/base/concat.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 bool is_time(const Column& column) { return column.quantity == "time"; }
@@ -104,4 +104,4 @@ Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording) {
   return {};
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

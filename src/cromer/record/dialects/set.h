@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/base/table.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Columns that share their rows. The run of a column is not looked at.
 struct Set {
@@ -47,4 +47,4 @@ Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording);
 /// Says what runs are called in the file, where their number does not.
 void say_labels(const std::vector<std::string>& labels, std::vector<std::string>& warnings);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -8,7 +8,7 @@
 #include "cromer/record/dialects/lines.h"
 #include "cromer/record/dialects/plain.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 constexpr std::size_t most_tables = 200;
@@ -110,4 +110,4 @@ Result<Recording> read_tables(const std::vector<std::string_view>& lines,
   return whole;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,7 +5,7 @@
 #include "cromer/record/dialects/recording.h"
 #include "cromer/record/dialects/set.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Where tables begin (line indices, the first is 0): at a line of names above rows that is the first header
 /// once more, or whose first name is a time; with the titles right above it. One where there is but one.
@@ -18,4 +18,4 @@ Result<Recording> read_tables(const std::vector<std::string_view>& lines,
 /// A recording taken apart into sets again, one for each run.
 std::vector<Set> as_sets(Recording recording, const std::string& label);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

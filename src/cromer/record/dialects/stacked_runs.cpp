@@ -8,7 +8,7 @@
 #include "cromer/record/dialects/set.h"
 #include "cromer/record/dialects/time.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 constexpr std::size_t most_runs = 10000;
@@ -77,4 +77,4 @@ void split_at_restarts(Recording& recording) {
   if (lay_runs(recording, starts, 0)) recording.warnings.push_back(std::move(warning));
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

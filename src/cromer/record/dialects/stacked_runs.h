@@ -4,7 +4,7 @@
 
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Puts the runs side by side and drops the column of run numbers, if the table is of that form; else does
 /// nothing. True if it was.
@@ -13,4 +13,4 @@ bool split_stacked_runs(Recording& recording);
 /// Puts the runs side by side where the one time column starts again, and says so.
 void split_at_restarts(Recording& recording);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -9,7 +9,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/series_shape.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// `value` to so many significant digits.
@@ -197,4 +197,4 @@ std::optional<EvenClock> even_clock(std::span<const double> t) {
   return clock;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

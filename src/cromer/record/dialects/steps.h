@@ -7,7 +7,7 @@
 
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// The clock behind times that a logger wrote rounded.
 struct EvenClock {
@@ -33,4 +33,4 @@ Steps describe_steps(std::span<const double> t);
 /// twentieth of a step at least. Empty where there are none, and where the times are even already.
 std::optional<EvenClock> even_clock(std::span<const double> t);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -16,7 +16,7 @@
 #include "cromer/record/dialects/steps.h"
 #include "cromer/record/dialects/time.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// "x (m)", "y (m)".
@@ -239,4 +239,4 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   return series;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

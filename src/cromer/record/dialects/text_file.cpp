@@ -14,7 +14,7 @@
 #include "cromer/record/dialects/uff.h"
 #include "cromer/record/dialects/vernier_format.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// Dialects with a structure of their own; all others are tables that the common stages read.
@@ -69,4 +69,4 @@ Result<Recording> read_text_file(std::string_view bytes, std::string_view file, 
   return recording;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

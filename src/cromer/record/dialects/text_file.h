@@ -3,12 +3,12 @@
 
 #include <string_view>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// All stages but those of time, which see the whole recording. An Error begins with ": " or ":LINE: ".
 Result<Recording> read_text_file(std::string_view bytes, std::string_view file, const ReadOptions& options);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

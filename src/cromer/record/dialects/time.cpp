@@ -6,7 +6,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/record/dialects/columns.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// How many rows were left out for one reason, and where that began.
@@ -144,4 +144,4 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
   return result;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// The time column that belongs to column `j`: the nearest before it in its run, else the first of its run,
 /// else the first of all.
@@ -32,4 +32,4 @@ struct RisingTimes {
 /// backward throughout is an Error. `lines` are the file's line numbers of the times.
 Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<long>& lines);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

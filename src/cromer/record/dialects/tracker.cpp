@@ -4,7 +4,7 @@
 
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 bool is_tracker(const Header& header) {
   const auto& columns = header.headings;
@@ -28,4 +28,4 @@ void name_tracks(Header& header) {
   }
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

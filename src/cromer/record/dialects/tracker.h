@@ -3,7 +3,7 @@
 
 #include "cromer/record/dialects/header.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 bool is_tracker(const Header& header);
 
@@ -11,4 +11,4 @@ bool is_tracker(const Header& header);
 /// header: an empty cell above the time, then each name above the first column of its track.
 void name_tracks(Header& header);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -15,7 +15,7 @@
 #include "cromer/record/dialects/number_stream.h"
 #include "cromer/record/dialects/uff_function.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// Lines and bytes of a file in which both occur.
@@ -220,4 +220,4 @@ Result<Sets> read_uff(std::string_view bytes) {
   return found;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -4,10 +4,10 @@
 
 #include <string_view>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/set.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Begins with the line "    -1", blank lines and line ends before it allowed, and a dataset's number.
 bool is_uff(std::string_view bytes);
@@ -17,4 +17,4 @@ bool is_uff(std::string_view bytes);
 /// file's, since binary values stand between the lines. An Error begins with ": " or ":LINE: ".
 Result<Sets> read_uff(std::string_view bytes);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

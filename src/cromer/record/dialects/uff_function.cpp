@@ -7,7 +7,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/record/dialects/lines.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 std::string_view field(std::string_view line, std::size_t from, std::size_t width) {
@@ -78,4 +78,4 @@ std::string uff_quantity(const UffAxis& axis, std::string_view name) {
   return quantity_of(name, axis.unit);
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// One axis: record 8, 9 or 10.
 struct UffAxis {
@@ -36,4 +36,4 @@ std::string uff_name(const UffFunction& function);
 /// acceleration, position, ...; "" where the axis tells neither by its kind nor by its unit.
 std::string uff_quantity(const UffAxis& axis, std::string_view name);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

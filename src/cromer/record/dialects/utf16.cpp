@@ -6,7 +6,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/base/utf8.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// Every second byte of the beginning is zero, and no other: plain letters and digits in two bytes each. The
@@ -69,4 +69,4 @@ std::string utf16_name(const Utf16& text) {
   return concat({"UTF-16 ", text.big ? "BE" : "LE", text.marked ? " with BOM" : ""});
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 /// Text in units of two bytes.
 struct Utf16 {
@@ -27,4 +27,4 @@ Result<std::string> from_utf16(const Utf16& text);
 /// "UTF-16 LE", "UTF-16 BE with BOM".
 std::string utf16_name(const Utf16& text);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

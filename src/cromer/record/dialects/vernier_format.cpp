@@ -10,7 +10,7 @@
 #include "cromer/record/dialects/lines.h"
 #include "cromer/record/dialects/rows.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 /// No cell is a word: a row, or a line left empty. A row with a bad cell is one too: it begins with a number.
@@ -93,4 +93,4 @@ Result<Sets> read_vernier_format(const Source& source) {
   return found;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -4,11 +4,11 @@
 
 #include "cromer/record/dialects/set.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 bool is_vernier_format(const Source& source);
 
 /// Each set is a run. An Error begins with ": " or ":LINE: ".
 Result<Sets> read_vernier_format(const Source& source);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 namespace {
 
 constexpr std::string_view local_mark = "PK\x03\x04", central_mark = "PK\x01\x02", end_mark = "PK\x05\x06";
@@ -87,4 +87,4 @@ Result<std::string> unzip(std::string_view bytes, const ZipEntry& entry) {
   return content;
 }
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

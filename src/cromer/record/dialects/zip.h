@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer::dialects {
+namespace cromer::core::dialects {
 
 struct ZipEntry {
   std::string name;                              ///< with folders, between slashes
@@ -27,4 +27,4 @@ Result<std::vector<ZipEntry>> zip_directory(std::string_view bytes);
 /// its packed size and ten kilobytes is an Error, and so are other methods, passwords and damage.
 Result<std::string> unzip(std::string_view bytes, const ZipEntry& entry);
 
-}  // namespace cromer::dialects
+}  // namespace cromer::core::dialects

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double between_estimates = 0.1;  // [s]
@@ -204,4 +204,4 @@ void ArrivalClock::release_until(double latest, double now, std::vector<double>&
   forget();
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/record/live/rows.h"
 #include "cromer/record/live/sample_times.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Samples are held back for 0.4 s, the first ones for up to 0.8 s until a rate is found, and then stamped by
 /// the rate that they were sent at where one is found (steady_rate), else by their arrival. What comes late
@@ -59,4 +59,4 @@ class ArrivalClock {
   SampleTimes done_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include <cerrno>
 #include <cstring>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 struct Speed {
@@ -99,4 +99,4 @@ bool readable(const Descriptor& descriptor, double seconds) {
   return poll_for(descriptor.number(), POLLIN, seconds);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Owns a file descriptor; -1 is none.
 class Descriptor {
@@ -37,4 +37,4 @@ Result<Descriptor> open_tcp(const std::string& host, int port, double seconds);
 /// Whether there is something to read, or an end to be seen, within `seconds`.
 bool readable(const Descriptor& descriptor, double seconds);
 
-}  // namespace cromer
+}  // namespace cromer::core

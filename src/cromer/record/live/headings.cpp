@@ -2,7 +2,7 @@
 
 #include "cromer/base/ascii.h"
 
-namespace cromer {
+namespace cromer::core {
 
 std::string plain_heading(std::string text) {
   for (char& c : text)
@@ -14,4 +14,4 @@ bool is_named(std::string_view heading, std::string_view name) {
   return heading == name || heading.substr(0, heading.find(" (")) == name;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 /// One that can stand in a CSV file without quotes, without blanks at its ends.
 std::string plain_heading(std::string text);
@@ -12,4 +12,4 @@ std::string plain_heading(std::string text);
 /// Whether it is called so, with its unit or without: "Position" or "Position (mm)".
 bool is_named(std::string_view heading, std::string_view name);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 
 #include "cromer/record/live/source.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 namespace http = boost::beast::http;
@@ -93,4 +93,4 @@ Result<std::string> HttpClient::get(const std::string& target, double seconds) {
   return Error{"no answer"};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

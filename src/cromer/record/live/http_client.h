@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "cromer/base/result.h"
 #include "cromer/record/live/descriptor.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 class HttpClient {
  public:
@@ -24,4 +24,4 @@ class HttpClient {
   Descriptor connection_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

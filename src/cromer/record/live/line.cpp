@@ -8,7 +8,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/number.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
@@ -92,4 +92,4 @@ std::string shown(std::string_view text, std::size_t longest) {
   return text.size() > longest ? out + "..." : out;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// What a line turned out to be. A comment begins with # or %.
 enum class LineKind { blank, comment, numbers, words, garbage };
@@ -25,4 +25,4 @@ Line read_line(std::string_view text);
 /// as "?".
 std::string shown(std::string_view text, std::size_t longest = 40);
 
-}  // namespace cromer
+}  // namespace cromer::core

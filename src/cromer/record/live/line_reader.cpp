@@ -12,7 +12,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/record/live/headings.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t longest_line = 1000;  // bytes
@@ -121,7 +121,6 @@ void LineReader::judge_first(std::string_view next, Rows& rows, std::vector<Noti
 
 void LineReader::end(double arrival, Rows& rows, std::vector<Notice>& notices) {
   if (!partial_.empty()) take_any_line(std::exchange(partial_, ""), arrival, rows, notices);
-  if (first_) judge_first("", rows, notices);
   release_all(rows, notices);
 }
 
@@ -138,6 +137,7 @@ void LineReader::release(double now, Rows& rows, std::vector<Notice>& notices) {
 }
 
 void LineReader::release_all(Rows& rows, std::vector<Notice>& notices) {
+  if (first_) judge_first("", rows, notices);
   std::vector<double> times;
   arrivals_.release_all(times, notices);
   let_go(times, rows);
@@ -223,4 +223,4 @@ void LineReader::take_line(std::string_view text, double arrival, Rows& rows, st
   rows.add(stamp.t, values);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

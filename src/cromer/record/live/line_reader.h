@@ -6,14 +6,14 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/live/arrival_clock.h"
 #include "cromer/record/live/line.h"
 #include "cromer/record/live/rows.h"
 #include "cromer/record/live/sample_times.h"
 #include "cromer/record/live/timekeeper.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct LineSettings {
   double rate = 0;         ///< [1/s] of lines without a time; 0: found from their arrival
@@ -24,10 +24,10 @@ struct LineSettings {
 /// The first line of numbers says how many there are in each; one number is a value, more are a time and
 /// values. A line of words right before it is a heading if it has a name for each number and states a unit or
 /// more than one name; `Time (ms)` scales the times. All else is garbage: counted, reported with its number
-/// (of the lines that are not empty) and text. The first line of a device that may be opened in the middle of
-/// one is taken where the device was silent before, or where its time has the form of the next line's, after
-/// a lost connection only there; else it is left out and reported. Lines without a time, where no rate is
-/// given, are held back for a while: ArrivalClock.
+/// (of the lines that are not empty) and text. A device may be opened in the middle of a line. Its first line
+/// is taken if the device was silent before it (not after a lost connection), or if its time has the form of
+/// the next line's; else it is left out and reported. Lines without a time, where no rate is given, are held
+/// back for a while: ArrivalClock.
 class LineReader {
  public:
   LineReader(LineSettings settings, bool may_begin_within_line)
@@ -79,10 +79,10 @@ class LineReader {
   std::vector<double> held_;  ///< values that wait for their times
   bool may_begin_within_line_;
   double connected_ = 0;              // [s]
-  bool lost_ = false;                 ///< the connection was: what comes may be the rest of what was lost
-  bool at_beginning_ = true;          ///< no line has come since
-  bool surely_whole_ = true;          ///< the line that comes is not what is left of one
-  std::optional<FirstLine> first_{};  ///< that waits for the next one to be judged by
+  bool lost_ = false;                 ///< a connection was lost: what comes first may be the rest of a line
+  bool at_beginning_ = true;          ///< no line has come since the connection was made
+  bool surely_whole_ = true;          ///< the next line is known to be whole
+  std::optional<FirstLine> first_{};  ///< the first line, until the next one shows whether it is whole
   bool too_long_ = false;  ///< what comes up to the next line's end is part of a line already refused
   std::string partial_;
   long line_ = 0;
@@ -96,4 +96,4 @@ class LineReader {
   Headings headings_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

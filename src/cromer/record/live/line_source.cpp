@@ -10,7 +10,7 @@
 
 #include "cromer/record/live/phyphox_source.h"
 
-namespace cromer {
+namespace cromer::core {
 
 double steady_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -84,4 +84,4 @@ std::unique_ptr<Source> make_source(const SourceName& name, const LineSettings& 
       lines);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/record/live/descriptor.h"
 #include "cromer/record/live/source.h"
 
-namespace cromer {
+namespace cromer::core {
 
 class LineSource final : public Source {
  public:
@@ -41,4 +41,4 @@ class LineSource final : public Source {
   double lost_at_ = 0;  // [s]
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/record/live/headings.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Json = nlohmann::json;
@@ -157,4 +157,4 @@ Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSe
   return answer;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/live/rows.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The buffers recorded: a time and the values that are measured at it.
 struct PhyphoxSet {
@@ -35,4 +35,4 @@ struct PhyphoxAnswer {
 /// missing buffer and text that is no answer are Errors.
 Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSet& set);
 
-}  // namespace cromer
+}  // namespace cromer::core

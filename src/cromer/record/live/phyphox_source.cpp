@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double between_questions = 0.1;  // [s]
@@ -113,4 +113,4 @@ bool PhyphoxSource::receive(double seconds, Rows& rows, std::vector<Notice>& not
   return true;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/record/live/source.h"
 #include "cromer/record/live/timekeeper.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Asks ten times a second for what is new. Starts the measurement if the phone is not measuring, and says
 /// so; it is left running at the end, since the phone's owner may want it. What the phone's buffers held
@@ -39,4 +39,4 @@ class PhyphoxSource final : public Source {
   double asked_at_ = 0, new_at_ = 0, lost_at_ = 0;  // [s]
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double shortest_memory = 2;   // [s] where there is more
@@ -97,4 +97,4 @@ std::optional<RateLine> steady_rate(std::span<const double> arrivals, double lea
   return std::nullopt;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Sample i was sent at `begin + i * period`, but for what the way takes at least.
 struct RateLine {
@@ -42,4 +42,4 @@ constexpr double longest_memory = 16;        // [s] that steady_rate looks back 
 constexpr std::size_t least_samples = 48;    ///< that show a rate
 constexpr std::size_t most_samples = 20000;  ///< that steady_rate looks back at most
 
-}  // namespace cromer
+}  // namespace cromer::core

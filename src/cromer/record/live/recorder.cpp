@@ -8,7 +8,7 @@
 
 #include "cromer/record/live/headings.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double wait = 0.05;    // [s] for the source, before looking whether to stop
@@ -116,7 +116,7 @@ void Recorder::record() {
   Rows rows;
   std::vector<Notice> notices;
   for (bool more = true; more && !stop_;) {
-    // Out of memory what is being read may be lost, and what has been is published later.
+    // Where memory runs out, what is being read may be lost; what has been read is published later.
     try {
       more = source_->receive(wait, rows, notices);
       if (first_arrival == 0 && rows.size() > 0) first_arrival = steady_seconds();
@@ -133,23 +133,37 @@ void Recorder::record() {
       more = more && since < *settings_.duration + grace;
     }
   }
-  source_->finish(rows, notices);
-  if (starved)
-    notices.push_back({NoticeKind::gap, "this computer ran out of memory: samples may be missing"});
-  const double took = steady_seconds() - first_arrival;
-  if (settings_.duration && whole && source_->times().by == TimesBy::device &&
-      took < *settings_.duration / too_fast)
-    notices.push_back(
-        {NoticeKind::clock,
-         fmt::format("{:.4g} s of the device's times passed in {:.2g} s: if they are milliseconds, "
-                     "--time-unit ms says so",
-                     *settings_.duration, took)});
-  if (const double pace = source_->pace(); pace > too_fast)
-    notices.push_back(
-        {NoticeKind::clock, fmt::format("the device's times run {:.4g} times as fast as the clock: "
-                                        "--time-unit says what they are in",
-                                        pace)});
-  publish(rows, notices);
+  try {
+    source_->finish(rows, notices);
+  } catch (const std::bad_alloc&) {  // what was held back may be lost, the samples read before are not
+    starved = true;
+  }
+  try {
+    if (starved)
+      notices.push_back({NoticeKind::gap, "this computer ran out of memory: samples may be missing"});
+    const double took = steady_seconds() - first_arrival;
+    if (settings_.duration && whole && source_->times().by == TimesBy::device &&
+        took < *settings_.duration / too_fast)
+      notices.push_back(
+          {NoticeKind::clock,
+           fmt::format("{:.4g} s of the device's times passed in {:.2g} s: if they are milliseconds, "
+                       "--time-unit ms says so",
+                       *settings_.duration, took)});
+    if (const double pace = source_->pace(); pace > too_fast)
+      notices.push_back(
+          {NoticeKind::clock, fmt::format("the device's times run {:.4g} times as fast as the clock: "
+                                          "--time-unit says what they are in",
+                                          pace)});
+  } catch (const std::bad_alloc&) {  // the last remarks may be lost, the samples read are not
+  }
+  for (bool published = false; !published;) {
+    try {
+      publish(rows, notices);
+      published = true;
+    } catch (const std::bad_alloc&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
   source_.reset();  // the device is free for others
   {
     const std::lock_guard lock(mutex_);
@@ -180,6 +194,7 @@ bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
     times_ = source_->times();
     make_room(rows_.t, rows.t.size());
     make_room(rows_.values, rows.values.size());
+    notices_.reserve(kept_notices);  // behind this nothing throws: no row is added twice
     rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
     rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
     for (auto& notice : notices) {
@@ -256,4 +271,4 @@ std::vector<Notice> Recorder::notices_since(std::size_t first) const {
   return {notices_.begin() + std::min(first, notices_.size()), notices_.end()};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/record/live/recording_file.h"
 #include "cromer/record/live/source.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct RecorderSettings {
   std::string path;                     ///< of the file
@@ -84,4 +84,4 @@ class Recorder {
   std::string failure_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/base/replacement.h"
 #include "cromer/record/live/row_text.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t piece = 4096;  // bytes at most in one write, but for a longer line
@@ -105,4 +105,4 @@ void RecordingFile::drop_if_empty() {
   if (made_ && lines_ == 0) ::unlink(target_of(path_).c_str());
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

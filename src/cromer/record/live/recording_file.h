@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/live/descriptor.h"
 #include "cromer/record/live/rows.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Not the rule of all other outputs (whole or not at all): what came is kept, whatever happens. Each append
 /// is written at once, in whole lines, so that a program that is killed leaves a valid file; sync brings it
@@ -41,4 +41,4 @@ class RecordingFile {
   std::size_t bytes_ = 0, lines_ = 0, rows_ = 0;  ///< that are whole
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include "cromer/base/number.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 void append_number(std::string& text, double value) {
@@ -24,4 +24,4 @@ void append_row(std::string& text, double t, std::span<const double> values) {
   text += '\n';
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Rows with equally many values each, one after the other.
 struct Rows {
@@ -16,14 +16,11 @@ struct Rows {
 
   std::size_t size() const { return t.size(); }
   std::span<const double> row(std::size_t i) const { return {values.data() + i * width, width}; }
-  void add(double time, std::span<const double> row) {
-    t.push_back(time);
-    values.insert(values.end(), row.begin(), row.end());
-  }
+  /// Where memory runs out nothing is added: times and values stay in step.
+  void add(double time, std::span<const double> row) { add(std::span(&time, 1), row); }
   void add(const Rows& more) {
     width = more.width;
-    t.insert(t.end(), more.t.begin(), more.t.end());
-    values.insert(values.end(), more.values.begin(), more.values.end());
+    add(more.t, more.values);
   }
   /// Drops the first ones where there are more than `most`.
   void keep_last(std::size_t most) {
@@ -32,6 +29,18 @@ struct Rows {
     t.erase(t.begin(), t.end() - static_cast<std::ptrdiff_t>(most));
   }
   void clear() { t.clear(), values.clear(); }
+
+ private:
+  void add(std::span<const double> times, std::span<const double> more) {
+    const std::size_t before = values.size();
+    values.insert(values.end(), more.begin(), more.end());
+    try {
+      t.insert(t.end(), times.begin(), times.end());
+    } catch (...) {
+      values.resize(before);
+      throw;
+    }
+  }
 };
 
 /// The columns' names with their units: "Time (s)", then one for each value.
@@ -45,4 +54,4 @@ struct Notice {
   std::string text;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

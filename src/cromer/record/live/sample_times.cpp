@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace cromer {
+namespace cromer::core {
 
 std::string_view name(TimesBy by) {
   switch (by) {
@@ -45,4 +45,4 @@ std::string sentence(const SampleTimes& times) {
   return "";
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 enum class TimesBy { nothing, device, count, rate, arrival };
 
@@ -24,4 +24,4 @@ std::string_view name(TimesBy by);
 /// device's own, or nothing came.
 std::string sentence(const SampleTimes& times);
 
-}  // namespace cromer
+}  // namespace cromer::core

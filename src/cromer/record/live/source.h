@@ -4,12 +4,12 @@
 #include <memory>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/live/line_reader.h"
 #include "cromer/record/live/rows.h"
 #include "cromer/record/live/source_name.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 class Source {
  public:
@@ -40,4 +40,4 @@ std::unique_ptr<Source> make_source(const SourceName& name, const LineSettings& 
 /// Seconds of a clock that never jumps, as all arrivals are told.
 double steady_seconds();
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/base/ascii.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::string_view forms =
@@ -69,4 +69,4 @@ Result<SourceName> parse_source(std::string_view text) {
   return name;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

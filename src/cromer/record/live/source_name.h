@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 enum class SourceKind { serial, tcp, phyphox, standard_input };
 
@@ -19,4 +19,4 @@ struct SourceName {
 /// An Error says what was typed and what can be.
 Result<SourceName> parse_source(std::string_view text);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 Json comparison_object(const CompareResult& comparison) {
   const LawFit& fit = comparison.recording.fit;
   Json object;
@@ -49,4 +49,4 @@ std::string to_json(std::span<const CompareResult> comparisons) {
   return to_text(all);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

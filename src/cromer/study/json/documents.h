@@ -15,7 +15,7 @@
 #include "cromer/study/task/static_stiffness.h"
 #include "cromer/study/task/sweep.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// {"runs": [...], "warnings": [...]}, with "message" when a run ended early. `with_states` adds the kept
 /// states of each run.
@@ -24,8 +24,8 @@ std::string to_json(const SimulateResult& result, bool with_states);
 /// {"methods": [...]}
 std::string to_json(std::span<const MethodRow> methods);
 
-/// The sweep's swept options, columns and rows, on one line.
-std::string to_json(const SweepResult& result);
+/// The sweep's swept options and columns, on one line; `with_rows` adds the rows.
+std::string to_json(const SweepResult& result, bool with_rows = true);
 
 /// What is in the file; `with_values` adds the columns' numbers.
 std::string to_json(const Inspection& inspection, bool with_values);
@@ -46,4 +46,4 @@ std::string to_json(std::span<const CompareResult> comparisons);
 /// Fourier amplitudes, all on one line.
 std::string to_json(const SpectrumResult& result, bool with_fourier);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,7 +4,7 @@
 
 #include "cromer/study/task/drive_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 void add(Json& parameters, const PulseDrive<double>& pulse) {
@@ -42,4 +42,4 @@ void add_drive(Json& parameters, const SimulatedRun& run, const SimulateOptions&
   parameters["between_samples"] = options.between_samples.empty() ? "linear" : options.between_samples;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

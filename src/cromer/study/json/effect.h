@@ -6,7 +6,7 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/task/method_effect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 inline Json json_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
@@ -33,4 +33,4 @@ inline void add_effect(Json& object, const std::optional<MethodEffect>& effect) 
   object["energy_factor_per_cycle"] = json_or_null(effect->effective.energy_factor());
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/study/json/json.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// {"value", "standard_error", "confidence_95", "unit"}
 inline Json estimate_object(const Estimate& estimate, std::string_view unit) {
@@ -16,4 +16,4 @@ inline Json estimate_object(const Estimate& estimate, std::string_view unit) {
           {"unit", unit}};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

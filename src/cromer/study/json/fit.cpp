@@ -3,10 +3,10 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-Json quantities(const std::vector<NamedEstimate>& estimates) {
+Json quantities(const std::vector<Parameter>& estimates) {
   Json object = Json::object();
   for (const auto& [name, estimate, unit] : estimates) object[name] = estimate_object(estimate, unit);
   return object;
@@ -218,4 +218,4 @@ std::string to_json(std::span<const FittedRecording> fits, bool as_list) {
   return to_text(all);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Json inspection_object(const Inspection& inspection, bool with_values) {
   const Recording& recording = inspection.recording;
@@ -51,4 +51,4 @@ std::string to_json(const Inspection& inspection, bool with_values) {
   return to_text(inspection_object(inspection, with_values), with_values);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #endif
 
-namespace cromer {
+namespace cromer::core {
 
 /// Keeps the fields in the order they were set.
 #ifdef CROMER_PAGE
@@ -40,4 +40,4 @@ inline Json or_null(double value) { return value == 0 ? Json(nullptr) : Json(val
 /// An empty text stands for none.
 inline Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
 
-}  // namespace cromer
+}  // namespace cromer::core

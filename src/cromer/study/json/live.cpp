@@ -3,7 +3,7 @@
 #include "cromer/study/json/estimate.h"
 #include "cromer/study/json/json.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr bool on_one_line = true;
@@ -61,7 +61,7 @@ Json list_of(std::span<const Notice> notices) {
   return list;
 }
 
-Json quantities(const std::vector<NamedEstimate>& estimates) {
+Json quantities(const std::vector<Parameter>& estimates) {
   Json object = Json::object();
   for (const auto& [name, estimate, unit] : estimates) object[name] = estimate_object(estimate, unit);
   return object;
@@ -117,4 +117,4 @@ std::string message_json(const std::string& message) {
   return to_text(Json{{"message", message}}, on_one_line);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/record/live/recorder.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// {"source" (null where nothing can be recorded), "for" (seconds of this recording, or of the next one where
 /// none is given; null: until stopped), "recording", "running", "samples", "from", "to", "duration", "rate",
@@ -35,4 +35,4 @@ std::string recording_json(const std::string& recording, const RecorderStatus& s
 /// {"message"}
 std::string message_json(const std::string& message);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 #include "cromer/study/json/effect.h"
 #include "cromer/study/json/json.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Json document(const MethodRow& row) {
@@ -29,4 +29,4 @@ std::string to_json(std::span<const MethodRow> methods) {
   return to_text(document_of_all);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/study/task/fit.h"
 #include "cromer/study/task/inspect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// {"file", "column", "samples", "used", "from", "to", "rate", "duration", "gaps", "outliers"} and the run.
 Json recording_object(const FittedRecording& fitted);
@@ -20,4 +20,4 @@ Json inspection_object(const Inspection& inspection, bool with_values);
 /// The document of one comparison.
 Json comparison_object(const CompareResult& comparison);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/task/run_effect.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// "static-friction" as "static_friction".
@@ -167,4 +167,4 @@ std::string to_json(const SimulateResult& result, bool with_states) {
   return to_text(document_of_all, with_states);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,7 +1,7 @@
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/json.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Json spectral_values(const SpectrumResult& result, const std::vector<double>& displacement) {
@@ -96,4 +96,4 @@ std::string to_json(const SpectrumResult& result, bool with_fourier) {
   return to_text(document, with_fourier);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

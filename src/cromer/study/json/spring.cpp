@@ -3,7 +3,7 @@
 #include "cromer/study/json/json.h"
 #include "cromer/study/json/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Json object_of(const Quantity& quantity, std::string_view unit) {
@@ -63,4 +63,4 @@ std::string to_json(std::span<const FittedRecording> fits, const MassLine& line)
   return to_text(all);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -2,7 +2,7 @@
 
 #include "cromer/study/json/json.h"
 
-namespace cromer {
+namespace cromer::core {
 
 std::string to_json(const Results& results) {
   Json document = Json::object();
@@ -29,4 +29,4 @@ std::string to_json(const WrittenReport& report) {
   return to_text(document);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

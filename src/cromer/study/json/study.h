@@ -6,7 +6,7 @@
 #include "cromer/study/results.h"
 #include "cromer/study/write_report.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// {"two.stiffness": {"value", "standard_error", "unit"}, "two.law": "text", ...}: every fact, in SI units,
 /// by name.
@@ -15,4 +15,4 @@ std::string to_json(const Results& results);
 /// {"index", "figures": [paths], "warnings"}, with "message" where a task failed.
 std::string to_json(const WrittenReport& report);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,9 +3,9 @@
 #include "cromer/study/json/documents.h"
 #include "cromer/study/json/json.h"
 
-namespace cromer {
+namespace cromer::core {
 
-std::string to_json(const SweepResult& result) {
+std::string to_json(const SweepResult& result, bool with_rows) {
   const SweepPlan& plan = result.plan;
   Json document;
   Json& swept = document["swept"] = Json::array();
@@ -29,11 +29,13 @@ std::string to_json(const SweepResult& result) {
   const std::size_t width = plan.rows.columns.size() - 1;
   Json& columns = document["columns"] = Json::array();
   for (std::size_t i = 0; i < width; ++i) columns.push_back(plan.rows.columns[i]);
-  Json& rows = document["rows"] = Json::array();
-  for (std::size_t at = 0; at < result.rows.size(); at += width) {
-    Json row = Json::array();
-    for (std::size_t i = 0; i < width; ++i) row.push_back(result.rows[at + i]);
-    rows.push_back(std::move(row));
+  if (with_rows) {
+    Json& rows = document["rows"] = Json::array();
+    for (std::size_t at = 0; at < result.rows.size(); at += width) {
+      Json row = Json::array();
+      for (std::size_t i = 0; i < width; ++i) row.push_back(result.rows[at + i]);
+      rows.push_back(std::move(row));
+    }
   }
   Json& statuses = document["statuses"] = Json::array();
   for (const unsigned char status : result.statuses) statuses.push_back(status_word(plan, status));
@@ -42,4 +44,4 @@ std::string to_json(const SweepResult& result) {
   return to_text(document, true);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

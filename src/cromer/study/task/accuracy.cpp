@@ -18,7 +18,7 @@
 #include "cromer/study/task/simulate.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -228,4 +228,4 @@ Result<void> choose_steps(const SimulateOptions& options, std::vector<SimulatedR
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

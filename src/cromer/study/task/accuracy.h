@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct SimulateOptions;
 struct SimulatedRun;
@@ -36,4 +36,4 @@ Result<std::optional<Accuracy>> find_step(const SimulateOptions& options, const 
 Result<void> choose_steps(const SimulateOptions& options, std::vector<SimulatedRun>& runs,
                           const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

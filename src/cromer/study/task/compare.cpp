@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/methods/all.h"
 #include "cromer/record/dialects/column_kind.h"
@@ -15,10 +15,9 @@
 #include "cromer/study/task/simulate_setup.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double most_steps = 1e8;
 constexpr double of_fits = 0.7;  // of the work, roughly
 
@@ -69,6 +68,9 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
                                      const Watch& watch) {
   if (const Result<void> known = check_method_name(options.method); !known)
     return Error{"--method: " + known.error().message};
+  if (recording.driven)
+    return Error{fmt::format("{}: something drives this motion; compare lays free motions side by side",
+                             recording.file)};
   CompareResult result;
   result.recording = recording;
   result.warnings = recording.warnings;
@@ -160,4 +162,4 @@ Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_v
   return results;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

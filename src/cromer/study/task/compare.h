@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/run/trajectory.h"
 #include "cromer/study/task/fit.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct CompareOptions {
   FitOptions fit{};
@@ -67,4 +67,4 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
 Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_view file,
                                            const CompareOptions& options, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

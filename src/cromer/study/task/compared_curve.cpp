@@ -12,7 +12,7 @@
 #include "cromer/study/task/run_law.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -152,4 +152,4 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   return curve;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
 #include "cromer/identify/motion/motion_model.h"
+#include "cromer/result.h"
 #include "cromer/study/task/compare.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct NamedLaw {
   std::string label;
@@ -24,4 +24,4 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
                                      const CompareOptions& options, double step,
                                      std::vector<std::string>& warnings, const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double wanted_certainty = 0.05;  // of each rate
 constexpr std::size_t most_stretches = 60;
 constexpr std::size_t fewest_samples = 12;  // of a stretch
@@ -143,4 +142,4 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

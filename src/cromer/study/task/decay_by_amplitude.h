@@ -8,7 +8,7 @@
 #include "cromer/analysis/swing.h"
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct AmplitudeRate {
   double from, to;   // [s] the stretch
@@ -34,4 +34,4 @@ double first_amplitude(const LawFit& fit);
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 
 DecaySegments fit_segments(const Record& record, double period, std::optional<double> length,
                            std::optional<int> count, const Watch& watch) {
@@ -79,4 +79,4 @@ DecaySegments fit_segments(const Record& record, double period, std::optional<do
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

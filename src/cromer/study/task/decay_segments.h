@@ -7,7 +7,7 @@
 
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct DecaySegment {
   double from, to;  // [s]
@@ -27,4 +27,4 @@ struct DecaySegments {
 DecaySegments fit_segments(const Record& record, double period, std::optional<double> length,
                            std::optional<int> count, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

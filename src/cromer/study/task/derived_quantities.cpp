@@ -13,7 +13,7 @@
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using Real = Dual<double, max_parameters>;
@@ -80,16 +80,16 @@ std::optional<Estimate> limit_cycle(const LawFit& fit, double near, double perio
   return estimate_of(*value, slope, fit);
 }
 
-std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const LawFit& fit,
-                                        const std::string& unit) {
+std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const LawFit& fit,
+                                    const std::string& unit) {
   const Real undamped = law.swing.angular_frequency(A);
   law.decay.angular_frequency = undamped;
   const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.rate(A);
   const Real w = sqrt(undamped * undamped - g * g);
   const Real period = 2 * std::numbers::pi / w;
-  std::vector<NamedEstimate> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
-                                  {"period", estimate_of(period, fit), "s"},
-                                  {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
+  std::vector<Parameter> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
+                              {"period", estimate_of(period, fit), "s"},
+                              {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
   // What is fed, or grows, has no quality factor.
   const bool fed = value_of(g) < 0;
   if (!fed && !(value_of(equivalent) < 0))
@@ -103,8 +103,8 @@ std::vector<NamedEstimate> at_amplitude(LawAtAmplitude law, const Real& A, const
 
 }  // namespace
 
-std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
-                                              const std::vector<double>& x, std::string_view force_unit) {
+std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
+                                          const std::vector<double>& x, std::string_view force_unit) {
   const std::string length = displacement_unit(observed, derivative);
   if (!fit.law.shares(springs)) {
     const Estimate gain = fit["force_gain"];
@@ -116,10 +116,10 @@ std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_vie
   const LawAtAmplitude law = law_at_amplitude(fit);
   if (fit.drive.kind == DriveKind::none)
     return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit, length);
-  std::vector<NamedEstimate> list = at_amplitude(law, Real(sinusoid_amplitude(x)), fit, length);
+  std::vector<Parameter> list = at_amplitude(law, Real(sinusoid_amplitude(x)), fit, length);
   if (fit.motion.decay_rate() >= fit.motion.angular_frequency())
     list.erase(std::remove_if(list.begin(), list.end(),
-                              [](const NamedEstimate& number) {
+                              [](const Parameter& number) {
                                 return number.name == "frequency" || number.name == "period" ||
                                        number.name == "logarithmic_decrement";
                               }),
@@ -127,4 +127,4 @@ std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_vie
   return list;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

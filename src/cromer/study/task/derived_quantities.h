@@ -8,7 +8,7 @@
 #include "cromer/identify/law_fit.h"
 #include "cromer/study/task/fitted_quantities.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// frequency [Hz], period [s], damping_ratio, quality_factor, logarithmic_decrement and at_amplitude, the
 /// amplitude at which they hold: that of the first sample, where viscous damping of this ratio takes as much
@@ -21,8 +21,8 @@ namespace cromer {
 /// taken as given; of an overdamped law damping_ratio, quality_factor and at_amplitude alone. Of a swing that
 /// negative damping feeds, limit_cycle_amplitude in place of the quality factor: where it keeps itself. Of a
 /// body without a spring mass = 1/force_gain [unit of force per unit of acceleration] alone.
-std::vector<NamedEstimate> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
-                                              const std::vector<double>& x = {},
-                                              std::string_view force_unit = {});
+std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
+                                          const std::vector<double>& x = {},
+                                          std::string_view force_unit = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

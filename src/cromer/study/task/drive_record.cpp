@@ -9,7 +9,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/record/dialects/column_kind.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double most_uneven = 0.02;  // of a spacing
@@ -95,4 +95,4 @@ Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view f
   return record;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

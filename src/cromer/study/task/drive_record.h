@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Evenly spaced samples in SI units, the first at the run's start.
 struct DriveRecord {
@@ -33,4 +33,4 @@ struct DriveRequest {
 Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view file,
                                       const DriveRequest& request, const ReadOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

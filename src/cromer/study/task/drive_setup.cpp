@@ -6,18 +6,17 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "cromer/base/nearest.h"
+#include "cromer/base/pi.h"
 #include "cromer/model/band_limited.h"
 #include "cromer/model/terms.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr int finer = 16;  // values for each interval of a band-limited recording
 
 /// What each drive takes, as bits.
@@ -267,4 +266,4 @@ Result<void> end_drive(const SimulateOptions& o, SimulatedRun& run) {
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

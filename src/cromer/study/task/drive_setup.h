@@ -5,10 +5,10 @@
 #include <string>
 #include <string_view>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What is asked for: a name that --drive takes, "drive-file" or "base-motion"; "none" where nothing drives.
 std::string_view drive_name(const SimulateOptions& options);
@@ -39,4 +39,4 @@ double drive_end(const SimulatedRun& run);
 /// needs a closed form.
 Result<void> end_drive(const SimulateOptions& options, SimulatedRun& run);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,7 +1,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/study/task/method_effect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 EffectiveOscillator effective_oscillator_of(std::string_view method, const MethodSettings& settings,
                                             const LinearLaw<double>& law, double h) {
@@ -9,4 +9,4 @@ EffectiveOscillator effective_oscillator_of(std::string_view method, const Metho
                       [&](const auto& named) { return effective_oscillator(named, law, h); });
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/motion/damped_phasor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 /// Samples [first, last).
 struct Window {
@@ -83,4 +81,4 @@ EndComparison compare_ends(std::span<const double> t, std::span<const double> fi
   return end;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

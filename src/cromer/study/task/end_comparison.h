@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-namespace cromer {
+namespace cromer::core {
 
 /// Of two motions sampled at the same times.
 struct EndComparison {
@@ -20,4 +20,4 @@ struct EndComparison {
 EndComparison compare_ends(std::span<const double> t, std::span<const double> first,
                            std::span<const double> second, std::span<const double> guide, double w);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Error wrong(std::string_view text, std::string_view why) {
@@ -57,4 +57,4 @@ Result<Event> parse_event(std::string_view text) {
   return event;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

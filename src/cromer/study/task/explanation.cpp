@@ -6,7 +6,7 @@
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/compare.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::string with_unit(double value, std::string_view unit) {
@@ -103,4 +103,4 @@ std::string explanation(const CompareResult& comparison) {
       amplitude_at_the_end(one), with_law, method);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

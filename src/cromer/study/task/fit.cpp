@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/air.h"
 #include "cromer/analysis/reynolds.h"
 #include "cromer/base/number.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/doubts.h"
@@ -20,30 +20,20 @@
 #include "cromer/study/task/fit_forced.h"
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/lab_quantities.h"
+#include "cromer/study/task/option.h"
 #include "cromer/study/task/part_of_work.h"
 #include "cromer/study/task/recognise_drive.h"
 #include "cromer/study/task/simulate_line.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
-
-Result<void> check_options(const FitOptions& options) {
-  const auto must = [](const char* name, double value, const char* constraint) {
-    return Error{fmt::format("--{} {}: it must be {}", name, value, constraint)};
-  };
-  if (options.mass && !(options.mass->value > 0)) return must("mass", options.mass->value, "positive");
-  if (options.spring_mass && !(options.spring_mass->value >= 0))
-    return must("spring-mass", options.spring_mass->value, "zero or more");
+/// Ranges stand in the table of options; here is what they ask of each other.
+Result<void> check_options(FitOptions options) {
+  for (const Option& option : options_of(options))
+    if (auto good = check(option); !good) return good;
   if (options.spring_mass && !options.mass) return Error{"--spring-mass needs --mass as well"};
-  if (options.disc_diameter && !(options.disc_diameter->value > 0))
-    return must("disc-diameter", options.disc_diameter->value, "positive");
-  if (options.temperature && !(options.temperature->value > 0))
-    return must("temperature", options.temperature->value, "above 0 K");
-  if (options.monte_carlo && !(*options.monte_carlo >= 1000 && *options.monte_carlo <= 10'000'000))
-    return must("monte-carlo", *options.monte_carlo, "between 1000 and 10000000 trials");
   if (options.monte_carlo && !options.mass)
     return Error{"--monte-carlo needs --mass: it checks the uncertainty of the spring constant"};
   if (options.temperature && !options.disc_diameter)
@@ -54,17 +44,11 @@ Result<void> check_options(const FitOptions& options) {
     return Error{"--seed needs --monte-carlo: it is the seed of its trials"};
   if (!options.goal.empty())
     if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
-  if (options.segment && !(*options.segment > 0)) return must("segment", *options.segment, "positive");
-  const double rate = options.read.rate;
-  if (rate != 0 && !(rate >= 1e-6 && rate <= 1e12)) return must("rate", rate, "between 1e-6 and 1e12 Hz");
-  if (!(options.hysteresis_exponent >= 1))
-    return must("hysteresis-exponent", options.hysteresis_exponent, "1 or more");
   if (options.no_spring && options.force_column.empty())
     return Error{
         "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded force "
         "tells "
         "its law"};
-  if (options.segments && *options.segments <= 0) return must("segments", *options.segments, "positive");
   if (const Result<void> good = check_forced_options(options); !good) return good;
   if (options.from && options.to && !(*options.from < *options.to))
     return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
@@ -149,7 +133,7 @@ Result<LawChoice> law_of_record(const Record& record, const Series& series, cons
 
 const Estimate* FittedRecording::find(std::string_view wanted) const {
   for (const auto* list : {&parameters, &derived})
-    for (const NamedEstimate& number : *list)
+    for (const Parameter& number : *list)
       if (number.name == wanted) return &number.estimate;
   return nullptr;
 }
@@ -334,25 +318,31 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
   const Result<Recording> recording = read_recording(bytes, file, options.read);
   if (!recording) return recording.error();
-  const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(*recording);
+  return fit_recording(*recording, options, watch);
+}
+
+Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
+                                                   const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  const std::string& file = recording.file;
+  const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(recording);
   std::vector<FittedRecording> fits;
   std::optional<Error> first_error;
   bool any_read = false;
   for (int run : wanted) {
     const auto done = static_cast<double>(fits.size()), all = static_cast<double>(wanted.size());
     const Watch part = part_of(watch, done / all, (done + 1) / all);
-    Result<FittedRecording> one = fit_run(*recording, run, file, options, part);
+    Result<FittedRecording> one = fit_run(recording, run, file, options, part);
     if (one) {
       any_read = true;
       // What is said of the file is said once.
       if (fits.empty())
-        one->warnings.insert(one->warnings.begin(), recording->warnings.begin(), recording->warnings.end());
+        one->warnings.insert(one->warnings.begin(), recording.warnings.begin(), recording.warnings.end());
       fits.push_back(std::move(*one));
       continue;
     }
     std::string message = one.error().message;
-    if (!message.starts_with("--") && !message.starts_with(file))
-      message = std::string(file) + ": " + message;
+    if (!message.starts_with("--") && !message.starts_with(file)) message = file + ": " + message;
     fits.push_back(not_fitted(file, run, message));
     if (!first_error) first_error = Error{std::move(message)};
   }
@@ -360,4 +350,4 @@ Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_vie
   return fits;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

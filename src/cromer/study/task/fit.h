@@ -9,17 +9,17 @@
 #include "cromer/analysis/textbook_damping.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
-#include "cromer/base/result.h"
 #include "cromer/identify/choose/two_modes.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 #include "cromer/study/task/decay_by_amplitude.h"
 #include "cromer/study/task/decay_segments.h"
 #include "cromer/study/task/fitted_quantities.h"
 #include "cromer/study/task/plan_recording.h"
 #include "cromer/study/task/stiffness_budget.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct FitOptions {
   ReadOptions read{};
@@ -89,8 +89,8 @@ struct FittedRecording {
   std::size_t samples = 0;  ///< in the file
   FitOptions options;
   LawFit fit;
-  std::vector<NamedEstimate> parameters;  ///< as fitted_parameters() orders them, then force_parameters()
-  std::vector<NamedEstimate> derived;
+  std::vector<Parameter> parameters;  ///< as fitted_parameters() orders them, then force_parameters()
+  std::vector<Parameter> derived;
   std::string simulate;  ///< the command line that simulates this law
   std::vector<Candidate> candidates;
   std::vector<DecaySegment> segments;
@@ -134,9 +134,13 @@ Result<Series> samples_in_use(const Series& series, const FitOptions& options);
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 
-/// All runs asked for of one file. Bad input is an Error; a failed fit is a status in its row, and so is one
-/// of several runs that could not be read.
+/// All runs asked for of one recording. Bad input is an Error; a failed fit is a status in its row, and so is
+/// one of several runs that could not be read.
+Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
+                                                   const Watch& watch = {});
+
+/// The same of a file's bytes.
 Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
                                          const FitOptions& options, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

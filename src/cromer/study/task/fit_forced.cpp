@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/record/dialects/column_kind.h"
@@ -17,7 +17,7 @@
 #include "cromer/study/task/simulate_line.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 bool is_outlier(const Series& series, std::size_t i) {
@@ -176,7 +176,6 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   const Series& series = result.series;
   const auto [t, y] = without_outliers(series);
   if (t.empty()) return Error{fmt::format("column \"{}\" has no value that is not set aside", motion.column)};
-  constexpr double two_pi = 2 * std::numbers::pi;
   const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
   if (*drive && **drive > two_pi * highest)
     return Error{
@@ -206,4 +205,4 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

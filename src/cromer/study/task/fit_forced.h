@@ -5,7 +5,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One run's motion and the force column of the same run. Bad input (a force with gaps, at other times or
 /// that never changes, times that are not even) is an Error.
@@ -17,4 +17,4 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

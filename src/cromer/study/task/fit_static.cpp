@@ -9,7 +9,7 @@
 #include "cromer/study/task/masses.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& options) {
@@ -77,4 +77,4 @@ Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const S
   return static_stiffness(std::move(holds), options.gravity);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 
 #include "cromer/study/task/static_stiffness.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct StaticOptions {
   FitOptions fit{};              ///< reading, column, run, from and to are used
@@ -22,4 +22,4 @@ using NamedBytes = std::pair<std::string, std::string>;
 /// is the only file. Files without times need no rate. Bad input is an Error.
 Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The sums of a level and a sinusoid fitted to the samples of a window that slides along: each sample comes
@@ -141,4 +141,4 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
   return motion;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One value for each sample used, in SI units.
 struct FittedMotion {
@@ -32,4 +32,4 @@ FittedMotion fitted_motion(const FittedRecording& fitted);
 std::vector<double> energies_of(const FittedRecording& fitted, const std::vector<double>& x,
                                 const std::vector<double>& v);
 
-}  // namespace cromer
+}  // namespace cromer::core

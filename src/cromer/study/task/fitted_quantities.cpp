@@ -4,16 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "cromer/analysis/air.h"
+#include "cromer/base/pi.h"
 #include "cromer/model/terms/coefficient_unit.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Of a coefficient per unit mass, where displacements have the unit `length`, in a law with this hysteresis
 // exponent n: beta |x'| |z|^(n-1) z is the rate of an acceleration z.
@@ -69,10 +67,10 @@ std::string displacement_unit(std::string_view unit, int derivative) {
   return std::string(derivative > 0 ? unit.substr(0, unit.find('/')) : unit);
 }
 
-std::vector<NamedEstimate> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
-                                          std::string_view force_unit) {
+std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
+                                      std::string_view force_unit) {
   const std::string length = displacement_unit(observed, derivative);
-  std::vector<NamedEstimate> result;
+  std::vector<Parameter> result;
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     std::string unit = unit_of_parameter(fit.names[i], observed, length, force_unit);
     for_each_term([&]<class T>() {
@@ -85,8 +83,8 @@ std::vector<NamedEstimate> law_parameters(const LawFit& fit, std::string_view ob
   return result;
 }
 
-std::vector<NamedEstimate> force_parameters(const LawFit& fit, const Body& body) {
-  std::vector<NamedEstimate> result;
+std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body) {
+  std::vector<Parameter> result;
   if (!body.mass) return result;
   const Quantity m = body.effective_mass();
   const double u_m = m.uncertainty / m.value;
@@ -115,4 +113,4 @@ std::vector<NamedEstimate> force_parameters(const LawFit& fit, const Body& body)
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

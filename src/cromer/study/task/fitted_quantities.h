@@ -10,14 +10,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/identify/law_fit.h"
 
-namespace cromer {
-
-/// A named number of the JSON output: value, standard error, 95 % interval, SI unit.
-struct NamedEstimate {
-  std::string name;
-  Estimate estimate;
-  std::string unit;
-};
+namespace cromer::core {
 
 /// What oscillates, and what it moves through.
 struct Body {
@@ -36,13 +29,13 @@ std::string displacement_unit(std::string_view unit, int derivative);
 /// Per unit mass, in the order of fitted_parameters(); `observed` is the unit of the record, which is this
 /// derivative of the displacement, `force_unit` that of a recorded force, "" where there is none or it is not
 /// known.
-std::vector<NamedEstimate> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
-                                          std::string_view force_unit = {});
+std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
+                                      std::string_view force_unit = {});
 
 /// With a mass and a record of lengths or its derivatives: each term's coefficient in SI (stiffness, damping,
 /// drag_constant, …), the force of a harmonic drive, and with a disc drag_coefficient: C_d = 2 d/(rho S),
 /// where S = pi D^2/4 and rho is dry air's density at the temperature. Averaged over a cycle that is 3 pi m
 /// q/(2 rho S w), q the slope of the decay rate against amplitude.
-std::vector<NamedEstimate> force_parameters(const LawFit& fit, const Body& body);
+std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body);
 
-}  // namespace cromer
+}  // namespace cromer::core

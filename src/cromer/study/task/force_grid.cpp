@@ -7,7 +7,7 @@
 
 #include "cromer/base/quantity.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double most_uneven = 0.02;  // of a sample spacing
@@ -79,4 +79,4 @@ Result<std::vector<std::size_t>> places_on(const ForceGrid& grid, const Series& 
   return places;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// An even grid of times, by the force's own samples.
 struct ForceGrid {
@@ -28,4 +28,4 @@ Result<ForceGrid> grid_of(const Series& force);
 /// Each sample's place on the grid. An Error where one has none.
 Result<std::vector<std::size_t>> places_on(const ForceGrid& grid, const Series& motion, const Series& force);
 
-}  // namespace cromer
+}  // namespace cromer::core

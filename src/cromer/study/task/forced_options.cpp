@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace cromer {
+namespace cromer::core {
 
 std::optional<BetweenSamples> reading_of(const FitOptions& options) {
   return between_samples_of(options.between_samples);
@@ -77,4 +77,4 @@ Result<void> check_forced_options(const FitOptions& options) {
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

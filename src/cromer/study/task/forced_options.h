@@ -5,7 +5,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Whether a fit of something driven is asked for.
 bool is_driven(const FitOptions& options);
@@ -28,4 +28,4 @@ Result<std::optional<Law>> law_of(const FitOptions& options);
 /// The [rad/s] of --drive-frequency; nothing for auto.
 Result<std::optional<double>> drive_of(const FitOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

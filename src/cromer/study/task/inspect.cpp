@@ -10,7 +10,7 @@
 #include "cromer/record/dialects/columns.h"
 #include "cromer/record/dialects/time.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The first of what a fit would take in a run: a position, else an angle, ..., else anything beside the
@@ -114,4 +114,4 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
   return inspection;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What is known of one column of the table beside its name and values.
 struct InspectedColumn {
@@ -39,4 +39,4 @@ struct Inspection {
 Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
                            std::string_view column = "");
 
-}  // namespace cromer
+}  // namespace cromer::core

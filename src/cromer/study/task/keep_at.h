@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cromer/base/state.h"
-#include "cromer/run/trajectory.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Takes the states of a run at the times `t` [s], strictly increasing, which must outlive it; between two
 /// states by the cubic that has their positions and velocities, within `slack` [s] of one that state.
@@ -49,4 +49,4 @@ class KeepAt {
   Trajectory kept_;
 };
 
-}  // namespace cromer
+}  // namespace cromer::core

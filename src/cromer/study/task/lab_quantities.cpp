@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/record/dialects/column_kind.h"
 #include "cromer/study/task/derived_quantities.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // KC = 2 pi A/D. The amplitude's error from those of the displacement and velocity at the first sample.
 void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
@@ -73,8 +71,8 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   if (!goal) return goal.error();
   const std::string_view unit = si_unit_of(result.series.quantity);
   const auto quantities_of = [&](const LawFit& fit) {
-    std::vector<NamedEstimate> all = law_parameters(fit, unit, record.derivative);
-    const auto add = [&](const std::vector<NamedEstimate>& more) {
+    std::vector<Parameter> all = law_parameters(fit, unit, record.derivative);
+    const auto add = [&](const std::vector<Parameter>& more) {
       all.insert(all.end(), more.begin(), more.end());
     };
     if (has_forces) add(force_parameters(fit, body));
@@ -87,4 +85,4 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

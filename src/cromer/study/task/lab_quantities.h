@@ -3,7 +3,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What the options say of the body.
 Body body_of(const FitOptions& options);
@@ -17,4 +17,4 @@ void add_force_parameters(FittedRecording& result, const Body& body);
 Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
                                 const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

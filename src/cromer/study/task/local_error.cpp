@@ -9,7 +9,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr int halvings = 10;
@@ -80,4 +80,4 @@ Result<LocalErrorResult> local_errors(const LocalErrorOptions& options) {
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

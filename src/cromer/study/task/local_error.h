@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The law and the methods are those of `simulate`; steps are set here.
 struct LocalErrorOptions {
@@ -34,4 +34,4 @@ struct LocalErrorResult {
 /// Of a linear law with a natural period; an Error names what prevents it.
 Result<LocalErrorResult> local_errors(const LocalErrorOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 
 #include "cromer/model/law.h"
 
-namespace cromer {
+namespace cromer::core {
 
 std::vector<Option> point_options(SimulateOptions& o) {
   auto options = options_of(o);
@@ -65,4 +65,4 @@ Result<void> check_settled_loss(const SweepOptions& options, const SweepWork& wo
   return {};
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/study/task/sweep.h"
 #include "cromer/study/task/sweep_rows.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The options that make a point of a sweep: those of simulate, and the loss factor.
 std::vector<Option> point_options(SimulateOptions& options);
@@ -22,4 +22,4 @@ Result<void> check_loss_factor(const SweepOptions& options, const SweepWork& wor
 /// That there is a settled motion and that it is what is measured, once `work` knows.
 Result<void> check_settled_loss(const SweepOptions& options, const SweepWork& work);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses) {
   if (fits.size() != masses.size())
@@ -15,7 +15,6 @@ Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::
         fmt::format("--masses: {} masses are given for {} recording{}; each recording, and each run in one, "
                     "needs its own",
                     masses.size(), fits.size(), fits.size() == 1 ? "" : "s")};
-  constexpr double two_pi = 2 * std::numbers::pi;
   MassLine result;
   std::vector<UncertainPoint> points;
   for (std::size_t i = 0; i < fits.size(); ++i) {
@@ -58,4 +57,4 @@ Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

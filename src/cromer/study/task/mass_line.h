@@ -10,7 +10,7 @@
 #include "cromer/analysis/line_with_errors.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct MassLinePoint {
   std::string file;
@@ -32,4 +32,4 @@ struct MassLine {
 /// as fits, and fewer than two different masses left, are Errors.
 Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses);
 
-}  // namespace cromer
+}  // namespace cromer::core

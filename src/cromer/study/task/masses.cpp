@@ -4,7 +4,7 @@
 
 #include "cromer/base/ascii.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// What follows the last digit or bracket: "g" of "48.4(2) g".
@@ -49,4 +49,4 @@ Result<std::vector<Quantity>> parse_masses(std::string_view text) {
   return masses;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Angular frequency of the free motion; empty if it does not swing.
@@ -106,4 +106,4 @@ std::string instability_warning(std::string_view method, const MethodEffect& eff
                      method, what, *effect.stability_limit, end);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/methods/method_settings.h"
 #include "cromer/model/propagate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A method's effect on the linear law.
 struct MethodEffect {
@@ -41,4 +41,4 @@ std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law);
 std::string instability_warning(std::string_view method, const MethodEffect& effect, double h,
                                 std::string_view motions);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/study/task/method_effect.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -62,4 +62,4 @@ Result<MethodMapResult> method_map(const MethodMapOptions& options) {
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

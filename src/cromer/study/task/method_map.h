@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The linear law and the methods are those of `simulate`; the steps are set here.
 struct MethodMapOptions {
@@ -45,4 +45,4 @@ struct MethodMapResult {
 /// Of an underdamped linear law. An adaptive method is shown at the steps that it might choose.
 Result<MethodMapResult> method_map(const MethodMapOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

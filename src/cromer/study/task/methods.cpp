@@ -5,7 +5,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Result<void> check_options(MethodsOptions options) {
@@ -79,4 +79,4 @@ std::string methods_in_markdown() {
   return text;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/method_effect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What `cromer methods` takes: nothing, or natural frequency and step.
 struct MethodsOptions {
@@ -42,4 +42,4 @@ Result<std::vector<MethodRow>> list_methods(const MethodsOptions& options = {});
 /// The table of docs/methods.md, in Markdown.
 std::string methods_in_markdown();
 
-}  // namespace cromer
+}  // namespace cromer::core

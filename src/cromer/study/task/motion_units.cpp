@@ -3,7 +3,7 @@
 #include "cromer/study/task/fitted_quantities.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 
 MotionUnits motion_units(const FittedRecording& fitted) {
   MotionUnits units;
@@ -19,4 +19,4 @@ MotionUnits motion_units(const FittedRecording& fitted) {
   return units;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

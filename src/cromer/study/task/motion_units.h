@@ -5,7 +5,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// "" where a unit has no name.
 struct MotionUnits {
@@ -18,4 +18,4 @@ struct MotionUnits {
 /// Of any recording, fitted or not; with a stiffness among the parameters the energy is in J.
 MotionUnits motion_units(const FittedRecording& fitted);
 
-}  // namespace cromer
+}  // namespace cromer::core

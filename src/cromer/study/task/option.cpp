@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <type_traits>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/nearest.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Error wrong(const Option& option, std::string_view what) {
@@ -35,6 +37,10 @@ bool in_range(Range range, double value) {
       return value >= 1e-9 && value <= 0.5;
     case Range::air_temperature:
       return value >= 100 && value <= 1900;
+    case Range::sampling_rate:
+      return value >= 1e-6 && value <= 1e12;
+    case Range::trials:
+      return value >= 1000 && value <= 1e7;
   }
   return false;
 }
@@ -153,7 +159,12 @@ struct Checker {
     return {};
   }
   Result<void> operator()(const std::optional<Quantity>* value) const {
-    return *value ? check_value(option, (*value)->value) : Result<void>{};
+    if (!*value) return {};
+    const double uncertainty = (*value)->uncertainty;
+    if (!(uncertainty >= 0) || !std::isfinite(uncertainty))
+      return wrong(option,
+                   fmt::format("its uncertainty must be zero or more, not {}", shortest(uncertainty)));
+    return check_value(option, (*value)->value);
   }
   Result<void> operator()(const std::optional<int>* value) const {
     return *value ? check_value(option, **value) : Result<void>{};
@@ -166,6 +177,14 @@ struct Checker {
   Result<void> operator()(const std::string*) const { return {}; }
   Result<void> operator()(const std::vector<std::string>*) const { return {}; }
 };
+
+Error unknown(std::string_view name, const std::vector<Option>& options, std::string_view task) {
+  std::vector<std::string_view> names;
+  for (const Option& option : options) names.push_back(option.name);
+  const std::string near = nearest(name, names);
+  return Error{fmt::format("--{} is no option of {}{}", name, task,
+                           near.empty() ? "" : fmt::format("; did you mean --{}?", near))};
+}
 
 }  // namespace
 
@@ -189,6 +208,10 @@ std::string_view constraint(Range range) {
       return "lie between 1e-9 and 0.5";
     case Range::air_temperature:
       return "lie between 100 K and 1900 K (for instance \"20 °C\")";
+    case Range::sampling_rate:
+      return "lie between 1e-6 and 1e12 Hz";
+    case Range::trials:
+      return "lie between 1000 and 10000000 trials";
   }
   return "";
 }
@@ -199,6 +222,18 @@ Result<void> assign(const Option& option, std::string_view text) {
   return good;
 }
 
+Result<void> assign(const std::vector<TypedOption>& settings, const std::vector<Option>& options,
+                    std::string_view task) {
+  for (const auto& [name, text] : settings) {
+    const auto option =
+        std::find_if(options.begin(), options.end(), [&](const Option& each) { return each.name == name; });
+    if (option == options.end()) return unknown(name, options, task);
+    if (auto good = assign(*option, text); !good) return good;
+    if (auto good = check(*option); !good) return good;
+  }
+  return {};
+}
+
 Result<void> check(const Option& option) { return std::visit(Checker{option}, option.target); }
 
-}  // namespace cromer
+}  // namespace cromer::core

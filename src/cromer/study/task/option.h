@@ -4,16 +4,20 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "cromer/base/quantity.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 
 namespace cromer {
+struct ReadOptions;
+}
+
+namespace cromer::core {
 
 struct SimulateOptions;
-struct ReadOptions;
 struct FitOptions;
 struct CompareOptions;
 struct MethodsOptions;
@@ -30,7 +34,9 @@ enum class Range {
   fraction,
   tolerance,
   accuracy,
-  air_temperature
+  air_temperature,
+  sampling_rate,
+  trials  ///< of a Monte Carlo
 };
 
 /// The constraint in words, to follow "it must": "be positive"; empty for any.
@@ -79,8 +85,16 @@ std::vector<Option> options_of(SpectrumOptions& options);  ///< with those of it
 /// a list grows by one. An Error names the option, the text and what was expected.
 Result<void> assign(const Option& option, std::string_view text);
 
+/// One option as it was given: its name and its value as text.
+using TypedOption = std::pair<std::string, std::string>;
+
+/// Every setting into its option, checked. An Error names one that is not in the table, with the nearest that
+/// is, or what is wrong with the value; `task` is whose options they are.
+Result<void> assign(const std::vector<TypedOption>& settings, const std::vector<Option>& options,
+                    std::string_view task);
+
 /// That the target's present value keeps to the option's range and is finite; the Error names option, value
 /// and constraint.
 Result<void> check(const Option& option);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 template <class Options>
@@ -27,4 +27,4 @@ std::string_view option_owner(std::string_view name) {
   return has<MethodsOptions>(name) ? "methods" : "";
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-namespace cromer {
+namespace cromer::core {
 
 /// The first of simulate, fit, compare and methods that has an option of this name; "" where none has.
 std::string_view option_owner(std::string_view name);
 
-}  // namespace cromer
+}  // namespace cromer::core

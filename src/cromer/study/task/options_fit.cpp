@@ -6,7 +6,7 @@
 #include "cromer/study/task/fit.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // The terms as the registry has them.
@@ -25,7 +25,7 @@ std::vector<Option> joined(std::vector<Option> first, const std::vector<Option>&
 std::vector<Option> options_of(ReadOptions& o) {
   constexpr std::string_view file = "Reading the file";
   return {
-      {"rate", &o.rate, "Hz", Range::positive, "samples per second, for files without time",
+      {"rate", &o.rate, "Hz", Range::sampling_rate, "samples per second, for files without time",
        "from the time column", file},
       {"time-column", &o.time_column, "", Range::any, "name of the time column", "found", file},
       {"delimiter", &o.delimiter, "", Range::any, "\",\", \";\", tab or blank", "found", file},
@@ -72,7 +72,7 @@ std::vector<Option> options_of(FitOptions& o) {
        "share of the samples, the last ones, on which the law is tested instead of fitted", "none", driven},
       {"goal", &o.goal, "", Range::any,
        "a quantity and how well it is to be known, \"decay_rate 0.5 %\": how long to record", "none", more},
-      {"monte-carlo", &o.monte_carlo, "", Range::positive,
+      {"monte-carlo", &o.monte_carlo, "", Range::trials,
        "check the spring constant's uncertainty by so many trials (1000 to 10000000)", "none", more},
       {"seed", &o.seed, "", Range::any, "of the trials", "1", more, &o.seed_given},
       {"textbook", &o.textbook, "", Range::any,
@@ -99,4 +99,4 @@ std::vector<Option> options_of(CompareOptions& o) {
   return joined(std::move(of_fit), own);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,7 +1,7 @@
 #include "cromer/study/task/methods.h"
 #include "cromer/study/task/option.h"
 
-namespace cromer {
+namespace cromer::core {
 
 std::vector<Option> options_of(MethodsOptions& o) {
   constexpr std::string_view group = "What each method really simulates";
@@ -19,4 +19,4 @@ std::vector<Option> options_of(MethodsOptions& o) {
   };
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,7 +1,7 @@
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer {
+namespace cromer::core {
 
 std::vector<Option> options_of(SpectrumOptions& o) {
   constexpr std::string_view oscillators =
@@ -40,4 +40,4 @@ std::vector<Option> options_of(SpectrumOptions& o) {
   return options;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 namespace {
 
@@ -163,4 +163,4 @@ std::vector<Option> options_of(SimulateOptions& o) {
   return options;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/sweep.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// What a sweep takes of simulate: a grid, as the terms' coefficients do, or as it is.
@@ -126,4 +126,4 @@ std::vector<Option> options_of(SweepOptions& o) {
   return options;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 
 #include "cromer/base/interrupt.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A Watch for the part of the work that takes it from `from` to `to`, 0 <= from <= to <= 1. `whole` outlives
 /// it.
@@ -14,4 +14,4 @@ inline Watch part_of(const Watch& whole, double from, double to) {
   return part;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -13,7 +13,7 @@
 #include "cromer/base/number.h"
 #include "cromer/study/task/decay_by_amplitude.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Every number that a fit of a free motion may have.
@@ -221,8 +221,8 @@ Result<Goal> parse_goal(std::string_view text) {
 
 Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const Record& record,
                                      const QuantitiesOf& quantities_of) {
-  const auto look_up = [&](const LawFit& in) -> std::optional<NamedEstimate> {
-    for (const NamedEstimate& number : quantities_of(in))
+  const auto look_up = [&](const LawFit& in) -> std::optional<Parameter> {
+    for (const Parameter& number : quantities_of(in))
       if (number.name == goal.quantity) return number;
     return std::nullopt;
   };
@@ -291,4 +291,4 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
   return plan;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -12,7 +12,7 @@
 
 #include "cromer/study/task/fitted_quantities.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A quantity and the standard uncertainty it should have.
 struct Goal {
@@ -40,11 +40,11 @@ struct RecordingPlan {
 };
 
 /// The named quantities of a fit, with the errors that its covariance gives them.
-using QuantitiesOf = std::function<std::vector<NamedEstimate>(const LawFit& fit)>;
+using QuantitiesOf = std::function<std::vector<Parameter>(const LawFit& fit)>;
 
 /// `fit` has values; `record` is the one it came from. A goal for what this law does not have, or in a wrong
 /// unit, is an Error.
 Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const Record& record,
                                      const QuantitiesOf& quantities_of);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/identify/fit_settings.h"
@@ -13,10 +13,9 @@
 #include "cromer/study/task/forced_options.h"
 #include "cromer/study/task/used_samples.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double structured = 0.3, unstructured = 0.5;  // autocorrelation of residuals
 
 MotionJudgement judged(const FittedRecording& free, const FittedRecording& driven, bool frequency_known) {
@@ -204,8 +203,8 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (!free->fit.residual.white && free->fit.residual.autocorrelation > structured) {
     driven.fit.status = FitStatus::no_oscillation;
     driven.fit.message = fmt::format(
-        "nothing drives this motion at {:.6g} Hz, and it is not a free one either ({}); "
-        "--drive-frequency auto looks for the drive",
+        "no drive is seen at {:.6g} Hz, and no free law describes the motion either ({}); "
+        "--drive-frequency auto looks for a drive",
         asked, compared);
     return driven;
   }
@@ -216,4 +215,4 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   return free;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -3,7 +3,7 @@
 
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A free fit, or the same motion fitted as a driven one where that is what it is: a free law has left
 /// structure, and a steady oscillation that makes up much of the motion accounts for it better than two
@@ -18,4 +18,4 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
 Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
                                     const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

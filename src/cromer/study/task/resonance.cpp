@@ -1,12 +1,12 @@
 #include "cromer/study/task/resonance.h"
 
 #include <fmt/format.h>
+#include "cromer/base/pi.h"
 #include "cromer/model/linear_quantities.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/steady_state.h"
@@ -15,10 +15,9 @@
 #include "cromer/study/task/run_transmission.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 constexpr double transient_left = 1e-6;
 constexpr int measured_cycles = 4;
 
@@ -187,4 +186,4 @@ Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& 
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

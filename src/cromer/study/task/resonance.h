@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The law, its drive (harmonic force, unbalance or base), the methods and the step are those of `simulate`;
 /// its drive frequency and end are set here.
@@ -46,4 +46,4 @@ struct ResonanceResult {
 /// An Error where nothing would settle: no damping, no drive, or a law that is not linear.
 Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

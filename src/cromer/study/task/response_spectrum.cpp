@@ -9,19 +9,21 @@
 #include <optional>
 
 #include "cromer/analysis/hysteretic_peaks.h"
+#include "cromer/base/function_ref.h"
 #include "cromer/base/grid.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/rotated_peaks.h"
 #include "cromer/model/band_limited.h"
 #include "cromer/study/task/spectrum_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr int band_limited_factor = 16;  // values for each interval
 constexpr int band_limited_reach = 128;  // samples: faithful up to 31/32 of the Nyquist frequency
 // Periods between two looks at the watch: of one component, of two, and of hysteretic damping.
-constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8;
+constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32;
+constexpr double slice_of_work = 3e7;  // samples times periods: a fraction of a second
 
 double angular_frequency(double period) { return 2 * std::numbers::pi / period; }
 
@@ -158,8 +160,13 @@ double pseudo_acceleration(double displacement, double period) {
   return angular_frequency(period) * pseudo_velocity(displacement, period);
 }
 
-Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
-                                         const Watch& watch) {
+namespace {
+
+/// Makes the components once the options are known to be right; its warnings come first.
+using MakeComponents = FunctionRef<Result<std::vector<Component>>(std::vector<std::string>& warnings)>;
+
+Result<SpectrumResult> spectrum_of(MakeComponents make_components, const SpectrumOptions& options,
+                                   const Watch& watch) {
   const auto peaks = peaks_of(options);
   if (!peaks) return peaks.error();
   const auto between = between_of(options);
@@ -177,7 +184,7 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
   if (options.between_samples.empty())
     result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";
 
-  auto components = read_components(files, options, result.warnings);
+  auto components = make_components(result.warnings);
   if (!components) return components.error();
   result.components = *std::move(components);
   if (auto good = check_together(options, *peaks, *between, result.components.size()); !good)
@@ -202,7 +209,11 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
           "{}: its Arias intensity, about 10^{:.0f} m/s, is {} any number that a computer holds",
           component.file, component.intensity.decades, component.intensity.decades > 0 ? "above" : "below"));
   const std::size_t all = result.periods.size();
-  const std::size_t at_once = result.hysteretic() ? slice_of_sums : shaking.size() > 1 ? slice_of_two : slice;
+  const auto samples = static_cast<double>(shaking[0].ground.acceleration.size());
+  const auto of_one = std::clamp(static_cast<std::size_t>(slice_of_work / samples), least_slice, slice);
+  const std::size_t at_once = result.hysteretic()  ? slice_of_sums
+                              : shaking.size() > 1 ? slice_of_two
+                                                   : of_one;
   for (std::size_t r = 0; r < ratios->size(); ++r) {
     ResponseSpectrum& spectrum = result.spectra.emplace_back();
     spectrum.damping_ratio = (*ratios)[r];
@@ -228,4 +239,22 @@ Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, co
   return result;
 }
 
-}  // namespace cromer
+}  // namespace
+
+Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
+                                         const Watch& watch) {
+  const auto read = [&](std::vector<std::string>& warnings) {
+    return read_components(files, options, warnings);
+  };
+  return spectrum_of(read, options, watch);
+}
+
+Result<SpectrumResult> response_spectrum(std::vector<Component> components, const SpectrumOptions& options,
+                                         const Watch& watch) {
+  const auto given = [&](std::vector<std::string>&) -> Result<std::vector<Component>> {
+    return std::move(components);
+  };
+  return spectrum_of(given, options, watch);
+}
+
+}  // namespace cromer::core

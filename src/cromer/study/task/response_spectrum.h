@@ -8,11 +8,11 @@
 
 #include "cromer/analysis/ground_motion.h"
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
 #include "cromer/ensemble/response_peaks.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct SpectrumOptions {
   std::vector<std::string> damping_ratio{};  ///< grids, 0 to 20; 0.05 by default
@@ -27,7 +27,11 @@ struct SpectrumOptions {
   std::optional<int> run{};                  ///< > 0; the first by default
   std::string unit{};                        ///< of the acceleration, where the file says none
   ReadOptions read{};
+  std::vector<double> these_periods{};  // [s] in place of the grids. Set by the caller, not an option
   double memory = 0;  // [bytes] most that may be used; 0: no limit. Set by the caller, not an option
+
+  /// The oscillators were asked for by their frequencies, and people read them so.
+  bool by_frequency() const { return !frequencies.empty(); }
 };
 
 /// A file as it was read.
@@ -81,8 +85,7 @@ struct SpectrumResult {
   std::vector<std::string> warnings{};
   /// The springs have hysteretic damping, and damping_ratio is their loss factor.
   bool hysteretic() const { return !options.loss_factor.empty(); }
-  /// The oscillators were asked for by their frequencies, and people read them so.
-  bool by_frequency() const { return !options.frequencies.empty(); }
+  bool by_frequency() const { return options.by_frequency(); }
 
   bool interrupted = false;  ///< then `spectra` is empty
 };
@@ -92,4 +95,9 @@ struct SpectrumResult {
 Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
                                          const Watch& watch = {});
 
-}  // namespace cromer
+/// The same of components whose file, column, acceleration and spacing are set, and alike where there are
+/// two.
+Result<SpectrumResult> response_spectrum(std::vector<Component> components, const SpectrumOptions& options,
+                                         const Watch& watch = {});
+
+}  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/study/task/simulate.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double nothing_to_speak_of = 1e-6;  // of the energy that was there
@@ -124,4 +124,4 @@ std::string run_in_words(const SimulatedRun& run) {
   return words.empty() ? "" : run.label + " " + words;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 
 #include "cromer/study/task/method_effect.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct SimulatedRun;
 
@@ -29,4 +29,4 @@ std::string steady_in_words(const SimulatedRun& run);
 /// Both, with the run's label before them; empty where both are.
 std::string run_in_words(const SimulatedRun& run);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -16,7 +16,7 @@
 #include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 double spacing_of(const Trajectory& kept) { return kept.size() > 1 ? kept.t[1] - kept.t[0] : 0; }
@@ -161,4 +161,4 @@ std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run
   return measure_oscillator(run.trajectory);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// From the kept states and the final one; of a run by `exact` from its closed form, with dry friction arc by
 /// arc, closed to rounding. Empty if the run ended early, its law has hysteresis, its states are fewer than
@@ -18,4 +18,4 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
 /// period.
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The modified energy is positive, and the motion bounded, for w h < 2.
@@ -60,4 +60,4 @@ std::string modified_energy_in_words(const SimulatedRun& run) {
       100 * found.energy_swing);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

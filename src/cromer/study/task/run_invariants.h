@@ -6,7 +6,7 @@
 
 #include "cromer/analysis/invariants.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct SimulatedRun;
 
@@ -17,4 +17,4 @@ std::optional<ModifiedEnergy> modified_energy_of(const SimulatedRun& run);
 /// "euler-cromer conserves ..."; empty where there is none.
 std::string modified_energy_in_words(const SimulatedRun& run);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -16,7 +16,7 @@
 #include "cromer/run/step_control.h"
 #include "cromer/run/steps.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What to run.
 struct LawRun {
@@ -42,4 +42,4 @@ constexpr bool takes_compensated_sums(const MethodInfo& info) {
 /// each kind of drive: a task that called solve by itself would compile them again.
 Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,7 +7,7 @@
 #include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 std::optional<Transmission> simulated(const RunTransmission& asked, const SimulatedRun& run) {
@@ -43,4 +43,4 @@ std::string_view transmission_title(const RunTransmission& transmission) {
                                 : "transmissibility: force on the ground over force on the mass";
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

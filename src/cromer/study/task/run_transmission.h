@@ -9,7 +9,7 @@
 
 #include "cromer/analysis/frequency_response.h"
 
-namespace cromer {
+namespace cromer::core {
 
 struct SimulateOptions;
 struct SimulatedRun;
@@ -43,4 +43,4 @@ std::optional<RunTransmission> transmission_of(const SimulateOptions& options, c
 /// "transmissibility: displacement of the mass over that of the base".
 std::string_view transmission_title(const RunTransmission& transmission);
 
-}  // namespace cromer
+}  // namespace cromer::core

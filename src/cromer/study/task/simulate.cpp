@@ -17,7 +17,7 @@
 #include "cromer/study/task/run_law.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Why the run ended early, with the last good time and step; empty if it did not, or was asked to.
@@ -130,4 +130,4 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,20 +10,20 @@
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
-#include "cromer/base/result.h"
 #include "cromer/methods/method_settings.h"
 #include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
+#include "cromer/result.h"
 #include "cromer/run/event.h"
 #include "cromer/run/outcome.h"
-#include "cromer/run/trajectory.h"
 #include "cromer/study/task/accuracy.h"
 #include "cromer/study/task/drive_record.h"
 #include "cromer/study/task/method_effect.h"
 #include "cromer/study/task/run_transmission.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A simulated motion sensor: offset + x + noise, rounded to the resolution.
 struct SensorOptions {
@@ -125,4 +125,4 @@ struct SimulateResult {
 /// Checks the options (an Error names option, value and constraint), then runs.
 Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Twelve significant digits: a logger's times do not carry more.
@@ -31,16 +31,13 @@ std::string simulate_line(const LawFit& fit, const Series& series, double mass) 
   const auto add = [&](std::string_view option, double value) {
     line += fmt::format(" --{} {}", option, shortest(value));
   };
+  const Oscillator<double> oscillator = multiplied_by_mass(motion.per_mass, mass);
   if (!motion.law.has<Spring>()) add(Spring::coefficients[0].option, 0);
   for_each_term([&]<class T>() {
     if (!motion.law.has<T>()) return;
     for (std::size_t i = 0; i < coefficients_of<T>; ++i) {
-      const CoefficientInfo& info = T::coefficients[i];
-      double factor = mass;
-      if constexpr (HasInnerState<T>)
-        if (info.fitted == FittedAs::not_a_force) factor = 1 / T::shape_per_mass(mass, exponent);
-      const double value = motion.per_mass.*T::template members<double>[i];
-      if (value != 0) add(info.option, factor * value);
+      const double value = oscillator.*T::template members<double>[i];
+      if (value != 0) add(T::coefficients[i].option, value);
     }
     if (HasInnerState<T> && exponent != 1) add("hysteresis-exponent", exponent);
   });
@@ -60,4 +57,4 @@ std::string simulate_line(const LawFit& fit, const Series& series, double mass) 
   return line;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

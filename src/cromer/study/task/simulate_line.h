@@ -6,10 +6,10 @@
 #include "cromer/identify/law_fit.h"
 #include "cromer/record/dialects/recording.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// With a mass [kg], by rk4, from the series' first sample to its last, in steps that a sample is a whole
 /// number of. Empty where there is none: of a recorded force, whose samples are in a file.
 std::string simulate_line(const LawFit& fit, const Series& series, double mass);
 
-}  // namespace cromer
+}  // namespace cromer::core

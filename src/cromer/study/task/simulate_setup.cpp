@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/energy.h"
 #include "cromer/base/bytes.h"
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/terms.h"
@@ -20,10 +20,8 @@
 #include "cromer/study/task/run_effect.h"
 #include "cromer/study/task/run_law.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 bool is_adaptive(std::string_view name) { return find_method(name)->error_order > 0; }
 
@@ -349,4 +347,4 @@ std::vector<std::string> setup_warnings(const SimulateOptions& options,
   return warnings;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

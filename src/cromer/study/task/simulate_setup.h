@@ -4,10 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The runs to do, method outermost, with law, drive, start, step and end; nothing is integrated yet. An
 /// Error names option, value and constraint.
@@ -43,4 +43,4 @@ double natural_period(const Oscillator<double>& oscillator);
 /// What to say where it is 0 and no period of the drive is there to choose a step by.
 Error no_period(const Oscillator<double>& oscillator, const SimulateOptions& options);
 
-}  // namespace cromer
+}  // namespace cromer::core

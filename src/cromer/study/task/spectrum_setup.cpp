@@ -13,7 +13,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/study/task/drive_record.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double most_damping = 20;
@@ -197,10 +197,13 @@ Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component
                                        std::size_t damping_ratios) {
   if (!options.periods.empty() && !options.frequencies.empty())
     return Error{"--periods and --frequencies both say which oscillators there are; leave one of them out"};
-  if (options.periods.empty() && options.frequencies.empty()) default_periods(options, component);
-  const bool by_period = !options.periods.empty();
+  const bool listed = !options.these_periods.empty();
+  if (!listed && options.periods.empty() && options.frequencies.empty()) default_periods(options, component);
+  const bool by_period = listed || !options.periods.empty();
   const std::string option = by_period ? "--periods" : "--frequencies";
-  const auto grid = by_period ? parse_grid(options.periods, "s") : parse_grid(options.frequencies, "rad/s");
+  const auto grid = listed      ? Result<Grid>(Grid(options.these_periods))
+                    : by_period ? parse_grid(options.periods, "s")
+                                : parse_grid(options.frequencies, "rad/s");
   if (!grid) return Error{option + ": " + grid.error().message};
   // Results, and what is written of them.
   const double bytes = 64 + 600 * static_cast<double>(damping_ratios);
@@ -226,7 +229,7 @@ Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component
 std::vector<std::string> period_warnings(const SpectrumOptions& options, std::span<const double> periods,
                                          const Component& component, Peaks peaks) {
   std::vector<std::string> warnings;
-  const std::string option = options.periods.empty() ? "--frequencies" : "--periods";
+  const std::string option = options.by_frequency() ? "--frequencies" : "--periods";
   const double spacing = component.spacing;
   const auto fast = std::count_if(periods.begin(), periods.end(), [&](double t) { return t < 2 * spacing; });
   if (fast > 0)
@@ -244,4 +247,4 @@ std::vector<std::string> period_warnings(const SpectrumOptions& options, std::sp
   return warnings;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/response_spectrum.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Words of the options as values; an Error suggests the nearest right one.
 Result<Peaks> peaks_of(const SpectrumOptions& options);
@@ -31,4 +31,4 @@ Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component
 std::vector<std::string> period_warnings(const SpectrumOptions& options, std::span<const double> periods,
                                          const Component& component, Peaks peaks);
 
-}  // namespace cromer
+}  // namespace cromer::core

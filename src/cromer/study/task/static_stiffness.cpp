@@ -9,7 +9,7 @@
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::string_view file) {
@@ -182,4 +182,4 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

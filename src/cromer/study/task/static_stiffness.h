@@ -10,7 +10,7 @@
 #include "cromer/analysis/line_with_errors.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// A mass at rest: the mean of its samples.
 struct Hold {
@@ -44,4 +44,4 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
 /// of freedom, and the interval says so. Fewer than two holds, or all masses alike, are Errors.
 Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity& gravity);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,7 +5,7 @@
 
 #include "cromer/model/sensor.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Chi-squared over its degrees of freedom: G. Marsaglia, W. W. Tsang, ACM Trans. Math. Softw. 26, 363
@@ -90,4 +90,4 @@ std::optional<MonteCarlo> stiffness_monte_carlo(const LawFit& fit, const Body& b
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/study/task/fitted_quantities.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One input's part, by the law of propagation (JCGM 100:2008, 5.1).
 struct Contribution {
@@ -38,4 +38,4 @@ struct MonteCarlo {
 std::optional<MonteCarlo> stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
                                                 std::uint64_t seed, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -9,7 +9,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/study/task/sweep_rows.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t checked_points = 8;
@@ -90,4 +90,4 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
 #include "cromer/ensemble/chunks.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// What `cromer sweep` takes.
 struct SweepOptions {
@@ -118,4 +118,4 @@ std::vector<std::string> warnings_of(const SweepResult& result);
 /// where there is nothing particular to say.
 std::string sweep_refusal(std::string_view option, std::string_view text);
 
-}  // namespace cromer
+}  // namespace cromer::core

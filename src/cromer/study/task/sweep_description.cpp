@@ -8,7 +8,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 bool is_swept(const SweepWork& work, std::string_view option) {
@@ -74,4 +74,4 @@ std::string steps_in_words(const SweepWork& work) {
   return step + (step.empty() || end.empty() ? "" : ", ") + end;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

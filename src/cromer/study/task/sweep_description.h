@@ -7,7 +7,7 @@
 #include "cromer/study/task/sweep.h"
 #include "cromer/study/task/sweep_rows.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// "closed form", "stepped until settled", "stepped to the end", "run one by one".
 std::string_view words(SweepWay way);
@@ -21,4 +21,4 @@ std::string steps_in_words(const SweepWork& work);
 std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
                      const SweepPlan& plan);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,7 +6,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/model/law_force.h"
 
-namespace cromer {
+namespace cromer::core {
 
 LinearLaw<double> linear_law(const Point& point) { return linear_law(point.oscillator, point.drive); }
 
@@ -39,4 +39,4 @@ void name_status(const SweepWork& work, const MethodSettings& settings, const Po
   result.status = decayed ? PointStatus::own_damping : PointStatus::not_settled;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

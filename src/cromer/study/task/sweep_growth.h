@@ -9,7 +9,7 @@
 #include "cromer/model/law.h"
 #include "cromer/study/task/sweep_rows.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Per unit mass, with its drive.
 LinearLaw<double> linear_law(const Point& point);
@@ -42,4 +42,4 @@ std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings
 void name_status(const SweepWork& work, const MethodSettings& settings, const Point& point,
                  PointResult& result);
 
-}  // namespace cromer
+}  // namespace cromer::core

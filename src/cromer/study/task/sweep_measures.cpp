@@ -7,7 +7,7 @@
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 
-namespace cromer {
+namespace cromer::core {
 
 const std::vector<Measure>& measures() {
   static const std::vector<Measure> all{
@@ -66,4 +66,4 @@ Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>
   return found;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

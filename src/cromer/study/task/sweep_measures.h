@@ -5,10 +5,10 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/ensemble/point.h"
+#include "cromer/result.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// One name of --measure.
 struct Measure {
@@ -25,4 +25,4 @@ const std::vector<Measure>& measures();
 /// By names, also several with commas; what is usual where none is given. An Error suggests the nearest name.
 Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>& names, bool driven);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/study/task/run_law.h"
 #include "cromer/study/task/sweep_rows.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 PointStatus status_of(const Outcome& outcome) {
@@ -112,4 +112,4 @@ std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at
   }
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/study/task/sweep_description.h"
 #include "cromer/study/task/sweep_rows.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double most_rows = 9007199254740992.0;  // 2^53: beyond, rows cannot be told apart
@@ -323,4 +323,4 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   return plan;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -12,7 +12,7 @@
 #include "cromer/study/task/loss_factor.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// The point that options with one value each describe, but for its settings.
@@ -61,7 +61,7 @@ SweepPoints::SweepPoints(const SimulateOptions& base, const std::vector<SweepAxi
         std::find_if(table.begin(), table.end(), [&](const Option& each) { return each.name == axis.name; });
     targets_.push_back(option == table.end() ? std::nullopt : std::optional(option->target));
   }
-  settings_ = cromer::settings_of(options_, options_.method.front());
+  settings_ = cromer::core::settings_of(options_, options_.method.front());
   settings_vary_ = std::any_of(axes_.begin(), axes_.end(),
                                [](const SweepAxis& axis) { return is_method_setting(axis.name); });
 }
@@ -78,7 +78,8 @@ Result<SweepPoint> SweepPoints::at(const double* values) {
   set_options(values);
   auto point = sweep_point_of(options_);
   if (point)
-    point->settings = settings_vary_ ? cromer::settings_of(options_, options_.method.front()) : settings_;
+    point->settings =
+        settings_vary_ ? cromer::core::settings_of(options_, options_.method.front()) : settings_;
   return point;
 }
 
@@ -87,7 +88,7 @@ MethodSettings SweepPoints::settings_of(std::uint64_t row) {
   std::vector<double> values(axes_.size());
   values_of(row, values.data());
   set_options(values.data());
-  return cromer::settings_of(options_, options_.method.front());
+  return cromer::core::settings_of(options_, options_.method.front());
 }
 
 void SweepPoints::set_options(const double* values) {
@@ -95,4 +96,4 @@ void SweepPoints::set_options(const double* values) {
     if (targets_[i]) set_number(*targets_[i], values[i]);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

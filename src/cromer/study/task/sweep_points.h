@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "cromer/base/grid.h"
-#include "cromer/base/result.h"
 #include "cromer/ensemble/point.h"
+#include "cromer/result.h"
 #include "cromer/study/task/option.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// An option's grid.
 struct SweepAxis {
@@ -65,4 +65,4 @@ class SweepPoints {
 /// Puts a number into an option's target, whatever it is.
 void set_number(const Option::Target& target, double value);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/study/task/sweep_growth.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::uint64_t group_size = cromer_group::size;
@@ -245,4 +245,4 @@ bool make_rows(const SweepWork& work, std::uint64_t first, std::uint64_t count, 
   return true;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -14,7 +14,7 @@
 #include "cromer/study/task/sweep_measures.h"
 #include "cromer/study/task/sweep_points.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// Where the numbers come from.
 enum class SweepWay {
@@ -68,4 +68,4 @@ PointResult closed_form(const SweepWork& work, const SweepPoint& at);
 /// Run by run: to the end, or until the motion settles. Empty: interrupted.
 std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& point, const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

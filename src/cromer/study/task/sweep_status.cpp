@@ -8,7 +8,7 @@
 #include "cromer/study/task/sweep.h"
 #include "cromer/study/task/sweep_growth.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double rounding = 1e-12;  // [rad] of a lag
@@ -155,4 +155,4 @@ std::vector<std::string> warnings_of(const SweepResult& result) {
   return warnings;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

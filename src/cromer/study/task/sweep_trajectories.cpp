@@ -7,7 +7,7 @@
 #include "cromer/study/task/run_law.h"
 #include "cromer/study/task/sweep_rows.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr std::size_t block = 4096;              // states
@@ -103,4 +103,4 @@ Result<SweptTrajectories> run_trajectories(const SweepPlan& plan, long long ever
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -7,11 +7,11 @@
 
 #include "cromer/base/function_ref.h"
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
-#include "cromer/run/trajectory.h"
+#include "cromer/result.h"
 #include "cromer/study/task/sweep.h"
+#include "cromer/trajectory.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// About how many states that will be: the first and every Nth of each point, every > 0. Of more than 10000
 /// points some are looked at for all. An adaptive method counts as if it took the step of the others. An
@@ -31,4 +31,4 @@ struct SweptTrajectories {
 Result<SweptTrajectories> run_trajectories(const SweepPlan& plan, long long every, const TrajectorySink& sink,
                                            const Watch& watch);
 
-}  // namespace cromer
+}  // namespace cromer::core

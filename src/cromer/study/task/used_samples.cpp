@@ -8,7 +8,7 @@
 #include "cromer/identify/diagnose/drop_outs.h"
 #include "cromer/identify/diagnose/free_part.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 // Sums of squares must neither overflow nor vanish.
@@ -140,4 +140,4 @@ std::string fitted_as_it_is(std::string_view quantity, std::string_view column) 
       column, quantity, quantity.starts_with("ang") ? "angle" : "displacement");
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/base/result.h"
 #include "cromer/record/dialects/recording.h"
+#include "cromer/result.h"
 #include "cromer/study/task/fit.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The samples from --from to --to, both included; an Error where none is left.
 Result<Series> used_part(const Series& series, const FitOptions& options);
@@ -40,4 +40,4 @@ bool is_linear_quantity(std::string_view quantity);
 /// The warning that a column of velocities or accelerations is no displacement.
 std::string fitted_as_it_is(std::string_view quantity, std::string_view column);
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -8,7 +8,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/study/task/simulate_setup.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 constexpr double finest = 1e-14;
@@ -96,4 +96,4 @@ Result<WorkPrecisionResult> work_precision(const WorkPrecisionOptions& options, 
   return result;
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cromer/base/interrupt.h"
-#include "cromer/base/result.h"
+#include "cromer/result.h"
 #include "cromer/study/task/simulate.h"
 
-namespace cromer {
+namespace cromer::core {
 
 /// The law, its drive, the end and the methods are those of `simulate`; steps and tolerances are set here.
 struct WorkPrecisionOptions {
@@ -32,4 +32,4 @@ struct WorkPrecisionResult {
 /// Against the closed form, or where there is none against dormand-prince at its finest tolerance.
 Result<WorkPrecisionResult> work_precision(const WorkPrecisionOptions& options, const Watch& watch = {});
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -80,10 +80,10 @@ several columns are alike: {}; …⇒mehrere Spalten gleichen einander: {}; bitt
 several columns may be meant: what is said of times and outliers is that of {}…⇒mehrere Spalten kommen infrage: von Zeiten und Ausreißern ist die Rede in {}
 there is no column beside…⇒neben der Zeit gibt es keine Spalte
 there is no motion beside the time: {} {}; to fit one…⇒neben der Zeit gibt es keine Bewegung: {} {}; soll sie dennoch angepasst werden, bitte wählen
-the last line, {}, ends within a number, {}: it is left out⇒die letzte Zeile, {}, endet in einer Zahl, {}: sie bleibt weg
+the last line, {}, seems cut within a number, {}: it is left out⇒die letzte Zeile, {}, bricht wohl in einer Zahl ab, {}: sie bleibt weg
 the last line, {}, has no end and may end within a number, {}: it is kept⇒die letzte Zeile, {}, hat kein Ende und bricht vielleicht in einer Zahl ab, {}: sie bleibt
-following these laws takes more steps than so few samples are worth, as when noise looks like a fast swing: stopped before all laws were tried…⇒diesen Gesetzen zu folgen braucht mehr Schritte, als so wenige Werte wert sind, wie bei Rauschen, das nach schnellem Schwingen aussieht: beendet, bevor alle Gesetze versucht waren
-following these laws takes more steps than so few samples are worth, as when noise looks like a fast swing: stopped before the fit was done⇒diesen Gesetzen zu folgen braucht mehr Schritte, als so wenige Werte wert sind, wie bei Rauschen, das nach schnellem Schwingen aussieht: beendet, bevor die Anpassung fertig war
+these laws need more integration steps than a record of this length is worth, as when noise looks like a fast swing: stopped before all laws were tried…⇒diese Gesetze brauchen mehr Rechenschritte, als eine Messung dieser Länge wert ist, wie bei Rauschen, das nach schnellem Schwingen aussieht: beendet, bevor alle Gesetze versucht waren
+these laws need more integration steps than a record of this length is worth, as when noise looks like a fast swing: stopped before the fit was done⇒diese Gesetze brauchen mehr Rechenschritte, als eine Messung dieser Länge wert ist, wie bei Rauschen, das nach schnellem Schwingen aussieht: beendet, bevor die Anpassung fertig war
 column {}: {} outliers, the first in line {}: {}⇒Spalte {}: {} Ausreißer, der erste in Zeile {}: {}
 column {}: {} outlier, the first in line {}: {}⇒Spalte {}: {} Ausreißer, der erste in Zeile {}: {}
 if what column {} holds drives the motion…⇒falls die Spalte {} enthält, was die Bewegung antreibt: mit cromer fit --force-column anpassen
@@ -154,7 +154,7 @@ the values take {} levels only, {} apart: the frequency follows…⇒die Werte h
 this law's motion runs…⇒die Bewegung dieses Gesetzes läuft der aufgenommenen davon
 the laws were compared on the first {} of {} samples; the one chosen…⇒die Gesetze wurden an den ersten {} von {} Messwerten verglichen; das gewählte ist an alle angepasst
 what the force did between its samples is open: as {} the rms residual is {}, as {} it is {}: too close…⇒was die Kraft zwischen ihren Messwerten tat, ist offen: als {} gelesen ist der Effektivwert der Reste {}, als {} gelesen {}: zu nah beieinander für eine Entscheidung; die Unsicherheiten sind dafür geweitet
-{} ({} of its standard errors away)⇒{} ({} Standardfehler entfernt)
+{} ({} of the stated standard errors away)⇒{} ({} Standardfehler entfernt)
 the record does not show {}⇒die Aufnahme zeigt nichts von {}
 only the ratio of {} and {} is known, {} ± {}⇒nur das Verhältnis von {} und {} ist bekannt, {} ± {}
 only a combination of {} is known⇒nur eine Kombination von {} ist bekannt
@@ -163,8 +163,8 @@ a body without a spring does not swing: only under a recorded force…⇒ein Kö
 a steady oscillation at {} Hz and its harmonic of order {}, which does not decay:…⇒eine gleichbleibende Schwingung bei {} Hz und ihre {}. Harmonische, die nicht abklingt: Rundung oder ein nicht linearer Sensor macht eine solche Linie, eine eigene Schwingung des Körpers ist nicht zu sehen
 a decaying and a steady oscillation account for {} % of the variance only⇒eine abklingende und eine gleichbleibende Schwingung erklären nur {} % der Varianz
 {} rad/s fits nearly as well as {} rad/s: how many periods passed in the gaps…⇒{} rad/s passt fast so gut wie {} rad/s: wie viele Perioden in den Lücken vergingen, ist nicht sicher
-it must be 1 or more, not {}⇒das muss mindestens 1 sein, nicht {}
-1 or more⇒mindestens 1
+it must be at least 1, not {}⇒das muss mindestens 1 sein, nicht {}
+its uncertainty must be zero or more, not {}⇒die Unsicherheit darf nicht negativ sein: {}
 be at least 1⇒mindestens 1 sein
 the record has two readings: {}⇒die Aufnahme lässt sich auf zwei Arten lesen: {}
 the record does not determine this law: only a combination of {} is…⇒die Aufnahme legt dieses Gesetz nicht fest: nur eine Kombination von {} ist bekannt
@@ -235,7 +235,7 @@ did you mean {}?⇒ist {} gemeint?
 nothing for {} s from {} s on⇒{} s lang nichts, ab {} s
 line {} is no sample: {}⇒Zeile {} ist kein Messwert: {}
 # lines were no samples⇒{} Zeilen waren keine Messwerte
-the device gave {} s, which is no time; the…⇒das Gerät nannte {} s, was keine Zeit ist; dort gilt die Uhr des Rechners
+the device gave {} s, which is no time; {} s is taken instead⇒das Gerät nannte {} s, was keine Zeit ist; stattdessen gilt {} s
 the device gave the time {} s twice⇒das Gerät nannte die Zeit {} s zweimal
 the device's clock jumped {} by {} s at {} s;…⇒die Uhr des Geräts sprang {} um {} s bei {} s; die Zeiten gehen nach dem Rechner weiter
 forward⇒vorwärts

@@ -8,7 +8,7 @@
 #include "cromer/base/function_ref.h"
 #include "cromer/study/task/run_law/units.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 using AnyForce = FunctionRef<double(double t)>;
@@ -57,4 +57,4 @@ Outcome run_compensated(const LawRun& run, KeepEvery& keep, const Watch& watch) 
                                   : run_under<false>(run, force, keep, watch);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -10,7 +10,7 @@
 #include "cromer/base/coupled.h"
 #include "cromer/study/task/run_law/units.h"
 
-namespace cromer {
+namespace cromer::core {
 namespace {
 
 /// Any drive as a function of time, per unit mass.
@@ -55,8 +55,9 @@ class AnyForce {
 
 AnyForce force_of(const LawRun& run) {
   const double m = run.oscillator.mass;
-  if (!run.general) return AnyForce(cromer::force_of(run.drive, m));
-  return std::visit([&](const auto& drive) { return AnyForce(cromer::force_of(drive, m)); }, *run.general);
+  if (!run.general) return AnyForce(cromer::core::force_of(run.drive, m));
+  return std::visit([&](const auto& drive) { return AnyForce(cromer::core::force_of(drive, m)); },
+                    *run.general);
 }
 
 /// Hands position and velocity on.
@@ -78,4 +79,4 @@ Outcome run_hysteresis(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   });
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

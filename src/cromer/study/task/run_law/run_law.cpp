@@ -5,7 +5,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/study/task/run_law/units.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   if (run.compensated) return run_compensated(run, keep, watch);
@@ -17,4 +17,4 @@ Outcome run_law(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   return present.drive ? run_harmonic(run, keep, watch) : run_free(run, keep, watch);
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

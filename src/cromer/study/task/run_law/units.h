@@ -5,7 +5,7 @@
 #include "cromer/run/solve.h"
 #include "cromer/study/task/run_law.h"
 
-namespace cromer {
+namespace cromer::core {
 
 Outcome run_free(const LawRun& run, KeepEvery& keep, const Watch& watch);
 Outcome run_harmonic(const LawRun& run, KeepEvery& keep, const Watch& watch);
@@ -25,4 +25,4 @@ inline auto by_method(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   };
 }
 
-}  // namespace cromer
+}  // namespace cromer::core

@@ -1,10 +1,19 @@
-// The states a run keeps.
+// States of an oscillator: one, and those that a run keeps.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 namespace cromer {
+
+/// Position and velocity of one oscillator.
+template <class Real>
+struct State {
+  Real x;  // [m]
+  Real v;  // [m/s]
+
+  friend bool operator==(const State&, const State&) = default;
+};
 
 /// Kept states in order of time; the three columns have the same length.
 struct Trajectory {

@@ -1,5 +1,4 @@
-// A value or a message. Bad input travels as a Result, never as an exception: the same code also runs where
-// there are none (WebAssembly).
+// A value, or the error that prevented it. Bad input travels as a Result, never as an exception.
 #pragma once
 
 #include <cassert>
@@ -10,10 +9,11 @@
 
 namespace cromer {
 
-/// What went wrong and what to do about it, in one sentence a user can act on (no trailing newline, no
-/// "error:").
+/// What went wrong and what to do about it, in one sentence that its reader can act on.
 struct Error {
-  std::string message;
+  std::string message;  ///< without newline at its end
+  std::string
+      argument{};  ///< the argument at fault, as its field is called: "step"; "" where it is none alone
 };
 
 /// Holds a T or the Error that prevented it.

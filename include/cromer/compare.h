@@ -1,0 +1,55 @@
+// A recording beside simulations of it.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cromer/export.h>
+#include <cromer/fit.h>
+#include <cromer/methods.h>
+#include <cromer/result.h>
+#include <cromer/trajectory.h>
+
+namespace cromer {
+
+namespace core {
+struct CompareResult;
+}
+
+struct CompareOptions {
+  Method method = "euler-cromer";
+  std::optional<double> step{};  // [s] > 0; the sample spacing, divided to have 200 steps in a period
+  Progress progress{};
+};
+
+/// One simulation laid beside the recording, at the recording's own times; x is the displacement from the
+/// fitted equilibrium. The figures are NaN where it ended early.
+struct ComparedCurve {
+  std::string label;  ///< "one constant decay rate", "viscous+drag"
+  std::string law;
+  double step = 0;  // [s]
+  Trajectory trajectory;
+  bool complete = true;            ///< it reached the recording's end
+  double rms = 0;                  ///< what it leaves, in the unit of the record
+  double r_squared = 0;            ///< share of the record's variance that it accounts for
+  double amplitude_ratio_end = 0;  ///< simulated over measured, at the end
+  double phase_drift = 0;          // [rad] simulated minus measured, at the end
+};
+
+struct Comparison {
+  LawFit fit;
+  std::vector<ComparedCurve> curves;  ///< one constant decay rate, then the law that the data chose
+  std::string explanation;            ///< whether one decay rate is enough, in a sentence
+  bool complete = true;               ///< all curves are
+  bool interrupted = false;           ///< progress ended it
+  std::vector<std::string> warnings;  ///< the fit's first
+  std::shared_ptr<const core::CompareResult> detail{};
+};
+
+/// Simulates what was fitted and lays it beside the record. An Error where the fit was refused or something
+/// drives the motion, or names the argument.
+CROMER_API Result<Comparison> compare(const LawFit& fit, const CompareOptions& options = {});
+
+}  // namespace cromer

@@ -1,0 +1,21 @@
+// Cromer: the oscillator on a spring, from a recording to its law of motion and back.
+//
+// Seven verbs: read, fit, simulate, compare, methods, response_spectrum, sweep. Arrays go in as spans of
+// doubles in SI units, results come out as plain structs. Bad arguments are an Error in a Result; how a
+// computation went is a status in its result. Nothing throws but what the standard library throws where
+// memory ends. Every call is a pure function of its arguments and may run in any thread.
+#pragma once
+
+#include <cromer/compare.h>     // IWYU pragma: export
+#include <cromer/document.h>    // IWYU pragma: export
+#include <cromer/drive.h>       // IWYU pragma: export
+#include <cromer/fit.h>         // IWYU pragma: export
+#include <cromer/methods.h>     // IWYU pragma: export
+#include <cromer/oscillator.h>  // IWYU pragma: export
+#include <cromer/quantity.h>    // IWYU pragma: export
+#include <cromer/read.h>        // IWYU pragma: export
+#include <cromer/result.h>      // IWYU pragma: export
+#include <cromer/simulate.h>    // IWYU pragma: export
+#include <cromer/spectrum.h>    // IWYU pragma: export
+#include <cromer/sweep.h>       // IWYU pragma: export
+#include <cromer/version.h>     // IWYU pragma: export

@@ -1,0 +1,26 @@
+// Results as text: the same JSON documents that the program writes (docs/documents.md).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cromer/compare.h>
+#include <cromer/export.h>
+#include <cromer/fit.h>
+#include <cromer/methods.h>
+#include <cromer/simulate.h>
+#include <cromer/spectrum.h>
+#include <cromer/sweep.h>
+
+namespace cromer {
+
+/// Indented JSON (a frequency response: on one line) with a newline at its end; numbers as the shortest text
+/// that reads back the same, NaN and infinity as null. "" of a result that no call has filled.
+CROMER_API std::string json(const LawFit& fit);
+CROMER_API std::string json(const Comparison& comparison);
+CROMER_API std::string json(const ResponseSpectrum& spectrum);
+CROMER_API std::string json(const FrequencyResponse& response);
+/// With the states, or what is known of the run alone.
+CROMER_API std::string json(const Simulation& simulation, bool with_states = true);
+
+}  // namespace cromer

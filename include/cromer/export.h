@@ -1,0 +1,8 @@
+// Marks what the library shows; everything else is hidden.
+#pragma once
+
+#if defined(_WIN32)
+#define CROMER_API
+#else
+#define CROMER_API __attribute__((visibility("default")))
+#endif

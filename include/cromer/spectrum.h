@@ -1,0 +1,56 @@
+// Response and shock spectra of a recorded acceleration.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <cromer/drive.h>
+#include <cromer/export.h>
+#include <cromer/progress.h>
+#include <cromer/result.h>
+
+namespace cromer {
+
+namespace core {
+struct SpectrumResult;
+}
+
+/// Where extremes are looked for: everywhere; at the samples; or, as PEER does, at the fewest equal parts of
+/// an interval that are at most T/10 long.
+enum class Peaks { continuous, samples, peer };
+
+struct SpectrumOptions {
+  double damping_ratio = 0.05;          // 0 to 20
+  std::optional<double> loss_factor{};  // 0.001 to 2: hysteretic damping in place of it
+  std::span<const double> periods{};    // [s] > 0; empty: 200 from 0.01 s to 10 s in even ratios
+  std::span<const double> second{};     // [m/s^2] the other horizontal component, sampled alike; empty: none
+  Peaks peaks = Peaks::continuous;
+  BetweenSamples between = BetweenSamples::linear;
+  Progress progress{};
+};
+
+/// Each vector has one value for each period.
+struct ResponseSpectrum {
+  std::vector<double> period;               // [s]
+  std::vector<double> displacement;         // [m] SD: largest |x| relative to the ground
+  std::vector<double> pseudo_velocity;      // [m/s] PSV = w SD
+  std::vector<double> pseudo_acceleration;  // [m/s^2] PSA = w^2 SD
+  std::vector<double> rotd50, rotd100;      // [m] of two components: SD over all horizontal directions
+  double peak_acceleration = 0;             // [m/s^2] of the ground
+  double arias_intensity = 0;               // [m/s]
+  double duration_5_95 = 0;                 // [s] significant duration
+  bool interrupted = false;                 ///< then the vectors are empty
+  std::vector<std::string> warnings;        ///< sentences for people
+  std::shared_ptr<const core::SpectrumResult> detail{};
+};
+
+/// Of the ground's acceleration [m/s^2], evenly sampled every `spacing` [s] > 0, at least two samples. By the
+/// exact recurrence (Nigam & Jennings, Bull. Seism. Soc. Am. 59, 909 (1969)), extremes between samples
+/// included; error about 1e-13 of the largest. An Error names the argument.
+CROMER_API Result<ResponseSpectrum> response_spectrum(std::span<const double> acceleration, double spacing,
+                                                      const SpectrumOptions& options = {});
+
+}  // namespace cromer

@@ -1,0 +1,550 @@
+// The C interface: a request in JSON and arrays in, a document and arrays out.
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <list>
+#include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/base/nearest.h"
+#include "cromer/c.h"
+#include "cromer/door/options.h"
+#include "cromer/door/watching.h"
+#include "cromer/door/words.h"
+#include "cromer/read.h"
+#include "cromer/record/dialects/columns.h"
+#include "cromer/report/read_file.h"
+#include "cromer/study/json/documents.h"
+#include "cromer/study/load_drive.h"
+#include "cromer/study/task/fitted_motion.h"
+#include "cromer/study/task/option.h"
+#include "cromer/version.h"
+
+/// What a call gives back; C sees it only by pointer.
+struct cromer_result {
+  int status = CROMER_DONE;
+  std::string document{};
+  std::list<std::string> names{};            ///< of the arrays
+  std::list<std::vector<double>> columns{};  ///< their values
+  std::vector<cromer_array> arrays{};
+
+  void add(std::string name, std::vector<double> values) {
+    names.push_back(std::move(name));
+    columns.push_back(std::move(values));
+    arrays.push_back({names.back().c_str(), columns.back().data(), columns.back().size()});
+  }
+};
+
+namespace cromer::core {
+namespace {
+
+using Request = nlohmann::json;
+
+/// A call's request, taken apart as the verb asks for it.
+class Call {
+ public:
+  Call(std::string_view verb, Request request, std::span<const cromer_array> arrays, const Progress& progress)
+      : verb_(verb), request_(std::move(request)), arrays_(arrays), watching_(progress) {}
+
+  std::string_view verb() const { return verb_; }
+  const Watch& watch() const { return watching_.watch(); }
+
+  /// A setting that is no option of the task, taken out of the request; "" where it is not there.
+  Result<std::string> take_text(const char* name) {
+    const auto at = request_.find(name);
+    if (at == request_.end() || at->is_null()) return std::string();
+    if (!at->is_string()) return Error{std::string(name) + " must be a text", name};
+    const std::string text = *at;
+    request_.erase(at);
+    return text;
+  }
+  /// Likewise; NaN where it is not there.
+  Result<double> take_number(const char* name) {
+    const auto at = request_.find(name);
+    if (at == request_.end() || at->is_null()) return std::nan("");
+    if (!at->is_number()) return Error{std::string(name) + " must be a number", name};
+    const double number = *at;
+    request_.erase(at);
+    return number;
+  }
+
+  /// An array by name, marked as used; nullptr where it is not given.
+  const cromer_array* take_array(std::string_view name) {
+    for (const cromer_array& each : arrays_)
+      if (name == each.name) {
+        used_.push_back(&each);
+        return &each;
+      }
+    return nullptr;
+  }
+  std::span<const double> values_of(std::string_view name) {
+    const cromer_array* array = take_array(name);
+    return array ? std::span(array->values, array->length) : std::span<const double>{};
+  }
+  bool has_array(std::string_view name) const {
+    return std::any_of(arrays_.begin(), arrays_.end(),
+                       [&](const cromer_array& each) { return name == each.name; });
+  }
+
+  /// What is left of the request, into the options.
+  Result<void> assign_rest(const std::vector<Option>& options) const {
+    std::vector<TypedOption> settings;
+    for (const auto& [name, value] : request_.items()) {
+      std::string option = name;
+      std::replace(option.begin(), option.end(), '_', '-');
+      if (auto good = check_setting(name, option, value, options); !good) return good;
+      const auto known = std::find_if(options.begin(), options.end(),
+                                      [&](const Option& each) { return each.name == option; });
+      const bool takes_several = known != options.end() && known->is_list();
+      const bool takes_quantity =
+          known != options.end() && std::holds_alternative<std::optional<Quantity>*>(known->target);
+      if (value.is_null()) continue;
+      if (value.is_array() && takes_quantity && value.size() == 2) {
+        settings.emplace_back(option, text_of(value[0]) + " ± " + text_of(value[1]));
+      } else if (value.is_array() && takes_several) {
+        for (const auto& each : value) settings.emplace_back(option, text_of(each));
+      } else if (value.is_array()) {
+        std::string list;
+        for (const auto& each : value) list += (list.empty() ? "" : ",") + text_of(each);
+        settings.emplace_back(option, std::move(list));
+      } else {
+        settings.emplace_back(option, text_of(value));
+      }
+    }
+    return assign(settings, options, verb_);
+  }
+
+  /// That nothing is asked of a file where arrays are given: how it is read, and which column.
+  Result<void> refuse_of_files() const {
+    ReadOptions read;
+    std::vector<std::string> names{"column", "force-column", "run", "unit"};
+    for (const Option& option : options_of(read)) names.emplace_back(option.name);
+    for (std::string& name : names) {
+      std::replace(name.begin(), name.end(), '-', '_');
+      if (request_.contains(name))
+        return Error{name + " is said of a file, and arrays are given; leave it out", name};
+    }
+    return {};
+  }
+
+  /// That no array was given that the verb has no use for.
+  Result<void> check_arrays() const {
+    for (const cromer_array& each : arrays_)
+      if (std::find(used_.begin(), used_.end(), &each) == used_.end())
+        return Error{std::string(each.name) + " is no array that " + std::string(verb_) + " takes here",
+                     each.name};
+    return {};
+  }
+
+  /// Every array that is left, for sweeps.
+  std::vector<const cromer_array*> take_all() {
+    std::vector<const cromer_array*> all;
+    for (const cromer_array& each : arrays_) all.push_back(&each);
+    used_ = all;
+    return all;
+  }
+
+ private:
+  /// That there is such an option, and that its value is a scalar or a list of them.
+  Result<void> check_setting(const std::string& name, const std::string& option, const Request& value,
+                             const std::vector<Option>& options) const {
+    std::vector<std::string_view> names;
+    for (const Option& each : options) names.push_back(each.name);
+    if (std::find(names.begin(), names.end(), option) == names.end() || name.find('-') != std::string::npos) {
+      std::string near = nearest(option, names);
+      std::replace(near.begin(), near.end(), '-', '_');
+      return Error{quoted(name) + " is nothing that " + std::string(verb_) + " takes" +
+                       (near.empty() ? "" : "; did you mean " + near + "?"),
+                   name};
+    }
+    const bool list = value.is_array();
+    const bool nested = list && std::any_of(value.begin(), value.end(),
+                                            [](const Request& each) { return each.is_structured(); });
+    if (value.is_object() || nested) return Error{name + " must be a number, a text or a list of them", name};
+    return {};
+  }
+
+  static std::string quoted(const std::string& name) { return '"' + name + '"'; }
+
+  static std::string text_of(const Request& value) {
+    if (value.is_string()) return value;
+    if (value.is_number_float()) return shortest(value.get<double>());
+    return value.dump();
+  }
+
+  std::string_view verb_;
+  Request request_;
+  std::span<const cromer_array> arrays_;
+  std::vector<const cromer_array*> used_;
+  Watching watching_;
+};
+
+Result<Observed> observed_of(const std::string& word) {
+  constexpr std::pair<std::string_view, Observed> all[] = {{"position", Observed::position},
+                                                           {"angle", Observed::angle},
+                                                           {"velocity", Observed::velocity},
+                                                           {"angular_velocity", Observed::angular_velocity},
+                                                           {"acceleration", Observed::acceleration}};
+  if (word.empty()) return Observed::position;
+  for (const auto& [name, observed] : all)
+    if (word == name) return observed;
+  return Error{"observed \"" + word +
+                   "\" is not known; it takes position, angle, velocity, angular_velocity or acceleration",
+               "observed"};
+}
+
+/// The recording that fit and compare are about: arrays, or a file.
+struct Motion {
+  Recording recording;
+  bool of_arrays = false;
+};
+
+Result<Motion> motion_of(Call& call, const ReadOptions& read, const std::string& file,
+                         const std::string& observed) {
+  if (call.has_array("t") || call.has_array("y")) {
+    if (!file.empty())
+      return Error{"file and the arrays t and y both give a record; leave one of them out", "file"};
+    for (const char* needed : {"t", "y"})
+      if (!call.has_array(needed)) return Error{std::string("the array ") + needed + " is missing", needed};
+    const auto kind = observed_of(observed);
+    if (!kind) return kind.error();
+    auto recording = recording_of(call.values_of("t"), call.values_of("y"), call.values_of("force"), *kind);
+    if (!recording) return recording.error();
+    return Motion{*std::move(recording), true};
+  }
+  if (!observed.empty())
+    return Error{"observed is said of the array y; a file's column says it itself", "observed"};
+  if (file.empty())
+    return Error{"there is nothing to " + std::string(call.verb()) + ": give the arrays t and y, or a file",
+                 "t"};
+  const auto bytes = core::read_file(file);
+  if (!bytes) return bytes.error();
+  auto recording = read_recording(*bytes, file, read);
+  if (!recording) return recording.error();
+  return Motion{*std::move(recording), false};
+}
+
+/// Reads what fit and compare share; `options` are filled by `table`.
+Result<Motion> take_motion(Call& call, FitOptions& options, const std::vector<Option>& table) {
+  const auto file = call.take_text("file");
+  if (!file) return file.error();
+  const auto observed = call.take_text("observed");
+  if (!observed) return observed.error();
+  if (call.has_array("t"))
+    if (auto good = call.refuse_of_files(); !good) return good.error();
+  if (auto good = call.assign_rest(table); !good) return good.error();
+  auto motion = motion_of(call, options.read, *file, *observed);
+  if (!motion) return motion;
+  if (motion->of_arrays) {
+    options.column = "y";
+    if (call.has_array("force")) options.force_column = "force";
+  }
+  return motion;
+}
+
+Error said(const Error& error, const Motion& motion) { return in_arguments(error, motion.of_arrays); }
+
+Result<void> fit_verb(Call& call, cromer_result& result) {
+  FitOptions options;
+  const auto motion = take_motion(call, options, options_of(options));
+  if (!motion) return motion.error();
+  auto fits = fit_recording(motion->recording, options, call.watch());
+  if (!fits) return said(fits.error(), *motion);
+  for (FittedRecording& each : *fits) {
+    each.warnings = in_arguments(each.warnings, motion->of_arrays);
+    each.fit.message = in_arguments(each.fit.message, motion->of_arrays);
+    if (!each.succeeded()) result.status = CROMER_NO_SUCCESS;
+    if (!each.fit.is_usable()) continue;
+    FittedMotion known = fitted_motion(each);
+    const std::string run = std::to_string(each.series.run) + ".";
+    result.add(run + "t", std::move(known.t));
+    result.add(run + "measured", std::move(known.measured));
+    result.add(run + "residual", std::move(known.residual));
+    result.add(run + "x", std::move(known.x));
+    result.add(run + "v", std::move(known.v));
+  }
+  result.document = to_json(*fits);
+  return {};
+}
+
+Result<void> compare_verb(Call& call, cromer_result& result) {
+  CompareOptions options;
+  const auto motion = take_motion(call, options.fit, options_of(options));
+  if (!motion) return motion.error();
+  const auto fits = fit_recording(motion->recording, options.fit, call.watch());
+  if (!fits) return said(fits.error(), *motion);
+  std::vector<CompareResult> all;
+  for (const FittedRecording& each : *fits) {
+    auto compared = compare_fitted(each, options, call.watch());
+    if (!compared) return said(compared.error(), *motion);
+    if (!compared->complete || !each.succeeded()) result.status = CROMER_NO_SUCCESS;
+    compared->warnings = in_arguments(compared->warnings, motion->of_arrays);
+    compared->recording.warnings = in_arguments(compared->recording.warnings, motion->of_arrays);
+    compared->recording.fit.message = in_arguments(compared->recording.fit.message, motion->of_arrays);
+    for (std::size_t i = 0; i < compared->curves.size(); ++i) {
+      const std::string curve = std::to_string(each.series.run) + "." + std::to_string(i + 1) + ".";
+      const Trajectory& states = compared->curves[i].trajectory;
+      result.add(curve + "t", states.t);
+      result.add(curve + "x", states.x);
+      result.add(curve + "v", states.v);
+    }
+    all.push_back(*std::move(compared));
+  }
+  result.document = to_json(std::span<const CompareResult>(all));
+  return {};
+}
+
+Result<void> set_record(Call& call, SimulateOptions& options, double spacing) {
+  const bool force = call.has_array("force"), ground = call.has_array("acceleration");
+  if (!force && !ground) {
+    if (!std::isnan(spacing))
+      return Error{"spacing is that of the arrays force or acceleration, and none is given", "spacing"};
+    return load_drive(options, "");
+  }
+  const std::string name = force ? "force" : "acceleration";
+  if (force && ground)
+    return Error{"force and acceleration both drive the mass; leave one of them out", "force"};
+  if (std::isnan(spacing)) return Error{name + " needs its spacing as well, in seconds", "spacing"};
+  if (auto good = check_spacing(spacing); !good) return good;
+  const auto values = call.values_of(name);
+  if (auto good = check_samples(values, name, 2); !good) return good;
+  (force ? options.drive_file : options.base_motion) = name;
+  options.drive_record.emplace();
+  options.drive_record->values.assign(values.begin(), values.end());
+  options.drive_record->spacing = spacing;
+  return {};
+}
+
+Result<void> simulate_verb(Call& call, cromer_result& result) {
+  SimulateOptions options;
+  const auto spacing = call.take_number("spacing");
+  if (!spacing) return spacing.error();
+  if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  if (auto good = set_record(call, options, *spacing); !good) return good;
+  if (auto good = call.check_arrays(); !good) return good;
+  options.memory = memory_for_results / 3;  // energies and copies beside the states
+  const bool of_arrays = call.has_array("force") || call.has_array("acceleration");
+  auto simulated = simulate(options, call.watch());
+  if (!simulated) return in_arguments(simulated.error(), of_arrays);
+  simulated->warnings = in_arguments(simulated->warnings, of_arrays);
+  for (SimulatedRun& run : simulated->runs) run.message = in_arguments(run.message, of_arrays);
+  if (!simulated->ok()) result.status = CROMER_NO_SUCCESS;
+  for (std::size_t i = 0; i < simulated->runs.size(); ++i) {
+    const SimulatedRun& run = simulated->runs[i];
+    const std::string of_run = std::to_string(i + 1) + ".";
+    std::vector<double> energies;
+    for (std::size_t k = 0; k < run.trajectory.size(); ++k)
+      energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[k], run.trajectory.v[k]}));
+    result.add(of_run + "t", run.trajectory.t);
+    result.add(of_run + "x", run.trajectory.x);
+    result.add(of_run + "v", run.trajectory.v);
+    result.add(of_run + "energy", std::move(energies));
+    if (!run.sensor.empty()) result.add(of_run + "sensor", run.sensor);
+  }
+  result.document = to_json(*simulated, false);
+  return {};
+}
+
+Result<void> methods_verb(Call& call, cromer_result& result) {
+  MethodsOptions options;
+  if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  const auto rows = list_methods(options);
+  if (!rows) return rows.error();
+  result.document = to_json(std::span<const MethodRow>(*rows));
+  return {};
+}
+
+Component component_of(const char* name, std::span<const double> values, double spacing) {
+  Component component;
+  component.file = name;
+  component.acceleration.assign(values.begin(), values.end());
+  component.spacing = spacing;
+  return component;
+}
+
+Result<SpectrumResult> spectrum_of(Call& call, const SpectrumOptions& options, const std::string& file,
+                                   double spacing) {
+  if (!call.has_array("acceleration")) {
+    if (file.empty()) return Error{"there is no acceleration: give the array, or a file", "acceleration"};
+    const auto bytes = core::read_file(file);
+    if (!bytes) return bytes.error();
+    const SpectrumFile one{file, *bytes};
+    return response_spectrum(std::span(&one, 1), options, call.watch());
+  }
+  if (std::isnan(spacing)) return Error{"acceleration needs its spacing as well, in seconds", "spacing"};
+  if (auto good = check_spacing(spacing); !good) return good.error();
+  std::vector<Component> components;
+  for (const char* name : {"acceleration", "second"}) {
+    if (!call.has_array(name)) continue;
+    const auto values = call.values_of(name);
+    if (auto good = check_samples(values, name, 2); !good) return good.error();
+    components.push_back(component_of(name, values, spacing));
+    if (components.back().acceleration.size() != components.front().acceleration.size())
+      return Error{"second has another number of values than acceleration", "second"};
+  }
+  return response_spectrum(std::move(components), options, call.watch());
+}
+
+Result<void> spectrum_verb(Call& call, cromer_result& result) {
+  SpectrumOptions options;
+  const auto file = call.take_text("file");
+  if (!file) return file.error();
+  const auto spacing = call.take_number("spacing");
+  if (!spacing) return spacing.error();
+  if (call.has_array("acceleration"))
+    if (auto good = call.refuse_of_files(); !good) return good;
+  if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  const auto periods = call.values_of("periods");
+  if (auto good = check_samples(periods, "periods", 0); !good) return good;
+  options.these_periods.assign(periods.begin(), periods.end());
+  options.memory = memory_for_results;
+  auto found = spectrum_of(call, options, *file, *spacing);
+  if (!found) return in_arguments(found.error(), file->empty());
+  if (auto good = call.check_arrays(); !good) return good;
+  if (found->interrupted) result.status = CROMER_NO_SUCCESS;
+  found->warnings = in_arguments(found->warnings, file->empty());
+  result.add("period", found->periods);
+  for (std::size_t i = 0; i < found->spectra.size(); ++i) {
+    const ResponseSpectrum& spectrum = found->spectra[i];
+    const std::string ratio = found->spectra.size() > 1 ? std::to_string(i + 1) + "." : "";
+    if (!spectrum.displacement.empty()) result.add(ratio + "displacement", spectrum.displacement.front());
+    if (!spectrum.rotd50.empty()) result.add(ratio + "rotd50", spectrum.rotd50);
+    if (!spectrum.rotd100.empty()) result.add(ratio + "rotd100", spectrum.rotd100);
+  }
+  result.document = to_json(*found, false);
+  return {};
+}
+
+Result<void> sweep_verb(Call& call, cromer_result& result) {
+  SweepOptions options;
+  if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  std::vector<TypedOption> grids;
+  for (const cromer_array* array : call.take_all()) {
+    std::string list, option = array->name;
+    std::replace(option.begin(), option.end(), '_', '-');
+    for (std::size_t i = 0; i < array->length; ++i) list += (i > 0 ? "," : "") + shortest(array->values[i]);
+    grids.emplace_back(std::move(option), std::move(list));
+  }
+  for (const TypedOption& grid : grids)
+    if (const auto table = options_of(options);
+        std::none_of(table.begin(), table.end(), [&](const Option& each) { return each.name == grid.first; }))
+      return Error{grid.first + " is no array that sweep takes", grid.first};
+  if (auto good = assign(grids, options_of(options), "sweep"); !good) return good;
+  options.memory = memory_for_results;
+  const auto swept = sweep(options, call.watch());
+  if (!swept) return swept.error();
+  if (!swept->counts.ok() || swept->interrupted) result.status = CROMER_NO_SUCCESS;
+  const auto& columns = swept->plan.rows.columns;
+  const std::size_t width = columns.size() - 1;
+  for (std::size_t j = 0; j < width; ++j) {
+    std::vector<double> column;
+    for (std::size_t row = 0; row < swept->rows.size() / width; ++row)
+      column.push_back(swept->rows[row * width + j]);
+    result.add(std::string(columns[j]), std::move(column));
+  }
+  result.document = to_json(*swept, false);
+  return {};
+}
+
+Result<void> read_verb(Call& call, cromer_result& result) {
+  ReadOptions options;
+  const auto file = call.take_text("file");
+  if (!file) return file.error();
+  if (file->empty()) return Error{"there is nothing to read: give a file", "file"};
+  const auto column = call.take_text("column");
+  if (!column) return column.error();
+  if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  const auto bytes = core::read_file(*file);
+  if (!bytes) return bytes.error();
+  auto seen = inspect(*bytes, *file, options, *column);
+  if (!seen) return seen.error();
+  seen->warnings = in_arguments(seen->warnings);
+  for (const core::Column& each : seen->recording.table.columns) result.add(column_title(each), each.values);
+  result.document = to_json(*seen, false);
+  return {};
+}
+
+struct Verb {
+  std::string_view name;
+  Result<void> (*run)(Call& call, cromer_result& result);
+};
+
+constexpr Verb verbs[] = {{"read", read_verb},       {"fit", fit_verb},         {"simulate", simulate_verb},
+                          {"compare", compare_verb}, {"methods", methods_verb}, {"spectrum", spectrum_verb},
+                          {"sweep", sweep_verb}};
+
+Result<void> run(std::string_view verb, std::string_view text, std::span<const cromer_array> arrays,
+                 const Progress& progress, cromer_result& result) {
+  const auto found =
+      std::find_if(std::begin(verbs), std::end(verbs), [&](const Verb& each) { return each.name == verb; });
+  if (found == std::end(verbs))
+    return Error{"there is no verb \"" + std::string(verb) +
+                     "\"; there are read, fit, simulate, compare, methods, spectrum and sweep",
+                 "verb"};
+  Request request = text.empty() ? Request::object() : Request::parse(text, nullptr, false);
+  if (!request.is_object()) return Error{"the request is no JSON object", "request"};
+  std::set<std::string_view> names;
+  for (const cromer_array& each : arrays) {
+    if (!each.name || !*each.name || (!each.values && each.length > 0))
+      return Error{"an array needs a name and its values", "arrays"};
+    if (!names.insert(each.name).second) return Error{"there are two arrays " + std::string(each.name), each.name};
+  }
+  Call call(verb, std::move(request), arrays, progress);
+  if (auto good = found->run(call, result); !good) return good;
+  return call.check_arrays();
+}
+
+/// The document of a call that could not be made.
+std::string refusal(const Error& error) {
+  const nlohmann::ordered_json document = {
+      {"message", error.message},
+      {"argument",
+       error.argument.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(error.argument)}};
+  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+}  // namespace cromer::core
+
+cromer_result* cromer_call(const char* verb, const char* request, const cromer_array* arrays, size_t count,
+                           cromer_progress progress, void* user) {
+  using namespace cromer;
+  std::unique_ptr<cromer_result> result(new (std::nothrow) cromer_result);
+  if (!result) return nullptr;
+  const auto refuse = [&](const Error& error) {
+    *result = {};
+    result->status = CROMER_BAD_INPUT;
+    result->document = core::refusal(error);
+  };
+  try {
+    const Progress told =
+        progress ? Progress([=](double done) { return progress(done, user) != 0; }) : Progress{};
+    const auto good = core::run(verb ? verb : "", request ? request : "",
+                                std::span(arrays, arrays ? count : 0), told, *result);
+    if (!good) refuse(core::in_arguments(good.error()));
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  } catch (const std::exception& error) {
+    refuse({error.what()});
+  }
+  return result.release();
+}
+
+const char* cromer_document(const cromer_result* result) { return result ? result->document.c_str() : ""; }
+int cromer_status(const cromer_result* result) { return result ? result->status : CROMER_BAD_INPUT; }
+
+const cromer_array* cromer_arrays(const cromer_result* result, size_t* count) {
+  if (count) *count = result ? result->arrays.size() : 0;
+  return result ? result->arrays.data() : nullptr;
+}
+
+void cromer_free(cromer_result* result) { delete result; }
+
+const char* cromer_version() { return CROMER_VERSION; }

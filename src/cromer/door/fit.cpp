@@ -1,0 +1,156 @@
+#include "cromer/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cromer/base/quantity.h"
+#include "cromer/door/options.h"
+#include "cromer/door/results.h"
+#include "cromer/door/watching.h"
+#include "cromer/door/words.h"
+#include "cromer/identify/law.h"
+#include "cromer/model/law.h"
+#include "cromer/study/task/fitted_motion.h"
+#include "cromer/study/task/lab_quantities.h"
+
+namespace cromer {
+namespace {
+
+/// nullptr where the fit has no values that may be looked at.
+const core::FittedRecording* usable(const LawFit& fit) {
+  return fit.detail && fit.detail->fit.is_usable() ? fit.detail.get() : nullptr;
+}
+
+Error no_values(const LawFit& fit) {
+  return {"the fit has no values: " + (fit.message.empty() ? std::string(name(fit.status)) : fit.message),
+          "fit"};
+}
+
+Residual residual_of(const core::Residual& residual) {
+  return {residual.rms, residual.normality, residual.autocorrelation, residual.white};
+}
+
+}  // namespace
+
+LawFit core::fit_of(FittedRecording fitted, bool of_arrays) {
+  cromer::LawFit fit;
+  fit.status = fitted.fit.status;
+  fit.message = in_arguments(fitted.fit.message, of_arrays);
+  if (!fitted.wrong_input) fit.law = to_text(fitted.fit.law);
+  fit.parameters = fitted.parameters;
+  fit.derived = fitted.derived;
+  if (!fitted.parameters.empty()) {
+    fit.fitted = fitted.fit.names;
+    fit.covariance = fitted.fit.covariance;
+  }
+  fit.residual = residual_of(fitted.fit.residual);
+  fit.samples = fitted.samples;
+  fit.used = fitted.used();
+  for (const Candidate& each : fitted.candidates)
+    fit.candidates.push_back({to_text(each.law), each.rms, each.bic});
+  for (const DecaySegment& each : fitted.segments) fit.segments.push_back({each.from, each.to, each.rate});
+  fit.decay_rate_mean = fitted.decay_rate_mean;
+  fit.reynolds_max = fitted.reynolds_max;
+  fit.keulegan_carpenter = fitted.keulegan_carpenter;
+  if (!of_arrays) {
+    fit.file = fitted.file;
+    fit.column = fitted.series.column;
+  }
+  fit.run = fitted.series.run;
+  if (!fitted.series.t.empty()) fit.begin = fitted.series.t.front();
+  fit.warnings = in_arguments(fitted.warnings, of_arrays);
+  fit.detail = std::make_shared<const FittedRecording>(std::move(fitted));
+  return fit;
+}
+
+std::optional<Estimate> LawFit::find(std::string_view wanted) const {
+  for (const auto* list : {&parameters, &derived})
+    for (const Parameter& each : *list)
+      if (each.name == wanted) return each.estimate;
+  return std::nullopt;
+}
+
+Result<Trajectory> LawFit::at(std::span<const double> t) const {
+  const core::FittedRecording* known = usable(*this);
+  if (!known) return no_values(*this);
+  if (known->fit.drive.kind == core::DriveKind::recorded)
+    return Error{"a recorded force drives this motion, which is known at its samples alone: ask motion()",
+                 "t"};
+  if (auto good = core::check_samples(t, "t", 0); !good) return good.error();
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (!(t[i] > t[i - 1])) return Error{"t must increase strictly", "t"};
+  const double first = known->series.t.front();
+  if (!t.empty() && t.front() < first)
+    return Error{"t begins at " + core::shortest(t.front()) + " s, before the first used sample, " +
+                     core::shortest(first) + " s: the law says nothing of what was before",
+                 "t"};
+  if (t.empty()) return Trajectory{};
+  constexpr double most_steps = 1e8;
+  if ((t.back() - first) / known->fit.step > most_steps)
+    return Error{
+        "t ends at " + core::shortest(t.back()) + " s, more steps from the record than can be followed", "t"};
+  // The law's motion is known from the first sample on.
+  std::vector<double> from_first(t.begin(), t.end());
+  const bool begins_later = t.front() > first;
+  if (begins_later) from_first.insert(from_first.begin(), first);
+  Trajectory motion = core::motion_of(known->fit, from_first);
+  if (begins_later)
+    for (auto* values : {&motion.t, &motion.x, &motion.v}) values->erase(values->begin());
+  return motion;
+}
+
+Result<FittedMotion> LawFit::motion() const {
+  const core::FittedRecording* known = usable(*this);
+  if (!known) return no_values(*this);
+  core::FittedMotion made = core::fitted_motion(*known);
+  FittedMotion motion;
+  motion.t = std::move(made.t);
+  motion.x = std::move(made.x);
+  motion.v = std::move(made.v);
+  motion.measured = std::move(made.measured);
+  motion.residual = std::move(made.residual);
+  return motion;
+}
+
+Result<Oscillator> LawFit::oscillator() const {
+  const core::FittedRecording* known = usable(*this);
+  if (!known) return no_values(*this);
+  const core::Body body = core::body_of(known->options);
+  return core::multiplied_by_mass(known->fit.motion.per_mass, body.mass ? body.effective_mass().value : 1.0);
+}
+
+Result<LawFit> fit(std::span<const double> t, std::span<const double> y, const FitOptions& options) {
+  const auto recording = core::recording_of(t, y, options.force, options.observed);
+  if (!recording) return recording.error();
+  core::FitOptions asked = core::fit_options(options, {});
+  asked.column = "y";
+  if (!options.force.empty()) asked.force_column = "force";
+  const core::Watching watching(options.progress);
+  auto fits = core::fit_recording(*recording, asked, watching.watch());
+  if (!fits) return core::in_arguments(fits.error(), true);
+  LawFit found = core::fit_of(std::move(fits->front()), true);
+  found.interrupted = watching.watch().interrupted();
+  return found;
+}
+
+Result<std::vector<LawFit>> fit(const Recording& recording, const FitOptions& options,
+                                const Selection& selection) {
+  if (!recording.detail) return Error{"the recording is empty: read() or read_file() fills one", "recording"};
+  if (!options.force.empty())
+    return Error{"force: the force of a recording is one of its columns, force_column of the selection",
+                 "force"};
+  core::FitOptions asked = core::fit_options(options, selection);
+  asked.read = recording.options;
+  const core::Watching watching(options.progress);
+  auto fits = core::fit_recording(*recording.detail, asked, watching.watch());
+  if (!fits) return core::in_arguments(fits.error());
+  std::vector<LawFit> all;
+  for (core::FittedRecording& each : *fits) {
+    all.push_back(core::fit_of(std::move(each), false));
+    all.back().interrupted = watching.watch().interrupted();
+  }
+  return all;
+}
+
+}  // namespace cromer

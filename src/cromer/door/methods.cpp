@@ -1,0 +1,51 @@
+#include "cromer/methods.h"
+
+#include "cromer/door/results.h"
+#include "cromer/door/words.h"
+#include "cromer/study/task/methods.h"
+
+namespace cromer {
+namespace {
+
+std::vector<MethodInfo> infos_of(const std::vector<core::MethodRow>& rows) {
+  std::vector<MethodInfo> infos;
+  for (const core::MethodRow& row : rows) {
+    MethodInfo& info = infos.emplace_back();
+    info.name = row.name;
+    info.order = row.order;
+    info.implicit = row.implicit;
+    info.symplectic = row.symplectic;
+    info.adaptive = row.adaptive;
+    info.reversible = row.reversible;
+    info.a_stable = row.a_stable;
+    info.source = row.source;
+    if (row.effect) info.effect = core::effect_of(*row.effect);
+  }
+  return infos;
+}
+
+}  // namespace
+
+MethodEffect core::effect_of(const core::MethodEffect& effect) {
+  std::optional<double> decay_rate = effect.effective.decay_rate;
+  if (decay_rate) *decay_rate += 0.0;  // no -0
+  return {.decay_rate = decay_rate,
+          .angular_frequency = effect.effective.angular_frequency,
+          .spectral_radius = effect.effective.spectral_radius,
+          .stable = effect.stable,
+          .stability_limit = effect.stability_limit};
+}
+
+std::vector<MethodInfo> methods() { return infos_of(*core::list_methods()); }
+
+Result<std::vector<MethodInfo>> methods(const EffectOptions& options) {
+  core::MethodsOptions asked;
+  asked.natural_frequency = options.natural_frequency;
+  asked.damping_ratio = options.damping_ratio;
+  asked.step = options.step;
+  const auto rows = core::list_methods(asked);
+  if (!rows) return core::in_arguments(rows.error());
+  return infos_of(*rows);
+}
+
+}  // namespace cromer

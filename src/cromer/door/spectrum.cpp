@@ -1,0 +1,83 @@
+#include "cromer/spectrum.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "cromer/door/options.h"
+#include "cromer/door/watching.h"
+#include "cromer/door/words.h"
+#include "cromer/study/task/response_spectrum.h"
+
+namespace cromer {
+namespace {
+
+constexpr const char* peaks_names[] = {"continuous", "samples", "peer"};
+
+core::Component component_of(std::span<const double> acceleration, double spacing, const char* argument) {
+  core::Component component;
+  component.file = argument;
+  component.acceleration.assign(acceleration.begin(), acceleration.end());
+  component.spacing = spacing;
+  return component;
+}
+
+ResponseSpectrum spectrum_of(std::shared_ptr<const core::SpectrumResult> result) {
+  ResponseSpectrum spectrum;
+  const core::Component& ground = result->components.front();
+  spectrum.peak_acceleration = ground.peak;
+  spectrum.arias_intensity = ground.intensity.arias;
+  spectrum.duration_5_95 = ground.intensity.duration;
+  spectrum.interrupted = result->interrupted;
+  spectrum.warnings = core::in_arguments(result->warnings, true);
+  if (!result->interrupted) {
+    const core::ResponseSpectrum& found = result->spectra.front();
+    spectrum.period = result->periods;
+    spectrum.displacement = found.displacement.front();
+    spectrum.rotd50 = found.rotd50;
+    spectrum.rotd100 = found.rotd100;
+    for (std::size_t i = 0; i < spectrum.period.size(); ++i) {
+      spectrum.pseudo_velocity.push_back(core::pseudo_velocity(spectrum.displacement[i], spectrum.period[i]));
+      spectrum.pseudo_acceleration.push_back(
+          core::pseudo_acceleration(spectrum.displacement[i], spectrum.period[i]));
+    }
+  }
+  spectrum.detail = std::move(result);
+  return spectrum;
+}
+
+}  // namespace
+
+Result<ResponseSpectrum> response_spectrum(std::span<const double> acceleration, double spacing,
+                                           const SpectrumOptions& options) {
+  if (auto good = core::check_enumerator(options.peaks, 3, "peaks"); !good) return good.error();
+  if (auto good = core::check_enumerator(options.between, 3, "between"); !good) return good.error();
+  if (auto good = core::check_spacing(spacing); !good) return good.error();
+  if (auto good = core::check_samples(acceleration, "acceleration", 2); !good) return good.error();
+  if (auto good = core::check_samples(options.periods, "periods", 0); !good) return good.error();
+  std::vector<core::Component> components{component_of(acceleration, spacing, "acceleration")};
+  if (!options.second.empty()) {
+    if (options.second.size() != acceleration.size())
+      return Error{fmt::format("second has {} values and acceleration has {}: they must be as many",
+                               options.second.size(), acceleration.size()),
+                   "second"};
+    if (auto good = core::check_samples(options.second, "second", 2); !good) return good.error();
+    components.push_back(component_of(options.second, spacing, "second"));
+  }
+  core::SpectrumOptions asked;
+  if (options.loss_factor)
+    asked.loss_factor = {core::shortest(*options.loss_factor)};
+  else
+    asked.damping_ratio = {core::shortest(options.damping_ratio)};
+  asked.these_periods.assign(options.periods.begin(), options.periods.end());
+  if (options.peaks != Peaks::continuous) asked.peaks = peaks_names[static_cast<int>(options.peaks)];
+  if (options.between != BetweenSamples::linear) asked.between_samples = name(options.between);
+  asked.memory = core::memory_for_results;
+  const core::Watching watching(options.progress);
+  auto result = core::response_spectrum(std::move(components), asked, watching.watch());
+  if (!result) return core::in_arguments(result.error());
+  return spectrum_of(std::make_shared<const core::SpectrumResult>(*std::move(result)));
+}
+
+}  // namespace cromer

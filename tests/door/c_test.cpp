@@ -1,0 +1,220 @@
+// The C interface: what comes back, and that nothing a caller may hand in breaks it.
+#include "cromer/c.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+struct Free {
+  void operator()(cromer_result* result) const { cromer_free(result); }
+};
+using Answer = std::unique_ptr<cromer_result, Free>;
+
+Answer call(const char* verb, const char* request, const std::vector<cromer_array>& arrays = {}) {
+  return Answer(cromer_call(verb, request, arrays.data(), arrays.size(), nullptr, nullptr));
+}
+
+json document(const Answer& answer) { return json::parse(cromer_document(answer.get())); }
+
+std::vector<double> array(const Answer& answer, const std::string& name) {
+  std::size_t count = 0;
+  const cromer_array* arrays = cromer_arrays(answer.get(), &count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (arrays[i].name == name) return {arrays[i].values, arrays[i].values + arrays[i].length};
+  ADD_FAILURE() << "no array " << name;
+  return {};
+}
+
+struct Swing {
+  std::vector<double> t, y;
+  std::vector<cromer_array> arrays() const { return {{"t", t.data(), t.size()}, {"y", y.data(), y.size()}}; }
+};
+
+Swing swing() {
+  Swing made;
+  for (int i = 0; i < 1500; ++i) {
+    made.t.push_back(0.01 * i);
+    made.y.push_back(0.05 * std::exp(-0.05 * made.t.back()) * std::cos(3 * made.t.back()));
+  }
+  return made;
+}
+
+TEST(CallC, FitsArrays) {
+  const Swing made = swing();
+  const Answer answer = call("fit", R"({"mass": [0.2176, 0.0003], "law": "viscous"})", made.arrays());
+  ASSERT_EQ(cromer_status(answer.get()), CROMER_DONE) << cromer_document(answer.get());
+  const json fit = document(answer);
+  EXPECT_NEAR(fit["parameters"]["decay_rate"]["value"].get<double>(), 0.05, 1e-8);
+  EXPECT_NEAR(fit["parameters"]["stiffness"]["standard_error"].get<double>(), 0.0003 * 9.0025, 1e-6);
+  EXPECT_EQ(array(answer, "1.measured"), made.y);
+  EXPECT_EQ(array(answer, "1.x").size(), 1500u);
+}
+
+TEST(CallC, TextsHaveUnits) {
+  const Swing made = swing();
+  const Answer answer = call("fit", R"({"mass": "217.6 ± 0.3 g", "law": "viscous"})", made.arrays());
+  ASSERT_EQ(cromer_status(answer.get()), CROMER_DONE) << cromer_document(answer.get());
+  EXPECT_NEAR(document(answer)["parameters"]["stiffness"]["value"].get<double>(), 0.2176 * 9.0025, 1e-6);
+}
+
+TEST(CallC, SimulatesSeveralMethods) {
+  const Answer answer =
+      call("simulate", R"({"stiffness": 9, "method": ["euler-cromer", "exact"], "step": 0.01, "until": 5})");
+  ASSERT_EQ(cromer_status(answer.get()), CROMER_DONE) << cromer_document(answer.get());
+  const auto t = array(answer, "2.t"), x = array(answer, "2.x");
+  ASSERT_EQ(t.size(), 501u);
+  EXPECT_NEAR(x.back(), std::cos(15.0), 1e-12);
+  EXPECT_EQ(array(answer, "1.energy").size(), 501u);
+  EXPECT_FALSE(document(answer)["runs"][0].contains("states"));
+}
+
+TEST(CallC, DrivesByAnArray) {
+  const std::vector<double> force(400, 1.0);
+  const Answer answer =
+      call("simulate", R"({"stiffness": 9, "method": "exact", "spacing": 0.01, "until": 3})",
+           {{"force", force.data(), force.size()}});
+  ASSERT_EQ(cromer_status(answer.get()), CROMER_DONE) << cromer_document(answer.get());
+  EXPECT_NEAR(array(answer, "1.x").back(), (1 - std::cos(9.0)) / 9, 1e-12);
+}
+
+TEST(CallC, EveryVerbAnswers) {
+  const std::string data = CROMER_SOURCE_DIR "/data/";
+  const std::vector<double> a(300, 1.0), periods{0.1, 1}, frequencies{1, 2, 3};
+  const Swing made = swing();
+  const Answer read = call("read", (R"({"file": ")" + data + R"(recording1.csv"})").c_str());
+  EXPECT_EQ(cromer_status(read.get()), CROMER_DONE) << cromer_document(read.get());
+  std::size_t count = 0;
+  cromer_arrays(read.get(), &count);
+  EXPECT_GE(count, 2u);
+  const Answer compared = call("compare", R"({"method": "rk4"})", made.arrays());
+  EXPECT_EQ(cromer_status(compared.get()), CROMER_DONE) << cromer_document(compared.get());
+  EXPECT_EQ(array(compared, "1.1.t").size(), 1500u);
+  const Answer methods = call("methods", R"({"natural_frequency": 2, "step": 0.1})");
+  EXPECT_EQ(document(methods)["methods"].size(), 13u);
+  const Answer spectrum =
+      call("spectrum", R"({"spacing": 0.01, "damping_ratio": 0.05})",
+           {{"acceleration", a.data(), a.size()}, {"periods", periods.data(), periods.size()}});
+  EXPECT_EQ(cromer_status(spectrum.get()), CROMER_DONE) << cromer_document(spectrum.get());
+  EXPECT_EQ(array(spectrum, "period"), periods);
+  EXPECT_EQ(array(spectrum, "displacement").size(), 2u);
+  const Answer swept =
+      call("sweep", R"({"stiffness": 4, "damping": 0.1, "drive_amplitude": 1, "method": "exact"})",
+           {{"drive_frequency", frequencies.data(), frequencies.size()}});
+  EXPECT_EQ(cromer_status(swept.get()), CROMER_DONE) << cromer_document(swept.get());
+  EXPECT_NEAR(array(swept, "amplitude (m)")[1], 1 / 0.2, 1e-9);
+}
+
+/// {"message", "argument"} of bad input.
+void expect_refused(const Answer& answer, const char* argument, const char* words) {
+  ASSERT_TRUE(answer);
+  EXPECT_EQ(cromer_status(answer.get()), CROMER_BAD_INPUT);
+  const json said = document(answer);
+  if (argument)
+    EXPECT_EQ(said["argument"], argument) << said;
+  else
+    EXPECT_TRUE(said["argument"].is_null()) << said;
+  EXPECT_THAT(said["message"].get<std::string>(), HasSubstr(words));
+  EXPECT_THAT(said["message"].get<std::string>(), Not(HasSubstr("--")));
+  std::size_t count = 7;
+  cromer_arrays(answer.get(), &count);
+  EXPECT_EQ(count, 0u);
+}
+
+TEST(CallC, BadInputIsSaid) {
+  const Swing made = swing();
+  expect_refused(call("swim", "{}"), "verb", "no verb \"swim\"");
+  expect_refused(call(nullptr, nullptr), "verb", "no verb");
+  expect_refused(call("fit", "{"), "request", "no JSON object");
+  expect_refused(call("fit", "[1, 2]"), "request", "no JSON object");
+  expect_refused(call("fit", "{}"), "t", "give the arrays t and y, or a file");
+  expect_refused(call("fit", R"({"mas": 1})", made.arrays()), "mas", "did you mean mass?");
+  expect_refused(call("fit", R"({"mass": "5 N"})", made.arrays()), "mass", "is a force");
+  expect_refused(call("fit", R"({"mass": {"a": 1}})", made.arrays()), "mass", "a number, a text or a list");
+  expect_refused(call("fit", R"({"observed": "colour"})", made.arrays()), "observed", "position, angle");
+  expect_refused(call("fit", R"({"file": 7})"), "file", "a text");
+  expect_refused(call("fit", R"({"file": "/no/such"})"), nullptr, "/no/such");
+  expect_refused(call("fit", R"({"file": "a.csv"})", made.arrays()), "file", "leave one of them out");
+  expect_refused(call("fit", R"({"column": "x"})", made.arrays()), "column", "said of a file");
+  expect_refused(call("fit", R"({"rate": 100})", made.arrays()), "rate", "said of a file");
+  expect_refused(call("spectrum", R"({"spacing": 0.01, "unit": "g"})", {{"acceleration", made.y.data(), 99}}),
+                 "unit", "said of a file");
+  expect_refused(call("simulate", R"({"spacing": 0.1})"), "spacing", "none is given");
+  expect_refused(call("simulate", "{}", {{"force", made.y.data(), 9}}), "spacing", "in seconds");
+  expect_refused(call("simulate", "{}", {{"speed", made.y.data(), 9}}), "speed",
+                 "no array that simulate takes");
+  expect_refused(call("simulate", "{}", {{nullptr, made.y.data(), 9}}), "arrays", "a name");
+  expect_refused(call("spectrum", "{}"), "acceleration", "give the array, or a file");
+  expect_refused(call("sweep", "{}", {{"colour", made.y.data(), 9}}), "colour", "no array that sweep takes");
+  expect_refused(call("read", "{}"), "file", "nothing to read");
+}
+
+TEST(CallC, NamesOfNothingAreShownAsTheyWereGiven) {
+  const Swing made = swing();
+  EXPECT_THAT(document(call("fit", R"({"MASS": 1})", made.arrays()))["message"].get<std::string>(),
+              HasSubstr("\"MASS\" is nothing that fit takes"));
+  expect_refused(call("fit", R"({"spring-mass": 1})", made.arrays()), "spring-mass",
+                 "did you mean spring_mass?");
+  expect_refused(call("fit", "{}", {{"t", made.t.data(), 9}}), "y", "the array y is missing");
+  expect_refused(call("fit", "{}", {{"t", made.t.data(), 9}, {"t", made.t.data(), 9}}), "t", "two arrays t");
+  const std::string deep = R"({"law": )" + std::string(200000, '[') + std::string(200000, ']') + "}";
+  expect_refused(call("fit", deep.c_str(), made.arrays()), "law", "a number, a text or a list");
+  const Answer file = call("read", R"({"file": "/tmp/x --some-thing.csv"})");
+  EXPECT_THAT(document(file)["message"].get<std::string>(), HasSubstr("/tmp/x --some-thing.csv"));
+}
+
+TEST(CallC, WhatCannotBeComparedIsSaid) {
+  const std::vector<double> t{0, 1, 2}, y{1, 2, 1};
+  const Answer few = call("compare", "{}", {{"t", t.data(), 3}, {"y", y.data(), 3}});
+  EXPECT_EQ(cromer_status(few.get()), CROMER_NO_SUCCESS);
+  std::vector<double> chirp;
+  for (int i = 0; i < 1500; ++i) chirp.push_back(std::sin(5e-6 * i * i));
+  const char* request =
+      R"({"stiffness": 9, "damping": 0.4, "method": "exact", "spacing": 0.02, "step": 0.02, "until": 29.98})";
+  const Answer driven = call("simulate", request, {{"force", chirp.data(), chirp.size()}});
+  ASSERT_EQ(cromer_status(driven.get()), CROMER_DONE) << cromer_document(driven.get());
+  const auto times = array(driven, "1.t"), motion = array(driven, "1.x");
+  const Answer forced = call("compare", "{}",
+                             {{"t", times.data(), times.size()},
+                              {"y", motion.data(), times.size()},
+                              {"force", chirp.data(), times.size()}});
+  EXPECT_EQ(cromer_status(forced.get()), CROMER_BAD_INPUT);
+  EXPECT_THAT(document(forced)["message"].get<std::string>(), HasSubstr("something drives this motion"));
+}
+
+TEST(CallC, ProgressEndsIt) {
+  const auto stop = [](double done, void* user) {
+    ++*static_cast<int*>(user);
+    return done < 0.2 ? 1 : 0;
+  };
+  int calls = 0;
+  const Answer answer(cromer_call("simulate",
+                                  R"({"method": "rk4", "step": 1e-4, "until": 20000, "every": 10000})",
+                                  nullptr, 0, stop, &calls));
+  EXPECT_EQ(cromer_status(answer.get()), CROMER_NO_SUCCESS);
+  EXPECT_GT(calls, 0);
+  EXPECT_TRUE(document(answer)["runs"][0]["interrupted"].get<bool>());
+  EXPECT_LT(array(answer, "1.t").back(), 20000);
+}
+
+TEST(CallC, NothingIsSaidOfNothing) {
+  EXPECT_STREQ(cromer_document(nullptr), "");
+  EXPECT_EQ(cromer_status(nullptr), CROMER_BAD_INPUT);
+  std::size_t count = 3;
+  EXPECT_EQ(cromer_arrays(nullptr, &count), nullptr);
+  EXPECT_EQ(count, 0u);
+  cromer_free(nullptr);
+  EXPECT_STREQ(cromer_version(), "0.1.0");
+}
+
+}  // namespace
