@@ -26,8 +26,8 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 using namespace cromer::core;
-using cromer::State;
 using bench::ForcedRun;
+using cromer::State;
 
 constexpr double row_spacing = 0.1;  // [s]
 constexpr double tolerances[] = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};

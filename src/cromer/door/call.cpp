@@ -494,7 +494,8 @@ Result<void> run(std::string_view verb, std::string_view text, std::span<const c
   for (const cromer_array& each : arrays) {
     if (!each.name || !*each.name || (!each.values && each.length > 0))
       return Error{"an array needs a name and its values", "arrays"};
-    if (!names.insert(each.name).second) return Error{"there are two arrays " + std::string(each.name), each.name};
+    if (!names.insert(each.name).second)
+      return Error{"there are two arrays " + std::string(each.name), each.name};
   }
   Call call(verb, std::move(request), arrays, progress);
   if (auto good = found->run(call, result); !good) return good;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cromer/base/median.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/kink.h"
 #include "cromer/identify/diagnose/sample_noise.h"
@@ -104,6 +105,14 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
                                     kink->t)};
 }
 
+// The noise of all samples, without what the swing itself makes of their second differences.
+double noise_beside(const Swing& swing, double amplitude, const Record& record) {
+  const double step = (record.t.back() - record.t.front()) / static_cast<double>(record.t.size() - 1);
+  const double own = amplitude * (1 - std::cos(two_pi * step / swing.period)) / std::sqrt(3);
+  const double all = noise_of(record.y);
+  return std::sqrt(std::max(0.0, all * all - own * own));
+}
+
 // Held still, displaced or at rest.
 std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing) {
   // The amplitude by the largest distances but a few, which may be spikes.
@@ -122,7 +131,8 @@ std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing)
   held /= static_cast<double>(quarter);
   // It is let go where three samples in a row leave the band on one side; noise alone does not do that.
   const double band = std::max(0.05 * amplitude, 4 * noise_of(record.y.first(quarter)));
-  if (band > 0.25 * amplitude) return std::nullopt;  // in so much noise a swing would look held
+  // A swing itself would stay in a wider one for half a period.
+  if (std::max(band, 4 * noise_beside(swing, amplitude, record)) > 0.7 * amplitude) return std::nullopt;
   const auto side = [&](std::size_t i) {
     const double off = record.y[std::min(i, record.y.size() - 1)] - held;
     return off > band ? 1 : off < -band ? -1 : 0;

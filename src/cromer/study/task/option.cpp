@@ -224,11 +224,11 @@ Result<void> assign(const Option& option, std::string_view text) {
 
 Result<void> assign(const std::vector<TypedOption>& settings, const std::vector<Option>& options,
                     std::string_view task) {
-  for (const auto& [name, text] : settings) {
-    const auto option =
-        std::find_if(options.begin(), options.end(), [&](const Option& each) { return each.name == name; });
-    if (option == options.end()) return unknown(name, options, task);
-    if (auto good = assign(*option, text); !good) return good;
+  for (const TypedOption& setting : settings) {
+    const auto option = std::find_if(options.begin(), options.end(),
+                                     [&](const Option& each) { return each.name == setting.first; });
+    if (option == options.end()) return unknown(setting.first, options, task);
+    if (auto good = assign(*option, setting.second); !good) return good;
     if (auto good = check(*option); !good) return good;
   }
   return {};

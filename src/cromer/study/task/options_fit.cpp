@@ -25,8 +25,8 @@ std::vector<Option> joined(std::vector<Option> first, const std::vector<Option>&
 std::vector<Option> options_of(ReadOptions& o) {
   constexpr std::string_view file = "Reading the file";
   return {
-      {"rate", &o.rate, "Hz", Range::sampling_rate, "samples per second, for files without time",
-       "from the time column", file},
+      {"rate", &o.rate, "Hz", Range::sampling_rate,
+       "samples per second, 1e-6 to 1e12, for files without time", "from the time column", file},
       {"time-column", &o.time_column, "", Range::any, "name of the time column", "found", file},
       {"delimiter", &o.delimiter, "", Range::any, "\",\", \";\", tab or blank", "found", file},
       {"decimal", &o.decimal, "", Range::any, "decimal mark, \".\" or \",\"", "found", file},
