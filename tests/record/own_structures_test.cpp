@@ -166,6 +166,8 @@ TEST(VernierFormat, WhatIsMissingIsNamedWithItsLine) {
   EXPECT_THAT(refusal(head + "Run 1\r\n" + names), HasSubstr("lab.txt: the file holds no set of rows"));
   EXPECT_THAT(read(head + "Empty\r\n" + names + "\r\nRun 2\r\n" + names + rows).warnings,
               Contains("set \"Empty\" has no rows"));
+  EXPECT_THAT(read(head + "Run 1\r\n" + names + rows + "\r\nLast\r\n" + names).warnings,
+              Contains("set \"Last\" has no rows"));
 }
 
 TEST(LabView, AChannelMustBeNamed) {
