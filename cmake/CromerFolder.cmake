@@ -56,7 +56,9 @@ endfunction()
 macro(cromer_library)
   get_property(folders GLOBAL PROPERTY CROMER_FOLDERS)
   add_library(cromer_house INTERFACE)
-  target_link_libraries(cromer_house INTERFACE ${folders})
+  set(rooms ${folders})
+  list(REMOVE_ITEM rooms cromer_door)  # for strangers: the program does not wait for it
+  target_link_libraries(cromer_house INTERFACE ${rooms})
 
   set(objects)
   foreach(folder IN LISTS folders)
