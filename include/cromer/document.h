@@ -1,4 +1,4 @@
-// Results as text: the same JSON documents that the program writes (docs/documents.md).
+// Results as text: the same JSON documents that the program writes.
 #pragma once
 
 #include <string>

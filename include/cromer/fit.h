@@ -1,6 +1,7 @@
 // From the record of a motion to its law.
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -33,9 +34,8 @@ enum class Observed { position, angle, velocity, angular_velocity, acceleration 
 class Law {
  public:
   Law() = default;
-  Law(const char* terms) : terms_(terms) {}             // NOLINT: implicit on purpose
-  Law(std::string terms) : terms_(std::move(terms)) {}  // NOLINT: implicit on purpose
-  Law(std::string_view terms) : terms_(terms) {}        // NOLINT: implicit on purpose
+  template <std::convertible_to<std::string_view> Text>
+  Law(const Text& terms) : terms_(std::string_view(terms)) {}  // NOLINT: implicit on purpose
   const std::string& terms() const { return terms_; }
   friend bool operator==(const Law&, const Law&) = default;
 

@@ -1,6 +1,7 @@
 // The methods of integration, and what each of them really simulates.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,9 +15,8 @@ namespace cromer {
 /// A method by its name: "euler-cromer", "rk4", "exact", ... (methods() lists them).
 class Method {
  public:
-  Method(const char* name) : name_(name) {}             // NOLINT: implicit on purpose
-  Method(std::string name) : name_(std::move(name)) {}  // NOLINT: implicit on purpose
-  Method(std::string_view name) : name_(name) {}        // NOLINT: implicit on purpose
+  template <std::convertible_to<std::string_view> Text>
+  Method(const Text& name) : name_(std::string_view(name)) {}  // NOLINT: implicit on purpose
   const std::string& name() const { return name_; }
   friend bool operator==(const Method&, const Method&) = default;
 

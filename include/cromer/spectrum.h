@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <cromer/drive.h>
@@ -21,6 +22,11 @@ struct SpectrumResult;
 /// Where extremes are looked for: everywhere; at the samples; or, as PEER does, at the fewest equal parts of
 /// an interval that are at most T/10 long.
 enum class Peaks { continuous, samples, peer };
+
+/// "continuous", "samples", "peer".
+constexpr std::string_view name(Peaks peaks) {
+  return peaks == Peaks::continuous ? "continuous" : peaks == Peaks::samples ? "samples" : "peer";
+}
 
 struct SpectrumOptions {
   double damping_ratio = 0.05;          // 0 to 20

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 namespace cromer::core::page {
+
 Result<Request> read_request(std::string_view text) {
   Request request;
   for (std::size_t from = 0; from < text.size();) {

@@ -12,19 +12,19 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/analysis/energy.h"
 #include "cromer/base/nearest.h"
 #include "cromer/c.h"
 #include "cromer/door/options.h"
+#include "cromer/door/results.h"
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
-#include "cromer/read.h"
 #include "cromer/record/dialects/columns.h"
 #include "cromer/report/read_file.h"
 #include "cromer/study/json/documents.h"
 #include "cromer/study/load_drive.h"
 #include "cromer/study/task/fitted_motion.h"
 #include "cromer/study/task/option.h"
+#include "cromer/study/task/run_energy.h"
 #include "cromer/version.h"
 
 /// What a call gives back; C sees it only by pointer.
@@ -75,18 +75,14 @@ class Call {
     return number;
   }
 
-  /// An array by name, marked as used; nullptr where it is not given.
-  const cromer_array* take_array(std::string_view name) {
+  /// An array by name, marked as used; empty where it is not given.
+  std::span<const double> take_array(std::string_view name) {
     for (const cromer_array& each : arrays_)
       if (name == each.name) {
         used_.push_back(&each);
-        return &each;
+        return {each.values, each.length};
       }
-    return nullptr;
-  }
-  std::span<const double> values_of(std::string_view name) {
-    const cromer_array* array = take_array(name);
-    return array ? std::span(array->values, array->length) : std::span<const double>{};
+    return {};
   }
   bool has_array(std::string_view name) const {
     return std::any_of(arrays_.begin(), arrays_.end(),
@@ -96,26 +92,28 @@ class Call {
   /// What is left of the request, into the options.
   Result<void> assign_rest(const std::vector<Option>& options) const {
     std::vector<TypedOption> settings;
-    for (const auto& [name, value] : request_.items()) {
-      std::string option = name;
-      std::replace(option.begin(), option.end(), '_', '-');
-      if (auto good = check_setting(name, option, value, options); !good) return good;
-      const auto known = std::find_if(options.begin(), options.end(),
-                                      [&](const Option& each) { return each.name == option; });
-      const bool takes_several = known != options.end() && known->is_list();
-      const bool takes_quantity =
-          known != options.end() && std::holds_alternative<std::optional<Quantity>*>(known->target);
+    for (const auto& item : request_.items()) {
+      const Request& value = item.value();
+      const auto found = find(item.key(), options);
+      if (!found) return found.error();
+      const Option& option = **found;
+      const std::string name(option.name);
+      const bool nested =
+          value.is_array() &&
+          std::any_of(value.begin(), value.end(), [](const Request& each) { return each.is_structured(); });
+      if (value.is_object() || nested)
+        return Error{item.key() + " must be a number, a text or a list of them", item.key()};
       if (value.is_null()) continue;
-      if (value.is_array() && takes_quantity && value.size() == 2) {
-        settings.emplace_back(option, text_of(value[0]) + " ± " + text_of(value[1]));
-      } else if (value.is_array() && takes_several) {
-        for (const auto& each : value) settings.emplace_back(option, text_of(each));
-      } else if (value.is_array()) {
+      if (!value.is_array()) {
+        settings.emplace_back(name, text_of(value));
+      } else if (std::holds_alternative<std::optional<Quantity>*>(option.target) && value.size() == 2) {
+        settings.emplace_back(name, text_of(value[0]) + " ± " + text_of(value[1]));
+      } else if (option.is_list()) {
+        for (const auto& each : value) settings.emplace_back(name, text_of(each));
+      } else {
         std::string list;
         for (const auto& each : value) list += (list.empty() ? "" : ",") + text_of(each);
-        settings.emplace_back(option, std::move(list));
-      } else {
-        settings.emplace_back(option, text_of(value));
+        settings.emplace_back(name, std::move(list));
       }
     }
     return assign(settings, options, verb_);
@@ -126,11 +124,9 @@ class Call {
     ReadOptions read;
     std::vector<std::string> names{"column", "force-column", "run", "unit"};
     for (const Option& option : options_of(read)) names.emplace_back(option.name);
-    for (std::string& name : names) {
-      std::replace(name.begin(), name.end(), '-', '_');
-      if (request_.contains(name))
+    for (const std::string& option : names)
+      if (const std::string name = argument_of(option); request_.contains(name))
         return Error{name + " is said of a file, and arrays are given; leave it out", name};
-    }
     return {};
   }
 
@@ -152,26 +148,18 @@ class Call {
   }
 
  private:
-  /// That there is such an option, and that its value is a scalar or a list of them.
-  Result<void> check_setting(const std::string& name, const std::string& option, const Request& value,
-                             const std::vector<Option>& options) const {
-    std::vector<std::string_view> names;
-    for (const Option& each : options) names.push_back(each.name);
-    if (std::find(names.begin(), names.end(), option) == names.end() || name.find('-') != std::string::npos) {
-      std::string near = nearest(option, names);
-      std::replace(near.begin(), near.end(), '-', '_');
-      return Error{quoted(name) + " is nothing that " + std::string(verb_) + " takes" +
-                       (near.empty() ? "" : "; did you mean " + near + "?"),
-                   name};
+  /// The option that an argument is; the Error suggests the nearest.
+  Result<const Option*> find(const std::string& argument, const std::vector<Option>& options) const {
+    std::vector<std::string> names;
+    for (const Option& each : options) {
+      names.push_back(argument_of(each.name));
+      if (names.back() == argument) return &each;
     }
-    const bool list = value.is_array();
-    const bool nested = list && std::any_of(value.begin(), value.end(),
-                                            [](const Request& each) { return each.is_structured(); });
-    if (value.is_object() || nested) return Error{name + " must be a number, a text or a list of them", name};
-    return {};
+    const std::string near = nearest(argument, std::vector<std::string_view>(names.begin(), names.end()));
+    return Error{'"' + argument + "\" is nothing that " + std::string(verb_) + " takes" +
+                     (near.empty() ? "" : "; did you mean " + near + "?"),
+                 argument};
   }
-
-  static std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
   static std::string text_of(const Request& value) {
     if (value.is_string()) return value;
@@ -185,20 +173,6 @@ class Call {
   std::vector<const cromer_array*> used_;
   Watching watching_;
 };
-
-Result<Observed> observed_of(const std::string& word) {
-  constexpr std::pair<std::string_view, Observed> all[] = {{"position", Observed::position},
-                                                           {"angle", Observed::angle},
-                                                           {"velocity", Observed::velocity},
-                                                           {"angular_velocity", Observed::angular_velocity},
-                                                           {"acceleration", Observed::acceleration}};
-  if (word.empty()) return Observed::position;
-  for (const auto& [name, observed] : all)
-    if (word == name) return observed;
-  return Error{"observed \"" + word +
-                   "\" is not known; it takes position, angle, velocity, angular_velocity or acceleration",
-               "observed"};
-}
 
 /// The recording that fit and compare are about: arrays, or a file.
 struct Motion {
@@ -215,7 +189,8 @@ Result<Motion> motion_of(Call& call, const ReadOptions& read, const std::string&
       if (!call.has_array(needed)) return Error{std::string("the array ") + needed + " is missing", needed};
     const auto kind = observed_of(observed);
     if (!kind) return kind.error();
-    auto recording = recording_of(call.values_of("t"), call.values_of("y"), call.values_of("force"), *kind);
+    auto recording =
+        recording_of(call.take_array("t"), call.take_array("y"), call.take_array("force"), *kind);
     if (!recording) return recording.error();
     return Motion{*std::move(recording), true};
   }
@@ -258,8 +233,7 @@ Result<void> fit_verb(Call& call, cromer_result& result) {
   auto fits = fit_recording(motion->recording, options, call.watch());
   if (!fits) return said(fits.error(), *motion);
   for (FittedRecording& each : *fits) {
-    each.warnings = in_arguments(each.warnings, motion->of_arrays);
-    each.fit.message = in_arguments(each.fit.message, motion->of_arrays);
+    put_in_arguments(each, motion->of_arrays);
     if (!each.succeeded()) result.status = CROMER_NO_SUCCESS;
     if (!each.fit.is_usable()) continue;
     FittedMotion known = fitted_motion(each);
@@ -285,9 +259,7 @@ Result<void> compare_verb(Call& call, cromer_result& result) {
     auto compared = compare_fitted(each, options, call.watch());
     if (!compared) return said(compared.error(), *motion);
     if (!compared->complete || !each.succeeded()) result.status = CROMER_NO_SUCCESS;
-    compared->warnings = in_arguments(compared->warnings, motion->of_arrays);
-    compared->recording.warnings = in_arguments(compared->recording.warnings, motion->of_arrays);
-    compared->recording.fit.message = in_arguments(compared->recording.fit.message, motion->of_arrays);
+    put_in_arguments(*compared, motion->of_arrays);
     for (std::size_t i = 0; i < compared->curves.size(); ++i) {
       const std::string curve = std::to_string(each.series.run) + "." + std::to_string(i + 1) + ".";
       const Trajectory& states = compared->curves[i].trajectory;
@@ -301,7 +273,7 @@ Result<void> compare_verb(Call& call, cromer_result& result) {
   return {};
 }
 
-Result<void> set_record(Call& call, SimulateOptions& options, double spacing) {
+Result<void> take_record(Call& call, SimulateOptions& options, double spacing) {
   const bool force = call.has_array("force"), ground = call.has_array("acceleration");
   if (!force && !ground) {
     if (!std::isnan(spacing))
@@ -312,14 +284,8 @@ Result<void> set_record(Call& call, SimulateOptions& options, double spacing) {
   if (force && ground)
     return Error{"force and acceleration both drive the mass; leave one of them out", "force"};
   if (std::isnan(spacing)) return Error{name + " needs its spacing as well, in seconds", "spacing"};
-  if (auto good = check_spacing(spacing); !good) return good;
-  const auto values = call.values_of(name);
-  if (auto good = check_samples(values, name, 2); !good) return good;
-  (force ? options.drive_file : options.base_motion) = name;
-  options.drive_record.emplace();
-  options.drive_record->values.assign(values.begin(), values.end());
-  options.drive_record->spacing = spacing;
-  return {};
+  return core::set_record(options, force ? RecordOf::force : RecordOf::ground, call.take_array(name),
+                          spacing);
 }
 
 Result<void> simulate_verb(Call& call, cromer_result& result) {
@@ -327,25 +293,21 @@ Result<void> simulate_verb(Call& call, cromer_result& result) {
   const auto spacing = call.take_number("spacing");
   if (!spacing) return spacing.error();
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
-  if (auto good = set_record(call, options, *spacing); !good) return good;
+  if (auto good = take_record(call, options, *spacing); !good) return good;
   if (auto good = call.check_arrays(); !good) return good;
-  options.memory = memory_for_results / 3;  // energies and copies beside the states
+  options.memory = memory_for_states;
   const bool of_arrays = call.has_array("force") || call.has_array("acceleration");
   auto simulated = simulate(options, call.watch());
   if (!simulated) return in_arguments(simulated.error(), of_arrays);
-  simulated->warnings = in_arguments(simulated->warnings, of_arrays);
-  for (SimulatedRun& run : simulated->runs) run.message = in_arguments(run.message, of_arrays);
+  put_in_arguments(*simulated, of_arrays);
   if (!simulated->ok()) result.status = CROMER_NO_SUCCESS;
   for (std::size_t i = 0; i < simulated->runs.size(); ++i) {
     const SimulatedRun& run = simulated->runs[i];
     const std::string of_run = std::to_string(i + 1) + ".";
-    std::vector<double> energies;
-    for (std::size_t k = 0; k < run.trajectory.size(); ++k)
-      energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[k], run.trajectory.v[k]}));
     result.add(of_run + "t", run.trajectory.t);
     result.add(of_run + "x", run.trajectory.x);
     result.add(of_run + "v", run.trajectory.v);
-    result.add(of_run + "energy", std::move(energies));
+    result.add(of_run + "energy", energies(run));
     if (!run.sensor.empty()) result.add(of_run + "sensor", run.sensor);
   }
   result.document = to_json(*simulated, false);
@@ -361,14 +323,6 @@ Result<void> methods_verb(Call& call, cromer_result& result) {
   return {};
 }
 
-Component component_of(const char* name, std::span<const double> values, double spacing) {
-  Component component;
-  component.file = name;
-  component.acceleration.assign(values.begin(), values.end());
-  component.spacing = spacing;
-  return component;
-}
-
 Result<SpectrumResult> spectrum_of(Call& call, const SpectrumOptions& options, const std::string& file,
                                    double spacing) {
   if (!call.has_array("acceleration")) {
@@ -379,17 +333,9 @@ Result<SpectrumResult> spectrum_of(Call& call, const SpectrumOptions& options, c
     return response_spectrum(std::span(&one, 1), options, call.watch());
   }
   if (std::isnan(spacing)) return Error{"acceleration needs its spacing as well, in seconds", "spacing"};
-  if (auto good = check_spacing(spacing); !good) return good.error();
-  std::vector<Component> components;
-  for (const char* name : {"acceleration", "second"}) {
-    if (!call.has_array(name)) continue;
-    const auto values = call.values_of(name);
-    if (auto good = check_samples(values, name, 2); !good) return good.error();
-    components.push_back(component_of(name, values, spacing));
-    if (components.back().acceleration.size() != components.front().acceleration.size())
-      return Error{"second has another number of values than acceleration", "second"};
-  }
-  return response_spectrum(std::move(components), options, call.watch());
+  auto components = components_of(call.take_array("acceleration"), call.take_array("second"), spacing);
+  if (!components) return components.error();
+  return response_spectrum(*std::move(components), options, call.watch());
 }
 
 Result<void> spectrum_verb(Call& call, cromer_result& result) {
@@ -401,7 +347,7 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   if (call.has_array("acceleration"))
     if (auto good = call.refuse_of_files(); !good) return good;
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
-  const auto periods = call.values_of("periods");
+  const auto periods = call.take_array("periods");
   if (auto good = check_samples(periods, "periods", 0); !good) return good;
   options.these_periods.assign(periods.begin(), periods.end());
   options.memory = memory_for_results;
@@ -425,30 +371,22 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
 Result<void> sweep_verb(Call& call, cromer_result& result) {
   SweepOptions options;
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
+  const std::vector<Option> table = options_of(options);
   std::vector<TypedOption> grids;
   for (const cromer_array* array : call.take_all()) {
-    std::string list, option = array->name;
-    std::replace(option.begin(), option.end(), '_', '-');
-    for (std::size_t i = 0; i < array->length; ++i) list += (i > 0 ? "," : "") + shortest(array->values[i]);
-    grids.emplace_back(std::move(option), std::move(list));
+    const std::string option = option_of(array->name);
+    if (std::none_of(table.begin(), table.end(), [&](const Option& each) { return each.name == option; }))
+      return Error{std::string(array->name) + " is no array that sweep takes", array->name};
+    grids.emplace_back(option, list_of({array->values, array->length}));
   }
-  for (const TypedOption& grid : grids)
-    if (const auto table = options_of(options);
-        std::none_of(table.begin(), table.end(), [&](const Option& each) { return each.name == grid.first; }))
-      return Error{grid.first + " is no array that sweep takes", grid.first};
-  if (auto good = assign(grids, options_of(options), "sweep"); !good) return good;
+  if (auto good = assign(grids, table, call.verb()); !good) return good;
   options.memory = memory_for_results;
-  const auto swept = sweep(options, call.watch());
+  const auto swept = run_sweep(options, call.watch());
   if (!swept) return swept.error();
   if (!swept->counts.ok() || swept->interrupted) result.status = CROMER_NO_SUCCESS;
   const auto& columns = swept->plan.rows.columns;
-  const std::size_t width = columns.size() - 1;
-  for (std::size_t j = 0; j < width; ++j) {
-    std::vector<double> column;
-    for (std::size_t row = 0; row < swept->rows.size() / width; ++row)
-      column.push_back(swept->rows[row * width + j]);
-    result.add(std::string(columns[j]), std::move(column));
-  }
+  for (std::size_t j = 0; j + 1 < columns.size(); ++j)
+    result.add(std::string(columns[j]), column_of(*swept, j));
   result.document = to_json(*swept, false);
   return {};
 }
@@ -484,10 +422,12 @@ Result<void> run(std::string_view verb, std::string_view text, std::span<const c
                  const Progress& progress, cromer_result& result) {
   const auto found =
       std::find_if(std::begin(verbs), std::end(verbs), [&](const Verb& each) { return each.name == verb; });
-  if (found == std::end(verbs))
-    return Error{"there is no verb \"" + std::string(verb) +
-                     "\"; there are read, fit, simulate, compare, methods, spectrum and sweep",
-                 "verb"};
+  if (found == std::end(verbs)) {
+    std::string known;
+    for (const Verb& each : verbs)
+      known += (known.empty() ? "" : &each == std::end(verbs) - 1 ? " and " : ", ") + std::string(each.name);
+    return Error{"there is no verb \"" + std::string(verb) + "\"; there are " + known, "verb"};
+  }
   Request request = text.empty() ? Request::object() : Request::parse(text, nullptr, false);
   if (!request.is_object()) return Error{"the request is no JSON object", "request"};
   std::set<std::string_view> names;

@@ -19,7 +19,9 @@ Result<Comparison> compare(const LawFit& fit, const CompareOptions& options) {
   asked.step = options.step;
   const core::Watching watching(options.progress);
   auto compared = core::compare_fitted(*fit.detail, asked, watching.watch());
-  if (!compared) return core::in_arguments(compared.error(), fit.file.empty());
+  const bool of_arrays = fit.file.empty();
+  if (!compared) return core::in_arguments(compared.error(), of_arrays);
+  core::put_in_arguments(*compared, of_arrays);
   const auto detail = std::make_shared<const core::CompareResult>(*std::move(compared));
   Comparison comparison;
   comparison.fit = fit;
@@ -27,10 +29,10 @@ Result<Comparison> compare(const LawFit& fit, const CompareOptions& options) {
     comparison.curves.push_back({each.label, core::to_text(each.law), each.step, each.trajectory,
                                  each.complete, each.rms, each.r_squared, each.amplitude_ratio_end,
                                  each.phase_drift});
-  comparison.explanation = core::in_arguments(core::explanation(*detail), fit.file.empty());
+  comparison.explanation = core::in_arguments(core::explanation(*detail), of_arrays);
   comparison.complete = detail->complete;
   comparison.interrupted = watching.watch().interrupted();
-  comparison.warnings = core::in_arguments(detail->warnings, fit.file.empty());
+  comparison.warnings = detail->warnings;
   comparison.detail = detail;
   return comparison;
 }

@@ -1,7 +1,5 @@
 #include "cromer/fit.h"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "cromer/base/quantity.h"
@@ -31,13 +29,13 @@ Residual residual_of(const core::Residual& residual) {
   return {residual.rms, residual.normality, residual.autocorrelation, residual.white};
 }
 
-}  // namespace
-
-LawFit core::fit_of(FittedRecording fitted, bool of_arrays) {
-  cromer::LawFit fit;
+/// `of_arrays`: the record has samples, not lines.
+LawFit fit_of(core::FittedRecording fitted, bool of_arrays) {
+  core::put_in_arguments(fitted, of_arrays);
+  LawFit fit;
   fit.status = fitted.fit.status;
-  fit.message = in_arguments(fitted.fit.message, of_arrays);
-  if (!fitted.wrong_input) fit.law = to_text(fitted.fit.law);
+  fit.message = fitted.fit.message;
+  if (!fitted.wrong_input) fit.law = core::to_text(fitted.fit.law);
   fit.parameters = fitted.parameters;
   fit.derived = fitted.derived;
   if (!fitted.parameters.empty()) {
@@ -47,9 +45,10 @@ LawFit core::fit_of(FittedRecording fitted, bool of_arrays) {
   fit.residual = residual_of(fitted.fit.residual);
   fit.samples = fitted.samples;
   fit.used = fitted.used();
-  for (const Candidate& each : fitted.candidates)
-    fit.candidates.push_back({to_text(each.law), each.rms, each.bic});
-  for (const DecaySegment& each : fitted.segments) fit.segments.push_back({each.from, each.to, each.rate});
+  for (const core::Candidate& each : fitted.candidates)
+    fit.candidates.push_back({core::to_text(each.law), each.rms, each.bic});
+  for (const core::DecaySegment& each : fitted.segments)
+    fit.segments.push_back({each.from, each.to, each.rate});
   fit.decay_rate_mean = fitted.decay_rate_mean;
   fit.reynolds_max = fitted.reynolds_max;
   fit.keulegan_carpenter = fitted.keulegan_carpenter;
@@ -59,10 +58,12 @@ LawFit core::fit_of(FittedRecording fitted, bool of_arrays) {
   }
   fit.run = fitted.series.run;
   if (!fitted.series.t.empty()) fit.begin = fitted.series.t.front();
-  fit.warnings = in_arguments(fitted.warnings, of_arrays);
-  fit.detail = std::make_shared<const FittedRecording>(std::move(fitted));
+  fit.warnings = fitted.warnings;
+  fit.detail = std::make_shared<const core::FittedRecording>(std::move(fitted));
   return fit;
 }
+
+}  // namespace
 
 std::optional<Estimate> LawFit::find(std::string_view wanted) const {
   for (const auto* list : {&parameters, &derived})
@@ -77,15 +78,13 @@ Result<Trajectory> LawFit::at(std::span<const double> t) const {
   if (known->fit.drive.kind == core::DriveKind::recorded)
     return Error{"a recorded force drives this motion, which is known at its samples alone: ask motion()",
                  "t"};
-  if (auto good = core::check_samples(t, "t", 0); !good) return good.error();
-  for (std::size_t i = 1; i < t.size(); ++i)
-    if (!(t[i] > t[i - 1])) return Error{"t must increase strictly", "t"};
+  if (auto good = core::check_times(t); !good) return good.error();
+  if (t.empty()) return Trajectory{};
   const double first = known->series.t.front();
-  if (!t.empty() && t.front() < first)
+  if (t.front() < first)
     return Error{"t begins at " + core::shortest(t.front()) + " s, before the first used sample, " +
                      core::shortest(first) + " s: the law says nothing of what was before",
                  "t"};
-  if (t.empty()) return Trajectory{};
   constexpr double most_steps = 1e8;
   if ((t.back() - first) / known->fit.step > most_steps)
     return Error{
@@ -129,7 +128,7 @@ Result<LawFit> fit(std::span<const double> t, std::span<const double> y, const F
   const core::Watching watching(options.progress);
   auto fits = core::fit_recording(*recording, asked, watching.watch());
   if (!fits) return core::in_arguments(fits.error(), true);
-  LawFit found = core::fit_of(std::move(fits->front()), true);
+  LawFit found = fit_of(std::move(fits->front()), true);
   found.interrupted = watching.watch().interrupted();
   return found;
 }
@@ -147,7 +146,7 @@ Result<std::vector<LawFit>> fit(const Recording& recording, const FitOptions& op
   if (!fits) return core::in_arguments(fits.error());
   std::vector<LawFit> all;
   for (core::FittedRecording& each : *fits) {
-    all.push_back(core::fit_of(std::move(each), false));
+    all.push_back(fit_of(std::move(each), false));
     all.back().interrupted = watching.watch().interrupted();
   }
   return all;

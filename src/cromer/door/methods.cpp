@@ -26,16 +26,6 @@ std::vector<MethodInfo> infos_of(const std::vector<core::MethodRow>& rows) {
 
 }  // namespace
 
-MethodEffect core::effect_of(const core::MethodEffect& effect) {
-  std::optional<double> decay_rate = effect.effective.decay_rate;
-  if (decay_rate) *decay_rate += 0.0;  // no -0
-  return {.decay_rate = decay_rate,
-          .angular_frequency = effect.effective.angular_frequency,
-          .spectral_radius = effect.effective.spectral_radius,
-          .stable = effect.stable,
-          .stability_limit = effect.stability_limit};
-}
-
 std::vector<MethodInfo> methods() { return infos_of(*core::list_methods()); }
 
 Result<std::vector<MethodInfo>> methods(const EffectOptions& options) {

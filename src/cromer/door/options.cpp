@@ -3,50 +3,45 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <iterator>
 
 namespace cromer::core {
 namespace {
 
 struct Kind {
-  const char *quantity, *unit;
+  Observed observed;
+  std::string_view word, quantity, unit;
 };
 
-Kind kind_of(Observed observed) {
-  switch (observed) {
-    case Observed::position:
-      return {"position", "m"};
-    case Observed::angle:
-      return {"angle", "rad"};
-    case Observed::velocity:
-      return {"velocity", "m/s"};
-    case Observed::angular_velocity:
-      return {"angular velocity", "rad/s"};
-    case Observed::acceleration:
-      return {"acceleration", "m/s^2"};
-  }
-  return {"", ""};
+/// In the order of the enumerators.
+constexpr Kind kinds[] = {{Observed::position, "position", "position", "m"},
+                          {Observed::angle, "angle", "angle", "rad"},
+                          {Observed::velocity, "velocity", "velocity", "m/s"},
+                          {Observed::angular_velocity, "angular_velocity", "angular velocity", "rad/s"},
+                          {Observed::acceleration, "acceleration", "acceleration", "m/s^2"}};
+
+Column column_of(const char* name, std::string_view quantity, std::string_view unit,
+                 std::span<const double> values) {
+  return {.name = name,
+          .quantity = std::string(quantity),
+          .unit = std::string(unit),
+          .values = {values.begin(), values.end()}};
 }
 
-Column column_of(const char* name, const Kind& kind, std::span<const double> values) {
-  return {
-      .name = name, .quantity = kind.quantity, .unit = kind.unit, .values = {values.begin(), values.end()}};
+Result<void> check_length(std::span<const double> values, const char* argument,
+                          std::span<const double> others, const char* other) {
+  if (values.size() == others.size()) return {};
+  return Error{fmt::format("{} has {} values and {} has {}: they must be as many", argument, values.size(),
+                           other, others.size()),
+               argument};
 }
 
-Result<void> check_times(std::span<const double> t) {
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    if (!std::isfinite(t[i])) return Error{fmt::format("t[{}] is {}: times must be finite", i, t[i]), "t"};
-    if (i > 0 && !(t[i] > t[i - 1]))
-      return Error{fmt::format("t must increase strictly: t[{}] = {} s follows {} s", i, t[i], t[i - 1]),
-                   "t"};
-  }
-  return {};
-}
-
-Result<void> check_length(std::span<const double> values, const char* argument, std::size_t samples) {
-  if (values.size() == samples) return {};
-  return Error{
-      fmt::format("{} has {} values and t has {}: they must be as many", argument, values.size(), samples),
-      argument};
+Component component_of(std::span<const double> acceleration, double spacing, const char* argument) {
+  Component component;
+  component.file = argument;
+  component.acceleration.assign(acceleration.begin(), acceleration.end());
+  component.spacing = spacing;
+  return component;
 }
 
 /// NaN is a missing value, infinity a mistake.
@@ -58,6 +53,16 @@ Result<void> check_not_infinite(std::span<const double> values, const char* argu
 }
 
 }  // namespace
+
+Result<void> check_times(std::span<const double> t) {
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    if (!std::isfinite(t[i])) return Error{fmt::format("t[{}] is {}: times must be finite", i, t[i]), "t"};
+    if (i > 0 && !(t[i] > t[i - 1]))
+      return Error{fmt::format("t must increase strictly: t[{}] = {} s follows {} s", i, t[i], t[i - 1]),
+                   "t"};
+  }
+  return {};
+}
 
 Result<void> check_samples(std::span<const double> values, const std::string& argument, std::size_t least) {
   if (values.size() < least)
@@ -98,11 +103,11 @@ FitOptions fit_options(const cromer::FitOptions& options, const Selection& selec
 
 Result<Recording> recording_of(std::span<const double> t, std::span<const double> y,
                                std::span<const double> force, Observed observed) {
-  if (auto good = check_enumerator(observed, 5, "observed"); !good) return good.error();
+  if (auto good = check_enumerator(observed, std::size(kinds), "observed"); !good) return good.error();
   if (auto good = check_times(t); !good) return good.error();
-  if (auto good = check_length(y, "y", t.size()); !good) return good.error();
+  if (auto good = check_length(y, "y", t, "t"); !good) return good.error();
   if (!force.empty())
-    if (auto good = check_length(force, "force", t.size()); !good) return good.error();
+    if (auto good = check_length(force, "force", t, "t"); !good) return good.error();
   if (t.empty()) return Error{"t has no values: a record has samples", "t"};
   if (auto good = check_not_infinite(y, "y"); !good) return good.error();
   if (auto good = check_not_infinite(force, "force"); !good) return good.error();
@@ -110,10 +115,50 @@ Result<Recording> recording_of(std::span<const double> t, std::span<const double
   recording.file = "the record";
   recording.named = true;
   auto& columns = recording.table.columns;
-  columns = {column_of("t", {"time", "s"}, t), column_of("y", kind_of(observed), y)};
-  if (!force.empty()) columns.push_back(column_of("force", {"force", "N"}, force));
+  const Kind& kind = kinds[static_cast<int>(observed)];
+  columns = {column_of("t", "time", "s", t), column_of("y", kind.quantity, kind.unit, y)};
+  if (!force.empty()) columns.push_back(column_of("force", "force", "N", force));
   for (std::size_t i = 0; i < t.size(); ++i) recording.lines.push_back(static_cast<long>(i));
   return recording;
+}
+
+Result<Observed> observed_of(std::string_view word) {
+  if (word.empty()) return Observed::position;
+  std::string known;
+  for (const Kind& kind : kinds) {
+    if (word == kind.word) return kind.observed;
+    known += fmt::format("{}{}",
+                         known.empty()                  ? ""
+                         : &kind == std::end(kinds) - 1 ? " or "
+                                                        : ", ",
+                         kind.word);
+  }
+  return Error{fmt::format("observed \"{}\" is not known; it takes {}", word, known), "observed"};
+}
+
+Result<void> set_record(SimulateOptions& options, RecordOf what, std::span<const double> values,
+                        double spacing) {
+  const bool force = what == RecordOf::force;
+  std::string& named = force ? options.drive_file : options.base_motion;
+  named = force ? "force" : "acceleration";
+  if (auto good = check_spacing(spacing); !good) return good;
+  if (auto good = check_samples(values, named, 2); !good) return good;
+  options.drive_record.emplace();
+  options.drive_record->values.assign(values.begin(), values.end());
+  options.drive_record->spacing = spacing;
+  return {};
+}
+
+Result<std::vector<Component>> components_of(std::span<const double> acceleration,
+                                             std::span<const double> second, double spacing) {
+  if (auto good = check_spacing(spacing); !good) return good.error();
+  if (auto good = check_samples(acceleration, "acceleration", 2); !good) return good.error();
+  std::vector<Component> components{component_of(acceleration, spacing, "acceleration")};
+  if (second.empty()) return components;
+  if (auto good = check_length(second, "second", acceleration, "acceleration"); !good) return good.error();
+  if (auto good = check_samples(second, "second", 2); !good) return good.error();
+  components.push_back(component_of(second, spacing, "second"));
+  return components;
 }
 
 }  // namespace cromer::core

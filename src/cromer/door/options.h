@@ -1,20 +1,23 @@
-// The door's options as those of the tasks, and checks of arrays.
+// What callers hand in, checked and made into what the tasks take.
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cromer/fit.h"
 #include "cromer/result.h"
-#include "cromer/simulate.h"
 #include "cromer/study/task/fit.h"
+#include "cromer/study/task/response_spectrum.h"
 #include "cromer/study/task/simulate.h"
 
 namespace cromer::core {
 
 inline constexpr double memory_for_results = 16e9;  // [bytes] beyond which a result is refused
+/// [bytes] The same of the states of a run alone: energies and copies stand beside them.
+inline constexpr double memory_for_states = memory_for_results / 3;
 
 /// That there are so many samples at least and all are finite; the Error names the argument.
 Result<void> check_samples(std::span<const double> values, const std::string& argument, std::size_t least);
@@ -30,15 +33,25 @@ Result<void> check_enumerator(Enum value, int count, const char* argument) {
 /// That samples lie so far apart [s].
 Result<void> check_spacing(double spacing);
 
-SimulateOptions simulate_options(const Oscillator<double>& oscillator,
-                                 const cromer::SimulateOptions& options);
-
-Simulation simulation_of(std::shared_ptr<const SimulateResult> result, std::size_t which);
+/// That times [s] are finite and increase strictly.
+Result<void> check_times(std::span<const double> t);
 
 FitOptions fit_options(const cromer::FitOptions& options, const Selection& selection);
+
+/// "position", "angular_velocity", ...: as C writes it; "" is a position.
+Result<Observed> observed_of(std::string_view word);
 
 /// Arrays as a recording of columns t, y and, where there is one, force. The Error names the argument.
 Result<Recording> recording_of(std::span<const double> t, std::span<const double> y,
                                std::span<const double> force, Observed observed);
+
+/// A recorded force, or the acceleration of the ground, as the drive of a run.
+enum class RecordOf { force, ground };
+Result<void> set_record(SimulateOptions& options, RecordOf what, std::span<const double> values,
+                        double spacing);
+
+/// The ground's acceleration and, unless it is empty, its second component, sampled alike.
+Result<std::vector<Component>> components_of(std::span<const double> acceleration,
+                                             std::span<const double> second, double spacing);
 
 }  // namespace cromer::core

@@ -1,6 +1,5 @@
 #include "cromer/read.h"
 
-#include <cstdio>
 #include <memory>
 #include <utility>
 

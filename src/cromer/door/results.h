@@ -1,20 +1,32 @@
-// The tasks' results as the plain structs of the door; each keeps what it was made of.
+// What the tasks found, as callers get it.
 #pragma once
 
-#include <memory>
+#include <cstddef>
+#include <vector>
 
-#include "cromer/compare.h"
-#include "cromer/fit.h"
 #include "cromer/methods.h"
 #include "cromer/study/task/compare.h"
 #include "cromer/study/task/fit.h"
 #include "cromer/study/task/method_effect.h"
+#include "cromer/study/task/simulate.h"
+#include "cromer/study/task/sweep.h"
 
 namespace cromer::core {
 
-/// `of_arrays`: the record has samples, not lines.
-cromer::LawFit fit_of(FittedRecording fitted, bool of_arrays);
+/// Puts what a result says into the words of a call (words.h).
+void put_in_arguments(FittedRecording& fitted, bool of_arrays);
+void put_in_arguments(CompareResult& compared, bool of_arrays);
+void put_in_arguments(SimulateResult& simulated, bool of_arrays);
 
 cromer::MethodEffect effect_of(const MethodEffect& effect);
+
+/// All rows; a point of more steps than memory can count is an Error, not the end of the program.
+Result<SweepResult> run_sweep(const SweepOptions& options, const Watch& watch);
+
+/// One of its columns, by place.
+std::vector<double> column_of(const SweepResult& result, std::size_t column);
+
+/// "1.5,2,3": values as a grid that an option takes.
+std::string list_of(std::span<const double> values);
 
 }  // namespace cromer::core

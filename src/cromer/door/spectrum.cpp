@@ -1,10 +1,9 @@
 #include "cromer/spectrum.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <utility>
 
+#include "cromer/base/quantity.h"
 #include "cromer/door/options.h"
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
@@ -12,16 +11,6 @@
 
 namespace cromer {
 namespace {
-
-constexpr const char* peaks_names[] = {"continuous", "samples", "peer"};
-
-core::Component component_of(std::span<const double> acceleration, double spacing, const char* argument) {
-  core::Component component;
-  component.file = argument;
-  component.acceleration.assign(acceleration.begin(), acceleration.end());
-  component.spacing = spacing;
-  return component;
-}
 
 ResponseSpectrum spectrum_of(std::shared_ptr<const core::SpectrumResult> result) {
   ResponseSpectrum spectrum;
@@ -53,29 +42,20 @@ Result<ResponseSpectrum> response_spectrum(std::span<const double> acceleration,
                                            const SpectrumOptions& options) {
   if (auto good = core::check_enumerator(options.peaks, 3, "peaks"); !good) return good.error();
   if (auto good = core::check_enumerator(options.between, 3, "between"); !good) return good.error();
-  if (auto good = core::check_spacing(spacing); !good) return good.error();
-  if (auto good = core::check_samples(acceleration, "acceleration", 2); !good) return good.error();
   if (auto good = core::check_samples(options.periods, "periods", 0); !good) return good.error();
-  std::vector<core::Component> components{component_of(acceleration, spacing, "acceleration")};
-  if (!options.second.empty()) {
-    if (options.second.size() != acceleration.size())
-      return Error{fmt::format("second has {} values and acceleration has {}: they must be as many",
-                               options.second.size(), acceleration.size()),
-                   "second"};
-    if (auto good = core::check_samples(options.second, "second", 2); !good) return good.error();
-    components.push_back(component_of(options.second, spacing, "second"));
-  }
+  auto components = core::components_of(acceleration, options.second, spacing);
+  if (!components) return components.error();
   core::SpectrumOptions asked;
   if (options.loss_factor)
     asked.loss_factor = {core::shortest(*options.loss_factor)};
   else
     asked.damping_ratio = {core::shortest(options.damping_ratio)};
   asked.these_periods.assign(options.periods.begin(), options.periods.end());
-  if (options.peaks != Peaks::continuous) asked.peaks = peaks_names[static_cast<int>(options.peaks)];
+  if (options.peaks != Peaks::continuous) asked.peaks = name(options.peaks);
   if (options.between != BetweenSamples::linear) asked.between_samples = name(options.between);
   asked.memory = core::memory_for_results;
   const core::Watching watching(options.progress);
-  auto result = core::response_spectrum(std::move(components), asked, watching.watch());
+  auto result = core::response_spectrum(*std::move(components), asked, watching.watch());
   if (!result) return core::in_arguments(result.error());
   return spectrum_of(std::make_shared<const core::SpectrumResult>(*std::move(result)));
 }

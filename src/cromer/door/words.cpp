@@ -48,12 +48,19 @@ std::size_t option_at(std::string_view text) {
 std::string as_argument(std::string_view option, bool of_arrays) {
   if (of_arrays && (option == "force-column" || option == "drive-file")) return "force";
   if (of_arrays && option == "base-motion") return "acceleration";
-  std::string name(option);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return argument_of(option);
+}
+
+std::string replaced(std::string_view text, char from, char to) {
+  std::string out(text);
+  std::replace(out.begin(), out.end(), from, to);
+  return out;
 }
 
 }  // namespace
+
+std::string argument_of(std::string_view option) { return replaced(option, '-', '_'); }
+std::string option_of(std::string_view argument) { return replaced(argument, '_', '-'); }
 
 std::string in_arguments(std::string_view text, bool of_arrays) {
   constexpr std::string_view line = "line ";

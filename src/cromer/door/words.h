@@ -9,6 +9,10 @@
 
 namespace cromer::core {
 
+/// "drive-frequency" becomes "drive_frequency", and back.
+std::string argument_of(std::string_view option);
+std::string option_of(std::string_view argument);
+
 /// "--drive-frequency" becomes "drive_frequency"; of arrays "line 7" becomes "sample 7".
 std::string in_arguments(std::string_view text, bool of_arrays = false);
 

@@ -7,6 +7,7 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/model/terms.h"
 #include "cromer/study/collect.h"
+#include "cromer/study/task/run_energy.h"
 #include "cromer/study/task/simulate_setup.h"
 
 namespace cromer::core {
@@ -24,13 +25,6 @@ std::size_t largest(const std::vector<double>& values) {
   for (std::size_t i = 1; i < values.size(); ++i)
     if (values[i] > values[at] || std::isnan(values[at])) at = i;
   return at;
-}
-
-std::vector<double> energies(const SimulatedRun& run) {
-  std::vector<double> values(run.trajectory.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = energy(run.oscillator, State<double>{run.trajectory.x[i], run.trajectory.v[i]});
-  return values;
 }
 
 /// What the energy of a free motion does.

@@ -6,6 +6,7 @@
 #include "cromer/study/json/effect.h"
 #include "cromer/study/json/json.h"
 #include "cromer/study/task/run_effect.h"
+#include "cromer/study/task/run_energy.h"
 
 namespace cromer::core {
 namespace {
@@ -81,12 +82,8 @@ Json events(const SimulatedRun& run, const SimulateOptions& options) {
 }
 
 Json states(const SimulatedRun& run) {
-  std::vector<double> energies;
-  energies.reserve(run.trajectory.size());
-  for (std::size_t i = 0; i < run.trajectory.size(); ++i)
-    energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[i], run.trajectory.v[i]}));
   Json columns = {{"t", run.trajectory.t}, {"x", run.trajectory.x}, {"v", run.trajectory.v}};
-  columns["energy"] = energies;
+  columns["energy"] = energies(run);
   if (!run.sensor.empty()) columns["sensor"] = run.sensor;
   return columns;
 }

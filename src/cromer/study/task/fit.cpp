@@ -311,19 +311,9 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
   return fitted;
 }
 
-}  // namespace
-
-Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
-                                         const FitOptions& options, const Watch& watch) {
-  if (const Result<void> checked = check_options(options); !checked) return checked.error();
-  const Result<Recording> recording = read_recording(bytes, file, options.read);
-  if (!recording) return recording.error();
-  return fit_recording(*recording, options, watch);
-}
-
-Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
-                                                   const Watch& watch) {
-  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+// Options are checked.
+Result<std::vector<FittedRecording>> fit_runs(const Recording& recording, const FitOptions& options,
+                                              const Watch& watch) {
   const std::string& file = recording.file;
   const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(recording);
   std::vector<FittedRecording> fits;
@@ -348,6 +338,22 @@ Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, c
   }
   if (!any_read && first_error) return *first_error;
   return fits;
+}
+
+}  // namespace
+
+Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
+                                         const FitOptions& options, const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  const Result<Recording> recording = read_recording(bytes, file, options.read);
+  if (!recording) return recording.error();
+  return fit_runs(*recording, options, watch);
+}
+
+Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
+                                                   const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  return fit_runs(recording, options, watch);
 }
 
 }  // namespace cromer::core

@@ -180,7 +180,7 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   SpectrumResult result;
   result.options = options;
   result.peaks = *peaks;
-  if (options.peaks.empty()) result.options.peaks = "continuous";
+  if (options.peaks.empty()) result.options.peaks = name(Peaks::continuous);
   if (options.between_samples.empty())
     result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";
 

@@ -6,12 +6,13 @@
 #include <type_traits>
 #include <variant>
 #include <vector>
-#include "cromer/model/linear_quantities.h"
 
+#include "cromer/analysis/energy.h"
 #include "cromer/analysis/energy_ledger.h"
 #include "cromer/analysis/exact_energy_balance.h"
 #include "cromer/analysis/exact_friction_balance.h"
 #include "cromer/model/general_drive.h"
+#include "cromer/model/linear_quantities.h"
 #include "cromer/model/terms.h"
 #include "cromer/study/task/drive_setup.h"
 #include "cromer/study/task/simulate_setup.h"
@@ -119,6 +120,13 @@ EnergyBalance from_arcs(const SimulatedRun& run) {
 }
 
 }  // namespace
+
+std::vector<double> energies(const SimulatedRun& run) {
+  std::vector<double> values(run.trajectory.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = energy(run.oscillator, State<double>{run.trajectory.x[i], run.trajectory.v[i]});
+  return values;
+}
 
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
   const double period = shortest_period(run);

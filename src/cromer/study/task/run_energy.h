@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/measured_oscillator.h"
@@ -13,6 +14,9 @@ namespace cromer::core {
 /// arc, closed to rounding. Empty if the run ended early, its law has hysteresis, its states are fewer than
 /// 20 a period, or the drive jumps or bends between two of them.
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
+
+/// [J] kinetic and potential, one for each kept state.
+std::vector<double> energies(const SimulatedRun& run);
 
 /// Of a free motion under a law that is not linear; empty for others, and with fewer than 8 kept states a
 /// period.

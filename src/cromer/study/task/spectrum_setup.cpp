@@ -136,9 +136,10 @@ std::string default_periods(SpectrumOptions& options, const Component& component
 }  // namespace
 
 Result<Peaks> peaks_of(const SpectrumOptions& options) {
-  const auto which = choice<3>("--peaks", options.peaks, {"continuous", "samples", "peer"});
+  constexpr std::array all{Peaks::continuous, Peaks::samples, Peaks::peer};
+  const auto which = choice<3>("--peaks", options.peaks, {name(all[0]), name(all[1]), name(all[2])});
   if (!which) return which.error();
-  return std::array{Peaks::continuous, Peaks::samples, Peaks::peer}[*which];
+  return all[*which];
 }
 
 Result<BetweenSamples> between_of(const SpectrumOptions& options) {

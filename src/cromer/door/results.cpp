@@ -1,0 +1,64 @@
+#include "cromer/door/results.h"
+
+#include <new>
+#include <stdexcept>
+
+#include "cromer/base/quantity.h"
+#include "cromer/door/words.h"
+
+namespace cromer::core {
+
+void put_in_arguments(FittedRecording& fitted, bool of_arrays) {
+  fitted.fit.message = in_arguments(fitted.fit.message, of_arrays);
+  fitted.warnings = in_arguments(fitted.warnings, of_arrays);
+}
+
+void put_in_arguments(CompareResult& compared, bool of_arrays) {
+  put_in_arguments(compared.recording, of_arrays);
+  compared.warnings = in_arguments(compared.warnings, of_arrays);
+}
+
+void put_in_arguments(SimulateResult& simulated, bool of_arrays) {
+  simulated.warnings = in_arguments(simulated.warnings, of_arrays);
+  for (SimulatedRun& run : simulated.runs) run.message = in_arguments(run.message, of_arrays);
+}
+
+cromer::MethodEffect effect_of(const MethodEffect& effect) {
+  std::optional<double> decay_rate = effect.effective.decay_rate;
+  if (decay_rate) *decay_rate += 0.0;  // no -0
+  return {.decay_rate = decay_rate,
+          .angular_frequency = effect.effective.angular_frequency,
+          .spectral_radius = effect.effective.spectral_radius,
+          .stable = effect.stable,
+          .stability_limit = effect.stability_limit};
+}
+
+Result<SweepResult> run_sweep(const SweepOptions& options, const Watch& watch) {
+  const auto too_many = [] {
+    return Error{
+        "a period of the drive takes more steps than can be held: take a longer step, or a higher frequency",
+        "drive_frequency"};
+  };
+  try {
+    return sweep(options, watch);
+  } catch (const std::length_error&) {
+    return too_many();
+  } catch (const std::bad_alloc&) {
+    return too_many();
+  }
+}
+
+std::vector<double> column_of(const SweepResult& result, std::size_t column) {
+  const std::size_t width = result.plan.rows.columns.size() - 1;  // the last one is the status
+  std::vector<double> values;
+  for (std::size_t at = column; at < result.rows.size(); at += width) values.push_back(result.rows[at]);
+  return values;
+}
+
+std::string list_of(std::span<const double> values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ",") + shortest(value);
+  return text;
+}
+
+}  // namespace cromer::core
