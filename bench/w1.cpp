@@ -21,7 +21,7 @@
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
 #include "cromer/report/csv.h"
-#include "cromer/study/task/run_law.h"
+#include "cromer/tasks/simulate/run_law.h"
 
 namespace {
 

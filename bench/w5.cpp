@@ -10,7 +10,7 @@
 
 #include "bench/stopwatch.h"
 #include "cromer/base/quantity.h"
-#include "cromer/record/dialects/recording.h"
+#include "cromer/read/recording.h"
 
 namespace {
 

@@ -1,22 +1,22 @@
-#include "cromer/study/task/compare.h"
+#include "cromer/tasks/compare/compare.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "commands.h"
-#include "compare_csv.h"
-#include "compare_figure.h"
-#include "cromer/record/dialects/column_kind.h"
+#include "cromer/documents/csv/compare.h"
+#include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/fit.h"
+#include "cromer/documents/text/text_table.h"
+#include "cromer/figures/compare.h"
+#include "cromer/read/column_kind.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "cromer/study/json/documents.h"
 #include "exit_status.h"
-#include "fit_text.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
-#include "text_table.h"
 #include "watching.h"
 
 namespace cromer::core::cli {

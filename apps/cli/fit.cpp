@@ -1,23 +1,23 @@
-#include "cromer/study/task/fit.h"
+#include "cromer/tasks/fit/fit.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "commands.h"
+#include "cromer/documents/csv/fit.h"
+#include "cromer/documents/csv/motion.h"
+#include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/fit.h"
+#include "cromer/documents/text/fit_table.h"
+#include "cromer/figures/fit.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "cromer/study/json/documents.h"
-#include "cromer/study/task/masses.h"
+#include "cromer/tasks/fit/masses.h"
 #include "exit_status.h"
-#include "fit_csv.h"
-#include "fit_figure.h"
 #include "fit_files.h"
 #include "fit_spring.h"
-#include "fit_table.h"
-#include "fit_text.h"
 #include "message.h"
-#include "motion_csv.h"
 #include "output.h"
 #include "syntax.h"
 #include "watching.h"

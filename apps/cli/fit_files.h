@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cromer/study/task/fit.h"
+#include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core::cli {
 

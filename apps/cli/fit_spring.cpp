@@ -6,17 +6,17 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/interval_text.h"
+#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "cromer/study/json/documents.h"
-#include "cromer/study/task/fit_static.h"
-#include "cromer/study/task/masses.h"
+#include "cromer/tasks/fit/fit_static.h"
+#include "cromer/tasks/fit/masses.h"
 #include "exit_status.h"
-#include "interval_text.h"
 #include "message.h"
-#include "text_table.h"
-#include "words.h"
 
 namespace cromer::core::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cromer/study/task/fit.h"
-#include "cromer/study/task/mass_line.h"
+#include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/fit/mass_line.h"
 #include "output.h"
 
 namespace cromer::core::cli {

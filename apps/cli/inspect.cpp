@@ -1,18 +1,18 @@
-#include "cromer/study/task/inspect.h"
+#include "cromer/tasks/inspect/inspect.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "commands.h"
-#include "cromer/record/dialects/clean_table.h"
+#include "cromer/documents/csv/recording.h"
+#include "cromer/documents/json/documents.h"
+#include "cromer/read/clean_table.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "cromer/study/json/documents.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"
-#include "recording_csv.h"
 #include "syntax.h"
 
 namespace cromer::core::cli {

@@ -1,17 +1,17 @@
-#include "cromer/study/task/methods.h"
+#include "cromer/tasks/methods/methods.h"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
 #include "commands.h"
-#include "cromer/study/json/documents.h"
+#include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/percent.h"
+#include "cromer/documents/text/text_table.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"
-#include "percent.h"
 #include "syntax.h"
-#include "text_table.h"
 
 namespace cromer::core::cli {
 namespace {

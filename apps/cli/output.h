@@ -7,7 +7,7 @@
 
 #include "cromer/report/figure.h"
 #include "cromer/result.h"
-#include "cromer/study/task/option.h"
+#include "cromer/tasks/option/option.h"
 
 namespace cromer::core::cli {
 

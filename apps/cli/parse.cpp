@@ -7,7 +7,7 @@
 #include <cstdio>
 
 #include "cromer/base/nearest.h"
-#include "cromer/study/task/option_owner.h"
+#include "cromer/tasks/option_owner.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"

@@ -8,15 +8,15 @@
 
 #include "command_line.h"
 #include "commands.h"
-#include "cromer/study/json/live.h"
+#include "cromer/documents/json/live.h"
+#include "cromer/documents/text/words.h"
+#include "cromer/tasks/record/live_fitter.h"
+#include "cromer/tasks/record/options.h"
 #include "exit_status.h"
-#include "live_fitter.h"
 #include "message.h"
 #include "output.h"
-#include "record_options.h"
 #include "syntax.h"
 #include "watching.h"
-#include "words.h"
 
 namespace cromer::core::cli {
 namespace {

@@ -1,21 +1,24 @@
 #include <fmt/format.h>
 
+#include "apps/serve/guard.h"
+#include "apps/serve/http_server.h"
+#include "apps/serve/lab.h"
+#include "apps/serve/lab_page.h"
+#include "apps/serve/live_session.h"
+#include "apps/serve/own_addresses.h"
 #include "command_line.h"
 #include "commands.h"
 #include "cromer/report/read_file.h"
 #include "exit_status.h"
-#include "guard.h"
-#include "http_server.h"
-#include "lab.h"
-#include "lab_page.h"
-#include "live_session.h"
 #include "message.h"
 #include "output.h"
-#include "own_addresses.h"
 #include "syntax.h"
 #include "watching.h"
 
 namespace cromer::core::cli {
+
+using namespace serve;
+
 namespace {
 
 struct ServeOptions {
@@ -59,8 +62,8 @@ Result<std::optional<RecordSetup>> setup_of(const RecordOptions& options) {
 }
 
 /// Until a signal ends it.
-int serve(const std::string& address, std::optional<int> port, const std::string& page,
-          LiveSession& session) {
+int serve_lab(const std::string& address, std::optional<int> port, const std::string& page,
+              LiveSession& session) {
   const Watch watch = watching(true);
   std::unique_ptr<Lab> lab;
   HttpServer server(
@@ -98,7 +101,7 @@ int run_serve(const Arguments& arguments) {
     return refuse("--page: " + bytes.error().message);
   }
   LiveSession session(*std::move(setup), options.recording, command_line("serve", arguments));
-  return serve(options.address, options.port, options.page, session);
+  return serve_lab(options.address, options.port, options.page, session);
 }
 
 }  // namespace cromer::core::cli

@@ -1,18 +1,19 @@
-#include "cromer/study/task/simulate.h"
+#include "cromer/tasks/simulate/simulate.h"
 
 #include <unistd.h>
 
+#include "command_line.h"
 #include "commands.h"
+#include "cromer/documents/csv/simulate.h"
+#include "cromer/documents/hdf5/simulate.h"
+#include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/simulate.h"
+#include "cromer/figures/simulate.h"
 #include "cromer/report/file.h"
-#include "cromer/study/json/documents.h"
-#include "cromer/study/load_drive.h"
+#include "cromer/tasks/simulate/load_drive.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"
-#include "simulate_csv.h"
-#include "simulate_figure.h"
-#include "simulate_hdf5.h"
-#include "simulate_text.h"
 #include "syntax.h"
 #include "watching.h"
 
@@ -25,12 +26,12 @@ double memory_for_states() {
 }
 
 Result<void> write_files(const SimulateResult& result, const OutputOptions& output,
-                         const Arguments& arguments) {
+                         const std::string& command) {
   if (!output.output.empty()) {
     const std::string& file = output.output;
     const FileFormat format = *file_format(file, true);
-    const auto good = format == FileFormat::hdf5  ? write_tables(file, simulate_tables(result, arguments))
-                      : format == FileFormat::csv ? write_file(file, simulate_csv(result, arguments))
+    const auto good = format == FileFormat::hdf5  ? write_tables(file, simulate_tables(result, command))
+                      : format == FileFormat::csv ? write_file(file, simulate_csv(result, command))
                                                   : write_file(file, to_json(result, true));
     if (!good) return good;
   }
@@ -70,7 +71,8 @@ int run_simulate(const Arguments& arguments) {
   warn({result->warnings.begin() + static_cast<std::ptrdiff_t>(said), result->warnings.end()}, output.quiet);
   for (const auto& run : result->runs)
     if (!run.message.empty()) complain(run.label + ": " + run.message);
-  if (auto good = write_files(*result, output, arguments); !good) return refuse(good.error().message);
+  if (auto good = write_files(*result, output, command_line("simulate", arguments)); !good)
+    return refuse(good.error().message);
   if (output.output != "-" && !print(output.json ? to_json(*result, false) : simulate_text(*result)))
     return refuse("standard output cannot be written");
   return result->ok() ? done : no_success;

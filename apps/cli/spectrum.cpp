@@ -1,17 +1,18 @@
 #include <unistd.h>
 
+#include "command_line.h"
 #include "commands.h"
+#include "cromer/documents/csv/spectrum.h"
+#include "cromer/documents/hdf5/spectrum.h"
+#include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/spectrum.h"
+#include "cromer/figures/spectrum.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "cromer/study/json/documents.h"
-#include "cromer/study/task/response_spectrum.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"
-#include "spectrum_csv.h"
-#include "spectrum_figure.h"
-#include "spectrum_hdf5.h"
-#include "spectrum_text.h"
 #include "syntax.h"
 #include "watching.h"
 
@@ -42,17 +43,17 @@ Result<void> check(const SpectrumOutput& output, bool shock, const std::vector<s
 }
 
 Result<void> write_files(const SpectrumResult& result, const SpectrumOutput& output,
-                         const Arguments& arguments) {
+                         const std::string& command) {
   const std::string& file = output.common.output;
   if (!file.empty()) {
     const FileFormat format = *file_format(file, true);
-    const auto good = format == FileFormat::hdf5  ? write_tables(file, spectrum_tables(result, arguments))
-                      : format == FileFormat::csv ? write_file(file, spectrum_csv(result, arguments))
+    const auto good = format == FileFormat::hdf5  ? write_tables(file, spectrum_tables(result, command))
+                      : format == FileFormat::csv ? write_file(file, spectrum_csv(result, command))
                                                   : write_file(file, to_json(result, true));
     if (!good) return good;
   }
   if (!output.fourier.empty())
-    if (auto good = write_file(output.fourier, fourier_csv(result, arguments)); !good) return good;
+    if (auto good = write_file(output.fourier, fourier_csv(result, command)); !good) return good;
   if (output.common.plot.empty()) return {};
   return write_plot(output.common.plot,
                     output.tripartite ? tripartite_figure(result) : spectrum_figure(result));
@@ -112,7 +113,8 @@ int run_spectrum(const Arguments& arguments) {
     if (output.common.json) print(to_json(*result, false));
     return no_success;
   }
-  if (auto good = write_files(*result, output, arguments); !good) return refuse(good.error().message);
+  if (auto good = write_files(*result, output, command_line("spectrum", arguments)); !good)
+    return refuse(good.error().message);
   if (output.common.output == "-") return done;
   return print(output.common.json ? to_json(*result, false) : spectrum_text(*result))
              ? done

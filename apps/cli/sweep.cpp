@@ -1,4 +1,4 @@
-#include "cromer/study/task/sweep.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -9,15 +9,15 @@
 #include "commands.h"
 #include "cromer/base/grid.h"
 #include "cromer/cluster/ranks.h"
+#include "cromer/documents/hdf5/sweep.h"
+#include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/sweep.h"
+#include "cromer/figures/sweep.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
-#include "cromer/study/json/documents.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"
-#include "sweep_figure.h"
-#include "sweep_file.h"
-#include "sweep_text.h"
 #include "sweep_trajectories.h"
 #include "syntax.h"
 #include "watching.h"

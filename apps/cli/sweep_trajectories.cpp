@@ -9,7 +9,7 @@
 #include "cromer/cluster/disk.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
-#include "cromer/study/task/sweep_trajectories.h"
+#include "cromer/tasks/sweep/sweep_trajectories.h"
 #include "output.h"
 
 namespace cromer::core::cli {

@@ -5,7 +5,7 @@
 
 #include "cromer/base/interrupt.h"
 #include "cromer/result.h"
-#include "cromer/study/task/sweep.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core::cli {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "commands.h"
-#include "cromer/study/task/option.h"
+#include "cromer/tasks/option/option.h"
 
 namespace cromer::core::cli {
 

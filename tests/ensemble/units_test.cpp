@@ -15,7 +15,7 @@
 #include "cromer/ensemble/group.h"
 #include "cromer/methods/all.h"
 #include "cromer/run/keep.h"
-#include "cromer/study/task/run_law.h"
+#include "cromer/tasks/simulate/run_law.h"
 
 namespace cromer::core {
 namespace {

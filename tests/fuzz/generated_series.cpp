@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "cromer/base/quantity.h"
-#include "cromer/study/task/fit.h"
+#include "cromer/tasks/fit/fit.h"
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <thread>
 
-#include "http_server.h"
-#include "lab.h"
-#include "live_session.h"
+#include "apps/serve/http_server.h"
+#include "apps/serve/lab.h"
+#include "apps/serve/live_session.h"
 #include "targets.h"
 #include "tests/support/peer.h"
 
@@ -20,9 +20,9 @@ namespace {
 class Served {
  public:
   Served()
-      : server_([this](const cli::HttpRequest& request,
-                       const cli::HttpServer::Respond& respond) { lab_.handle(request, respond); },
-                [this](cli::EventCursor& cursor) { return session_.events(cursor); }, {.request = 0.2}) {
+      : server_([this](const serve::HttpRequest& request,
+                       const serve::HttpServer::Respond& respond) { lab_.handle(request, respond); },
+                [this](serve::EventCursor& cursor) { return session_.events(cursor); }, {.request = 0.2}) {
     if (!server_.listen("127.0.0.1", 0)) std::abort();
     thread_ = std::thread([this] { server_.run([this] { return stop_.load(); }); });
   }
@@ -34,9 +34,9 @@ class Served {
 
  private:
   std::atomic<bool> stop_ = false;
-  cli::LiveSession session_{{}, {}, "cromer serve"};
-  cli::Lab lab_{session_, {.port = 8000, .beyond_this_computer = false, .token = ""}, ""};
-  cli::HttpServer server_;
+  serve::LiveSession session_{{}, {}, "cromer serve"};
+  serve::Lab lab_{session_, {.port = 8000, .beyond_this_computer = false, .token = ""}, ""};
+  serve::HttpServer server_;
   std::thread thread_;
 };
 

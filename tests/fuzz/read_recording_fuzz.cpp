@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "cromer/record/dialects/clean_table.h"
-#include "cromer/study/task/inspect.h"
+#include "cromer/read/clean_table.h"
+#include "cromer/tasks/inspect/inspect.h"
 
 namespace {
 

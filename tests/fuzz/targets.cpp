@@ -7,7 +7,7 @@
 
 #include "cromer/base/quantity.h"
 #include "cromer/base/utf8.h"
-#include "cromer/record/live/line_reader.h"
+#include "cromer/live/line_reader.h"
 #include "cromer/study/study_file.h"
 
 namespace cromer::core::fuzz {

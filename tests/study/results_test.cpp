@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cromer/study/json/study.h"
+#include "cromer/study/study_json.h"
 
 namespace cromer::core {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "cromer/study/task/simulate.h"
+#include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
 

@@ -1,7 +1,7 @@
 // The page's effective oscillators, by the same code of each method as its runs. It takes the place of the
-// file of the same name in study/task, which has code for each set of terms and in more digits.
+// file of the same name in tasks/methods, which has code for each set of terms and in more digits.
 #include "any_method.h"
-#include "cromer/study/task/method_effect.h"
+#include "cromer/tasks/methods/method_effect.h"
 
 namespace cromer::core {
 

@@ -1,7 +1,7 @@
 // A JSON value that is only ever written: what the page's core has in place of a JSON library.
 //
-// It takes what the documents of study/json use of nlohmann's ordered_json, and writes long lists of numbers
-// not as text but into a block beside it, from where the page takes them as they are.
+// It takes what the documents of documents/json use of nlohmann's ordered_json, and writes long lists of
+// numbers not as text but into a block beside it, from where the page takes them as they are.
 #pragma once
 
 #include <cstddef>

@@ -5,10 +5,10 @@
 
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
+#include "cromer/documents/json/effect.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/run/outcome.h"
-#include "cromer/study/json/effect.h"
-#include "cromer/study/task/run_effect.h"
+#include "cromer/tasks/simulate/run_effect.h"
 
 namespace cromer::core::page {
 namespace {

@@ -1,14 +1,14 @@
 // What the page draws of its runs: the states, and what each method makes of the law.
 #pragma once
 
-#include "cromer/study/json/json.h"
-#include "cromer/study/task/simulate.h"
+#include "cromer/documents/json/json.h"
+#include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core::page {
 
-/// {"runs": [...], "linear_part": {...}, "warnings": [...]}: of the document of study/json what is asked at
-/// every move of a slider, and what the law itself is known by.
-/// The columns go straight into json_blocks(); runs with the same times share them.
+/// {"runs": [...], "linear_part": {...}, "warnings": [...]}: of the document of documents/json what is asked
+/// at every move of a slider, and what the law itself is known by. The columns go straight into
+/// json_blocks(); runs with the same times share them.
 Json motions_of(const SimulateResult& result);
 
 }  // namespace cromer::core::page

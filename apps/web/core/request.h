@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cromer/result.h"
-#include "cromer/study/task/option.h"
+#include "cromer/tasks/option/option.h"
 
 namespace cromer::core::page {
 

@@ -1,7 +1,7 @@
 #include "resonance_curves.h"
 
-#include "cromer/study/task/run_effect.h"
-#include "cromer/study/task/simulate_setup.h"
+#include "cromer/tasks/simulate/run_effect.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
 #include "settled_curve.h"
 
 namespace cromer::core::page {

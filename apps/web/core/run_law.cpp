@@ -1,6 +1,6 @@
 // The page's laws: smooth ones, the pendulum and dry friction, under a harmonic drive or none. It takes the
-// place of study/task/run_law, which has code for each kind of law, method and drive.
-#include "cromer/study/task/run_law.h"
+// place of tasks/simulate/run_law, which has code for each kind of law, method and drive.
+#include "cromer/tasks/simulate/run_law.h"
 
 #include <cassert>
 

@@ -3,7 +3,7 @@
 
 #include "cromer/base/grid.h"
 #include "cromer/result.h"
-#include "cromer/study/task/simulate.h"
+#include "cromer/tasks/simulate/simulate.h"
 #include "method_resonance.h"
 
 namespace cromer::core::page {

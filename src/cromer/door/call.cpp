@@ -14,17 +14,17 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/c.h"
+#include "cromer/documents/json/documents.h"
 #include "cromer/door/options.h"
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
-#include "cromer/record/dialects/columns.h"
+#include "cromer/read/columns.h"
 #include "cromer/report/read_file.h"
-#include "cromer/study/json/documents.h"
-#include "cromer/study/load_drive.h"
-#include "cromer/study/task/fitted_motion.h"
-#include "cromer/study/task/option.h"
-#include "cromer/study/task/run_energy.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/option/option.h"
+#include "cromer/tasks/simulate/load_drive.h"
+#include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/version.h"
 
 /// What a call gives back; C sees it only by pointer.

@@ -6,7 +6,7 @@
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
-#include "cromer/study/task/compare.h"
+#include "cromer/tasks/compare/compare.h"
 
 namespace cromer {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "cromer/study/json/documents.h"
+#include "cromer/documents/json/documents.h"
 
 namespace cromer {
 

@@ -9,8 +9,8 @@
 #include "cromer/door/words.h"
 #include "cromer/identify/law.h"
 #include "cromer/model/law.h"
-#include "cromer/study/task/fitted_motion.h"
-#include "cromer/study/task/lab_quantities.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/fit/lab_quantities.h"
 
 namespace cromer {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "cromer/door/results.h"
 #include "cromer/door/words.h"
-#include "cromer/study/task/methods.h"
+#include "cromer/tasks/methods/methods.h"
 
 namespace cromer {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "cromer/fit.h"
 #include "cromer/result.h"
-#include "cromer/study/task/fit.h"
-#include "cromer/study/task/response_spectrum.h"
-#include "cromer/study/task/simulate.h"
+#include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
 
 namespace cromer::core {
 

@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "cromer/door/words.h"
-#include "cromer/record/dialects/columns.h"
-#include "cromer/record/dialects/recording.h"
+#include "cromer/read/columns.h"
+#include "cromer/read/recording.h"
 #include "cromer/report/read_file.h"
-#include "cromer/study/task/option.h"
+#include "cromer/tasks/option/option.h"
 
 namespace cromer {
 

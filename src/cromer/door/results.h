@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "cromer/methods.h"
-#include "cromer/study/task/compare.h"
-#include "cromer/study/task/fit.h"
-#include "cromer/study/task/method_effect.h"
-#include "cromer/study/task/simulate.h"
-#include "cromer/study/task/sweep.h"
+#include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/methods/method_effect.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
 

@@ -7,7 +7,7 @@
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
-#include "cromer/study/task/run_energy.h"
+#include "cromer/tasks/simulate/run_energy.h"
 
 namespace cromer {
 namespace {

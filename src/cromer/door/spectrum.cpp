@@ -7,7 +7,7 @@
 #include "cromer/door/options.h"
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
-#include "cromer/study/task/response_spectrum.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
 
 namespace cromer {
 namespace {

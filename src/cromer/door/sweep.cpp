@@ -9,7 +9,7 @@
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
 #include "cromer/model/terms/all.h"
-#include "cromer/study/task/sweep.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer {
 namespace {

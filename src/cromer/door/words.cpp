@@ -4,13 +4,13 @@
 #include <cctype>
 #include <set>
 
-#include "cromer/study/task/compare.h"
-#include "cromer/study/task/fit.h"
-#include "cromer/study/task/methods.h"
-#include "cromer/study/task/option.h"
-#include "cromer/study/task/response_spectrum.h"
-#include "cromer/study/task/simulate.h"
-#include "cromer/study/task/sweep.h"
+#include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/methods/methods.h"
+#include "cromer/tasks/option/option.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
 namespace {

@@ -10,8 +10,8 @@
 //   });
 //   Trajectory trajectory = keep.take();
 //
-// The tasks do not: they call run_law (study/task/run_law.h), which has these lines compiled for all laws and
-// methods once.
+// The tasks do not: they call run_law (tasks/simulate/run_law.h), which has these lines compiled for all laws
+// and methods once.
 //
 // Which loop that is, is decided here: uniform steps (the fast one), steps that are looked into for events,
 // steps that the error estimate chooses; and with dry friction phases of either.

@@ -4,15 +4,15 @@
 #include <string>
 
 #include "cromer/study/results.h"
-#include "cromer/study/task/compare.h"
-#include "cromer/study/task/fit.h"
-#include "cromer/study/task/local_error.h"
-#include "cromer/study/task/method_map.h"
-#include "cromer/study/task/resonance.h"
-#include "cromer/study/task/response_spectrum.h"
-#include "cromer/study/task/simulate.h"
-#include "cromer/study/task/sweep.h"
-#include "cromer/study/task/work_precision.h"
+#include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/curves/local_error.h"
+#include "cromer/tasks/curves/method_map.h"
+#include "cromer/tasks/curves/resonance.h"
+#include "cromer/tasks/curves/work_precision.h"
+#include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
 

@@ -1,7 +1,7 @@
 #include <limits>
 
 #include "cromer/analysis/envelope.h"
-#include "cromer/record/dialects/column_kind.h"
+#include "cromer/read/column_kind.h"
 #include "cromer/study/collect.h"
 
 namespace cromer::core {

@@ -7,8 +7,8 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/model/terms.h"
 #include "cromer/study/collect.h"
-#include "cromer/study/task/run_energy.h"
-#include "cromer/study/task/simulate_setup.h"
+#include "cromer/tasks/simulate/run_energy.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer::core {
 namespace {

@@ -3,9 +3,9 @@
 
 #include "cromer/report/read_file.h"
 #include "cromer/study/collect.h"
-#include "cromer/study/load_drive.h"
 #include "cromer/study/run_study.h"
 #include "cromer/study/task_settings.h"
+#include "cromer/tasks/simulate/load_drive.h"
 
 namespace cromer::core {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "cromer/base/nearest.h"
-#include "cromer/study/task/option_owner.h"
-#include "cromer/study/task/sweep.h"
 #include "cromer/study/text.h"
+#include "cromer/tasks/option_owner.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
 namespace {

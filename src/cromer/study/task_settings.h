@@ -8,7 +8,7 @@
 #include "cromer/result.h"
 #include "cromer/study/results.h"
 #include "cromer/study/study_file.h"
-#include "cromer/study/task/option.h"
+#include "cromer/tasks/option/option.h"
 
 namespace cromer::core {
 

@@ -92,7 +92,7 @@ export function messagesOf(source: string): string[] {
 
 /// The sources below `root` that the page's core is made of, but for what its questions never reach.
 export function coreSources(root: string, left: RegExp): { file: string; text: string }[] {
-  return ['base', 'analysis', 'identify', 'record/dialects', 'run', 'model', 'methods', 'study/task'].flatMap((folder) =>
+  return ['base', 'analysis', 'identify', 'read', 'run', 'model', 'methods', 'tasks'].flatMap((folder) =>
     readdirSync(join(root, folder), { recursive: true, encoding: 'utf8' })
       .filter((name) => /\.(cpp|h)$/.test(name) && !left.test(`${folder}/${name}`))
       .sort()

@@ -42,7 +42,7 @@ describe('what the core says, in German', () => {
 // Not reached by the page's questions, which set steps, methods and drives themselves; or of loggers' files too
 // rare for the table.
 const elsewhere =
-  /door\/|study\/task\/(options_|sweep|response_spectrum|spectrum|run_|static_|fit_static|masses|mass_line|local_error|work_precision|method_|loss_factor|resonance|drive_|force_grid|forced_|fit_forced|plan_recording|explanation|event_option|methods|accuracy|simulate|compare|decay_segments)|methods\/|forced_|driven_|base\/grid|steady_state|uff|peer|labview|number_stream|column_kind/
+  /tasks\/(sweep|spectrum|record|curves|simulate|compare)\/|tasks\/fit\/(options|static_|fit_static|masses|mass_line|force_grid|forced_|fit_forced|plan_recording|decay_segments)|methods\/|forced_|driven_|base\/grid|steady_state|uff|peer|labview|number_stream|column_kind/
 const left = new RegExp(
   [
     'interrupted', // the page ends a fit by ending its worker

@@ -1,0 +1,120 @@
+#include "cromer/documents/json/live.h"
+
+#include "cromer/documents/json/estimate.h"
+#include "cromer/documents/json/json.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr bool on_one_line = true;
+
+std::string_view kind_name(NoticeKind kind) {
+  switch (kind) {
+    case NoticeKind::garbage:
+      return "garbage";
+    case NoticeKind::clock:
+      return "clock";
+    case NoticeKind::gap:
+      return "gap";
+    case NoticeKind::connection:
+      return "connection";
+    case NoticeKind::device:
+      return "device";
+    case NoticeKind::option:
+      break;
+  }
+  return "option";
+}
+
+Json times_object(const SampleTimes& times) {
+  if (times.by == TimesBy::nothing) return nullptr;
+  Json object{{"by", name(times.by)}};
+  if (times.by_rate + times.by_arrival > 0) {
+    object["rate"] = or_null(times.rate);
+    object["longest_delay"] = times.longest_delay;
+    object["by_rate"] = times.by_rate;
+    object["by_arrival"] = times.by_arrival;
+  }
+  return object;
+}
+
+Json status_object(const std::string& recording, const RecorderStatus& status, const Headings& headings) {
+  Json object{{"recording", or_null(recording)},
+              {"running", status.running},
+              {"samples", status.samples},
+              {"from", status.begin},
+              {"to", status.end},
+              {"duration", status.end - status.begin},
+              {"rate", or_null(status.rate)},
+              {"times", times_object(status.times)},
+              {"last", status.last},
+              {"garbage", status.garbage},
+              {"columns", headings}};
+  if (!status.failure.empty()) object["message"] = status.failure;
+  return object;
+}
+
+Json list_of(std::span<const Notice> notices) {
+  Json list = Json::array();
+  for (const auto& notice : notices)
+    list.push_back({{"kind", kind_name(notice.kind)}, {"text", notice.text}});
+  return list;
+}
+
+Json quantities(const std::vector<Parameter>& estimates) {
+  Json object = Json::object();
+  for (const auto& [name, estimate, unit] : estimates) object[name] = estimate_object(estimate, unit);
+  return object;
+}
+
+}  // namespace
+
+std::string live_status_json(const std::string& source, std::optional<double> duration,
+                             const std::string& recording, const RecorderStatus& status,
+                             const Headings& headings) {
+  Json object{{"source", or_null(source)}, {"for", duration ? Json(*duration) : Json(nullptr)}};
+  object.update(status_object(recording, status, headings));
+  return to_text(object, on_one_line);
+}
+
+std::string live_samples_json(std::size_t first, const Rows& rows) {
+  Json values = Json::array();
+  for (std::size_t c = 0; c < rows.width; ++c) {
+    Json column = Json::array();
+    for (std::size_t i = 0; i < rows.size(); ++i) column.push_back(rows.row(i)[c]);
+    values.push_back(std::move(column));
+  }
+  return to_text(Json{{"first", first}, {"t", rows.t}, {"values", std::move(values)}}, on_one_line);
+}
+
+std::string live_fit_json(const FittedRecording& fitted) {
+  Json object{
+      {"column", fitted.series.column}, {"status", fitted.status()}, {"samples", fitted.series.t.size()}};
+  if (!fitted.series.t.empty())
+    object["from"] = fitted.series.t.front(), object["to"] = fitted.series.t.back();
+  if (fitted.succeeded()) {
+    object["law"] = to_text(fitted.fit.law);
+    object["parameters"] = quantities(fitted.parameters);
+    object["derived"] = quantities(fitted.derived);
+  } else {
+    object["message"] = fitted.fit.message;
+  }
+  return to_text(object, on_one_line);
+}
+
+std::string live_notices_json(std::span<const Notice> notices) {
+  return to_text(Json{{"notices", list_of(notices)}}, on_one_line);
+}
+
+std::string recording_json(const std::string& recording, const RecorderStatus& status,
+                           const Headings& headings, std::span<const Notice> notices) {
+  Json object = status_object(recording, status, headings);
+  object["notices"] = list_of(notices);
+  return to_text(object);
+}
+
+std::string message_json(const std::string& message) {
+  return to_text(Json{{"message", message}}, on_one_line);
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,168 @@
+#include "cromer/documents/text/fit.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/base/quantity.h"
+#include "cromer/documents/text/interval_text.h"
+#include "cromer/documents/text/percent.h"
+#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/text/words.h"
+#include "cromer/identify/choose/criterion.h"
+
+namespace cromer::core {
+namespace {
+
+Estimate in_hertz(const Estimate& angular) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return {angular.value / turn, angular.standard_error / turn, angular.low / turn, angular.high / turn};
+}
+
+/// What drives it, and how the force was read.
+std::string drive_in_words(const FittedRecording& fitted) {
+  if (!fitted.driven) return "";
+  if (fitted.between_samples.empty())
+    return fmt::format("  the motion is driven, at {}\n",
+                       in_words(in_hertz(fitted.fit["drive_frequency"]), "Hz"));
+  return fmt::format("  driven by \"{}\", taken as {} between its samples\n", fitted.options.force_column,
+                     fitted.between_samples);
+}
+
+std::string heading(const FittedRecording& fitted) {
+  const Series& series = fitted.series;
+  std::string text =
+      fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, fitted.status());
+  if (fitted.fit.status != FitStatus::converged) return text + ", " + fitted.fit.message + "\n";
+  return text +
+         fmt::format(", {} of {} samples, {:.10g} to {:.10g} s, law {}\n", fitted.used(), fitted.samples,
+                     series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
+         drive_in_words(fitted);
+}
+
+// Why a law of lower BIC was not taken: of those within strong evidence the one of fewest parameters is.
+std::string_view why_not(const Candidate& lower, double by) {
+  return by < strong_evidence ? "too little to prefer more or rarer terms"
+         : lower.converged    ? "but with terms that are not sure"
+                              : "but its fit has not converged";
+}
+
+// The law that comes next, and by how much.
+std::string runner_up(const FittedRecording& fitted) {
+  const Candidate* second = nullptr;
+  const Candidate* chosen = nullptr;
+  for (const auto& candidate : fitted.candidates)
+    if (candidate.law == fitted.fit.law)
+      chosen = &candidate;
+    else if (!second || candidate.bic < second->bic)
+      second = &candidate;
+  if (!chosen || !second) return "";
+  const std::string unit = fitted_unit(fitted);
+  return fmt::format("  chosen of {} laws; next is {}: residual {:.4g}{}, BIC {} than that of {}\n",
+                     fitted.candidates.size(), to_text(second->law), second->rms,
+                     unit.empty() ? "" : " " + unit,
+                     second->bic >= chosen->bic ? fmt::format("{:.3g} higher", second->bic - chosen->bic)
+                                                : fmt::format("{:.3g} lower, {},", chosen->bic - second->bic,
+                                                              why_not(*second, chosen->bic - second->bic)),
+                     to_text(chosen->law));
+}
+
+/// "70 % of it from the mass" for each part of the spring constant's variance that counts.
+std::string budget(const std::vector<Contribution>& contributions) {
+  std::string out;
+  for (const auto& each : contributions)
+    out += fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
+                       in_words(each.quantity), each.contribution, percent(each.share));
+  return out;
+}
+
+std::string checked(const FittedRecording& fitted) {
+  const MonteCarlo& trials = *fitted.monte_carlo;
+  const Estimate& propagated = *fitted.find("stiffness");
+  const Quantity drawn{trials.mean, trials.standard_deviation};
+  return fmt::format("  spring constant by {} trials: {}, 95 % {}; propagated {}\n", trials.trials,
+                     format_quantity(drawn, "N/m"), interval_text(trials.low, trials.high),
+                     interval_text(propagated.low, propagated.high));
+}
+
+/// Each with what is wrong about it.
+std::string textbook(const FittedRecording& fitted) {
+  std::string out;
+  if (const auto& peaks = fitted.textbook->decrement)
+    out += fmt::format("  textbook: logarithmic decrement {} from {} peaks ({})\n",
+                       format_quantity({peaks->value, peaks->standard_error}, ""), peaks->peaks,
+                       TextbookDamping::decrement_bias);
+  else
+    out += "  textbook: fewer than three peaks stand out of the noise\n";
+  if (const auto& line = fitted.textbook->bandwidth)
+    out += fmt::format(
+        "  textbook: half-power bandwidth {} rad/s, so a decay rate of {} 1/s (too wide: a record of this "
+        "length "
+        "shows no line narrower than {} rad/s)\n",
+        rounded(line->width, 4), rounded(line->width / 2, 4), rounded(line->narrowest, 4));
+  else
+    out += "  textbook: the spectrum's line does not fall to half its power on both sides\n";
+  return out;
+}
+
+/// What was asked for beyond the table.
+std::string more(const FittedRecording& fitted) {
+  std::string out = budget(fitted.stiffness_budget);
+  if (fitted.monte_carlo && fitted.find("stiffness")) out += checked(fitted);
+  if (fitted.textbook) out += textbook(fitted);
+  if (fitted.plan) out += "  to record: " + fitted.plan->text + "\n";
+  return out;
+}
+
+std::string one_fit(const FittedRecording& fitted) {
+  std::string out = heading(fitted);
+  std::vector<std::vector<std::string>> rows;
+  for (const auto* list : {&fitted.parameters, &fitted.derived})
+    for (const auto& entry : *list)
+      if (std::isfinite(entry.estimate.value))
+        rows.push_back({"  " + in_words(entry.name), in_words(entry.estimate, entry.unit)});
+  for (const auto& segment : fitted.segments)
+    rows.push_back({fmt::format("  decay rate {:.10g} to {:.10g} s", segment.from, segment.to),
+                    in_words(segment.rate, "1/s")});
+  if (fitted.decay_rate_mean)
+    rows.push_back({"  decay rate, mean", in_words(*fitted.decay_rate_mean, "1/s")});
+  if (fitted.reynolds_max)
+    rows.push_back({fmt::format("  largest Reynolds number, at {:.6g} s", fitted.reynolds_max_t),
+                    in_words(*fitted.reynolds_max, "")});
+  if (fitted.keulegan_carpenter)
+    rows.push_back({"  largest Keulegan-Carpenter number", in_words(*fitted.keulegan_carpenter, "")});
+  if (!fitted.parameters.empty())
+    rows.push_back({"  residual (rms)", format_quantity({fitted.fit.residual.rms, 0}, fitted_unit(fitted))});
+  if (fitted.held_out)
+    rows.push_back(
+        {fmt::format("  residual held out, {:.10g} to {:.10g} s", fitted.held_out->from, fitted.held_out->to),
+         format_quantity({fitted.held_out->rms, 0}, fitted_unit(fitted))});
+  out += text_table(rows, 0, 0);
+  // What a recorded force did between its samples is chosen together with the law: all that was tried is
+  // told.
+  const bool forced = !fitted.candidates.empty() && !fitted.candidates.front().between_samples.empty();
+  if (!forced) out += runner_up(fitted);
+  const std::string unit = fitted_unit(fitted);
+  if (forced && fitted.candidates.size() > 1)
+    for (const auto& candidate : fitted.candidates)
+      out += fmt::format("  candidate {}, {}: residual {:.4g}{}, BIC {}\n", to_text(candidate.law),
+                         candidate.between_samples, candidate.rms, unit.empty() ? "" : " " + unit,
+                         rounded(candidate.bic, 6));
+  out += more(fitted);
+  if (!fitted.simulate.empty()) out += "  simulate it: " + fitted.simulate + "\n";
+  return out;
+}
+
+}  // namespace
+
+std::string fit_text(const std::vector<FittedRecording>& fits) {
+  std::string out;
+  for (const auto& fitted : fits) {
+    if (!out.empty()) out += '\n';
+    out += one_fit(fitted);
+  }
+  return out;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,145 @@
+#include "cromer/documents/text/spectrum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/base/quantity.h"
+#include "cromer/documents/csv/spectrum_columns.h"
+#include "cromer/documents/text/text_table.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr std::size_t most_rows = 24;
+
+/// Also of a motion whose squares are beyond any double.
+std::string arias_intensity(const Intensity& intensity) {
+  return std::isfinite(intensity.arias) ? rounded(intensity.arias, 5)
+                                        : fmt::format("about 10^{:.0f}", intensity.decades);
+}
+
+std::string recording_table(const SpectrumResult& result) {
+  std::vector<std::vector<std::string>> rows{
+      {"recording", "samples", "step (s)", "peak (m/s²)", "Arias intensity (m/s)", "5-95 % (s)"}};
+  const bool of_one_file =
+      result.components.size() > 1 && result.components[0].file == result.components[1].file;
+  for (const auto& c : result.components)
+    rows.push_back({of_one_file ? fmt::format("{}, {}", c.file, c.column) : c.file,
+                    fmt::format("{}", c.acceleration.size()), rounded(c.spacing, 6), rounded(c.peak, 5),
+                    arias_intensity(c.intensity), rounded(c.intensity.duration, 5)});
+  return text_table(rows, 1, 6);
+}
+
+/// Which rows to show: all, or evenly chosen ones with both ends.
+std::vector<std::size_t> shown(std::size_t all) {
+  std::vector<std::size_t> rows;
+  const std::size_t count = std::min(all, most_rows);
+  for (std::size_t i = 0; i < count; ++i) rows.push_back(count == 1 ? 0 : i * (all - 1) / (count - 1));
+  return rows;
+}
+
+std::string conventions(const SpectrumResult& result) {
+  if (result.hysteretic()) return "peaks of a sum of steady states; samples joined band-limited";
+  const std::string joined = fmt::format("samples joined {}", result.options.between_samples);
+  switch (result.peaks) {
+    case Peaks::continuous:
+      return "peaks of the continuous motion, also after the recording's end; " + joined;
+    case Peaks::samples:
+      return "peaks at the samples; " + joined;
+    case Peaks::peer:
+      return "peaks as PEER takes them: at steps of at most a tenth of a period; " + joined;
+  }
+  return "";
+}
+
+/// The heading of what tells the oscillators apart, as they were asked for, and one of them.
+const char* oscillator_heading(const SpectrumResult& result) {
+  return result.by_frequency() ? "frequency (Hz)" : "period (s)";
+}
+
+std::string oscillator(const SpectrumResult& result, std::size_t i) {
+  const double period = result.periods[i];
+  return rounded(result.by_frequency() ? 1 / period : period, 4);
+}
+
+std::string shock_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  const double unit = result.options.in_g ? standard_gravity : 1;
+  std::vector<std::vector<std::string>> rows{
+      {oscillator_heading(result), "primary", "residual", "maximax", "positive", "negative"}};
+  for (std::size_t i = 1; i < rows[0].size(); ++i) rows[0][i] += result.options.in_g ? " (g)" : " (m/s²)";
+  for (const std::size_t i : shown(result.periods.size())) {
+    const Shock& s = spectrum.shock[i];
+    rows.push_back({oscillator(result, i)});
+    for (const double value : {s.primary, s.residual, s.maximax(), s.positive, s.negative})
+      rows.back().push_back(rounded(value / unit, 5));
+  }
+  return text_table(rows, 0, 6);
+}
+
+std::string response_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  const double unit = result.options.in_g ? standard_gravity : 1;
+  const std::string psa = result.options.in_g ? "PSA (g)" : "PSA (m/s²)";
+  const bool two = spectrum.displacement.size() > 1;
+  std::vector<std::vector<std::string>> rows;
+  if (two)
+    rows.push_back({oscillator_heading(result), fmt::format("{}, {}", psa, component_name(result, 0)),
+                    component_name(result, 1), "geometric mean", "RotD50", "RotD100"});
+  else
+    rows.push_back({oscillator_heading(result), "SD (m)", "PSV (m/s)", psa});
+  for (const std::size_t i : shown(result.periods.size())) {
+    const double period = result.periods[i];
+    const auto acceleration = [&](double sd) { return rounded(pseudo_acceleration(sd, period) / unit, 5); };
+    rows.push_back({oscillator(result, i)});
+    auto& row = rows.back();
+    if (two) {
+      for (const auto* sd : {&spectrum.displacement[0], &spectrum.displacement[1], &spectrum.geometric_mean,
+                             &spectrum.rotd50, &spectrum.rotd100})
+        row.push_back(acceleration((*sd)[i]));
+    } else {
+      const double sd = spectrum.displacement[0][i];
+      row.push_back(rounded(sd, 5));
+      row.push_back(rounded(pseudo_velocity(sd, period), 5));
+      row.push_back(acceleration(sd));
+    }
+  }
+  return text_table(rows, 0, 6);
+}
+
+/// Where the spectrum is highest.
+std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  const bool shock = !spectrum.shock.empty();
+  const bool two = !spectrum.rotd50.empty();
+  const double unit = result.options.in_g ? standard_gravity : 1;
+  std::size_t best = 0;
+  double most = -1;
+  for (std::size_t i = 0; i < result.periods.size(); ++i) {
+    const double value = shock ? spectrum.shock[i].maximax()
+                               : pseudo_acceleration(two ? spectrum.rotd50[i] : spectrum.displacement[0][i],
+                                                     result.periods[i]);
+    if (value <= most) continue;
+    most = value;
+    best = i;
+  }
+  const std::string at = oscillator(result, best) + (result.by_frequency() ? " Hz" : " s");
+  return fmt::format("highest{}: {} {} at {}\n", two ? " RotD50" : "", rounded(most / unit, 4),
+                     result.options.in_g ? "g" : "m/s²", at);
+}
+
+}  // namespace
+
+std::string spectrum_text(const SpectrumResult& result) {
+  std::string text = recording_table(result);
+  const std::size_t all = result.periods.size();
+  for (const auto& spectrum : result.spectra) {
+    text += fmt::format("\n{} {}: {}\n", result.hysteretic() ? "loss factor" : "damping ratio",
+                        shortest(spectrum.damping_ratio), conventions(result));
+    text += spectrum.shock.empty() ? response_table(result, spectrum) : shock_table(result, spectrum);
+    if (all > most_rows) text += fmt::format("{} of {} rows; -o FILE.csv writes all\n", most_rows, all);
+    text += summit(result, spectrum);
+  }
+  return text;
+}
+
+}  // namespace cromer::core

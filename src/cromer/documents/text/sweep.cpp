@@ -1,0 +1,121 @@
+#include "cromer/documents/text/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "cromer/analysis/energy_balance.h"
+#include "cromer/documents/text/text_table.h"
+#include "cromer/tasks/sweep/sweep_rows.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr std::uint64_t most_rows = 24;
+
+std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.7g}", value); }
+
+std::string every_row(const SweepResult& result) {
+  const std::size_t width = result.plan.rows.columns.size() - 1;
+  const std::vector<SweptOption>& swept = result.plan.swept;
+  std::vector<std::vector<std::string>> rows{
+      {result.plan.rows.columns.begin(), result.plan.rows.columns.end() - 1}};
+  for (std::size_t i = 0; i < swept.size(); ++i) rows[0][i] = swept[i].shown;
+  for (std::size_t at = 0; at < result.rows.size(); at += width) {
+    std::vector<std::string> row;
+    for (std::size_t i = 0; i < width; ++i)
+      row.push_back(number(result.rows[at + i] / (i < swept.size() ? swept[i].shown_unit : 1)));
+    rows.push_back(std::move(row));
+  }
+  return text_table(rows, 0, width);
+}
+
+std::string extremes(const SweepResult& result) {
+  const std::size_t width = result.plan.rows.columns.size() - 1, swept = result.plan.swept.size();
+  std::vector<std::vector<std::string>> rows{{"measure", "smallest", "at", "largest", "at"}};
+  for (std::size_t column = swept; column < width; ++column) {
+    std::size_t low = result.rows.size(), high = low;
+    for (std::size_t at = 0; at < result.rows.size(); at += width) {
+      const double value = result.rows[at + column];
+      if (std::isnan(value)) continue;
+      if (low == result.rows.size() || value < result.rows[low + column]) low = at;
+      if (high == result.rows.size() || value > result.rows[high + column]) high = at;
+    }
+    if (low == result.rows.size()) {
+      rows.push_back({result.plan.rows.columns[column], "-", "", "-", ""});
+      continue;
+    }
+    const auto where = [&](std::size_t at) {
+      std::string text;
+      for (std::size_t i = 0; i < swept; ++i)
+        text += (i ? ", " : "") + number(result.rows[at + i] / result.plan.swept[i].shown_unit);
+      return text;
+    };
+    rows.push_back({result.plan.rows.columns[column], number(result.rows[low + column]), where(low),
+                    number(result.rows[high + column]), where(high)});
+  }
+  return text_table(rows, 1, 4);
+}
+
+/// No term of the law takes energy at any point.
+bool undamped(const SweepPlan& plan) {
+  const SimulateOptions& base = plan.work->base;
+  const bool swept = std::any_of(plan.swept.begin(), plan.swept.end(), [](const SweptOption& option) {
+    bool takes =
+        option.name == "damping-ratio" || option.name == "static-friction" || option.name == "quality-factor";
+    for_each_resistance([&]<class T>() { takes = takes || option.name == T::coefficients[0].option; });
+    return takes;
+  });
+  bool fixed = base.damping.value_or(0) != 0 || base.damping_ratio.value_or(0) != 0 || base.quality_factor;
+  for_each_resistance([&]<class T>() {
+    if (!std::is_same_v<T, Viscous>) fixed = fixed || base.law.*T::template members<double>[0] != 0;
+  });
+  return !swept && !fixed;
+}
+
+}  // namespace
+
+std::string how(const SweepPlan& plan) {
+  return fmt::format("{}, {}{}{}", plan.method, plan.way, plan.steps.empty() ? "" : ", ", plan.steps);
+}
+
+std::string sweep_text(const SweepResult& result) {
+  const SweepPlan& plan = result.plan;
+  std::string text =
+      fmt::format("{} point{} by {}\n", plan.rows.rows, plan.rows.rows == 1 ? "" : "s", how(plan));
+  for (const SweptOption& option : plan.swept)
+    text += fmt::format("  {}: {} value{}\n", option.shown, option.points, option.points == 1 ? "" : "s");
+  if (result.interrupted) text += fmt::format("interrupted: {} of {} points\n", result.done, plan.rows.rows);
+  if (result.check && result.check->points > 0)
+    text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
+                        result.check->points, result.check->difference);
+  if (result.check && result.check->left_out > 0)
+    text += fmt::format("{} of the points looked at could not be checked; the first is row {}: {}\n",
+                        result.check->left_out, result.check->first_left_out + 1, result.check->why);
+  if (result.rows.empty()) return text + "they are in the file; too many to look through here\n";
+  return text + "\n" + (plan.rows.rows <= most_rows ? every_row(result) : extremes(result));
+}
+
+std::string sweep_trouble(const SweepResult& result) {
+  const SweepCounts& counts = result.counts;
+  std::string text;
+  const auto add = [&](std::uint64_t count, const std::string& what) {
+    if (count > 0)
+      text +=
+          fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count, result.plan.rows.rows, what);
+  };
+  add(counts.not_settled,
+      undamped(result.plan)
+          ? "never settled: the law has no damping, so the free motion stays; give --damping"
+          : "never settled");
+  add(counts.unstable,
+      fmt::format("are unstable: the free motion of the law, as {} has it, grows without end",
+                  result.plan.method));
+  add(counts.not_finite, "ran away");
+  add(counts.no_convergence, "found no solution of their step");
+  return text;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,201 @@
+#include "cromer/figures/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/base/quantity.h"
+#include "cromer/figures/length_unit.h"
+#include "cromer/figures/measured_axis.h"
+#include "cromer/figures/motion_curves.h"
+#include "cromer/report/enhanced_text.h"
+
+namespace cromer::core {
+namespace {
+
+Panel measured_panel(const FittedRecording& fitted, const MeasuredAxis& axis) {
+  Panel panel;
+  panel.x.name = axis.time_name;
+  panel.y.name = axis.name;
+  add_measured(panel, fitted, axis);
+  return panel;
+}
+
+Panel residual_panel(const FittedRecording& fitted, MeasuredAxis axis) {
+  // Of a file in metres in the unit that suits what is left; else in the file's own.
+  if (fitted.series.quantity == "position" && fitted.series.to_si == 1) {
+    const LengthUnit unit = length_unit(4 * fitted.fit.residual.rms);
+    axis.unit = unit.symbol;
+    axis.unit_size = unit.metres;
+  }
+  Panel panel;
+  panel.title = "What the law leaves";
+  panel.x.name = axis.time_name;
+  panel.y.name = axis.unit.empty() ? "residual" : fmt::format("residual ({})", axis.unit);
+  panel.curves.push_back(residual_curve(fitted, axis));
+  panel.curves.back().remark =
+      fmt::format("rms {} {}", rounded(fitted.fit.residual.rms / axis.unit_size, 3), axis.unit);
+  return panel;
+}
+
+/// Amplitudes of the displacement, growing to the right.
+Panel decay_panel(const FittedRecording& fitted) {
+  Panel panel;
+  panel.title = "Decay rate against amplitude";
+  double longest = 0;
+  for (const AmplitudeRate& each : fitted.decay_by_amplitude) longest = std::max(longest, each.amplitude);
+  const AmplitudeUnit unit = amplitude_unit(fitted, longest);
+  panel.x.name = unit.symbol.empty() ? "amplitude" : fmt::format("amplitude ({})", unit.symbol);
+  panel.y.name = "decay rate (1/s)";
+  Curve points, bars, law;
+  double largest = 0, top = 0;
+  constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+  for (const AmplitudeRate& each : fitted.decay_by_amplitude) {
+    const double A = each.amplitude / unit.size;
+    points.x.push_back(A);
+    points.y.push_back(each.rate.value);
+    const double low = each.rate.value - each.rate.standard_error,
+                 high = each.rate.value + each.rate.standard_error;
+    bars.x.insert(bars.x.end(), {A, A, A});
+    bars.y.insert(bars.y.end(), {low, high, gap});
+    largest = std::max(largest, A);
+    top = std::max({top, high, each.law_rate});
+  }
+  const AmplitudeDecay decay = amplitude_decay(fitted.fit);
+  const double smallest = *std::min_element(points.x.begin(), points.x.end());
+  constexpr int steps = 200;
+  for (int i = 0; i <= steps; ++i) {
+    const double A = smallest * std::pow(largest / smallest, static_cast<double>(i) / steps);
+    law.x.push_back(A);
+    law.y.push_back(decay.rate(A * unit.size));
+  }
+  law.role = "fitted";
+  law.name = "fitted";
+  law.remark = to_text(fitted.fit.law);
+  bars.role = points.role = "measured";
+  points.mark = Mark::dots;
+  points.name = "measured";
+  points.remark = fmt::format("{} stretches,\n\u00b1 one standard error", points.x.size());
+  panel.x.low = panel.y.low = 0;
+  panel.x.high = 1.05 * largest;
+  panel.y.high = 1.08 * top;
+  panel.curves = {std::move(law), std::move(bars), std::move(points)};
+  return panel;
+}
+
+void add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis) {
+  Curve look;
+  look.role = "fitted";
+  look.name = "fitted";
+  look.remark = to_text(fitted.fit.law);
+  add_motion(panel, fitted, axis, law_motion(fitted, axis, true), look);
+}
+
+/// The part of an irregular motion that shows most of the law; `which` says of what it is a part.
+Panel swings_panel(const FittedRecording& fitted, std::string_view which) {
+  const FittedRecording part = largest_swings(fitted);
+  const MeasuredAxis axis = measured_axis(part);
+  Panel panel = measured_panel(part, axis);
+  const bool all = part.series.t.size() == fitted.series.t.size();
+  panel.title = figure_text(fmt::format("{}, run {}{}{}", part.series.column, part.series.run, which,
+                                        all ? "" : ", about its largest swing"));
+  Curve look;
+  look.role = "fitted";
+  look.name = "fitted";
+  look.remark = to_text(part.fit.law);
+  add_line(panel, part, axis, law_motion(part, axis, false), look);
+  return panel;
+}
+
+void append_panels(Figure& figure, const FittedRecording& fitted) {
+  const MeasuredAxis axis = measured_axis(fitted);
+  Panel motion = measured_panel(fitted, axis);
+  motion.title = figure_text(fmt::format("{}, run {}", fitted.series.column, fitted.series.run));
+  if (fitted.fit.status != FitStatus::converged) {
+    figure.panels.push_back(std::move(motion));
+    return;
+  }
+  if (irregular(fitted)) {
+    figure.panels.push_back(swings_panel(fitted, ""));
+  } else {
+    add_law(motion, fitted, axis);
+    figure.panels.push_back(std::move(motion));
+  }
+  figure.panels.push_back(residual_panel(fitted, axis));
+  if (fitted.held_out && !fitted.held_out->t.empty() && fitted.driven) {
+    const FittedRecording held = held_out_part(fitted);
+    figure.panels.push_back(swings_panel(held, ", held out"));
+    figure.panels.push_back(residual_panel(held, measured_axis(held)));
+    figure.panels.back().title = "What the law leaves of what was held out";
+  }
+  if (fitted.decay_by_amplitude.size() >= 3) figure.panels.push_back(decay_panel(fitted));
+}
+
+/// A file's name without its folders; of a long one both ends.
+std::string short_name(std::string_view file) {
+  constexpr std::size_t longest = 34, end = 14;
+  const auto slash = file.find_last_of('/');
+  std::string name(slash == std::string_view::npos ? file : file.substr(slash + 1));
+  if (name.size() <= longest) return name;
+  // Not inside of a character.
+  const auto inside = [&](std::size_t i) { return (static_cast<unsigned char>(name[i]) & 0xC0) == 0x80; };
+  std::size_t front = longest - end - 1, back = name.size() - end;
+  while (front > 0 && inside(front)) --front;
+  while (back < name.size() && inside(back)) ++back;
+  return name.substr(0, front) + "…" + name.substr(back);
+}
+
+/// One small panel for each recording: measured and fitted, what they are called above.
+Panel small_panel(const FittedRecording& fitted) {
+  const MeasuredAxis axis = measured_axis(fitted);
+  Panel panel = measured_panel(fitted, axis);
+  const bool good = fitted.fit.status == FitStatus::converged;
+  panel.title = figure_text(fmt::format("{}, run {}: {}", short_name(fitted.file), fitted.series.run,
+                                        good ? to_text(fitted.fit.law) : std::string(fitted.status())));
+  if (good) add_law(panel, fitted, axis);
+  for (Curve& curve : panel.curves) curve.name = curve.remark = "";
+  return panel;
+}
+
+/// As many recordings as can be read on a page.
+void append_grid(Figure& figure, const std::vector<FittedRecording>& fits) {
+  constexpr std::size_t most_panels = 24;
+  std::size_t drawable = 0;
+  for (const auto& fitted : fits) {
+    if (fitted.series.t.empty() || drawable++ >= most_panels) continue;
+    figure.panels.push_back(small_panel(fitted));
+  }
+  figure.columns = 3;
+  figure.title = "Measured and fitted motions";
+  figure.note = "Dots: measured. Line, or envelope: the fitted law. Crosses: samples set aside.";
+  if (drawable > most_panels)
+    figure.note += fmt::format(" The first {} of {} recordings.", most_panels, drawable);
+}
+
+}  // namespace
+
+Figure fit_figure(const std::vector<FittedRecording>& fits) {
+  constexpr std::ptrdiff_t most_in_full = 3;  // recordings
+  Figure figure;
+  figure.id = "fit";
+  figure.title = "Measured and fitted motion, the residual, and the decay rate against amplitude";
+  figure.size = FigureSize::wide;
+  const auto drawable = std::count_if(fits.begin(), fits.end(),
+                                      [](const FittedRecording& fitted) { return !fitted.series.t.empty(); });
+  if (drawable > most_in_full) {
+    append_grid(figure, fits);
+    return figure;
+  }
+  for (const auto& fitted : fits) {
+    if (fitted.series.t.empty()) continue;
+    const std::size_t first = figure.panels.size();
+    append_panels(figure, fitted);
+    if (drawable > 1)
+      figure.panels[first].title = figure_text(short_name(fitted.file)) + ": " + figure.panels[first].title;
+  }
+  return figure;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,266 @@
+#include "cromer/figures/motion_curves.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/analysis/envelope.h"
+#include "cromer/base/pi.h"
+#include "cromer/identify/motion/motion_model.h"
+#include "cromer/report/thinning.h"
+#include "cromer/tasks/fit/used_samples.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t most_swings = 20;       // with more, the lines of two motions run into each other
+constexpr std::size_t columns = 2000;         // more than a figure has pixels
+constexpr double smooth_points = 100;         // of a period
+constexpr std::size_t most_points = 400'000;  // of a smooth curve
+
+/// Ends a stretch before each gap: there is nothing measured in it.
+SampledMotion broken_at_gaps(const SampledMotion& motion, const std::vector<Gap>& gaps) {
+  SampledMotion broken;
+  std::size_t gap = 0;
+  for (std::size_t i = 0; i < motion.t.size(); ++i) {
+    while (gap < gaps.size() && motion.t[i] >= gaps[gap].t + 0.5 * gaps[gap].length) {
+      if (!broken.t.empty()) {
+        broken.t.push_back(broken.t.back());
+        broken.y.push_back(none);
+      }
+      ++gap;
+    }
+    broken.t.push_back(motion.t[i]);
+    broken.y.push_back(motion.y[i]);
+  }
+  return broken;
+}
+
+/// Stretches without a break.
+std::vector<SampledMotion> stretches_of(const SampledMotion& motion) {
+  std::vector<SampledMotion> stretches(1);
+  for (std::size_t i = 0; i < motion.t.size(); ++i) {
+    if (!std::isfinite(motion.y[i])) {
+      if (!stretches.back().t.empty()) stretches.emplace_back();
+      continue;
+    }
+    stretches.back().t.push_back(motion.t[i]);
+    stretches.back().y.push_back(motion.y[i]);
+  }
+  return stretches;
+}
+
+/// Of the turning points in each window only the outermost: a driven motion turns more than once in a period.
+void outermost(std::vector<double>& t, std::vector<double>& x, double window, double sign) {
+  std::vector<double> kept_t, kept_x;
+  for (std::size_t i = 0; i < t.size();) {
+    std::size_t best = i, end = i;
+    for (; end < t.size() && t[end] < t[i] + window; ++end)
+      if (sign * x[end] > sign * x[best]) best = end;
+    kept_t.push_back(t[best]);
+    kept_x.push_back(x[best]);
+    i = end;
+  }
+  t = std::move(kept_t);
+  x = std::move(kept_x);
+}
+
+double period_of(const FittedRecording& fitted) {
+  double w = fitted.fit.swing_frequency().value;
+  if (const Estimate* drive = fitted.fit.find("drive_frequency")) w = std::min(w, drive->value);
+  return w > 0 ? two_pi / w : 0;
+}
+
+void append(Curve& curve, const MeasuredAxis& axis, const std::vector<double>& t,
+            const std::vector<double>& y) {
+  if (!curve.x.empty()) {
+    curve.x.push_back(curve.x.back());
+    curve.y.push_back(none);
+  }
+  const std::vector<double> at = axis.times(t);
+  for (const std::size_t i : extremes(at, y, columns)) {
+    curve.x.push_back(at[i]);
+    curve.y.push_back(y[i]);
+  }
+}
+
+/// Times of the recording's stretches, closely spaced.
+std::vector<double> smooth_times(const FittedRecording& fitted) {
+  const std::vector<double>& t = fitted.series.t;
+  const double duration = t.back() - t.front(), period = period_of(fitted);
+  const double spacing = period / smooth_points;
+  if (!(spacing > 0) || fitted.driven || duration / spacing > static_cast<double>(most_points)) return t;
+  if (static_cast<double>(t.size()) * spacing > duration && fitted.series.gaps.empty()) return t;
+  const auto steps = static_cast<std::size_t>(std::ceil(duration / spacing));
+  std::vector<double> fine;
+  std::size_t gap = 0;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const double at =
+        i == steps ? t.back() : t.front() + static_cast<double>(i) * duration / static_cast<double>(steps);
+    const auto& gaps = fitted.series.gaps;
+    while (gap < gaps.size() && at >= gaps[gap].t + gaps[gap].length) ++gap;
+    const bool inside = gap < gaps.size() && at > gaps[gap].t;
+    if (!inside || i == 0 || i == steps) fine.push_back(at);
+  }
+  return fine;
+}
+
+/// The column's value under the free law, less the equilibrium.
+std::vector<double> free_values(const FittedRecording& fitted, const std::vector<double>& t) {
+  const std::vector<double> zeros(t.size(), 0.0);
+  const int derivative = std::max(0, derivative_order(fitted.series.quantity));
+  std::vector<double> values =
+      motion_residuals(fitted.fit.motion, {}, {t, zeros, 0, derivative}, fitted.fit.step);
+  for (double& value : values) value = -value - fitted.fit.equilibrium().value;
+  values.resize(t.size(), none);
+  return values;
+}
+
+}  // namespace
+
+Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
+  const FittedSamples good = without_outliers(fitted.series);
+  Curve curve;
+  for (const SampledMotion& stretch :
+       stretches_of(broken_at_gaps({good.t, axis.displacements(good.y)}, fitted.series.gaps)))
+    append(curve, axis, stretch.t, stretch.y);
+  curve.role = "measured";
+  curve.name = "measured";
+  curve.remark = fmt::format("{} samples", good.t.size());
+  curve.mark = Mark::dots;
+  return curve;
+}
+
+Curve residual_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
+  const FittedSamples good = without_outliers(fitted.series);
+  const SampledMotion law = law_motion(fitted, axis, false);
+  const std::vector<double> measured = axis.displacements(good.y);
+  SampledMotion rest;
+  for (std::size_t i = 0; i < law.t.size() && rest.t.size() < good.t.size(); ++i) {
+    if (law.t[i] != good.t[rest.t.size()]) continue;
+    rest.y.push_back(measured[rest.t.size()] - law.y[i]);
+    rest.t.push_back(law.t[i]);
+  }
+  Curve curve;
+  for (const SampledMotion& stretch : stretches_of(broken_at_gaps(rest, fitted.series.gaps)))
+    append(curve, axis, stretch.t, stretch.y);
+  curve.role = "measured";
+  curve.name = "residual";
+  curve.mark = Mark::dots;
+  return curve;
+}
+
+void add_measured(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis) {
+  panel.curves.push_back(measured_curve(fitted, axis));
+  const Series& series = fitted.series;
+  SampledMotion aside;
+  for (const Outlier& outlier : series.outliers) {
+    if (outlier.t < series.t.front() || outlier.t > series.t.back()) continue;
+    aside.t.push_back(outlier.t);
+    aside.y.push_back(outlier.value);
+  }
+  if (aside.t.empty()) return;
+  Curve crosses;
+  crosses.x = axis.times(aside.t);
+  crosses.y = axis.displacements(aside.y);
+  crosses.role = "set-aside";
+  crosses.name = "set aside";
+  crosses.remark = fmt::format("{} samples", crosses.x.size());
+  crosses.remark_outside = ",\nat the edge: beyond it";
+  crosses.mark = Mark::crosses;
+  crosses.sets_axes = false;
+  panel.curves.push_back(std::move(crosses));
+}
+
+SampledMotion law_motion(const FittedRecording& fitted, const MeasuredAxis& axis, bool smooth) {
+  if (!fitted.driven) {
+    const std::vector<double> t = smooth ? smooth_times(fitted) : fitted.series.t;
+    return {t, axis.scaled(free_values(fitted, t))};
+  }
+  std::vector<double> y = fitted.driven->motion;
+  y.resize(fitted.series.t.size(), none);
+  return {fitted.series.t, axis.displacements(std::move(y))};
+}
+
+bool irregular(const FittedRecording& fitted) { return fitted.fit.drive.kind == DriveKind::recorded; }
+
+FittedRecording largest_swings(const FittedRecording& fitted) {
+  constexpr double periods = 12;  // to each side
+  FittedRecording part = fitted;
+  const FittedSamples good = without_outliers(fitted.series);
+  double at = fitted.series.t.front(), largest = 0;
+  for (std::size_t i = 0; i < good.t.size(); ++i) {
+    const double size = std::abs(good.y[i] - fitted.fit.equilibrium().value);
+    if (size > largest) largest = size, at = good.t[i];
+  }
+  const std::vector<double>& t = fitted.series.t;
+  const double reach = periods * period_of(fitted);
+  if (reach == 0) return part;
+  const auto first = std::lower_bound(t.begin(), t.end(), at - reach) - t.begin(),
+             last = std::upper_bound(t.begin(), t.end(), at + reach) - t.begin();
+  for (std::vector<double>* values : {&part.series.t, &part.series.y, &part.driven->motion}) {
+    if (values->size() < t.size()) continue;
+    values->erase(values->begin() + last, values->end());
+    values->erase(values->begin(), values->begin() + first);
+  }
+  const auto outside = [&](const auto& mark) {
+    return mark.t < part.series.t.front() || mark.t > part.series.t.back();
+  };
+  auto& gaps = part.series.gaps;
+  gaps.erase(std::remove_if(gaps.begin(), gaps.end(), outside), gaps.end());
+  return part;
+}
+
+FittedRecording held_out_part(const FittedRecording& fitted) {
+  FittedRecording part = fitted;
+  part.series.t = fitted.held_out->t;
+  part.series.y = fitted.held_out->measured;
+  part.driven->motion = fitted.held_out->law;
+  part.series.gaps.clear();
+  part.series.outliers.clear();
+  part.fit.residual.rms = fitted.held_out->rms;
+  return part;
+}
+
+void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis,
+              const SampledMotion& motion, Curve look) {
+  for (const SampledMotion& stretch : stretches_of(broken_at_gaps(motion, fitted.series.gaps)))
+    append(look, axis, stretch.t, stretch.y);
+  panel.curves.push_back(std::move(look));
+}
+
+void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
+                const Curve& look) {
+  const std::vector<SampledMotion> stretches = stretches_of(broken_at_gaps(motion, fitted.series.gaps));
+  std::vector<Envelope> around;
+  std::size_t swings = 0;
+  const double duration = fitted.series.t.back() - fitted.series.t.front();
+  const double window = std::max(fitted.driven ? 0.7 * period_of(fitted) : 0, duration / 500);
+  bool enough = true;
+  for (const SampledMotion& stretch : stretches) {
+    around.push_back(envelope(stretch.t, stretch.y));
+    Envelope& e = around.back();
+    swings += e.top.size();
+    outermost(e.top_t, e.top, window, 1);
+    outermost(e.bottom_t, e.bottom, window, -1);
+    enough = enough && !e.bottom.empty() && !e.top.empty();
+  }
+  Curve line = look, below = look;
+  if (swings <= most_swings || !enough) {
+    for (const SampledMotion& stretch : stretches) append(line, axis, stretch.t, stretch.y);
+    panel.curves.push_back(std::move(line));
+    return;
+  }
+  below.name = below.remark = "";
+  for (const Envelope& e : around) {
+    append(line, axis, e.top_t, e.top);
+    append(below, axis, e.bottom_t, e.bottom);
+  }
+  panel.curves.push_back(std::move(line));
+  panel.curves.push_back(std::move(below));
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,96 @@
+#include "cromer/live/http_client.h"
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <utility>  // which Boost.Asio 1.74 needs and does not include
+//
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/string_body.hpp>
+#include <cerrno>
+#include <cstring>
+
+#include "cromer/live/source.h"
+
+namespace cromer::core {
+namespace {
+
+namespace http = boost::beast::http;
+
+constexpr std::size_t largest_body = 64 << 20;
+
+bool send_all(const Descriptor& connection, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::send(connection.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;  // so little always fits
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<std::string> HttpClient::ask(const std::string& target, double deadline, bool& stale) {
+  stale = true;
+  const std::string request = fmt::format(
+      "GET {} HTTP/1.1\r\nHost: {}:{}\r\nAccept: application/json\r\nConnection: keep-alive\r\n\r\n", target,
+      host_.find(':') == std::string::npos ? host_ : "[" + host_ + "]", port_);
+  if (!send_all(connection_, request)) return Error{"the connection was closed"};
+  http::response_parser<http::string_body> parser;
+  parser.body_limit(largest_body);
+  parser.header_limit(64 << 10);
+  parser.eager(true);
+  std::string unread;
+  char bytes[16384];
+  while (!parser.is_done()) {
+    const double left = deadline - steady_seconds();
+    if (left <= 0 || !readable(connection_, left)) return stale = false, Error{"no answer in time"};
+    const ssize_t count = ::recv(connection_.number(), bytes, sizeof bytes, 0);
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    boost::system::error_code failed;
+    if (count <= 0) {
+      if (!parser.got_some()) return Error{"the connection was closed"};
+      parser.put_eof(failed);
+      if (failed) return Error{"the answer broke off"};
+      break;
+    }
+    stale = false;
+    unread.append(bytes, static_cast<std::size_t>(count));
+    const std::size_t used = parser.put(boost::asio::buffer(unread), failed);
+    unread.erase(0, used);
+    // Boost.Beast 1.74 forgets its limit where a part of the body comes with the header.
+    if (parser.is_header_done() && parser.content_length().value_or(0) > largest_body)
+      failed = http::error::body_limit;
+    if (failed && failed != http::error::need_more)
+      return Error{fmt::format("the answer is no HTTP ({})", failed.message())};
+  }
+  const auto& answer = parser.get();
+  if (answer.result() != http::status::ok)
+    return Error{fmt::format("{} is answered with status {}", target.substr(0, target.find('?')),
+                             answer.result_int())};
+  if (!answer.keep_alive()) connection_.close();
+  return answer.body();
+}
+
+Result<std::string> HttpClient::get(const std::string& target, double seconds) {
+  const double deadline = steady_seconds() + seconds;
+  const bool kept = connection_.is_open();
+  for (const bool again : {false, true}) {
+    if (!connection_.is_open()) {
+      auto opened = open_tcp(host_, port_, std::max(0.1, deadline - steady_seconds()));
+      if (!opened) return opened.error();
+      connection_ = *std::move(opened);
+    }
+    bool stale = false;
+    auto answer = ask(target, deadline, stale);
+    if (answer) return answer;
+    connection_.close();
+    // A kept connection may have been closed by the other side meanwhile.
+    if (again || !kept || !stale) return answer;
+  }
+  return Error{"no answer"};
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,44 @@
+// A source of lines over one descriptor: serial line, TCP connection, standard input.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cromer/live/descriptor.h"
+#include "cromer/live/source.h"
+
+namespace cromer::core {
+
+class LineSource final : public Source {
+ public:
+  using Connect = std::function<Result<Descriptor>()>;
+
+  /// `connect` opens it, again where it `comes_back` after its end; a serial line is found in the middle of
+  /// a line.
+  LineSource(std::string name, Connect connect, bool comes_back, bool within_line, const LineSettings& lines)
+      : name_(std::move(name)),
+        connect_(std::move(connect)),
+        comes_back_(comes_back),
+        reader_(lines, within_line) {}
+
+  Result<void> open() override;
+  bool receive(double seconds, Rows& rows, std::vector<Notice>& notices) override;
+  void finish(Rows& rows, std::vector<Notice>& notices) override { reader_.release_all(rows, notices); }
+  const Headings& headings() const override { return reader_.headings(); }
+  SampleTimes times() const override { return reader_.times(); }
+  double pace() const override { return reader_.pace(); }
+
+ private:
+  bool come_back(double seconds, std::vector<Notice>& notices);
+  bool read(double seconds, Rows& rows, std::vector<Notice>& notices);
+
+  std::string name_;
+  Connect connect_;
+  bool comes_back_;
+  LineReader reader_;
+  Descriptor line_;
+  double lost_at_ = 0;  // [s]
+};
+
+}  // namespace cromer::core

@@ -1,0 +1,160 @@
+#include "cromer/live/phyphox.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "cromer/base/ascii.h"
+#include "cromer/base/quantity.h"
+#include "cromer/live/headings.h"
+
+namespace cromer::core {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int deepest = 64;
+
+/// Discarded where it is no JSON, or JSON of an absurd depth.
+Json parsed(std::string_view text) {
+  return Json::parse(
+      text, [](int depth, Json::parse_event_t, Json&) { return depth < deepest; }, false);
+}
+
+std::string text_at(const Json& object, const char* key) {
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+const Json& list_at(const Json& object, const char* key) {
+  static const Json none = Json::array();
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return found != object.end() && found->is_array() ? *found : none;
+}
+
+bool is_time(std::string_view label) {
+  const std::string name = lower(label);
+  return name.starts_with("time") || name.starts_with("t (s)") || name.starts_with("zeit");
+}
+
+/// Of one exported set.
+PhyphoxSet exported(const Json& set) {
+  PhyphoxSet found;
+  for (const Json& source : list_at(set, "sources")) {
+    const std::string label = text_at(source, "label"), buffer = text_at(source, "buffer");
+    if (buffer.empty()) continue;
+    const bool time = is_time(label);
+    if (time && !found.buffers.empty() && is_time(found.headings.front())) continue;
+    const auto at = [time](auto& list) { return time ? list.begin() : list.end(); };
+    found.buffers.insert(at(found.buffers), buffer);
+    found.headings.insert(at(found.headings), label);
+  }
+  if (found.buffers.size() < 2 || !is_time(found.headings.front())) return {};
+  found.headings.front() = "Time (s)";
+  return found;
+}
+
+/// Of a sensor: {"source": "accelerometer", "outputs": [{"x": "accX"}, ..., {"t": "acc_time"}]}
+PhyphoxSet sensed(const Json& input) {
+  PhyphoxSet found;
+  std::string time;
+  for (const Json& output : list_at(input, "outputs")) {
+    if (!output.is_object()) continue;
+    for (const auto& [component, buffer] : output.items()) {
+      if (!buffer.is_string()) continue;
+      if (component == "t") {
+        time = buffer.get<std::string>();
+      } else {
+        found.buffers.push_back(buffer.get<std::string>());
+        found.headings.push_back(text_at(input, "source") + " " + component);
+      }
+    }
+  }
+  if (time.empty() || found.buffers.empty()) return {};
+  found.buffers.insert(found.buffers.begin(), time);
+  found.headings.insert(found.headings.begin(), "Time (s)");
+  return found;
+}
+
+std::string percent_encoded(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    const bool plain =
+        is_digit(c) || (lower(c) >= 'a' && lower(c) <= 'z') || c == '_' || c == '-' || c == '.';
+    out += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return out;
+}
+
+}  // namespace
+
+Result<PhyphoxSet> read_phyphox_config(std::string_view json) {
+  const Json config = parsed(json);
+  if (!config.is_object()) return Error{"the answer to /config is no JSON object; is this phyphox?"};
+  PhyphoxSet found;
+  for (const Json& set : list_at(config, "export"))
+    if (found.buffers.empty()) found = exported(set);
+  for (const Json& input : list_at(config, "inputs"))
+    if (found.buffers.empty()) found = sensed(input);
+  const std::string title = text_at(config, "title");
+  if (found.buffers.empty())
+    return Error{
+        fmt::format("the phone's experiment \"{}\" has no values with a time; choose one with raw data, "
+                    "such as Acceleration (without g)",
+                    title)};
+  found.experiment = title;
+  for (auto& heading : found.headings) heading = plain_heading(std::move(heading));
+  return found;
+}
+
+std::string phyphox_query(const PhyphoxSet& set, std::optional<double> after) {
+  std::string query = "/get?";
+  const std::string time = percent_encoded(set.buffers.front());
+  for (std::size_t i = 0; i < set.buffers.size(); ++i) {
+    if (i > 0) query += '&';
+    query += percent_encoded(set.buffers[i]) + "=" + (after ? shortest(*after) : "full");
+    if (after && i > 0) query += "%7C" + time;
+  }
+  return query;
+}
+
+Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSet& set) {
+  const Json document = parsed(json);
+  if (!document.is_object() || !document.contains("buffer") || !document["buffer"].is_object())
+    return Error{"the answer to /get holds no buffers; is this phyphox?"};
+  const Json& held = document["buffer"];
+  std::vector<const Json*> columns;
+  std::size_t rows = std::numeric_limits<std::size_t>::max(), longest = 0;
+  for (const auto& name : set.buffers) {
+    const auto found = held.find(name);
+    if (found == held.end())
+      return Error{
+          fmt::format("the phone has no buffer \"{}\" any more: another experiment was opened", name)};
+    columns.push_back(&list_at(*found, "buffer"));
+    rows = std::min(rows, columns.back()->size());
+    longest = std::max(longest, columns.back()->size());
+  }
+  PhyphoxAnswer answer;
+  answer.uneven = longest - rows;
+  answer.rows.width = columns.size() - 1;
+  const auto number = [](const Json& value) {
+    return value.is_number() ? value.get<double>() : std::numeric_limits<double>::quiet_NaN();
+  };
+  std::vector<double> values(answer.rows.width);
+  for (std::size_t i = 0; i < rows; ++i) {
+    const double t = number((*columns.front())[i]);
+    if (!(t == t)) continue;
+    for (std::size_t c = 0; c < values.size(); ++c) values[c] = number((*columns[c + 1])[i]);
+    answer.rows.add(t, values);
+  }
+  const auto status = document.find("status");
+  if (status != document.end() && status->is_object()) {
+    const auto measuring = status->find("measuring");
+    answer.measuring = measuring != status->end() && measuring->is_boolean() && measuring->get<bool>();
+  }
+  return answer;
+}
+
+}  // namespace cromer::core

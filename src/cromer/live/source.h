@@ -1,0 +1,43 @@
+// Something that samples come from while they are measured.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "cromer/live/line_reader.h"
+#include "cromer/live/rows.h"
+#include "cromer/live/source_name.h"
+#include "cromer/result.h"
+
+namespace cromer::core {
+
+class Source {
+ public:
+  virtual ~Source() = default;
+
+  /// Connects for the first time; what cannot be reached then is an Error.
+  virtual Result<void> open() = 0;
+
+  /// Waits at most about `seconds` and adds what came; false when nothing more will ever come. A connection
+  /// that is lost is tried again each time, with a notice when it goes and when it is back.
+  virtual bool receive(double seconds, Rows& rows, std::vector<Notice>& notices) = 0;
+
+  /// Adds what is held back to be stamped better; nothing is received after it.
+  virtual void finish(Rows&, std::vector<Notice>&) {}
+
+  /// Empty until the first row.
+  virtual const Headings& headings() const = 0;
+
+  virtual SampleTimes times() const { return {TimesBy::device}; }
+
+  /// Seconds of the device over those of the computer, 0 where unknown.
+  virtual double pace() const { return 0; }
+};
+
+/// Not connected yet.
+std::unique_ptr<Source> make_source(const SourceName& name, const LineSettings& lines);
+
+/// Seconds of a clock that never jumps, as all arrivals are told.
+double steady_seconds();
+
+}  // namespace cromer::core

@@ -1,0 +1,72 @@
+#include "cromer/live/source_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "cromer/base/ascii.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr std::string_view forms =
+    "serial:DEVICE[:BAUD], tcp:HOST:PORT, phyphox:HOST[:PORT] or - (standard input)";
+
+std::optional<int> whole_number(std::string_view text) {
+  if (text.empty() || text.size() > 8 || !std::all_of(text.begin(), text.end(), is_digit))
+    return std::nullopt;
+  int number = 0;
+  for (const char c : text) number = 10 * number + (c - '0');
+  return number;
+}
+
+Error wrong(std::string_view text, std::string_view why) {
+  return {fmt::format("--from \"{}\": {}; it is one of {}", text, why, forms)};
+}
+
+/// "HOST", "HOST:PORT", "[::1]:PORT"; an Error where the port is none.
+Result<SourceName> with_port(std::string_view text, std::string_view rest, SourceName name) {
+  std::string_view host = rest, port;
+  if (rest.starts_with('[')) {
+    const std::size_t close = rest.find(']');
+    if (close == std::string_view::npos) return wrong(text, "the address has no closing bracket");
+    host = rest.substr(1, close - 1);
+    port = rest.substr(close + 1);
+    if (!port.empty() && port.front() != ':') return wrong(text, "a colon stands before the port");
+  } else if (const std::size_t colon = rest.rfind(':'); colon != std::string_view::npos) {
+    host = rest.substr(0, colon);
+    port = rest.substr(colon);
+  }
+  if (host.empty()) return wrong(text, "the host is missing");
+  name.place = host;
+  if (port.empty() && name.number == 0) return wrong(text, "the port is missing");
+  if (port.empty()) return name;
+  const auto number = whole_number(port.substr(1));
+  if (!number || *number < 1 || *number > 65535) return wrong(text, "a port is a number from 1 to 65535");
+  name.number = *number;
+  return name;
+}
+
+}  // namespace
+
+Result<SourceName> parse_source(std::string_view text) {
+  if (text == "-") return SourceName{};
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return wrong(text, "that names no kind of source");
+  const std::string_view kind = text.substr(0, colon), rest = text.substr(colon + 1);
+  if (kind == "tcp") return with_port(text, rest, {SourceKind::tcp});
+  if (kind == "phyphox") return with_port(text, rest, {SourceKind::phyphox, "", 8080});
+  if (kind != "serial") return wrong(text, fmt::format("\"{}\" is no kind of source", kind));
+  SourceName name{SourceKind::serial, std::string(rest), 115200};
+  // Paths below /dev/serial/by-path hold colons of their own.
+  if (const std::size_t last = rest.rfind(':'); last != std::string_view::npos)
+    if (const auto baud = whole_number(rest.substr(last + 1))) {
+      name.place = rest.substr(0, last);
+      name.number = *baud;
+    }
+  if (name.place.empty()) return wrong(text, "the device is missing");
+  return name;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,259 @@
+#include "cromer/read/columns.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cromer/base/ascii.h"
+#include "cromer/base/concat.h"
+#include "cromer/base/median.h"
+#include "cromer/base/nearest.h"
+#include "cromer/read/column_kind.h"
+
+namespace cromer::core {
+namespace {
+
+std::string without_subscript(std::string name) {
+  while (name.size() > 1 && is_digit(name.back())) name.pop_back();
+  return name;
+}
+
+/// Rises with every step (but for a few), in steps that are nearly equal.
+bool runs_evenly_upward(const std::vector<double>& values) {
+  if (values.size() < 3) return false;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    const double step = values[i] - values[i - 1];
+    if (std::isfinite(step)) steps.push_back(step);
+  }
+  if (steps.size() < 2) return false;
+  const double median = upper_median(steps);
+  if (!(median > 0)) return false;
+  const auto even = std::count_if(steps.begin(), steps.end(),
+                                  [&](double step) { return std::fabs(step - median) < 0.5 * median; });
+  return static_cast<double>(even) >= 0.9 * static_cast<double>(steps.size());
+}
+
+/// 0, 1, 2, ...: no time where the rate is known.
+bool counts_by_one(const std::vector<double>& values) {
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (values[i] - values[i - 1] != 1) return false;
+  return true;
+}
+
+bool counts_rows(const Column& column) {
+  constexpr std::array<std::string_view, 8> names{"sample", "samples", "index", "row",
+                                                  "frame",  "n",       "no",    "#"};
+  const std::string name = plain_name(column.name);
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A spectrum's or a pendulum's: in seconds, but no time.
+bool is_period(const std::string& name) {
+  constexpr std::array<std::string_view, 6> words{"period", "periodo", "période", "periode", "tn", "lag"};
+  std::string small = plain_name(name);
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view word) { return small.starts_with(word); });
+}
+
+/// How many rows apart the values stand, if evenly: sensors sampled in turn, or more slowly than others. 1
+/// where they do not.
+std::size_t stride_of(const std::vector<double>& values) {
+  constexpr std::size_t fewest = 4;
+  std::size_t count = 0, last = 0, stride = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) continue;
+    if (count == 1) stride = i - last;
+    if (count > 1 && i - last != stride) return 1;
+    last = i;
+    ++count;
+  }
+  return count >= fewest ? stride : 1;
+}
+
+/// "2nd", "12th", "22nd".
+std::string ordinal(std::size_t n) {
+  constexpr std::array<std::string_view, 10> endings{"th", "st", "nd", "rd", "th",
+                                                     "th", "th", "th", "th", "th"};
+  return concat({std::to_string(n), n / 10 % 10 == 1 ? "th" : endings[n % 10]});
+}
+
+/// A time is never scaled by guess: a unit that is unknown or measures something else is an Error, unless
+/// another column is a good time.
+Result<void> check_time_units(std::vector<Column>& columns, bool asked) {
+  const auto good = [](const Column& column) {
+    return column.unit.empty() || is_unit_of(column.unit, "time");
+  };
+  const auto complain = [asked](const Column& column) {
+    const bool unknown = quantity_of("", column.unit).empty();
+    return Error{concat({"column \"", column_title(column), "\": the unit \"", column.unit, "\" ",
+                         unknown ? "is not known" : "is no unit of time",
+                         ": write s, ms, us, min or h behind the time's name (seconds need none)",
+                         asked ? "" : ", or name another column with --time-column"})};
+  };
+  bool any_good = false;
+  const Column* bad = nullptr;
+  for (const Column& column : columns) {
+    const bool named = quantity_of(column.name, "") == "time";
+    if (column.quantity == "time" && good(column)) any_good = true;
+    if ((column.quantity == "time" || (named && !asked)) && !good(column) && !bad) bad = &column;
+  }
+  if (!bad) return {};
+  if (!any_good || asked) return complain(*bad);
+  for (Column& column : columns)
+    if (column.quantity == "time" && !good(column)) column.quantity.clear();
+  return {};
+}
+
+}  // namespace
+
+std::string column_title(const Column& column) {
+  return column.unit.empty() ? column.name : concat({column.name, " (", column.unit, ")"});
+}
+
+std::string counted(std::size_t count, std::string_view noun) {
+  return concat({std::to_string(count), " ", noun, count == 1 ? "" : "s"});
+}
+
+std::size_t rows_of_run(const Table& table, int run) {
+  std::size_t rows = 0;
+  for (const Column& column : table.columns)
+    for (std::size_t i = column.values.size(); column.run == run && i > rows; --i)
+      if (!std::isnan(column.values[i - 1])) rows = i;
+  return rows;
+}
+
+Result<std::size_t> find_column(const Table& table, std::string_view name, int run) {
+  const auto& columns = table.columns;
+  std::vector<std::size_t> of_run;
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (run == 0 || columns[j].run == run) of_run.push_back(j);
+  const auto matching = [&](auto&& matches) {
+    std::vector<std::size_t> found;
+    for (const std::size_t j : of_run)
+      if (matches(columns[j])) found.push_back(j);
+    return found;
+  };
+  auto found = matching([&](const Column& column) { return column_title(column) == name; });
+  if (found.empty()) found = matching([&](const Column& column) { return column.name == name; });
+  const dialects::Heading wanted = dialects::parse_heading(name);
+  const std::string plain = plain_name(wanted.name);
+  if (found.empty()) found = matching([&](const Column& column) { return plain_name(column.name) == plain; });
+  if (found.empty())
+    found =
+        matching([&](const Column& column) { return without_subscript(plain_name(column.name)) == plain; });
+  if (found.size() == 1 || (run == 0 && !found.empty())) return found.front();
+
+  std::string list;
+  std::vector<std::string_view> names;
+  for (const std::size_t j : of_run) {
+    names.push_back(columns[j].name);
+    list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
+  }
+  if (!found.empty()) return Error{concat({"\"", name, "\" fits several columns; there are ", list})};
+  const std::string near = nearest(name, names);
+  const std::string hint = near.empty() ? "" : concat({"; did you mean \"", near, "\"?"});
+  return Error{concat({"no column is called \"", name, "\"; there are ", list, hint})};
+}
+
+namespace dialects {
+
+std::vector<Column> name_columns(const Header& header, std::size_t count) {
+  std::vector<Column> columns(count);
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j < header.headings.size()) {
+      columns[j].name = header.headings[j].name;
+      columns[j].unit = header.headings[j].unit;
+      columns[j].quantity = quantity_of(columns[j].name, columns[j].unit);
+    }
+    if (columns[j].name.empty()) columns[j].name = concat({"column ", std::to_string(j + 1)});
+  }
+  return columns;
+}
+
+void drop_unnamed_empty(Recording& recording) {
+  auto& columns = recording.table.columns;
+  while (columns.size() > 1) {
+    const Column& last = columns.back();
+    const bool unnamed = last.name == concat({"column ", std::to_string(columns.size())});
+    const bool empty =
+        std::all_of(last.values.begin(), last.values.end(), [](double value) { return std::isnan(value); });
+    if (!unnamed || !empty) return;
+    columns.pop_back();
+  }
+}
+
+Result<void> mark_time(Recording& recording, const ReadOptions& options, bool has_header) {
+  auto& columns = recording.table.columns;
+  if (!options.time_column.empty()) {
+    const auto asked = find_column(recording.table, options.time_column, 0);
+    if (!asked) return Error{concat({"--time-column: ", asked.error().message})};
+    const std::string name = columns[*asked].name;
+    for (Column& column : columns) {
+      if (column.name == name)
+        column.quantity = "time";
+      else if (column.quantity == "time")
+        column.quantity.clear();
+    }
+    return check_time_units(columns, true);
+  }
+  // A period in seconds is no time, and other seconds are none if another column is so named.
+  const auto named = [](const Column& column) { return quantity_of(column.name, "") == "time"; };
+  const bool any_named = std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
+    return column.quantity == "time" && named(column);
+  });
+  for (Column& column : columns)
+    if (column.quantity == "time" && (is_period(column.name) || (any_named && !named(column))))
+      column.quantity.clear();
+  if (const auto checked = check_time_units(columns, false); !checked) return checked;
+  const bool any = std::any_of(columns.begin(), columns.end(),
+                               [](const Column& column) { return column.quantity == "time"; });
+  Column& first = columns.front();
+  for (Column& column : columns)
+    if (column.quantity.empty() && counts_rows(column)) column.quantity = "index";
+  const bool may_be_time = !any && columns.size() > 1 && first.quantity.empty() && !is_period(first.name);
+  if (may_be_time && options.rate > 0 && counts_by_one(first.values)) {
+    first.quantity = "index";
+  } else if (may_be_time && runs_evenly_upward(first.values)) {
+    first.quantity = "time";
+    recording.warnings.push_back(
+        has_header ? concat({"\"", first.name, "\" runs evenly upward: it is taken as the time in seconds"})
+                   : "the first column runs evenly upward: it is taken as the time in seconds");
+  }
+  return {};
+}
+
+void count_missing(Recording& recording) {
+  auto& columns = recording.table.columns;
+  const auto length_of = [&](const std::vector<double>& values) {
+    std::size_t length = values.size();
+    while (length > 0 && std::isnan(values[length - 1])) --length;
+    return length;
+  };
+  std::vector<std::size_t> length_of_run;
+  for (const Column& column : columns) {
+    const auto run = static_cast<std::size_t>(column.run);
+    if (length_of_run.size() <= run) length_of_run.resize(run + 1);
+    length_of_run[run] = std::max(length_of_run[run], length_of(column.values));
+  }
+  const bool several = length_of_run.size() > 2;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const Column& column = columns[j];
+    std::size_t missing = 0;
+    long first = 0;
+    for (std::size_t i = 0; i < length_of_run[static_cast<std::size_t>(column.run)]; ++i)
+      if (std::isnan(column.values[i]) && missing++ == 0) first = line_of(recording, j, i);
+    if (missing == 0) continue;
+    const std::string name =
+        concat({"column \"", column_title(column), "\"",
+                several ? concat({" of run ", std::to_string(column.run)}) : std::string{}});
+    if (const std::size_t stride = stride_of(column.values); stride > 1)
+      recording.warnings.push_back(concat({name, " is measured in every ", ordinal(stride), " row only"}));
+    else
+      recording.warnings.push_back(concat(
+          {name, ": ", counted(missing, "missing value"), ", the first in line ", std::to_string(first)}));
+  }
+}
+
+}  // namespace dialects
+}  // namespace cromer::core

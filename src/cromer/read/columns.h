@@ -1,0 +1,47 @@
+// Stage 7: what each column is: its name, its run, whether it is the time.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cromer/base/table.h"
+#include "cromer/read/header.h"
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+
+namespace cromer::core {
+
+/// "Position (mm)": name and unit as headings write them.
+std::string column_title(const Column& column);
+
+/// "1 value", "3 values".
+std::string counted(std::size_t count, std::string_view noun);
+
+/// Rows of a run up to the last that has any value.
+std::size_t rows_of_run(const Table& table, int run);
+
+/// The column meant by `name` among those of `run` (0: of all runs): exactly, else without case, decoration
+/// and unit, else without a subscript. Not found, or several: an Error that lists the columns (without the
+/// file's name).
+Result<std::size_t> find_column(const Table& table, std::string_view name, int run);
+
+namespace dialects {
+
+/// Columns without values, named by the header or "column N".
+std::vector<Column> name_columns(const Header& header, std::size_t count);
+
+/// A delimiter at the end of each row makes an empty column without a name: dropped.
+void drop_unnamed_empty(Recording& recording);
+
+/// Runs numbered from 1 in the order the file names them, or begun anew where a column's name repeats.
+void number_runs(Recording& recording, const Header& header);
+
+/// Marks the time columns: the one asked for, else those so named, else a first column that runs evenly
+/// upward.
+Result<void> mark_time(Recording& recording, const ReadOptions& options, bool has_header);
+
+/// Warnings about missing values; a run that is shorter than another misses nothing.
+void count_missing(Recording& recording);
+
+}  // namespace dialects
+}  // namespace cromer::core

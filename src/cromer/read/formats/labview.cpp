@@ -1,0 +1,181 @@
+#include "cromer/read/formats/labview.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/base/concat.h"
+#include "cromer/base/quantity.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/read/columns.h"
+#include "cromer/read/formats/labview_header.h"
+#include "cromer/read/header.h"
+#include "cromer/read/layout.h"
+#include "cromer/read/lines.h"
+#include "cromer/read/rows.h"
+#include "cromer/read/series_shape.h"
+
+namespace cromer::core::dialects {
+namespace {
+
+using Times = LabviewFile::Times;
+
+/// A tag's number; a header may write a comma where the rows have points.
+double number_of(const std::vector<std::string_view>& values, std::size_t channel) {
+  if (values.empty()) return std::nan("");
+  const std::string_view text = values[std::min(channel, values.size() - 1)];
+  const Cell point = read_cell(text, '.');
+  return point.kind == CellKind::number ? point.value : read_cell(text, ',').value;
+}
+
+/// Unit words as LabVIEW's assistants write them.
+std::string unit_of(std::string_view label) {
+  struct Word {
+    std::string_view word, unit;
+  };
+  for (const Word& known : {Word{"Volts", "V"}, Word{"Amps", "A"}, Word{"Newtons", "N"}, Word{"Meters", "m"},
+                            Word{"Radians", "rad"}, Word{"Degrees", "deg"}, Word{"Seconds", "s"}})
+    if (label == known.word) return std::string(known.unit);
+  return std::string(label);
+}
+
+/// The columns by their line of names: each X_Value a time, the Comment left out, the channels' units from
+/// their tag.
+std::vector<Column> columns_of(std::string_view names, const LabviewSegment& segment,
+                               const LabviewFile& file) {
+  std::vector<std::string_view> cells;
+  split_cells(names, Layout{file.separator, '.', 1}, cells);
+  while (!cells.empty() && (cells.back().empty() || cells.back() == "Comment")) cells.pop_back();
+  const auto& y_units = segment["Y_Unit_Label"];
+  const auto& x_units = segment["X_Unit_Label"];
+  const auto& x_kinds = segment["X_Dimension"];
+  const auto at = [](const std::vector<std::string_view>& values, std::size_t channel) {
+    return channel < values.size() ? values[channel] : std::string_view{};
+  };
+  std::vector<Column> columns;
+  std::size_t channel = 0;
+  for (std::size_t j = 0; j < std::min(cells.size(), most_columns + 1); ++j) {
+    const bool x = file.times == Times::multi ? cells[j] == "X_Value" : j == 0;
+    Column column;
+    if (x) {
+      const std::string_view kind = at(x_kinds, channel);
+      column.name = cells[j].empty() ? "X_Value" : cells[j];
+      column.unit = kind.empty() || kind == "Time" ? "s" : unit_of(at(x_units, channel));
+      column.quantity = quantity_of(column.name, column.unit);
+    } else {
+      const Heading heading = parse_heading(cells[j]);
+      column.name = heading.name.empty() ? concat({"channel ", std::to_string(channel + 1)}) : heading.name;
+      column.unit = heading.unit.empty() ? unit_of(at(y_units, channel)) : heading.unit;
+      column.quantity = quantity_of(column.name, column.unit);
+      ++channel;
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+/// The header's Decimal_Separator may be missing or wrong: the rows show it.
+char decimal_of(const std::vector<std::string_view>& rows, char separator, const ReadOptions& options) {
+  if (separator == ',') return '.';
+  ReadOptions known = options;
+  known.delimiter = "tab";
+  const auto layout = find_layout(rows, known);
+  return layout ? layout->decimal : '.';
+}
+
+/// Times of rows that carry none.
+Result<void> compute_times(Set& set, const LabviewSegment& segment) {
+  const double x0 = number_of(segment["X0"], 0), delta = number_of(segment["Delta_X"], 0);
+  if (!is_step(delta))
+    return Error{": the rows carry no X_Value and the header no Delta_X above 0: the times are not known"};
+  Column& time = set.columns.front();
+  for (std::size_t i = 0; i < time.values.size(); ++i)
+    time.values[i] = (std::isfinite(x0) ? x0 : 0) + static_cast<double>(i) * delta;
+  return {};
+}
+
+/// Where header and rows contradict each other the rows count, and it is said.
+void say_contradictions(const Set& set, const LabviewSegment& segment, Times times,
+                        std::vector<std::string>& warnings) {
+  const auto say = [&](std::string warning) {
+    constexpr std::size_t enough = 10;
+    const bool said = std::find(warnings.begin(), warnings.end(), warning) != warnings.end();
+    if (!said && warnings.size() < enough) warnings.push_back(std::move(warning));
+  };
+  const double promised = number_of(segment["Samples"], 0);
+  if (std::isfinite(promised) && promised != static_cast<double>(set.lines.size()))
+    say(concat({"the header says ", shortest(promised), " samples a channel, the rows are ",
+                std::to_string(set.lines.size()), ": the rows are taken"}));
+  if (times == Times::none) return;
+  std::vector<double> steps;
+  const auto& t = set.columns.front().values;
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (std::isfinite(t[i] - t[i - 1])) steps.push_back(t[i] - t[i - 1]);
+  const double step = median(std::move(steps)), delta = number_of(segment["Delta_X"], 0);
+  if (std::isfinite(step) && std::isfinite(delta) && std::fabs(step - delta) > 0.01 * std::fabs(step))
+    say(concat({"the header says Delta_X ", shortest(delta), ", X_Value goes by steps of ",
+                shortest(read_cell(rounded(step, 6), '.').value), ": X_Value is taken"}));
+}
+
+/// A segment whose times go on where the last set ended, with the same columns: appended.
+bool goes_on(const Set& last, const Set& next) {
+  if (last.columns.size() != next.columns.size()) return false;
+  for (std::size_t j = 0; j < last.columns.size(); ++j)
+    if (last.columns[j].name != next.columns[j].name || last.columns[j].unit != next.columns[j].unit)
+      return false;
+  return next.columns.front().values.front() > last.columns.front().values.back();
+}
+
+void append(Set& last, Set&& next) {
+  for (std::size_t j = 0; j < last.columns.size(); ++j) {
+    auto& values = last.columns[j].values;
+    values.insert(values.end(), next.columns[j].values.begin(), next.columns[j].values.end());
+  }
+  last.lines.insert(last.lines.end(), next.lines.begin(), next.lines.end());
+}
+
+}  // namespace
+
+bool is_labview(const Source& source) { return source.text.starts_with("LabVIEW Measurement"); }
+
+Result<Sets> read_labview(const Source& source) {
+  const auto& lines = source.lines;
+  const LabviewFile file = labview_file(lines);
+  Sets found{.dialect = "LabVIEW", .separator = file.separator, .decimal = '.', .sets = {}, .warnings = {}};
+  for (std::size_t from = file.end; from < lines.size();) {
+    const LabviewSegment segment = labview_segment(lines, from, file.separator);
+    if (segment.names >= lines.size() || (segment.names + 1 == lines.size() && is_blank(lines.back()))) break;
+    // The rows end at a blank line, at the next segment's tags, or with the file.
+    std::size_t to = segment.names + 1;
+    while (to < lines.size() && !trimmed(lines[to]).starts_with("Channels")) ++to;
+    from = to;
+    Set set;
+    set.columns = columns_of(lines[segment.names], segment, file);
+    if (set.columns.size() < 2)
+      return Error{concat({":", std::to_string(segment.names + 1), ": no channel is named"})};
+    if (set.columns.size() > most_columns)
+      return Error{concat({":", std::to_string(segment.names + 1), ": ", too_many_columns()})};
+    const std::vector<std::string_view> part(lines.begin() + static_cast<std::ptrdiff_t>(segment.names) + 1,
+                                             lines.begin() + static_cast<std::ptrdiff_t>(to));
+    found.decimal = decimal_of(part, file.separator, source.options);
+    std::vector<std::string> names;
+    for (const Column& column : set.columns) names.push_back(column_title(column));
+    auto rows = read_rows(part, Layout{file.separator, found.decimal, set.columns.size()}, names,
+                          {0, part.size(), source.options.skip_bad_rows, true, segment.names + 1});
+    if (!rows) return rows.error();
+    if (rows->lines.empty()) continue;
+    for (std::size_t j = 0; j < set.columns.size(); ++j) set.columns[j].values = std::move(rows->columns[j]);
+    set.lines = std::move(rows->lines);
+    if (!rows->last_line.empty()) found.warnings.push_back(rows->last_line);
+    if (file.times == Times::none)
+      if (const auto computed = compute_times(set, segment); !computed) return computed.error();
+    say_contradictions(set, segment, file.times, found.warnings);
+    if (!found.sets.empty() && goes_on(found.sets.back(), set))
+      append(found.sets.back(), std::move(set));
+    else
+      found.sets.push_back(std::move(set));
+  }
+  if (found.sets.empty()) return Error{": the file holds no segment with rows"};
+  return found;
+}
+
+}  // namespace cromer::core::dialects

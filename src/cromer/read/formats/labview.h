@@ -1,0 +1,15 @@
+// LabVIEW measurement files (.lvm): a header of tags, then segments of a header of tags, names and rows.
+// Source: National Instruments, "Specification for the LabVIEW Measurement File (.lvm)".
+#pragma once
+
+#include "cromer/read/set.h"
+
+namespace cromer::core::dialects {
+
+bool is_labview(const Source& source);
+
+/// Segments that go on in time are joined, others are runs. Where rows carry an X_Value, the times are those,
+/// whatever Delta_X says; else they are X0 + i Delta_X. An Error begins with ": " or ":LINE: ".
+Result<Sets> read_labview(const Source& source);
+
+}  // namespace cromer::core::dialects

@@ -1,0 +1,95 @@
+#include "cromer/read/formats/plain.h"
+
+#include "cromer/base/concat.h"
+#include "cromer/base/quantity.h"
+#include "cromer/read/columns.h"
+#include "cromer/read/dialect_name.h"
+#include "cromer/read/formats/capstone.h"
+#include "cromer/read/formats/tracker.h"
+#include "cromer/read/header.h"
+#include "cromer/read/layout.h"
+#include "cromer/read/lines.h"
+#include "cromer/read/rows.h"
+#include "cromer/read/set.h"
+#include "cromer/read/stacked_runs.h"
+
+namespace cromer::core::dialects {
+namespace {
+
+/// "4684 0.0100" above a single column of 4684 rows: their number and their step.
+void take_counted_step(Recording& recording, const Header& header, const ReadOptions& options) {
+  auto& columns = recording.table.columns;
+  if (columns.size() != 1 || options.rate > 0) return;
+  std::vector<std::string_view> cells;
+  for (const std::string& title : header.titles) {
+    split_cells(title, Layout{' ', '.', 1}, cells);
+    if (cells.size() != 2) continue;
+    const Cell count = read_cell(cells[0], '.'), step = read_cell(cells[1], '.');
+    const bool counts =
+        count.kind == CellKind::number && count.value == static_cast<double>(columns.front().values.size());
+    if (!counts || step.kind != CellKind::number || !is_step(step.value)) continue;
+    Column time{"Time", "time", "s", 1, {}};
+    for (std::size_t i = 0; i < columns.front().values.size(); ++i)
+      time.values.push_back(static_cast<double>(i) * step.value);
+    columns.insert(columns.begin(), std::move(time));
+    recording.warnings.push_back(concat({"the line ", quoted(trimmed(title)), " counts the rows: ",
+                                         shortest(step.value), " s is taken as their step"}));
+    return;
+  }
+}
+
+void say_bad_rows(const Rows& rows, std::vector<std::string>& warnings) {
+  if (rows.bad_rows == 0) return;
+  const std::size_t kept = rows.lines.size();
+  const bool most_lost = rows.bad_rows > kept;
+  warnings.push_back(
+      concat({most_lost ? "MOST ROWS ARE LOST: " : "", counted(rows.bad_rows, "bad row"), " left out",
+              most_lost ? concat({", ", counted(kept, "row"), " kept"}) : std::string{},
+              ", the first in line ", std::to_string(rows.first_bad_line),
+              most_lost ? concat({" (", rows.first_complaint, ")"}) : std::string{}}));
+}
+
+}  // namespace
+
+Result<Recording> read_plain(const std::vector<std::string_view>& lines, const ReadOptions& options,
+                             std::size_t lines_before) {
+  auto layout = find_layout(lines, options);
+  if (!layout) return Error{no_rows(lines, layout.error().message, lines_before)};
+  layout = settle_commas(lines, *layout, options);
+  if (!layout) return Error{concat({": ", layout.error().message})};
+
+  const std::size_t data = find_data(lines, *layout);
+  Header header = find_header(lines, data, *layout);
+  name_tracks(header);
+  name_runs_above(header);
+  Recording recording;
+  auto& columns = recording.table.columns;
+  columns = name_columns(header, layout->columns);
+  std::vector<std::string> names;
+  for (const Column& column : columns) names.push_back(column_title(column));
+  auto rows =
+      read_rows(lines, *layout, names, {data, lines.size(), options.skip_bad_rows, false, lines_before});
+  if (!rows) return rows.error();
+  if (rows->lines.empty())
+    return Error{rows->bad_rows == 0 ? std::string(": no rows of numbers are left")
+                                     : concat({": no rows of numbers are left: ", rows->first_complaint,
+                                               ", in line ", std::to_string(rows->first_bad_line)})};
+
+  recording.dialect.name = dialect_name(header);
+  recording.dialect.separator = separator_name(layout->separator);
+  recording.dialect.decimal = layout->decimal == ',' ? "comma" : "point";
+  for (std::size_t j = 0; j < layout->columns; ++j) columns[j].values = std::move(rows->columns[j]);
+  recording.named = !header.headings.empty();
+  say_bad_rows(*rows, recording.warnings);
+  if (!rows->last_line.empty()) recording.warnings.push_back(rows->last_line);
+  recording.lines = std::move(rows->lines);
+  drop_unnamed_empty(recording);
+  if (split_stacked_runs(recording))
+    recording.dialect.name = "Cromer";
+  else
+    number_runs(recording, header);
+  take_counted_step(recording, header, options);
+  return recording;
+}
+
+}  // namespace cromer::core::dialects

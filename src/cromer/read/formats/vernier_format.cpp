@@ -1,0 +1,96 @@
+#include "cromer/read/formats/vernier_format.h"
+
+#include <algorithm>
+
+#include "cromer/base/concat.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/read/columns.h"
+#include "cromer/read/header.h"
+#include "cromer/read/layout.h"
+#include "cromer/read/lines.h"
+#include "cromer/read/rows.h"
+
+namespace cromer::core::dialects {
+namespace {
+
+/// No cell is a word: a row, or a line left empty. A row with a bad cell is one too: it begins with a number.
+bool may_be_row(std::string_view line, char decimal) {
+  std::vector<std::string_view> cells;
+  split_cells(line, Layout{'\t', decimal, 1}, cells);
+  if (cells.size() > 1 && read_cell(cells.front(), decimal).kind == CellKind::number) return true;
+  for (const std::string_view cell : cells)
+    if (read_cell(cell, decimal).kind == CellKind::word) return false;
+  return true;
+}
+
+/// Columns named by the three lines of a set's header; a unit left empty may stand in the name.
+std::vector<Column> columns_of(std::string_view long_names, std::string_view units) {
+  const Layout tabs{'\t', '.', 1};
+  std::vector<std::string_view> names, unit_cells;
+  split_cells(long_names, tabs, names);
+  split_cells(units, tabs, unit_cells);
+  while (!names.empty() && names.back().empty()) names.pop_back();
+  std::vector<Column> columns;
+  for (std::size_t j = 0; j < std::min(names.size(), most_columns + 1); ++j) {
+    const Heading heading = parse_heading(names[j]);
+    Column column{heading.name, {}, heading.unit, 1, {}};
+    if (j < unit_cells.size() && !unit_cells[j].empty()) column.unit = unit_cells[j];
+    if (column.name.empty()) column.name = concat({"column ", std::to_string(j + 1)});
+    column.quantity = quantity_of(column.name, column.unit);
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+}  // namespace
+
+bool is_vernier_format(const Source& source) { return source.text.starts_with("Vernier Format"); }
+
+Result<Sets> read_vernier_format(const Source& source) {
+  const auto& lines = source.lines;
+  Sets found{.dialect = std::string(trimmed(lines[0])),
+             .separator = '\t',
+             .decimal = '.',
+             .sets = {},
+             .warnings = {}};
+  ReadOptions tabs = source.options;
+  tabs.delimiter = "tab";
+  if (const auto layout = find_layout(lines, tabs); layout) found.decimal = layout->decimal;
+
+  for (std::size_t i = 2; i < lines.size();) {
+    if (is_blank(lines[i])) {
+      ++i;
+      continue;
+    }
+    if (i + 4 > lines.size()) break;
+    Set set;
+    set.label = trimmed(lines[i]);
+    set.columns = columns_of(lines[i + 1], lines[i + 3]);
+    if (set.columns.empty())
+      return Error{concat({":", std::to_string(i + 2), ": the names of the columns of set ",
+                           quoted(set.label), " are missing"})};
+    if (set.columns.size() > most_columns)
+      return Error{concat({":", std::to_string(i + 2), ": ", too_many_columns()})};
+    const std::size_t from = i + 4;
+    std::size_t to = from;
+    while (to < lines.size() && may_be_row(lines[to], found.decimal)) ++to;
+    std::vector<std::string> names;
+    for (const Column& column : set.columns) names.push_back(column_title(column));
+    auto rows = read_rows(lines, Layout{'\t', found.decimal, set.columns.size()}, names,
+                          {from, to, source.options.skip_bad_rows});
+    if (!rows) return rows.error();
+    i = to;
+    if (rows->lines.empty()) {
+      found.warnings.push_back(concat({"set ", quoted(set.label), " has no rows"}));
+      continue;
+    }
+    for (std::size_t j = 0; j < set.columns.size(); ++j) set.columns[j].values = std::move(rows->columns[j]);
+    set.lines = std::move(rows->lines);
+    if (!rows->last_line.empty()) found.warnings.push_back(rows->last_line);
+    found.sets.push_back(std::move(set));
+  }
+  if (found.sets.empty()) return Error{": the file holds no set of rows"};
+  return found;
+}
+
+}  // namespace cromer::core::dialects

@@ -1,0 +1,28 @@
+// The stages in their order: container, encoding, lines, dialect, layout, header, rows, runs, time.
+#include <cmath>
+
+#include "cromer/base/concat.h"
+#include "cromer/read/columns.h"
+#include "cromer/read/formats/archive.h"
+#include "cromer/read/formats/zip.h"
+#include "cromer/read/recording.h"
+#include "cromer/read/stacked_runs.h"
+#include "cromer/read/text_file.h"
+
+namespace cromer::core {
+
+Result<Recording> read_recording(std::string_view bytes, std::string_view file, const ReadOptions& options) {
+  using namespace dialects;
+  if (options.rate < 0 || !std::isfinite(options.rate))
+    return Error{"--rate is not a number of samples per second above 0"};
+  auto recording = is_zip(bytes) ? read_archive(bytes, options) : read_text_file(bytes, file, options);
+  if (!recording) return Error{concat({file, recording.error().message})};
+  recording->file = file;
+  if (const auto time = mark_time(*recording, options, recording->named); !time)
+    return Error{concat({file, ": ", time.error().message})};
+  split_at_restarts(*recording);
+  count_missing(*recording);
+  return recording;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,197 @@
+#include "cromer/read/rows.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "cromer/base/concat.h"
+#include "cromer/read/bad_cell.h"
+#include "cromer/read/lines.h"
+
+namespace cromer::core::dialects {
+namespace {
+
+constexpr std::string_view cure = "; --skip-bad-rows drops such rows";
+
+std::string complaint(std::string_view cell, const std::string& name, char decimal) {
+  std::string text = concat({"column \"", name, "\": ", quoted(cell), " is not a number"});
+  if (const std::string seen = bad_cell(cell, decimal); !seen.empty()) text += concat({"; ", seen});
+  return text.append(cure);
+}
+
+/// How a number is written.
+struct Written {
+  std::size_t length = 0, decimals = 0, exponent = 0;  // characters
+};
+
+Written written(std::string_view cell, char decimal) {
+  const std::size_t exponent = std::min(cell.find_first_of("eE"), cell.size()),
+                    mark = std::min(cell.find(decimal), exponent);
+  return {cell.size(), exponent - std::min(mark + 1, exponent),
+          cell.size() - std::min(exponent + 1, cell.size())};
+}
+
+std::string cut_line(const std::string& line, const std::string& shown) {
+  return concat({"the last line, ", line, ", seems cut within a number, ", shown, ": it is left out"});
+}
+
+/// Whether a last line without a line end may be a row cut off: it has digits and ends as numbers do.
+bool may_be_cut_row(std::string_view line) {
+  constexpr std::string_view digits = "0123456789";
+  const auto ends_in = [&line](std::string_view one_of) {
+    return one_of.find(line.back()) != std::string_view::npos;
+  };
+  if (line.find_first_of(digits) == std::string_view::npos) return false;
+  if (!ends_in("eE")) return ends_in(digits) || ends_in("+-.,");
+  line.remove_suffix(1);  // an exponent's letter stands behind a digit
+  return ends_in(digits);
+}
+
+/// Looks at the last number of the last row, in a text that ends within its line, beside those above it.
+void judge_last_line(Rows& rows, const std::vector<std::string_view>& lines, const Layout& layout,
+                     std::size_t lines_before) {
+  constexpr std::size_t enough = 1000, fewest = 8;  // rows
+  std::vector<std::string_view> cells;
+  split_cells(lines.back(), layout, cells);
+  if (cells.empty() || read_cell(cells.back(), layout.decimal).kind != CellKind::number) return;
+  const std::size_t place = cells.size() - 1;
+  const std::string shown = quoted(cells.back());
+  const Written last = written(cells.back(), layout.decimal);
+  Written least{last.length + 1, last.decimals + 1, last.exponent + 1}, first{};
+  std::size_t seen = 0;
+  bool alike = true;
+  for (std::size_t k = rows.lines.size() - 1; k-- > 0 && seen < enough;) {
+    split_cells(lines[static_cast<std::size_t>(rows.lines[k]) - 1 - lines_before], layout, cells);
+    if (place >= cells.size() || read_cell(cells[place], layout.decimal).kind != CellKind::number) continue;
+    const Written one = written(cells[place], layout.decimal);
+    if (seen++ == 0) first = one;
+    alike = alike && one.decimals == first.decimals && one.exponent == first.exponent;
+    least = {std::min(least.length, one.length), std::min(least.decimals, one.decimals),
+             std::min(least.exponent, one.exponent)};
+  }
+  if (seen < fewest) return;
+  const std::string line = std::to_string(rows.lines.back());
+  if (alike && (last.decimals < first.decimals || last.exponent < first.exponent)) {
+    for (auto& column : rows.columns) column.pop_back();
+    rows.lines.pop_back();
+    rows.last_line = cut_line(line, shown);
+  } else if (alike && first.decimals + first.exponent > 0) {
+    return;  // all its decimals are there, and a cut takes the last ones first
+  } else if (last.length < least.length || last.decimals < least.decimals || last.exponent < least.exponent) {
+    rows.last_line = concat(
+        {"the last line, ", line, ", has no end and may end within a number, ", shown, ": it is kept"});
+  }
+}
+
+}  // namespace
+
+Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
+                       const std::vector<std::string>& names, const RowRules& rules) {
+  // Rows much shorter than the table is wide would cost memory that the file's size does not announce.
+  std::size_t count_of_lines = 0, bytes = 0;
+  for (std::size_t i = rules.from; i < rules.to; ++i) {
+    if (lines[i].empty()) continue;
+    ++count_of_lines;
+    bytes += lines[i].size() + 1;
+  }
+  if (layout.columns > 16 && count_of_lines > 16 * bytes / layout.columns + 64)
+    return Error{concat(
+        {": most rows are far shorter than the widest of ", std::to_string(layout.columns), " columns"})};
+
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  Rows rows;
+  rows.columns.resize(layout.columns);
+  // A row has a byte for each column, and more.
+  const std::size_t expected = std::min(count_of_lines, bytes / (layout.columns + 1) + 64);
+  for (auto& column : rows.columns) column.reserve(expected);
+  rows.lines.reserve(expected);
+  std::vector<double> row(layout.columns);
+  for (std::size_t i = rules.from; i < rules.to; ++i) {
+    const std::string_view line = lines[i];
+    if (is_blank(line) || is_comment(line)) continue;
+    CellReader reader(line, layout);
+    std::size_t count = 0;
+    std::string bad;
+    // Only the first bad row is spoken of: a name may be as long as the file.
+    const auto complain = [&](auto&& of) { bad = rows.bad_rows == 0 ? of() : std::string(cure); };
+    if (!commas_pair_up(line, layout))
+      complain([&] {
+        return concat({quoted(line), ": it is open which commas are decimal marks; write the file with ",
+                       "another separator, or with points", cure});
+      });
+    for (std::string_view text; bad.empty();) {
+      if (count < layout.columns && reader.next_number(row[count])) {
+        ++count;
+        continue;
+      }
+      if (!reader.next(text)) break;
+      if (count >= layout.columns) {
+        // A number behind the last column is no remark: a separator stands within a number before it.
+        if (rules.ignore_beyond && read_cell(text, layout.decimal).kind != CellKind::number) break;
+        if (text.empty()) continue;
+        complain([&] {
+          return concat(
+              {"there are more values than the ", std::to_string(layout.columns), " columns", cure});
+        });
+        break;
+      }
+      const Cell cell = read_cell(text, layout.decimal);
+      if (cell.kind == CellKind::word)
+        complain([&] { return complaint(text, names[count], layout.decimal); });
+      row[count++] = cell.value;
+    }
+    const long number = static_cast<long>(rules.lines_before + i) + 1;
+    if (!bad.empty() && i + 1 == lines.size() && !rows.lines.empty() && may_be_cut_row(line)) {
+      rows.last_line = cut_line(std::to_string(number), quoted(line));
+      break;
+    }
+    if (!bad.empty()) {
+      if (!rules.skip_bad_rows) return Error{concat({":", std::to_string(number), ": ", bad})};
+      if (rows.bad_rows++ == 0) {
+        rows.first_bad_line = number;
+        rows.first_complaint = bad.substr(0, bad.size() - cure.size());
+      }
+      continue;
+    }
+    for (; count < layout.columns; ++count) row[count] = nan;
+    for (std::size_t j = 0; j < layout.columns; ++j) rows.columns[j].push_back(row[j]);
+    rows.lines.push_back(number);
+  }
+  const bool ends_within = rules.to == lines.size() && !lines.empty() && !lines.back().empty();
+  if (ends_within && rows.lines.size() > 1 &&
+      rows.lines.back() == static_cast<long>(rules.lines_before + lines.size()))
+    judge_last_line(rows, lines, layout, rules.lines_before);
+  return rows;
+}
+
+std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason,
+                    std::size_t lines_before) {
+  std::vector<std::string_view> cells;
+  const bool about_cells = reason.starts_with("no rows");  // and not about a wrong option
+  for (std::size_t i = 0; about_cells && i < lines.size(); ++i) {
+    const std::string_view line = trimmed(lines[i]);
+    if (line.empty() || std::string_view("0123456789+-.,\"").find(line.front()) == std::string_view::npos)
+      continue;
+    // The separator is not known: the one that leaves the shortest bad cell.
+    std::string_view bad;
+    std::string seen;
+    for (const char separator : {'\t', ';', ',', ' '}) {
+      split_cells(line, Layout{separator, '.', 1}, cells);
+      for (const std::string_view cell : cells) {
+        const bool number =
+            read_cell(cell, '.').kind != CellKind::word || read_cell(cell, ',').kind != CellKind::word;
+        if (number || (!bad.empty() && cell.size() >= bad.size())) continue;
+        std::string what = bad_cell(cell, '.');
+        if (what.empty()) what = bad_cell(cell, ',');
+        if (what.empty()) continue;
+        bad = cell;
+        seen = std::move(what);
+      }
+    }
+    if (!bad.empty())
+      return concat({":", std::to_string(lines_before + i + 1),
+                     ": no rows of numbers are found: ", quoted(bad), " is not a number; ", seen});
+  }
+  return concat({": ", reason});
+}
+
+}  // namespace cromer::core::dialects

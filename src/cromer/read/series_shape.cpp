@@ -1,0 +1,238 @@
+#include "cromer/read/series_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace cromer::core::dialects {
+namespace {
+
+/// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
+/// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
+double decimal_step(std::span<const double> values) {
+  constexpr double nearly_all = 0.9;
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::fabs(value));
+  if (!(largest > 1e-290)) return 0;
+  const int first = largest < 1 ? static_cast<int>(-std::floor(std::log10(largest))) - 1 : 0;
+  double scale = std::pow(10.0, first);
+  for (int decimals = 0; decimals <= 6; ++decimals, scale *= 10) {
+    const auto exact = std::count_if(values.begin(), values.end(), [&](double value) {
+      const double scaled = value * scale, whole = std::nearbyint(scaled);
+      // What is next to nothing beside a unit is not written by whole units.
+      if (whole == 0 && value != 0) return false;
+      return std::fabs(scaled - whole) <= std::min(0.01, 1e-9 * std::max(1.0, std::fabs(scaled)));
+    });
+    if (static_cast<double>(exact) >= nearly_all * static_cast<double>(values.size())) return 1 / scale;
+  }
+  return 0;
+}
+
+/// All values of a short series, else as many of a long one as tell its rounding, evenly chosen.
+std::vector<double> even_choice(std::span<const double> values) {
+  constexpr std::size_t enough = 100'000;
+  const std::size_t stride = (values.size() + enough - 1) / enough;
+  std::vector<double> chosen;
+  chosen.reserve(values.size() / stride + 1);
+  for (std::size_t i = 0; i < values.size(); i += stride) chosen.push_back(values[i]);
+  return chosen;
+}
+
+/// The lower quartile of the changes from sample to sample, those that are none left out: the flicker of a
+/// signal at rest.
+double usual_small_change(std::span<const double> y) {
+  std::vector<double> changes;
+  for (std::size_t i = 1; i < y.size(); ++i)
+    if (y[i] != y[i - 1]) changes.push_back(std::fabs(y[i] - y[i - 1]));
+  if (changes.empty()) return 0;
+  const auto quarter = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 4);
+  std::nth_element(changes.begin(), quarter, changes.end());
+  return *quarter;
+}
+
+/// Whether times are about a step apart, as the cubic takes them to be.
+bool are_even(std::span<const double> t, double step) {
+  for (std::size_t i = 1; i < t.size(); ++i)
+    if (const double h = t[i] - t[i - 1]; h < 0.5 * step || h > 1.5 * step) return false;
+  return t.back() - t.front() < static_cast<double>(t.size() - 1) * 1.25 * step;
+}
+
+/// Distance of y[i] from the cubic through its four neighbours, evenly spaced.
+double distance_from_cubic(std::span<const double> y, std::size_t i) {
+  return y[i] - (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
+}
+
+/// The first and last two samples have no neighbours on one side: they stick out where the cubic through the
+/// next four misses them by far, and the four fit the one behind them. `least` is what sticks out anywhere; a
+/// swing that dies down is missed by more where it is large.
+std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span<const double> y, double step,
+                                            std::span<const double> size, double least) {
+  std::vector<std::size_t> found;
+  const std::size_t n = y.size();
+  for (const bool front : {true, false}) {
+    const auto near = front ? size.subspan(4, reach) : size.subspan(n - 4 - reach, reach);
+    const double floor = std::max(least, deviations * robust * median_seen(near));
+    for (const std::size_t from_end : {std::size_t{1}, std::size_t{0}}) {
+      const auto at = [&](std::size_t k) { return front ? from_end + k : n - 1 - from_end - k; };
+      const auto missed = [&](std::size_t k) {
+        return std::fabs(y[at(k)] - 4 * y[at(k + 1)] + 6 * y[at(k + 2)] - 4 * y[at(k + 3)] + y[at(k + 4)]);
+      };
+      const bool even = are_even(t.subspan(std::min(at(0), at(4)), 5), step);
+      // A spike of the next one is missed by four times its size here.
+      if (!even || size[at(3)] > floor || missed(0) <= 6 * floor || missed(0) < 5 * missed(1)) continue;
+      found.push_back(at(0));
+      break;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return (*middle + *std::max_element(values.begin(), middle)) / 2;
+}
+
+double median_seen(std::span<const double> sizes) {
+  std::vector<double> seen;
+  std::copy_if(sizes.begin(), sizes.end(), std::back_inserter(seen), [](double s) { return s != unseen; });
+  return seen.empty() ? 0 : median(std::move(seen));
+}
+
+double rounding_step(std::span<const double> all) {
+  std::vector<double> values = even_choice(all);
+  // A value of 1e30 among them tells nothing of the others' decimals.
+  constexpr double wild = 1e9;  // times the usual distance from the middle
+  const double middle = median(values);
+  std::vector<double> distances;
+  for (const double value : values) distances.push_back(std::fabs(value - middle));
+  if (const double usual = median(std::move(distances)); usual > 0)
+    std::erase_if(values, [&](double value) { return std::fabs(value - middle) > wild * usual; });
+  if (values.size() < 3) return 0;
+  std::vector<double> distinct = values;
+  std::sort(distinct.begin(), distinct.end());
+  const double range = distinct.back() - distinct.front();
+  // Of decimals in binary, whatever their distance from zero.
+  const double noise =
+      std::max(1e-9 * range, 1e-15 * std::max(std::fabs(distinct.front()), std::fabs(distinct.back())));
+  distinct.erase(
+      std::unique(distinct.begin(), distinct.end(), [&](double a, double b) { return b - a <= noise; }),
+      distinct.end());
+  if (distinct.size() < 2) return 0;
+  if (distinct.size() == 2) return range;  // two levels are one step
+  const double decimal = decimal_step(values);
+  if (static_cast<double>(distinct.size()) > 0.8 * static_cast<double>(values.size())) return decimal;
+
+  double smallest = range;
+  for (std::size_t i = 1; i < distinct.size(); ++i)
+    smallest = std::min(smallest, distinct[i] - distinct[i - 1]);
+  if (decimal > 0 && smallest < 0.75 * decimal) return decimal;  // only the rare exceptions are closer
+  // A quantum may be printed rounded: 0.0429 and 0.0430 are the same step.
+  const double tolerance = std::max(0.05 * smallest, std::min(1.01 * decimal, 0.25 * smallest));
+  std::size_t multiples = 0;
+  double sum = 0, counts = 0;
+  for (std::size_t i = 1; i < distinct.size(); ++i) {
+    const double difference = distinct[i] - distinct[i - 1];
+    const double count = std::nearbyint(difference / smallest);
+    if (std::fabs(difference - count * smallest) > tolerance * std::min(count, 3.0)) continue;
+    ++multiples;
+    if (count > 3) continue;
+    sum += difference;
+    counts += count;
+  }
+  const bool even = static_cast<double>(multiples) >= 0.95 * static_cast<double>(distinct.size() - 1);
+  if (!even || counts == 0) return decimal;
+  // A single decimal place is itself, not its average over binary noise.
+  const double mean = sum / counts;
+  return decimal > 0 && std::fabs(mean - decimal) < 0.01 * decimal ? decimal : mean;
+}
+
+std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
+                                double resolution) {
+  std::vector<std::size_t> found;
+  const std::size_t n = y.size();
+  if (n < 2 * reach) return found;
+  std::vector<double> distance(n, 0), size(n, unseen);
+  for (std::size_t i = 2; i + 2 < n; ++i) {
+    const bool even = are_even(t.subspan(i - 2, 5), step);
+    distance[i] = even ? distance_from_cubic(y, i) : 0;
+    size[i] = even ? std::fabs(distance[i]) : unseen;
+  }
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double everywhere = robust * median_seen(size);
+  if (*low == *high) return found;
+  const double floor = std::max(
+      {deviations * everywhere, 6 * std::max(resolution, usual_small_change(y)), 1e-6 * (*high - *low)});
+  // A spike at an end spoils the distances next to it.
+  found = spikes_at_the_ends(t, y, step, size, floor);
+  const auto spoilt = [&, at_ends = found](std::size_t i) {
+    return std::any_of(at_ends.begin(), at_ends.end(),
+                       [&](std::size_t end) { return (end > i ? end - i : i - end) <= 2; });
+  };
+  for (std::size_t i = 2; i + 2 < n; ++i) {
+    if (size[i] <= floor || spoilt(i)) continue;
+    const bool alone = (y[i] - y[i - 1]) * (y[i + 1] - y[i]) < 0 &&
+                       size[i] > 1.2 * std::max(size[i - 1], size[i + 1]) &&
+                       size[i] > 2 * std::max(size[i - 2], size[i + 2]);
+    if (!alone) continue;
+    // Beside a gap a spike of the hidden neighbour looks like one here, but hardly moves the other.
+    const auto marked = [&](std::size_t hidden, std::size_t other) {
+      return size[hidden] != unseen || 2 * size[other] > size[i];
+    };
+    if (!marked(i - 1, i + 1) || !marked(i + 1, i - 1)) continue;
+    // Motion may set in on one side only: the livelier side says what is usual.
+    const std::size_t from = i > reach + 2 ? i - reach - 2 : 2, to = std::min(i + reach + 3, n - 2);
+    const std::span all(size);
+    double usual = 0;
+    if (i - from > 4) usual = std::max(usual, median_seen(all.subspan(from, i - 2 - from)));
+    if (to - i > 5) usual = std::max(usual, median_seen(all.subspan(i + 3, to - i - 3)));
+    if (size[i] > deviations * robust * usual) found.push_back(i);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+bool tops_cut_off(std::span<const double> y, double step, double resolution) {
+  constexpr std::size_t fewest = 32, fewest_crossings = 4;
+  if (y.size() < fewest) return false;
+  const auto [low, high] = std::minmax_element(y.begin(), y.end());
+  const double amplitude = 0.5 * (*high - *low), middle = 0.5 * (*high + *low);
+  if (!(amplitude > 0) || resolution >= amplitude) return false;
+  // Crossings from well below to well above the middle, which noise does not make.
+  std::size_t crossings = 0;
+  int side = 0;
+  for (const double value : y) {
+    if (std::fabs(value - middle) < 0.2 * amplitude) continue;
+    const int now = value > middle ? 1 : -1;
+    crossings += side != 0 && now != side;
+    side = now;
+  }
+  if (crossings < fewest_crossings) return false;
+  const double half_period = static_cast<double>(y.size()) * step / static_cast<double>(crossings);
+  const double dwell = 2 * std::acos(1 - resolution / amplitude) * half_period / std::numbers::pi;
+  for (const double top : {*low, *high}) {
+    std::size_t run = 0, longest = 0, plateaus = 0;
+    for (std::size_t i = 0; i <= y.size(); ++i) {
+      if (i < y.size() && y[i] == top) {
+        ++run;
+        continue;
+      }
+      plateaus += run >= 3;
+      longest = std::max(longest, run);
+      run = 0;
+    }
+    // A top that is all of the half period is a rectangle, not one cut off.
+    const double length = static_cast<double>(longest) * step;
+    if (plateaus >= 2 && length > 1.5 * dwell + 3 * step && length < 0.9 * half_period) return true;
+  }
+  return false;
+}
+
+}  // namespace cromer::core::dialects

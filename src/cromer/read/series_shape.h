@@ -1,0 +1,39 @@
+// Stage 8: what the values of a series are like: rounding, spikes.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cromer/read/recording.h"
+
+namespace cromer::core::dialects {
+
+/// How many neighbours on either side say what is usual, and how many robust standard deviations are unusual.
+constexpr std::size_t reach = 20;
+constexpr double robust = 1.4826, deviations = 12;
+
+/// Stands for a size that the times do not let one see.
+constexpr double unseen = -1;
+/// The median of the sizes that are seen; 0 of none.
+double median_seen(std::span<const double> sizes);
+
+/// The median; NaN of nothing. Takes a copy on purpose.
+double median(std::vector<double> values);
+
+/// The step of evenly quantised values: the smallest difference that occurs, if nearly all others are its
+/// multiples; else the last decimal place, if there are at most six. 0 where none is seen. Two values are one
+/// step apart.
+double rounding_step(std::span<const double> values);
+
+/// Samples that stick out alone: their distance from the cubic through the four neighbours is more than 12
+/// robust standard deviations (1.4826 MAD) of such distances, near by and overall, more than 6 rounding steps
+/// and more than 6 usual small changes; at either end, from the cubic through the next four samples and more
+/// than 6 times that. Conservative: steps, kinks, flicker and clean oscillations give none.
+std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
+                                double resolution);
+
+/// The swing's tops are cut off: its largest or least value comes again and again, in runs longer than a
+/// sinusoid of this size and frequency stays within one `resolution` of its top. `step` [s] between samples.
+bool tops_cut_off(std::span<const double> y, double step, double resolution);
+
+}  // namespace cromer::core::dialects

@@ -1,0 +1,50 @@
+// Tables that stand by themselves in one file: sets below each other, channels, files of an archive.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/table.h"
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+
+namespace cromer::core::dialects {
+
+/// Columns that share their rows. The run of a column is not looked at.
+struct Set {
+  std::string label;            ///< "Run #1", "Latest", "Raw Data"; sets with the same label are one run
+  std::vector<Column> columns;  ///< of equal length
+  std::vector<long> lines;      ///< line number in the file of each row
+};
+
+/// What a reader of a dialect with a structure of its own is given.
+struct Source {
+  std::string_view text;  ///< UTF-8
+  const std::vector<std::string_view>& lines;
+  std::string_view file;
+  const ReadOptions& options;
+};
+
+/// A step of time that a header may give [s]: beyond, times overflow.
+inline bool is_step(double step) { return step > 0 && step < 1e12; }
+
+/// What it makes of it; times and missing values are seen to by the stages that follow.
+struct Sets {
+  std::string dialect;
+  char separator = 0;
+  char decimal = '.';
+  std::vector<Set> sets;
+  std::vector<std::string> warnings;
+  std::string motion{};  ///< as Recording has it
+};
+
+/// Lays the sets side by side as runs 1, 2, ...: sets without a label, or whose columns are there already,
+/// begin a new run. A time that a run has already is not repeated. Sets so unequal that the padding would
+/// cost memory which the file's size does not announce are an Error (": REASON").
+Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording);
+
+/// Says what runs are called in the file, where their number does not.
+void say_labels(const std::vector<std::string>& labels, std::vector<std::string>& warnings);
+
+}  // namespace cromer::core::dialects

@@ -1,0 +1,72 @@
+#include "cromer/read/text_file.h"
+
+#include <array>
+
+#include "cromer/base/concat.h"
+#include "cromer/read/encoding.h"
+#include "cromer/read/formats/labview.h"
+#include "cromer/read/formats/peer.h"
+#include "cromer/read/formats/plain.h"
+#include "cromer/read/formats/uff.h"
+#include "cromer/read/formats/vernier_format.h"
+#include "cromer/read/layout.h"
+#include "cromer/read/lines.h"
+#include "cromer/read/set.h"
+#include "cromer/read/sets_below.h"
+
+namespace cromer::core::dialects {
+namespace {
+
+/// Dialects with a structure of their own; all others are tables that the common stages read.
+struct OwnStructure {
+  bool (*recognised)(const Source& source);
+  Result<Sets> (*read)(const Source& source);
+};
+constexpr std::array own_structures{
+    OwnStructure{is_vernier_format, read_vernier_format},
+    OwnStructure{is_labview, read_labview},
+    OwnStructure{is_peer, read_peer},
+};
+
+Result<Recording> recording_of(Result<Sets> sets) {
+  if (!sets) return sets.error();
+  Recording recording;
+  recording.dialect.name = std::move(sets->dialect);
+  recording.dialect.separator = separator_name(sets->separator);
+  recording.dialect.decimal = sets->decimal == ',' ? "comma" : "point";
+  recording.named = true;
+  recording.warnings = std::move(sets->warnings);
+  recording.motion = std::move(sets->motion);
+  if (const auto laid = lay_side_by_side(std::move(sets->sets), recording); !laid) return laid.error();
+  return recording;
+}
+
+}  // namespace
+
+Result<Recording> read_text_file(std::string_view bytes, std::string_view file, const ReadOptions& options) {
+  const auto decoded = decode(bytes);
+  if (is_uff(bytes)) {
+    auto recording = recording_of(read_uff(bytes));
+    if (recording) recording->dialect.encoding = decoded ? decoded->encoding : "binary";
+    return recording;
+  }
+  if (!decoded) return Error{concat({": ", decoded.error().message})};
+  const auto lines = split_lines(decoded->text());
+  const Source source{decoded->text(), lines, file, options};
+  const auto read = [&]() -> Result<Recording> {
+    for (const OwnStructure& own : own_structures)
+      if (own.recognised(source)) return recording_of(own.read(source));
+    const auto starts = find_tables(lines);
+    if (starts.size() == 1) return read_plain(lines, options);
+    auto tables = read_tables(lines, starts, options);
+    if (tables) return tables;
+    // A title may look like a row (a date, a count): then there is but one table.
+    auto plain = read_plain(lines, options);
+    return plain ? std::move(plain) : std::move(tables);
+  };
+  auto recording = read();
+  if (recording) recording->dialect.encoding = decoded->encoding;
+  return recording;
+}
+
+}  // namespace cromer::core::dialects

@@ -1,0 +1,145 @@
+#include "cromer/tasks/fit/decay_by_amplitude.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "cromer/base/pi.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
+#include "cromer/identify/motion/damped_phasor.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double wanted_certainty = 0.05;  // of each rate
+constexpr std::size_t most_stretches = 60;
+constexpr std::size_t fewest_samples = 12;  // of a stretch
+
+/// The amplitude after `duration`: the averaged law in small steps.
+double carried_on(const AmplitudeDecay& decay, double amplitude, double duration) {
+  constexpr int steps = 32;
+  for (int i = 0; i < steps && amplitude > 0; ++i)
+    amplitude *= std::exp(-std::min(5.0, decay.rate(amplitude) * duration / steps));
+  return amplitude;
+}
+
+/// How long the stretches are: each as long as the one before has shown to be needed, for
+/// sd(b) = sqrt(24 h/T^3) sigma/A of a short one.
+class StretchLength {
+ public:
+  StretchLength(const Record& record, double angular_frequency) {
+    const double duration = record.t.back() - record.t.front();
+    const double spacing = duration / static_cast<double>(record.t.size() - 1);
+    shortest_ = std::max({2 * two_pi / angular_frequency, fewest_samples * spacing,
+                          duration / static_cast<double>(most_stretches)});
+    longest_ = std::max(duration / 6, shortest_);
+    length_ = std::clamp(duration / 20, shortest_, longest_);
+  }
+
+  double length() const { return length_; }
+  double shortest() const { return shortest_; }
+
+  /// After a stretch whose rate had this error for each of what was wanted; not a number where it had none.
+  void learn(double error_over_wanted) {
+    const double change = std::pow(error_over_wanted, 2.0 / 3);
+    length_ = std::clamp(length_ * (change >= 0 ? std::clamp(change, 0.5, 2.0) : 2.0), shortest_, longest_);
+  }
+
+ private:
+  double length_ = 0, shortest_ = 0, longest_ = 0;
+};
+
+/// One decaying sinusoid through the samples; its frequency is near `w`, which becomes its own.
+std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g) {
+  const DampedPhasor model(part);
+  const DampedPhasor::Linear linear = model.best_linear(w, g);
+  Parameters start{};
+  start[DampedPhasor::angular_frequency] = w;
+  start[DampedPhasor::decay_rate] = g;
+  start[DampedPhasor::equilibrium] = linear.equilibrium;
+  start[DampedPhasor::cosine] = linear.cosine;
+  start[DampedPhasor::sine] = linear.sine;
+  LeastSquaresOptions settings;
+  double square = 0;
+  for (const double y : part.y) square += (y - linear.equilibrium) * (y - linear.equilibrium);
+  settings.scale = std::sqrt(square);
+  settings.residuals = static_cast<int>(part.t.size());
+  settings.lower[DampedPhasor::angular_frequency] = 0.5 * w;
+  settings.error_tolerance = 1e-3;
+  const LeastSquaresSummary summary = minimise(model, start, settings);
+  if (summary.reason != LeastSquaresReason::converged) return std::nullopt;
+  constexpr int n = DampedPhasor::parameter_count;
+  const double degrees = static_cast<double>(part.t.size()) - n;
+  // What the stretch itself leaves: a law that does not fit the whole record widens nothing here.
+  std::vector<double> residuals;
+  model.residuals(summary.parameters, residuals);
+  const double spacing = (part.t.back() - part.t.front()) / static_cast<double>(part.t.size() - 1);
+  const double widening = correlation_factor(residuals, w * spacing);
+  const double rounding = part.resolution * part.resolution / 12;
+  const double variance = std::max(summary.equations.sum_of_squares / degrees, rounding) * widening;
+  const SquareMatrix covariance = inverse(summary.equations.matrix, n);
+  const Parameters& p = summary.parameters;
+  const double rate = p[DampedPhasor::decay_rate];
+  const double error = std::sqrt(variance * covariance[DampedPhasor::decay_rate][DampedPhasor::decay_rate]);
+  const double from = part.t.front(), to = part.t.back();
+  const double middle = std::exp(-rate * 0.5 * (to - from));
+  const double amplitude = std::hypot(p[DampedPhasor::cosine], p[DampedPhasor::sine]) * middle;
+  if (!std::isfinite(error) || !std::isfinite(amplitude) || !(amplitude > 0)) return std::nullopt;
+  w = p[DampedPhasor::angular_frequency];
+  const double t = student_95(std::max(1.0, degrees / widening));
+  return AmplitudeRate{from, to, amplitude, make_estimate(rate, error, t), 0};
+}
+
+}  // namespace
+
+AmplitudeDecay amplitude_decay(const LawFit& fit) {
+  return {.angular_frequency = fit.motion.angular_frequency(), .per_mass = fit.motion.per_mass};
+}
+
+Swing<double> swing_of(const LawFit& fit) { return {fit.motion.per_mass}; }
+
+double first_amplitude(const LawFit& fit) {
+  if (fit.law.has<Hysteresis>()) return std::numeric_limits<double>::quiet_NaN();
+  return swing_of(fit).amplitude(fit.position().value, fit.velocity().value);
+}
+
+std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit, const Watch& watch) {
+  std::vector<AmplitudeRate> result;
+  const AmplitudeDecay decay = amplitude_decay(fit);
+  const double amplitude = first_amplitude(fit);
+  if (record.t.size() < 24 || !(amplitude > 0) || !std::isfinite(amplitude)) return result;
+  // The frequency at the first amplitude, not below half of that of small swings; from then on each stretch
+  // starts from the one before.
+  const double lowest = 0.5 * fit.angular_frequency().value,
+               there = swing_of(fit).angular_frequency(amplitude);
+  double w = there > lowest ? there : lowest;
+  double at = amplitude;
+  StretchLength stretch(record, w);
+  const auto t = record.t;
+  for (std::size_t first = 0; t.back() - t[first] > 0.75 * stretch.shortest() && !watch.interrupted();) {
+    // What would be left and too short for a stretch of its own belongs to this one.
+    const double end = t[first] + stretch.length();
+    const bool last = t.back() - end < 0.5 * stretch.length();
+    const auto next =
+        last ? t.size() : static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), end) - t.begin());
+    const std::size_t n = next - first;
+    if (n >= fewest_samples) {
+      const Record part{t.subspan(first, n), record.y.subspan(first, n), record.resolution};
+      auto found = fit_stretch(part, w, decay.rate(at));
+      at = carried_on(decay, at, part.t.back() - part.t.front());
+      stretch.learn(found ? found->rate.standard_error / (wanted_certainty * decay.rate(at)) : HUGE_VAL);
+      if (found) {
+        found->amplitude /= std::pow(w, record.derivative);
+        found->law_rate = decay.rate(found->amplitude);
+        if (found->rate.standard_error < std::max(std::abs(found->rate.value), found->law_rate))
+          result.push_back(*found);
+      }
+    }
+    if (last) break;
+    first = next;
+  }
+  return result;
+}
+
+}  // namespace cromer::core

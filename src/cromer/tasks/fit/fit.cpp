@@ -1,0 +1,359 @@
+#include "cromer/tasks/fit/fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/analysis/air.h"
+#include "cromer/analysis/reynolds.h"
+#include "cromer/base/number.h"
+#include "cromer/base/pi.h"
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/departures.h"
+#include "cromer/identify/diagnose/doubts.h"
+#include "cromer/identify/diagnose/free_part.h"
+#include "cromer/identify/diagnose/second_mode.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/read/columns.h"
+#include "cromer/tasks/fit/derived_quantities.h"
+#include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/lab_quantities.h"
+#include "cromer/tasks/fit/recognise_drive.h"
+#include "cromer/tasks/fit/simulate_line.h"
+#include "cromer/tasks/fit/used_samples.h"
+#include "cromer/tasks/option/option.h"
+#include "cromer/tasks/option/part_of_work.h"
+
+namespace cromer::core {
+namespace {
+
+/// Ranges stand in the table of options; here is what they ask of each other.
+Result<void> check_options(FitOptions options) {
+  for (const Option& option : options_of(options))
+    if (auto good = check(option); !good) return good;
+  if (options.spring_mass && !options.mass) return Error{"--spring-mass needs --mass as well"};
+  if (options.monte_carlo && !options.mass)
+    return Error{"--monte-carlo needs --mass: it checks the uncertainty of the spring constant"};
+  if (options.temperature && !options.disc_diameter)
+    return Error{
+        "--temperature needs --disc-diameter: the air's warmth matters to the Reynolds number and the drag "
+        "coefficient of a disc only"};
+  if (options.seed_given && !options.monte_carlo)
+    return Error{"--seed needs --monte-carlo: it is the seed of its trials"};
+  if (!options.goal.empty())
+    if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
+  if (options.no_spring && options.force_column.empty())
+    return Error{
+        "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded force "
+        "tells "
+        "its law"};
+  if (const Result<void> good = check_forced_options(options); !good) return good;
+  if (options.from && options.to && !(*options.from < *options.to))
+    return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
+  return {};
+}
+
+void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quantity& temperature,
+                  const Watch& watch) {
+  const int order = derivative_order(result.series.quantity);
+  const bool length = is_linear_quantity(result.series.quantity) && order < 2;
+  if (!length) {
+    result.warnings.push_back(fmt::format(
+        "no Reynolds number: column \"{}\" is neither a position nor a velocity", result.series.column));
+    return;
+  }
+  constexpr double window = 0.5;  // [s]
+  const LawFit& fit = result.fit;
+  const double t0 = result.series.t.front(), duration = result.series.t.back() - t0;
+  const double period = two_pi / fit.motion.angular_frequency();
+  if (period >= 1)
+    result.warnings.push_back(fmt::format(
+        "the period of {:.3g} s is longer than two windows of the Reynolds number: a window may hold no "
+        "turning of the speed",
+        period));
+  // A whole number of samples in each window, at least eighty in a period.
+  const double step = window / std::ceil(80 * window / std::min(period, 80 * window));
+  std::vector<double> t;
+  for (std::size_t i = 0; static_cast<double>(i) * step <= duration * (1 + 1e-12); ++i)
+    t.push_back(t0 + static_cast<double>(i) * step);
+  if (watch.interrupted()) return;
+  const Trajectory motion = motion_of(fit, t);
+  const auto windows = speed_windows(motion.t, motion.v, window);
+  const double nu = air_kinematic_viscosity(temperature.value);
+  const SpeedWindow* top = nullptr;
+  for (const SpeedWindow& w : windows) {
+    result.reynolds.push_back({w.t, reynolds_number(w.speed, diameter.value, nu)});
+    if (!top || w.speed > top->speed) top = &w;
+  }
+  if (!top) return;
+
+  // At the top the speed does not depend on when it is taken: its derivatives are those of the velocity
+  // there.
+  double variance = 0;
+  const VelocityGradient gradient = velocity_gradient(
+      fitted_parameters(fit.law, DriveKind::none, {}, fit.motion), fit.motion, top->at - t0, fit.step);
+  const std::size_t n = fit.names.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      variance += gradient.derivative[i] * fit.covariance[i * n + j] * gradient.derivative[j];
+  // The viscosity's change with temperature as a difference over its uncertainty, which is exact enough.
+  const double warmer = air_kinematic_viscosity(temperature.value + temperature.uncertainty);
+  const double relative = std::hypot(std::sqrt(std::max(0.0, variance)) / top->speed,
+                                     diameter.uncertainty / diameter.value, warmer / nu - 1);
+  const double value = reynolds_number(top->speed, diameter.value, nu);
+  result.reynolds_max = make_estimate(value, relative * value, fit.student);
+  result.reynolds_max_t = top->at;
+}
+
+// The law asked for, or the one the record asks for.
+Result<LawChoice> law_of_record(const Record& record, const Series& series, const FitOptions& options,
+                                std::vector<std::string>& warnings, const Watch& watch) {
+  LawFitOptions decay;
+  decay.angle = series.quantity.starts_with("ang");
+  decay.hysteresis_exponent = options.hysteresis_exponent;
+  if (record.derivative > 0) warnings.push_back(fitted_as_it_is(series.quantity, series.column));
+  const Result<std::optional<Law>> law = law_of(options);
+  if (!law) return law.error();
+  if (!*law) return choose_law(record, decay, watch);
+  if ((*law)->has<Pendulum>() && !decay.angle && !series.quantity.empty())
+    return Error{fmt::format(
+        "--law {}: a pendulum's law is one of angles, and column \"{}\" holds {}; use cubic, or choose an "
+        "angle by --column",
+        options.law, series.column, series.quantity)};
+  decay.law = **law;
+  LawChoice choice;
+  choice.chosen = fit_law(record, decay, watch);
+  choice.candidates = {choice.chosen};
+  return choice;
+}
+
+}  // namespace
+
+const Estimate* FittedRecording::find(std::string_view wanted) const {
+  for (const auto* list : {&parameters, &derived})
+    for (const Parameter& number : *list)
+      if (number.name == wanted) return &number.estimate;
+  return nullptr;
+}
+
+std::size_t FittedRecording::used() const { return without_outliers(series).t.size(); }
+
+Result<void> check_fit_options(const FitOptions& options) {
+  if (const Result<void> checked = check_options(options); !checked) return checked;
+  if (const auto law = law_of(options); !law) return law.error();
+  return {};
+}
+
+FittedRecording not_fitted(std::string_view file, int run, std::string_view message) {
+  if (message.starts_with(file) && message.substr(file.size()).starts_with(": "))
+    message.remove_prefix(file.size() + 2);
+  FittedRecording row;
+  row.file = file;
+  row.series.run = run;
+  row.wrong_input = true;
+  row.fit.status = FitStatus::no_oscillation;
+  row.fit.message = message;
+  return row;
+}
+
+// A pause so long that the motion cannot be followed through it: a wrong time, or two recordings in one.
+Result<void> check_pauses(const Series& series) {
+  constexpr double longest_pause = 1e6;  // [sample spacings]
+  for (std::size_t i = 1; i < series.t.size(); ++i)
+    if ((series.t[i] - series.t[i - 1]) * series.rate > longest_pause)
+      return Error{fmt::format(
+          "line {}: the time jumps from {:.9g} to {:.9g} s; choose one side of it with --from and --to",
+          i < series.lines.size() ? series.lines[i] : 0, series.t[i - 1], series.t[i])};
+  return {};
+}
+
+Result<Series> samples_in_use(const Series& series, const FitOptions& options) {
+  Result<Series> used = used_part(series, options);
+  if (!used) return used;
+  if (!options.from && !options.to) leave_lost_motion(*used);
+  set_drop_outs_aside(*used);
+  return used;
+}
+
+Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
+                                   const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  Result<Series> used = samples_in_use(series, options);
+  if (!used) return used.error();
+  if (const Result<void> checked = check_pauses(*used); !checked) return checked.error();
+
+  FittedRecording result;
+  result.file = file;
+  result.samples = series.t.size();
+  result.options = options;
+  result.series = std::move(*used);
+  result.warnings = result.series.warnings;
+  FittedSamples samples = without_outliers(result.series);
+  if (!options.from && !options.to) {
+    const auto part = find_free_part({samples.t, samples.y, result.series.resolution});
+    if (part) {
+      FitOptions later = options;
+      later.from = part->from;
+      const std::size_t before = result.series.t.size();
+      result.series = *used_part(result.series, later);
+      samples = without_outliers(result.series);
+      result.warnings.push_back(
+          fmt::format("{}: only what follows, {} of {} samples, is taken for a free motion; --from and --to "
+                      "choose another part",
+                      part->reason, result.series.t.size(), before));
+    }
+  }
+  // The law's motion begins at the first sample that the fit sees, and so does the series.
+  if (!samples.t.empty() && result.series.t.front() < samples.t.front()) {
+    FitOptions later = options;
+    later.from = samples.t.front();
+    std::vector<Outlier> aside = std::move(result.series.outliers);
+    result.series.outliers.clear();
+    result.series = *used_part(result.series, later);
+    result.series.outliers = std::move(aside);
+  }
+  const Record record{samples.t, samples.y, result.series.resolution,
+                      std::max(0, derivative_order(result.series.quantity))};
+
+  if (result.series.quantity == "angle")
+    if (const std::string over = turning_over(record); !over.empty()) result.warnings.push_back(over);
+  Result<LawChoice> choice = law_of_record(record, result.series, options, result.warnings, watch);
+  if (!choice) return choice.error();
+  result.fit = choice->chosen;
+  list_outliers(result.series, samples, result.fit.outliers, result.warnings);
+  result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
+  for (const LawFit& candidate : choice->candidates)
+    if (candidate.is_usable())
+      result.candidates.push_back(
+          {candidate.law, candidate.residual.rms, candidate.bic, candidate.status == FitStatus::converged});
+  if (!result.fit.is_usable()) return result;
+
+  const Body body = body_of(options);
+  result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity), record.derivative);
+  add_force_parameters(result, body);
+  result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
+  result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
+
+  const FittedSamples good = without_outliers(result.series);
+  const Record kept{good.t, good.y, record.resolution, record.derivative};
+  const DecaySegments segments = fit_segments(kept, two_pi / result.fit.swing_frequency().value,
+                                              options.segment, options.segments, watch);
+  result.segments = segments.segments;
+  result.decay_rate_mean = segments.mean;
+  result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
+  if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
+  if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
+  if (watch.interrupted() && result.fit.status == FitStatus::converged) {
+    result.fit.status = FitStatus::iteration_limit;
+    result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
+    return result;
+  }
+  const std::string_view unit = si_unit_of(result.series.quantity);
+  for (const auto& sentences :
+       {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
+    result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
+  if (const std::string wide = widening(result.fit, record.t.size()); !wide.empty())
+    result.warnings.push_back(wide);
+  return result;
+}
+
+namespace {
+
+Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, std::string_view file,
+                                          const FitOptions& options, const Watch& watch) {
+  const Result<Series> series = take_series(recording, options.column, run, options.read);
+  if (!series) return series.error();
+  if (!options.drive_frequency.empty()) {
+    Result<FittedRecording> driven = fit_driven(*series, file, options, watch);
+    if (!driven) return driven;
+    return check_drive(*std::move(driven), *series, options, watch);
+  }
+  if (options.force_column.empty()) {
+    Result<FittedRecording> free = fit_series(*series, file, options, watch);
+    if (!free) return free;
+    return recognise_drive(*std::move(free), *series, options, watch);
+  }
+  const Result<Series> force = take_series(recording, options.force_column, run, options.read);
+  if (!force) return Error{"--force-column: " + force.error().message};
+  return fit_forced(*series, *force, file, options, watch);
+}
+
+// Another column than the fitted one that may hold what drives its motion; "" where none does, or where one
+// is named.
+std::string column_of_a_force(const Recording& recording, const std::string& fitted,
+                              const FitOptions& options) {
+  if (!options.force_column.empty()) return "";
+  for (const Column& column : recording.table.columns)
+    if (column.quantity == "force" && column_title(column) != fitted) return column.name;
+  return "";
+}
+
+Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
+                                const FitOptions& options, const Watch& watch) {
+  Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
+  constexpr double well = 0.9;  // of the variance: what drives a motion leaves more than that unexplained
+  if (fitted && !(fitted->succeeded() && fitted->fit.explained > well))
+    if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
+        !force.empty())
+      fitted->warnings.push_back(
+          fmt::format("if what column \"{0}\" holds drives the motion, say --force-column \"{0}\"", force));
+  // The inner force is no parameter of the fit.
+  if (fitted && options.from && fitted->fit.law.has<Hysteresis>())
+    fitted->warnings.push_back(
+        "the hysteretic force is taken as 0 at the first sample used, --from: where the body had moved before, "
+        "its coefficients and the stiffness are off, and their uncertainties do not hold");
+  if (fitted && options.hysteresis_exponent != 1 && !fitted->fit.law.has<Hysteresis>())
+    fitted->warnings.push_back(
+        fmt::format("--hysteresis-exponent has no effect on the law {}, which has no hysteresis",
+                    to_text(fitted->fit.law)));
+  return fitted;
+}
+
+// Options are checked.
+Result<std::vector<FittedRecording>> fit_runs(const Recording& recording, const FitOptions& options,
+                                              const Watch& watch) {
+  const std::string& file = recording.file;
+  const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(recording);
+  std::vector<FittedRecording> fits;
+  std::optional<Error> first_error;
+  bool any_read = false;
+  for (int run : wanted) {
+    const auto done = static_cast<double>(fits.size()), all = static_cast<double>(wanted.size());
+    const Watch part = part_of(watch, done / all, (done + 1) / all);
+    Result<FittedRecording> one = fit_run(recording, run, file, options, part);
+    if (one) {
+      any_read = true;
+      // What is said of the file is said once.
+      if (fits.empty())
+        one->warnings.insert(one->warnings.begin(), recording.warnings.begin(), recording.warnings.end());
+      fits.push_back(std::move(*one));
+      continue;
+    }
+    std::string message = one.error().message;
+    if (!message.starts_with("--") && !message.starts_with(file)) message = file + ": " + message;
+    fits.push_back(not_fitted(file, run, message));
+    if (!first_error) first_error = Error{std::move(message)};
+  }
+  if (!any_read && first_error) return *first_error;
+  return fits;
+}
+
+}  // namespace
+
+Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
+                                         const FitOptions& options, const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  const Result<Recording> recording = read_recording(bytes, file, options.read);
+  if (!recording) return recording.error();
+  return fit_runs(*recording, options, watch);
+}
+
+Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
+                                                   const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
+  return fit_runs(recording, options, watch);
+}
+
+}  // namespace cromer::core

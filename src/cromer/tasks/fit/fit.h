@@ -1,0 +1,146 @@
+// Task: from a recording's bytes to the law of motion and what follows from it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/analysis/textbook_damping.h"
+#include "cromer/base/interrupt.h"
+#include "cromer/base/quantity.h"
+#include "cromer/identify/choose/two_modes.h"
+#include "cromer/identify/law_fit.h"
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+#include "cromer/tasks/fit/decay_by_amplitude.h"
+#include "cromer/tasks/fit/decay_segments.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
+#include "cromer/tasks/fit/plan_recording.h"
+#include "cromer/tasks/fit/stiffness_budget.h"
+
+namespace cromer::core {
+
+struct FitOptions {
+  ReadOptions read{};
+  std::string column{};
+  std::optional<int> run{};            ///< from 1; all runs when not given
+  std::optional<double> from{}, to{};  // [s]
+  std::string law = "auto";
+  bool no_spring = false;                   ///< a body without one, under a recorded force
+  double hysteresis_exponent = 1;           ///< >= 1
+  std::optional<Quantity> mass{};           // [kg] > 0
+  std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
+  std::optional<Quantity> disc_diameter{};  // [m] > 0
+  std::optional<Quantity> temperature{};    // [K] of the air; 293.15 by default
+  std::optional<double> segment{};          // [s] > 0
+  std::optional<int> segments{};            ///< > 0
+  std::string force_column{};               ///< of a recorded force; "" where none drives
+  std::string between_samples{};            ///< linear, hold, band-limited or auto; "" is auto
+  std::string drive_frequency{};     ///< of a harmonic drive, with its unit, or auto; "" where none drives
+  bool recognise_drive = true;       ///< a motion that is no free one may be fitted as a driven one
+  std::optional<double> hold_out{};  ///< share of the samples, above 0: the last ones, kept from the fit
+  std::string goal{};                ///< "decay_rate 0.5 %": how long to record
+  std::optional<int> monte_carlo{};  ///< trials, 1000 to 1e7
+  unsigned long long seed = 1;       ///< of the trials
+  bool seed_given = false;
+  bool textbook = false;  ///< decrement and bandwidth beside the fit
+};
+
+/// What textbooks would say of the damping; each empty where it cannot be had.
+struct TextbookDamping {
+  static constexpr const char* decrement_bias =
+      "noise lifts small peaks: too low; a mean where the damping changes with amplitude";
+  std::optional<PeakDecrement> decrement;
+  std::optional<HalfPowerBandwidth> bandwidth;
+};
+
+/// The largest Reynolds number within [t, t + 0.5 s).
+struct ReynoldsWindow {
+  double t;  // [s]
+  double value;
+};
+
+struct Candidate {
+  Law law;
+  double rms;
+  double bic;
+  bool converged;
+  std::string between_samples{};  ///< how a recorded force was read; "" without one
+};
+
+/// The fitted motion of a driven law at the series' times.
+struct DrivenMotion {
+  std::vector<double> motion;  ///< in the SI unit of the column
+  Trajectory states;           ///< displacement from the equilibrium and velocity
+};
+
+/// How the law, carried on beyond the samples it was fitted to, meets those held out.
+struct HeldOut {
+  double from, to;  // [s]
+  std::size_t samples;
+  double rms;                                  ///< in the SI unit of the column
+  std::vector<double> t{}, measured{}, law{};  ///< at each of them; [s], SI unit of the column
+};
+
+struct FittedRecording {
+  std::string file;
+  Series series;            ///< the samples used, in SI units
+  std::size_t samples = 0;  ///< in the file
+  FitOptions options;
+  LawFit fit;
+  std::vector<Parameter> parameters;  ///< as fitted_parameters() orders them, then force_parameters()
+  std::vector<Parameter> derived;
+  std::string simulate;  ///< the command line that simulates this law
+  std::vector<Candidate> candidates;
+  std::vector<DecaySegment> segments;
+  std::optional<Estimate> decay_rate_mean;
+  std::vector<ReynoldsWindow> reynolds;
+  std::optional<Estimate> reynolds_max;
+  double reynolds_max_t = 0;                   // [s]
+  std::optional<Estimate> keulegan_carpenter;  ///< 2 pi A/D at the largest amplitude
+  std::vector<AmplitudeRate> decay_by_amplitude;
+  std::vector<Contribution> stiffness_budget;
+  std::optional<MonteCarlo> monte_carlo;
+  std::optional<RecordingPlan> plan;
+  std::optional<TextbookDamping> textbook;
+  std::optional<DrivenMotion> driven{};  ///< of a motion under a force, recorded or harmonic
+  std::vector<Mode> modes{};             ///< where two oscillations were found, the larger first
+  std::string between_samples{};         ///< how the recorded force is read; "" without one
+  std::optional<HeldOut> held_out{};
+  std::vector<std::string> warnings;
+  bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here
+
+  /// How many samples the fit saw: those of the series that are no outliers.
+  std::size_t used() const;
+  bool succeeded() const { return fit.status == FitStatus::converged; }
+  std::string_view status() const { return wrong_input ? "wrong_input" : name(fit.status); }
+
+  const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
+};
+
+/// What is wrong with the options whatever the recording is.
+Result<void> check_fit_options(const FitOptions& options);
+
+/// The row of a recording that could not be read: its message without the file's name before it.
+FittedRecording not_fitted(std::string_view file, int run, std::string_view message);
+
+/// The samples from --from to --to, without those of a sensor that has lost the motion for good where neither
+/// is given, drop-outs among their outliers. An Error where none is left.
+Result<Series> samples_in_use(const Series& series, const FitOptions& options);
+
+/// A free motion: one quantity of one run, of which --from and --to choose a part. Bad input (a law that
+/// cannot be fitted, no sample left) is an Error.
+Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
+                                   const Watch& watch = {});
+
+/// All runs asked for of one recording. Bad input is an Error; a failed fit is a status in its row, and so is
+/// one of several runs that could not be read.
+Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
+                                                   const Watch& watch = {});
+
+/// The same of a file's bytes.
+Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
+                                         const FitOptions& options, const Watch& watch = {});
+
+}  // namespace cromer::core

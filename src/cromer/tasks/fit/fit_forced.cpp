@@ -1,0 +1,208 @@
+#include "cromer/tasks/fit/fit_forced.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/base/pi.h"
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/doubts.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/tasks/fit/derived_quantities.h"
+#include "cromer/tasks/fit/force_grid.h"
+#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/lab_quantities.h"
+#include "cromer/tasks/fit/simulate_line.h"
+#include "cromer/tasks/fit/used_samples.h"
+
+namespace cromer::core {
+namespace {
+
+bool is_outlier(const Series& series, std::size_t i) {
+  // They stand in the order of their times.
+  const auto found = std::lower_bound(series.outliers.begin(), series.outliers.end(), series.t[i],
+                                      [](const Outlier& outlier, double t) { return outlier.t < t; });
+  return found != series.outliers.end() && found->t == series.t[i];
+}
+
+// What both kinds of driven fits say.
+void describe(FittedRecording& result, LawChoice&& choice, const Record& record, const std::vector<double>& t,
+              std::string_view force_unit, bool has_force_column, const Watch& watch) {
+  result.fit = std::move(choice.chosen);
+  result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
+  for (const LawFit& candidate : choice.candidates)
+    if (candidate.residual.rms > 0)
+      result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic,
+                                   candidate.status == FitStatus::converged,
+                                   has_force_column ? std::string(name(candidate.drive.force.between)) : ""});
+  const LawFit& fit = result.fit;
+  if (!fit.is_usable()) return;
+  const FitOptions& options = result.options;
+  const Body body = body_of(options);
+  const std::string_view unit = si_unit_of(result.series.quantity);
+  const int derivative = std::max(0, derivative_order(result.series.quantity));
+  if (derivative > 0)
+    result.warnings.push_back(fitted_as_it_is(result.series.quantity, result.series.column));
+  DrivenMotion& motion = result.driven.emplace();
+  motion.states = motion_of(fit, t);
+  motion.motion = observed_motion(fit.motion, fit.drive, t, derivative, fit.step);
+  result.parameters = law_parameters(fit, unit, derivative, force_unit);
+  add_force_parameters(result, body);
+  result.derived = derived_quantities(fit, unit, derivative, motion.states.x, force_unit);
+  if (result.find("stiffness")) {
+    result.stiffness_budget = stiffness_budget(fit, body);
+    if (options.monte_carlo)
+      result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed, watch);
+  }
+  for (std::string& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency,
+                                          law_is_chosen(options), unit))
+    result.warnings.push_back(std::move(doubt));
+  if (fit.law.shares(springs) && fit.motion.decay_rate() >= fit.motion.angular_frequency())
+    result.warnings.emplace_back("the law is overdamped: it has no frequency and no period of its own");
+  if (fit.explained < 0.9 && fit.residual.autocorrelation > 0.5)
+    result.warnings.push_back(
+        fmt::format("the law accounts for {:.0f} % of the motion's variance, and what is left is no noise: "
+                    "something else drives it as well or instead, or its law is another",
+                    100 * fit.explained));
+  if (const std::string wide = widening(fit, result.series.t.size()); !wide.empty())
+    result.warnings.push_back(wide);
+}
+
+void say_unused(FittedRecording& result) {
+  const FitOptions& options = result.options;
+  for (const std::string_view unused : unused_if_driven(options))
+    result.warnings.push_back(fmt::format("{} is not used: the motion is driven", unused));
+  if (options.disc_diameter)
+    result.warnings.push_back(
+        fmt::format("--disc-diameter gives no Reynolds number of a driven motion{}",
+                    result.find("drag_coefficient")
+                        ? ""
+                        : "; and no drag coefficient: that needs --mass and drag in the law"));
+}
+
+}  // namespace
+
+Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
+                                   const FitOptions& options, const Watch& watch) {
+  if (motion.column == force.column)
+    return Error{
+        fmt::format("--force-column: \"{}\" is the column that is fitted; say which holds the motion "
+                    "with --column",
+                    force.column)};
+  Result<Series> used = samples_in_use(motion, options);
+  if (!used) return used.error();
+  const Series around = force_around(force, used->t.front(), used->t.back());
+  const Result<ForceGrid> grid = grid_of(around);
+  if (!grid) return grid.error();
+  const Result<std::vector<std::size_t>> places = places_on(*grid, *used, force);
+  if (!places) return places.error();
+
+  // The force's own times, where the motion has samples and where it has none.
+  const ForceRecord recorded{around.y, grid->begin, grid->spacing};
+  std::vector<double> t, y;
+  for (std::size_t i = 0; i < used->t.size(); ++i) {
+    if (is_outlier(*used, i)) continue;
+    t.push_back(grid->time((*places)[i]));
+    y.push_back(used->y[i]);
+  }
+  if (t.empty()) return Error{fmt::format("column \"{}\" has no value that is not set aside", motion.column)};
+  const std::size_t fitted =
+      options.hold_out
+          ? static_cast<std::size_t>(std::lround((1 - *options.hold_out) * static_cast<double>(t.size())))
+          : t.size();
+  const Record whole{t, y, used->resolution, std::max(0, derivative_order(used->quantity))};
+
+  const Result<std::optional<Law>> law = law_of(options);
+  if (!law) return law.error();
+  FittedRecording result;
+  result.file = file;
+  result.samples = motion.t.size();
+  result.options = options;
+  result.warnings = used->warnings;
+  for (const std::string& warning : force.warnings) result.warnings.push_back("force: " + warning);
+  result.series = *std::move(used);
+  // The law's motion begins at the first sample that the fit sees, and the series ends at the last.
+  FitOptions cut;
+  cut.from = t.front();
+  if (fitted < t.size()) cut.to = t[fitted - 1];
+  result.series = *used_part(result.series, cut);
+  LawFitOptions settings{.drive = Drive::recorded(recorded),
+                         .hysteresis_exponent = options.hysteresis_exponent};
+  if (options.no_spring) settings.law = settings.law.without(law_with<Spring>);
+  LawChoice choice = choose_law(whole.first(fitted), settings, watch, {*law, reading_of(options)});
+  std::vector<double> of_series;
+  for (const double at : result.series.t)
+    of_series.push_back(
+        grid->time(static_cast<std::size_t>(std::lround((at - grid->begin) / grid->spacing))));
+  describe(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity), true,
+           watch);
+  result.between_samples = name(result.fit.drive.force.between);
+  say_unused(result);
+  std::vector<double> law_motion;
+  if (result.driven && fitted < t.size())
+    law_motion = observed_motion(result.fit.motion, result.fit.drive, t, whole.derivative, result.fit.step);
+  result.fit.drive.force.samples = {};  // which end with this function
+  if (law_motion.empty()) return result;
+  // The law goes on through what was held out.
+  HeldOut& held = result.held_out.emplace(HeldOut{.from = t[fitted], .to = t.back(), .samples = 0, .rms = 0});
+  for (std::size_t i = fitted; i < law_motion.size(); ++i) {
+    held.rms += (y[i] - law_motion[i]) * (y[i] - law_motion[i]);
+    held.t.push_back(t[i]);
+    held.measured.push_back(y[i]);
+    held.law.push_back(law_motion[i]);
+    ++held.samples;
+  }
+  held.rms = held.samples > 0 ? std::sqrt(held.rms / static_cast<double>(held.samples)) : 0;
+  return result;
+}
+
+Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
+                                   const Watch& watch) {
+  Result<Series> used = samples_in_use(motion, options);
+  if (!used) return used.error();
+  const Result<std::optional<Law>> law = law_of(options);
+  if (!law) return law.error();
+  const Result<std::optional<double>> drive = drive_of(options);
+  if (!drive) return drive.error();
+
+  FittedRecording result;
+  result.file = file;
+  result.samples = motion.t.size();
+  result.options = options;
+  result.warnings = used->warnings;
+  result.series = *std::move(used);
+  const Series& series = result.series;
+  const auto [t, y] = without_outliers(series);
+  if (t.empty()) return Error{fmt::format("column \"{}\" has no value that is not set aside", motion.column)};
+  const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
+  if (*drive && **drive > two_pi * highest)
+    return Error{
+        fmt::format("--drive-frequency: {:.6g} Hz is not seen in {:.4g} samples a second: up to {:.4g} Hz is",
+                    **drive / two_pi, 2 * highest, highest)};
+  // The law's motion begins at the first sample that the fit sees.
+  if (series.t.front() < t.front()) {
+    FitOptions later;
+    later.from = t.front();
+    result.series = *used_part(result.series, later);
+  }
+  LawFitOptions settings{.drive = Drive::harmonic(), .hysteresis_exponent = options.hysteresis_exponent};
+  settings.drive_frequency = *drive;
+  const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
+  describe(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false, watch);
+  say_unused(result);
+  const LawFit& fit = result.fit;
+  if (!result.driven) return result;
+  const Body body = body_of(options);
+  result.simulate = simulate_line(fit, series, body.mass ? body.effective_mass().value : 1);
+  const double found = fit.motion.drive_frequency;
+  if (fit.status == FitStatus::converged && *drive &&
+      std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
+    result.warnings.push_back(
+        fmt::format("the steady oscillation has {:.6g} Hz, not the {:.6g} Hz of --drive-frequency",
+                    found / two_pi, **drive / two_pi));
+  return result;
+}
+
+}  // namespace cromer::core

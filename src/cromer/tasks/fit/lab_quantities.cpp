@@ -1,0 +1,88 @@
+#include "cromer/tasks/fit/lab_quantities.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cromer/base/pi.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/tasks/fit/derived_quantities.h"
+#include "cromer/tasks/fit/used_samples.h"
+
+namespace cromer::core {
+namespace {
+
+// KC = 2 pi A/D. The amplitude's error from those of the displacement and velocity at the first sample.
+void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
+  const LawFit& fit = result.fit;
+  if (!is_linear_quantity(result.series.quantity)) return;
+  const double w = fit.angular_frequency().value;
+  const double A = first_amplitude(fit);
+  if (!(A > 0)) return;
+  const double by_x = fit.position().value / A, by_v = fit.velocity().value / (w * w * A);
+  const double variance = by_x * by_x * fit.covariance_of("position", "position") +
+                          by_v * by_v * fit.covariance_of("velocity", "velocity") +
+                          2 * by_x * by_v * fit.covariance_of("position", "velocity");
+  const double value = two_pi * A / diameter.value;
+  const double relative =
+      std::hypot(std::sqrt(std::max(0.0, variance)) / A, diameter.uncertainty / diameter.value);
+  result.keulegan_carpenter = make_estimate(value, relative * value, fit.student);
+}
+
+void add_textbook(FittedRecording& result, const Record& record) {
+  const double w0 = result.fit.angular_frequency().value, g = result.fit.decay_rate().value;
+  const double w = std::sqrt(std::max(0.0, w0 * w0 - g * g));
+  std::vector<double> y(record.y.begin(), record.y.end());
+  for (double& each : y) each -= result.fit.equilibrium().value;
+  result.textbook = TextbookDamping{peak_decrement(record.t, y, two_pi / w, result.fit.residual.rms),
+                                    half_power_bandwidth(record.t, y, w)};
+}
+
+}  // namespace
+
+Body body_of(const FitOptions& options) {
+  Body body{options.mass, options.spring_mass, options.disc_diameter};
+  if (options.temperature) body.temperature = *options.temperature;
+  return body;
+}
+
+void add_force_parameters(FittedRecording& result, const Body& body) {
+  if (is_linear_quantity(result.series.quantity)) {
+    const auto forces = force_parameters(result.fit, body);
+    result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
+  } else if (body.mass) {
+    result.warnings.push_back(
+        fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
+  }
+}
+
+Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
+                                const Watch& watch) {
+  const FitOptions& options = result.options;
+  const bool has_forces = result.find("stiffness") != nullptr;
+  result.decay_by_amplitude = decay_by_amplitude(record, result.fit, watch);
+  if (body.disc_diameter) add_keulegan_carpenter(result, *body.disc_diameter);
+  if (has_forces) result.stiffness_budget = stiffness_budget(result.fit, body);
+  if (has_forces && options.monte_carlo)
+    result.monte_carlo = stiffness_monte_carlo(result.fit, body, *options.monte_carlo, options.seed, watch);
+  if (options.textbook) add_textbook(result, record);
+  if (options.goal.empty()) return {};
+  const Result<Goal> goal = parse_goal(options.goal);
+  if (!goal) return goal.error();
+  const std::string_view unit = si_unit_of(result.series.quantity);
+  const auto quantities_of = [&](const LawFit& fit) {
+    std::vector<Parameter> all = law_parameters(fit, unit, record.derivative);
+    const auto add = [&](const std::vector<Parameter>& more) {
+      all.insert(all.end(), more.begin(), more.end());
+    };
+    if (has_forces) add(force_parameters(fit, body));
+    add(derived_quantities(fit, unit, record.derivative));
+    return all;
+  };
+  const Result<RecordingPlan> plan = plan_recording(*goal, result.fit, record, quantities_of);
+  if (!plan) return plan.error();
+  result.plan = *plan;
+  return {};
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,294 @@
+#include "cromer/tasks/fit/plan_recording.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "cromer/base/nearest.h"
+#include "cromer/base/number.h"
+#include "cromer/tasks/fit/decay_by_amplitude.h"
+
+namespace cromer::core {
+namespace {
+
+// Every number that a fit of a free motion may have.
+const std::vector<std::string_view>& known_quantities() {
+  static const std::vector<std::string_view> all = [] {
+    std::vector<std::string_view> names;
+    const auto add = [&](std::string_view name) {
+      if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    };
+    for (const auto member : {&CoefficientInfo::parameter, &CoefficientInfo::in_si}) {
+      for_each_term([&]<class T>() {
+        for (const CoefficientInfo& info : T::coefficients) add(info.*member);
+      });
+      if (member == &CoefficientInfo::parameter)
+        for (const std::string_view start : {"equilibrium", "position", "velocity"}) add(start);
+    }
+    for (const std::string_view derived :
+         {"drag_coefficient", "frequency", "period", "damping_ratio", "quality_factor",
+          "logarithmic_decrement", "limit_cycle_amplitude"})
+      add(derived);
+    return names;
+  }();
+  return all;
+}
+
+constexpr double most_periods = 20'000;
+
+/// The covariance that records of other lengths would have.
+class Prospect {
+ public:
+  Prospect(const LawFit& fit, const Record& record)
+      : fit_(fit),
+        fitted_(fitted_parameters(fit.law, DriveKind::none, {}, fit.motion)),
+        derivative_(record.derivative) {
+    const double duration = record.t.back() - record.t.front();
+    rate_ = static_cast<double>(record.t.size() - 1) / duration;
+    const SquareMatrix now = white(duration);
+    const std::size_t n = fit.names.size();
+    for (std::size_t i = 0; i < n; ++i) excess_.push_back(std::sqrt(fit.covariance[i * n + i] / now[i][i]));
+  }
+
+  double rate() const { return rate_; }
+
+  /// The fit as a record of this length would give it: the same values, its own covariance.
+  LawFit after(double duration) const {
+    LawFit fit = fit_;
+    const SquareMatrix covariance = white(duration);
+    const std::size_t n = fit.names.size();
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        fit.covariance[i * n + j] = covariance[i][j] * excess_[i] * excess_[j];
+    for (std::size_t i = 0; i < n; ++i)
+      fit.estimates[i].standard_error = std::sqrt(std::max(0.0, fit.covariance[i * n + i]));
+    return fit;
+  }
+
+ private:
+  /// The bound of white noise of the residual's size. Twenty points in a period stand for all samples.
+  SquareMatrix white(double duration) const {
+    const double period = 2 * std::numbers::pi / fit_.angular_frequency().value;
+    const double points = std::max(24.0, std::ceil(20 * duration / period));
+    std::vector<double> t(static_cast<std::size_t>(points)), y(t.size());
+    for (std::size_t i = 0; i < t.size(); ++i) t[i] = duration * (static_cast<double>(i) + 0.5) / points;
+    t.front() = 0;  // where the motion's start is
+    NormalEquations equations =
+        motion_equations(fitted_, fitted_.pack(fit_.motion), {}, {t, y, 0, derivative_}, period / 40);
+    const double samples_per_point = rate_ * duration / points;
+    const double variance = fit_.residual.rms * fit_.residual.rms;
+    for (int i = 0; i < fitted_.count; ++i)
+      for (int j = 0; j < fitted_.count; ++j) equations.matrix[i][j] *= samples_per_point / variance;
+    return inverse(equations.matrix, fitted_.count);
+  }
+
+  const LawFit& fit_;
+  FittedParameters fitted_;
+  int derivative_;
+  double rate_ = 0;
+  std::vector<double> excess_;
+};
+
+/// When the swing has become too small to tell anything, or the counting of periods too long.
+struct SwingEnd {
+  double t = 0;  // [s]
+  bool dies_down = false;
+};
+
+SwingEnd end_of_the_swing(const LawFit& fit) {
+  const AmplitudeDecay decay = amplitude_decay(fit);
+  const double period = 2 * std::numbers::pi / decay.angular_frequency;
+  const double first = first_amplitude(fit);
+  double A = first, t = 0;
+  while (A > 1e-3 * first && t < most_periods * period) {
+    // A step changes the amplitude by a twentieth at most.
+    const double rate = decay.rate(A);
+    const double step = std::min(0.05 / std::max(std::abs(rate), 1e-300), 0.01 * most_periods * period);
+    A *= std::exp(-rate * step);
+    t += step;
+  }
+  return {std::min(t, most_periods * period), A <= 1e-3 * first};
+}
+
+std::string seconds(double t) {
+  return format_quantity({leading_number(fmt::format("{:.3g}", t))->value, 0}, "s");
+}
+
+std::string certainty(const RecordingPlan& plan, bool relative, double error) {
+  const double percent = 100 * error / std::abs(plan.value);
+  if (relative) return percent < 99.5 ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
+  return fmt::format("{:.2g}{}{}", error, plan.unit == "1" || plan.unit.empty() ? "" : " ",
+                     plan.unit == "1" ? "" : plan.unit);
+}
+
+/// Known from where the samples lie, also where nothing swings any more.
+bool is_of_the_place(std::string_view quantity) {
+  return quantity == "equilibrium" || is_of_the_start(quantity);
+}
+
+std::string sentence(const RecordingPlan& plan, bool relative, double present, double rate, bool dies_down,
+                     bool linear) {
+  const std::string goal = certainty(plan, relative, plan.goal), now = certainty(plan, relative, plan.now);
+  if (plan.met)
+    return fmt::format("the goal is met: {} is known to {}, and {} were wanted; the first {} would do",
+                       plan.quantity, now, goal, seconds(plan.duration));
+  if (plan.possible)
+    return fmt::format(
+        "{} is known to {} from {}; for {} record {} from such a start ({:.0f} samples at {:.6g} a second)",
+        plan.quantity, now, seconds(present), goal, seconds(plan.duration), std::ceil(plan.duration * rate),
+        rate);
+  if (plan.noise_ratio == 0)
+    return fmt::format(
+        "a longer record does not reach {}: {} is known to {}, and what limits it are the values given, such "
+        "as the mass",
+        goal, plan.quantity, now);
+  const std::string best = certainty(plan, relative, plan.best);
+  const std::string limits =
+      dies_down
+          ? fmt::format(
+                "a longer record does not reach {}: after {} the swing has died down, and {} is known to "
+                "{} however long one records",
+                goal, seconds(plan.duration), plan.quantity, best)
+          : fmt::format("not even a record of {} reaches {}: {} is then known to {}", seconds(plan.duration),
+                        goal, plan.quantity, best);
+  // What is said of the place gains nothing by a larger swing; the terms of a law that is not linear gain
+  // more than in proportion, or less.
+  const std::string start = is_of_the_place(plan.quantity) ? ""
+                            : linear ? fmt::format(" or a start {:.2g} times as large", plan.noise_ratio)
+                                     : " or a larger start";
+  return fmt::format(
+      "{}; it takes {:.2g} times less noise{}, or {:.2g} times the samples per second if their noise is "
+      "white",
+      limits, plan.noise_ratio, start, plan.rate_ratio);
+}
+
+/// "did you mean decay_rate?", also of "decay rate 1 %"; else all there are.
+std::string meant(std::string_view text, std::string_view quantity) {
+  std::string joined(text);
+  std::replace(joined.begin(), joined.end(), ' ', '_');
+  for (const std::string_view known : known_quantities())
+    if (joined.starts_with(known)) return fmt::format("did you mean {}?", known);
+  if (const std::string near = nearest(quantity, known_quantities()); !near.empty())
+    return fmt::format("did you mean {}?", near);
+  return fmt::format("there are {}.", fmt::join(known_quantities(), ", "));
+}
+
+/// Why a fit lacks a quantity that others have, and the cure.
+std::string why_not_there(std::string_view quantity, const Law& law) {
+  std::string_view missing;
+  for_each_term([&]<class T>() {
+    for (const CoefficientInfo& info : T::coefficients)
+      if (info.parameter == quantity && !law.has<T>()) missing = T::info.name;
+  });
+  if (!missing.empty()) return fmt::format("its law is {}; fit one with {} by --law", to_text(law), missing);
+  return fmt::format(
+      "its law is {}, and quantities of force need a position (or velocity, acceleration) and --mass, a drag "
+      "coefficient --disc-diameter as well",
+      to_text(law));
+}
+
+}  // namespace
+
+Result<Goal> parse_goal(std::string_view text) {
+  const auto blank = text.find(' ');
+  Goal goal{std::string(text.substr(0, blank)), false, ""};
+  if (std::find(known_quantities().begin(), known_quantities().end(), goal.quantity) ==
+      known_quantities().end()) {
+    return Error{fmt::format(
+        "--goal: \"{}\" is no quantity of a fit; {} Give a name and its standard uncertainty, for instance "
+        "\"decay_rate 0.5 %\"",
+        goal.quantity, meant(text, goal.quantity))};
+  }
+  if (blank == std::string_view::npos)
+    return Error{fmt::format("--goal: how well is {} to be known? For instance \"{} 0.5 %\"", goal.quantity,
+                             goal.quantity)};
+  goal.text = text.substr(blank + 1);
+  goal.relative = goal.text.find('%') != std::string::npos;
+  if (goal.relative) {
+    const auto part = parse_quantity(goal.text, "");
+    if (!part) return Error{"--goal: " + part.error().message};
+    if (!(part->value > 0))
+      return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
+                               goal.text)};
+  }
+  return goal;
+}
+
+Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const Record& record,
+                                     const QuantitiesOf& quantities_of) {
+  const auto look_up = [&](const LawFit& in) -> std::optional<Parameter> {
+    for (const Parameter& number : quantities_of(in))
+      if (number.name == goal.quantity) return number;
+    return std::nullopt;
+  };
+  const auto now = look_up(fit);
+  if (!now)
+    return Error{fmt::format("--goal: there is no {} in this fit: {}", goal.quantity,
+                             why_not_there(goal.quantity, fit.law))};
+  if (fit.law.has<Hysteresis>())
+    return Error{"--goal: how soon a swing with hysteresis dies down is not foretold; give another --law"};
+  const bool plain = now->unit == "1";
+  const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
+  if (!wanted) return Error{"--goal: " + wanted.error().message};
+  if (!(wanted->value > 0))
+    return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
+                             goal.text)};
+
+  RecordingPlan plan;
+  plan.quantity = goal.quantity;
+  plan.unit = now->unit;
+  plan.value = now->estimate.value;
+  plan.now = now->estimate.standard_error;
+  plan.goal = goal.relative ? wanted->value * std::abs(plan.value) : wanted->value;
+  plan.met = plan.now <= plan.goal;
+
+  const Prospect prospect(fit, record);
+  const auto error_after = [&](double duration) {
+    const auto then = look_up(prospect.after(duration));
+    return then && std::isfinite(then->estimate.standard_error) ? then->estimate.standard_error : HUGE_VAL;
+  };
+  const double present = record.t.back() - record.t.front();
+  const double period = 2 * std::numbers::pi / fit.angular_frequency().value;
+  const SwingEnd end =
+      goal.quantity == "equilibrium" ? SwingEnd{most_periods * period} : end_of_the_swing(fit);
+  const double last = std::max(present, end.t);
+  double low = std::min(present, 1.5 * period), high = present;
+  if (!plan.met) {
+    low = present;
+    while (high < last && error_after(high) > plan.goal) high = std::min(2 * high, last);
+    plan.best = error_after(high);
+    plan.possible = plan.best <= plan.goal;
+  }
+  if (plan.possible) {
+    for (int i = 0; i < 24 && high > 1.002 * low; ++i) {
+      const double middle = std::sqrt(low * high);
+      (error_after(middle) > plan.goal ? low : high) = middle;
+    }
+    plan.duration = high;
+  } else {
+    // What is left when the record says all: the mass's part.
+    LawFit certain = prospect.after(last);
+    for (double& c : certain.covariance) c = 0;
+    for (Estimate& estimate : certain.estimates) estimate.standard_error = 0;
+    const double given = look_up(certain)->estimate.standard_error;
+    const double own = std::sqrt(std::max(0.0, plan.best * plan.best - given * given));
+    const double room = plan.goal * plan.goal - given * given;
+    plan.noise_ratio = room > 0 ? own / std::sqrt(room) : 0;
+    plan.rate_ratio = plan.noise_ratio * plan.noise_ratio;
+    double useful_low = present, useful_high = last;  // within a hundredth of the best
+    for (int i = 0; i < 16 && useful_high > 1.01 * useful_low; ++i) {
+      const double middle = std::sqrt(useful_low * useful_high);
+      (error_after(middle) > 1.01 * plan.best ? useful_low : useful_high) = middle;
+    }
+    plan.duration = useful_high;
+  }
+  plan.text = sentence(plan, goal.relative, present, prospect.rate(), end.dies_down, is_linear(fit.law));
+  return plan;
+}
+
+}  // namespace cromer::core

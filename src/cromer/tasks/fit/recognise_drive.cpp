@@ -1,0 +1,218 @@
+#include "cromer/tasks/fit/recognise_drive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cromer/base/pi.h"
+#include "cromer/base/quantity.h"
+#include "cromer/identify/choose/kind_of_motion.h"
+#include "cromer/identify/fit_settings.h"
+#include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/used_samples.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double structured = 0.3, unstructured = 0.5;  // autocorrelation of residuals
+
+MotionJudgement judged(const FittedRecording& free, const FittedRecording& driven, bool frequency_known) {
+  const FittedSamples samples = without_outliers(driven.series);
+  return judge_motion({samples.t, samples.y, driven.series.resolution}, free.fit, driven.fit,
+                      frequency_known);
+}
+
+// Amplitude of the steady oscillation over that of a lasting sinusoid with the record's variance.
+double share_of_steady(const FittedRecording& driven) {
+  const Motion& law = driven.fit.motion;
+  const double w0 = law.angular_frequency(), w = law.drive_frequency;
+  const double steady = std::pow(w, std::max(0, derivative_order(driven.series.quantity))) *
+                        driven.fit["drive_amplitude"].value /
+                        std::hypot(w0 * w0 - w * w, 2 * law.decay_rate() * w);
+  const FittedSamples samples = without_outliers(driven.series);
+  double square = 0;
+  for (const double y : samples.y) square += (y - law.equilibrium) * (y - law.equilibrium);
+  return steady / std::sqrt(2 * square / static_cast<double>(samples.y.size()));
+}
+
+// A drive that accounts for next to nothing is none.
+bool drive_helps(const FittedRecording& driven, const FittedRecording& free) {
+  return driven.fit.residual.rms < 0.9 * free.fit.residual.rms;
+}
+
+bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& free) {
+  if (driven.fit.status != FitStatus::converged) return false;
+  const Residual& left = driven.fit.residual;
+  return drive_helps(driven, free) && std::abs(left.autocorrelation) <= unstructured &&
+         driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
+}
+
+std::string said(const Mode& mode) {
+  const Estimate &w = mode.angular_frequency, &g = mode.decay_rate;
+  return fmt::format("{} (amplitude {:.3g}, decay rate {})",
+                     format_quantity({w.value / two_pi, w.standard_error / two_pi}, "Hz"), mode.amplitude,
+                     format_quantity({g.value, g.standard_error}, "1/s"));
+}
+
+// Of a motion in which neither line decays: where the drive was searched, and where it was named.
+std::string either_reading(const TwoModes& modes) {
+  return fmt::format(
+      "two oscillations whose decay hardly shows, at {} and {}: a drive on a swing without damping, two "
+      "drives, or "
+      "two modes, as of coupled pendulums, are the same signal; the numbers here are those of the first "
+      "reading",
+      said(modes.modes[0]), said(modes.modes[1]));
+}
+
+std::string either_reading(const TwoModes& modes, double drive) {
+  const auto& [one, other] = modes.modes;
+  const bool other_is_drive =
+      std::abs(other.angular_frequency.value - drive) < std::abs(one.angular_frequency.value - drive);
+  return fmt::format(
+      "beside the drive something oscillates at {} and does not decay: another drive, or an undamped body, "
+      "are the same signal; the numbers here are those of the second reading",
+      said(other_is_drive ? one : other));
+}
+
+std::string of_two_modes(const TwoModes& found) {
+  const double apart =
+      std::abs(found.modes[0].angular_frequency.value - found.modes[1].angular_frequency.value);
+  return fmt::format(
+      "two modes swing here, and both decay, as of coupled pendulums: {} and {}; they beat every {:.3g} s",
+      said(found.modes[0]), said(found.modes[1]), two_pi / apart);
+}
+
+// Which of two readings it is, no record can tell.
+void leave_undetermined(FittedRecording& result, const TwoModes& found, std::string readings) {
+  result.modes.assign(found.modes.begin(), found.modes.end());
+  result.fit.status = FitStatus::undetermined;
+  result.fit.message = "the record has two readings: " + readings;
+  result.warnings.push_back(std::move(readings));
+}
+
+void say_two_modes(FittedRecording& result, const TwoModes& found) {
+  result.modes.assign(found.modes.begin(), found.modes.end());
+  if (result.parameters.empty()) {
+    result.fit.message = "no single swing: " + of_two_modes(found) +
+                         ". Let one of them swing alone, or choose another --column";
+    return;
+  }
+  result.warnings.push_back(fmt::format("{}; together they leave {:.3g}, and the law {:.3g}",
+                                        of_two_modes(found), found.residual.rms, result.fit.residual.rms));
+}
+
+// A refused fit in which a line accounts for some of the variance, and what is left is no noise.
+bool may_be_beats(const LawFit& fit) {
+  const bool refused = fit.status == FitStatus::no_oscillation || fit.status == FitStatus::too_noisy;
+  return refused && fit.explained > 0.1 && fit.residual.rms > 0 && fit.residual.autocorrelation >= structured;
+}
+
+}  // namespace
+
+FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
+                                const Watch& caller) {
+  const bool automatic = options.recognise_drive && !law_is_chosen(options) && !is_driven(options);
+  const bool refused = free.parameters.empty();
+  const Residual& left = free.fit.residual;
+  const bool is_noise = left.autocorrelation < structured || is_arithmetic(left.rms, free.series.y);
+  if (!automatic || (refused && !may_be_beats(free.fit)) || is_noise || caller.interrupted()) return free;
+  const FittedSamples samples = without_outliers(free.series);
+  const Watch watch = within_steps(caller, {samples.t, samples.y}, DriveKind::harmonic);
+  FitOptions same = options;
+  same.drive_frequency = "auto";
+  same.from = free.series.t.front();
+  same.to = free.series.t.back();
+  // A drive must account for what the free law leaves, without the help of another law: one fit tells most
+  // free motions.
+  // A swing that feeds itself may be a driven one in disguise, of another law.
+  const bool loses = !free.fit.law.shares(bounding_terms);
+  if (loses) same.law = refused ? "viscous" : to_text(free.fit.law);
+  Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
+  if (!driven || watch.interrupted()) return free;
+  MotionJudgement judgement = judged(free, *driven, false);
+  const bool settled = (driven->fit.has_values() && !drive_helps(*driven, free)) ||
+                       (driven->fit.status == FitStatus::converged &&
+                        (judgement.kind == MotionKind::free || judgement.kind == MotionKind::two_modes));
+  // What no free law accounts for a drive must, for more than half.
+  const bool worth_more = !refused || driven->fit.explained > 0.5;
+  if (loses && !settled && worth_more) {
+    same.law = options.law;
+    driven = fit_driven(motion, free.file, same, watch);
+    if (!driven || watch.interrupted()) return free;
+    judgement = judged(free, *driven, false);
+  }
+  if (judgement.kind == MotionKind::two_modes &&
+      judgement.modes->residual.rms < 0.9 * free.fit.residual.rms) {
+    say_two_modes(free, *judgement.modes);
+    return free;
+  }
+  const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
+  if (!(judgement.kind == MotionKind::driven || undecided) || !is_steadily_driven(*driven, free)) return free;
+  driven->options = options;
+  if (undecided) {
+    leave_undetermined(*driven, *judgement.modes, either_reading(*judgement.modes));
+  } else {
+    driven->warnings.push_back(fmt::format(
+        "the motion is driven, at {:.6g} Hz: a free motion would leave {:.3g}, this leaves {:.3g}; say "
+        "fit --drive-frequency if it is known, or choose a free part with --from and --to",
+        driven->fit.motion.drive_frequency / two_pi, free.fit.residual.rms, driven->fit.residual.rms));
+  }
+  return *std::move(driven);
+}
+
+Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
+                                    const Watch& watch) {
+  // A fit that ends nowhere has found no drive either, if the motion is a free one.
+  const bool searched = options.drive_frequency == "auto";
+  const bool settled = !driven.parameters.empty() && driven.fit.status == FitStatus::converged;
+  if (!(settled || driven.fit.status == FitStatus::iteration_limit) || watch.interrupted()) return driven;
+  FitOptions without = options;
+  without.drive_frequency.clear();
+  without.recognise_drive = false;
+  without.from = driven.series.t.front();
+  without.to = driven.series.t.back();
+  Result<FittedRecording> free = fit_series(motion, driven.file, without, watch);
+  if (!free || free->parameters.empty() || watch.interrupted()) return driven;
+  if (!settled && free->fit.status != FitStatus::converged) return driven;
+  const MotionJudgement judgement = judged(*free, driven, !searched);
+  if (judgement.kind == MotionKind::driven_or_two_modes) {
+    leave_undetermined(
+        driven, *judgement.modes,
+        searched ? either_reading(*judgement.modes) : either_reading(*judgement.modes, **drive_of(options)));
+    return driven;
+  }
+  if (judgement.kind == MotionKind::two_modes) {
+    FittedRecording& result = searched ? *free : driven;
+    result.options = options;
+    say_two_modes(result, *judgement.modes);
+    return result;
+  }
+  if (judgement.kind != MotionKind::free && (!settled || driven.fit["drive_amplitude"].low > 0))
+    return driven;
+  const std::string compared = fmt::format("a free law leaves {:.4g}, the driven one {:.4g}",
+                                           free->fit.residual.rms, driven.fit.residual.rms);
+  free->options = options;
+  if (searched) {
+    free->warnings.push_back(
+        fmt::format("no drive is seen at any frequency ({}): fitted as a free motion", compared));
+    return free;
+  }
+  const double asked = **drive_of(options) / two_pi;
+  if (!free->fit.residual.white && free->fit.residual.autocorrelation > structured) {
+    driven.fit.status = FitStatus::no_oscillation;
+    driven.fit.message = fmt::format(
+        "no drive is seen at {:.6g} Hz, and no free law describes the motion either ({}); "
+        "--drive-frequency auto looks for a drive",
+        asked, compared);
+    return driven;
+  }
+  free->warnings.push_back(
+      fmt::format("nothing is seen to drive this motion at {:.6g} Hz ({}): fitted as a free motion; "
+                  "--drive-frequency auto looks for a drive elsewhere",
+                  asked, compared));
+  return free;
+}
+
+}  // namespace cromer::core

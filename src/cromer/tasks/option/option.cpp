@@ -1,0 +1,239 @@
+#include "cromer/tasks/option/option.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+
+#include "cromer/base/ascii.h"
+#include "cromer/base/nearest.h"
+
+namespace cromer::core {
+namespace {
+
+Error wrong(const Option& option, std::string_view what) {
+  return Error{fmt::format("--{}: {}", option.name, what)};
+}
+
+bool in_range(Range range, double value) {
+  if (!std::isfinite(value)) return false;
+  switch (range) {
+    case Range::any:
+    case Range::not_negative_unless_bounded:
+      return true;
+    case Range::positive:
+      return value > 0;
+    case Range::not_negative:
+      return value >= 0;
+    case Range::at_least_one:
+      return value >= 1;
+    case Range::fraction:
+      return value >= 0 && value <= 1;
+    case Range::tolerance:
+      return value >= 1e-15 && value <= 1e-2;
+    case Range::accuracy:
+      return value >= 1e-9 && value <= 0.5;
+    case Range::air_temperature:
+      return value >= 100 && value <= 1900;
+    case Range::sampling_rate:
+      return value >= 1e-6 && value <= 1e12;
+    case Range::trials:
+      return value >= 1000 && value <= 1e7;
+  }
+  return false;
+}
+
+Result<void> check_value(const Option& option, double value) {
+  if (in_range(option.range, value)) return {};
+  const bool any = option.range == Range::any || option.range == Range::not_negative_unless_bounded;
+  const std::string_view rule = any ? "be a finite number" : constraint(option.range);
+  return wrong(option, fmt::format("it must {}, not {}{}{}", rule, shortest(value),
+                                   option.unit.empty() || option.unit == "1" ? "" : " ",
+                                   option.unit == "1" ? "" : option.unit));
+}
+
+Result<Quantity> parse_value(const Option& option, std::string_view text) {
+  if (trimmed(text).empty()) return wrong(option, "the value is empty");
+  auto quantity = parse_quantity(text, option.unit);
+  if (!quantity) return wrong(option, quantity.error().message);
+  return quantity;
+}
+
+Result<Quantity> parse_in_range(const Option& option, std::string_view text) {
+  auto quantity = parse_value(option, text);
+  if (!quantity) return quantity;
+  if (auto good = check_value(option, quantity->value); !good) return good.error();
+  return quantity;
+}
+
+/// A quantity whose uncertainty the task would not use: stating one is an error rather than silently dropped.
+Result<double> parse_certain(const Option& option, std::string_view text) {
+  auto quantity = parse_in_range(option, text);
+  if (!quantity) return quantity.error();
+  if (quantity->uncertainty != 0)
+    return wrong(
+        option, fmt::format("\"{}\" has an uncertainty, which is not used here; give the value alone", text));
+  return quantity->value;
+}
+
+template <class Integer>
+Result<Integer> parse_whole(const Option& option, std::string_view text) {
+  const std::string_view digits = trimmed(text);
+  Integer number = 0;
+  const auto [rest, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (status != std::errc{} || rest != digits.data() + digits.size())
+    return wrong(option,
+                 fmt::format("\"{}\" is not a whole number{}", text,
+                             status == std::errc::result_out_of_range ? " of a size that can be used" : ""));
+  if (auto good = check_value(option, static_cast<double>(number)); !good) return good.error();
+  return number;
+}
+
+/// Stores a parsed value, or passes the Error on.
+template <class T, class Store>
+Result<void> keep(Result<T> parsed, Store store) {
+  if (!parsed) return parsed.error();
+  store(*std::move(parsed));
+  return {};
+}
+
+struct Assigner {
+  const Option& option;
+  std::string_view text;
+
+  Result<void> operator()(double* to) const {
+    return keep(parse_certain(option, text), [&](double value) { *to = value; });
+  }
+  Result<void> operator()(std::optional<double>* to) const {
+    return keep(parse_certain(option, text), [&](double value) { *to = value; });
+  }
+  Result<void> operator()(std::vector<double>* to) const {
+    return keep(parse_certain(option, text), [&](double value) { to->push_back(value); });
+  }
+  Result<void> operator()(std::optional<Quantity>* to) const {
+    return keep(parse_in_range(option, text), [&](Quantity value) { *to = value; });
+  }
+  Result<void> operator()(std::optional<int>* to) const {
+    return keep(parse_whole<int>(option, text), [&](int value) { *to = value; });
+  }
+  Result<void> operator()(long long* to) const {
+    return keep(parse_whole<long long>(option, text), [&](long long value) { *to = value; });
+  }
+  Result<void> operator()(unsigned long long* to) const {
+    return keep(parse_whole<unsigned long long>(option, text),
+                [&](unsigned long long value) { *to = value; });
+  }
+  Result<void> operator()(bool* to) const {
+    if (text != "true" && text != "false")
+      return wrong(option, fmt::format("\"{}\" is neither true nor false", text));
+    *to = text == "true";
+    return {};
+  }
+  Result<void> operator()(std::string* to) const {
+    if (text.empty()) return wrong(option, "the value is empty");
+    *to = text;
+    return {};
+  }
+  Result<void> operator()(std::vector<std::string>* to) const {
+    if (text.empty()) return wrong(option, "the value is empty");
+    to->emplace_back(text);
+    return {};
+  }
+};
+
+struct Checker {
+  const Option& option;
+
+  Result<void> operator()(const double* value) const {
+    if (option.unit == "Hz" && *value == 0) return {};  // a rate of 0 says that none was given
+    return check_value(option, *value);
+  }
+  Result<void> operator()(const std::optional<double>* value) const {
+    return *value ? check_value(option, **value) : Result<void>{};
+  }
+  Result<void> operator()(const std::vector<double>* values) const {
+    for (const double value : *values)
+      if (auto good = check_value(option, value); !good) return good;
+    return {};
+  }
+  Result<void> operator()(const std::optional<Quantity>* value) const {
+    if (!*value) return {};
+    const double uncertainty = (*value)->uncertainty;
+    if (!(uncertainty >= 0) || !std::isfinite(uncertainty))
+      return wrong(option,
+                   fmt::format("its uncertainty must be zero or more, not {}", shortest(uncertainty)));
+    return check_value(option, (*value)->value);
+  }
+  Result<void> operator()(const std::optional<int>* value) const {
+    return *value ? check_value(option, **value) : Result<void>{};
+  }
+  Result<void> operator()(const long long* value) const {
+    return check_value(option, static_cast<double>(*value));
+  }
+  Result<void> operator()(const unsigned long long*) const { return {}; }
+  Result<void> operator()(const bool*) const { return {}; }
+  Result<void> operator()(const std::string*) const { return {}; }
+  Result<void> operator()(const std::vector<std::string>*) const { return {}; }
+};
+
+Error unknown(std::string_view name, const std::vector<Option>& options, std::string_view task) {
+  std::vector<std::string_view> names;
+  for (const Option& option : options) names.push_back(option.name);
+  const std::string near = nearest(name, names);
+  return Error{fmt::format("--{} is no option of {}{}", name, task,
+                           near.empty() ? "" : fmt::format("; did you mean --{}?", near))};
+}
+
+}  // namespace
+
+std::string_view constraint(Range range) {
+  switch (range) {
+    case Range::any:
+      return "";
+    case Range::positive:
+      return "be positive";
+    case Range::not_negative:
+      return "not be negative";
+    case Range::not_negative_unless_bounded:
+      return "not be negative without --van-der-pol";
+    case Range::at_least_one:
+      return "be at least 1";
+    case Range::fraction:
+      return "lie between 0 and 1";
+    case Range::tolerance:
+      return "lie between 1e-15 and 1e-2";
+    case Range::accuracy:
+      return "lie between 1e-9 and 0.5";
+    case Range::air_temperature:
+      return "lie between 100 K and 1900 K (for instance \"20 °C\")";
+    case Range::sampling_rate:
+      return "lie between 1e-6 and 1e12 Hz";
+    case Range::trials:
+      return "lie between 1000 and 10000000 trials";
+  }
+  return "";
+}
+
+Result<void> assign(const Option& option, std::string_view text) {
+  auto good = std::visit(Assigner{option, text}, option.target);
+  if (good && option.asked) *option.asked = true;
+  return good;
+}
+
+Result<void> assign(const std::vector<TypedOption>& settings, const std::vector<Option>& options,
+                    std::string_view task) {
+  for (const TypedOption& setting : settings) {
+    const auto option = std::find_if(options.begin(), options.end(),
+                                     [&](const Option& each) { return each.name == setting.first; });
+    if (option == options.end()) return unknown(setting.first, options, task);
+    if (auto good = assign(*option, setting.second); !good) return good;
+    if (auto good = check(*option); !good) return good;
+  }
+  return {};
+}
+
+Result<void> check(const Option& option) { return std::visit(Checker{option}, option.target); }
+
+}  // namespace cromer::core

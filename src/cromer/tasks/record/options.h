@@ -1,0 +1,40 @@
+// What record and serve both ask about a source.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cromer/live/recorder.h"
+#include "cromer/tasks/option/option.h"
+
+namespace cromer::core {
+
+struct RecordOptions {
+  std::string from;                ///< a source; "" none
+  double rate = 0;                 ///< [1/s] of lines without a time
+  std::optional<double> duration;  // [s]
+  std::string time_unit;
+  std::string headings;
+  std::string column;  ///< for the live fit
+  std::string output;
+};
+
+std::vector<Option> options_of(RecordOptions& options);
+
+/// Of options that have been checked.
+struct RecordSetup {
+  SourceName source;
+  LineSettings lines;
+  std::string column;
+};
+
+/// That source, unit of time and the name of the file are good.
+Result<RecordSetup> check(const RecordOptions& options);
+
+/// A recorder to `path`, not started; the file's head says with which command line and when it began.
+std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
+                                        const std::string& path, const std::string& command);
+
+}  // namespace cromer::core

@@ -1,0 +1,36 @@
+// A recorded force or acceleration: from a file's bytes to evenly spaced samples.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+
+namespace cromer::core {
+
+/// Evenly spaced samples in SI units, the first at the run's start.
+struct DriveRecord {
+  std::vector<double> values;  ///< at least two; all finite
+  double spacing = 0;          // [s] > 0
+  std::vector<std::string> warnings;
+  std::string column{};    ///< as the file names it, with unit
+  std::string motion{};    ///< as Recording has it
+  bool unit_known = true;  ///< else the values are as they stand in the file
+};
+
+/// What is wanted of a file, and how messages call it.
+struct DriveRequest {
+  std::string_view quantity;                          ///< "force" or "acceleration"
+  std::string_view column{};                          ///< "" where only one can be meant
+  int run = 0;                                        ///< 0: the first
+  std::string_view column_option = "--drive-column";  ///< that says another column
+  std::string_view use = "drive";                     ///< what the samples are for
+};
+
+/// An Error for what is no such recording: another quantity, gaps or missing values, times that are not even.
+Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view file,
+                                      const DriveRequest& request, const ReadOptions& options);
+
+}  // namespace cromer::core

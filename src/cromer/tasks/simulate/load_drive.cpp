@@ -1,0 +1,23 @@
+#include "cromer/tasks/simulate/load_drive.h"
+
+#include <filesystem>
+
+#include "cromer/report/read_file.h"
+
+namespace cromer::core {
+
+Result<void> load_drive(SimulateOptions& options, const std::string& folder) {
+  const bool ground = !options.base_motion.empty();
+  const std::string& file = ground ? options.base_motion : options.drive_file;
+  if (file.empty()) return {};
+  const auto bytes = read_file((std::filesystem::path(folder) / file).string());
+  if (!bytes) return Error{(ground ? "--base-motion: " : "--drive-file: ") + bytes.error().message};
+  auto record = read_drive_record(
+      *bytes, file, {.quantity = ground ? "acceleration" : "force", .column = options.drive_column},
+      options.read);
+  if (!record) return record.error();
+  options.drive_record = *std::move(record);
+  return {};
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,172 @@
+#include "cromer/tasks/simulate/run_energy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/analysis/energy_ledger.h"
+#include "cromer/analysis/exact_energy_balance.h"
+#include "cromer/analysis/exact_friction_balance.h"
+#include "cromer/model/general_drive.h"
+#include "cromer/model/linear_quantities.h"
+#include "cromer/model/terms.h"
+#include "cromer/tasks/simulate/drive_setup.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
+
+namespace cromer::core {
+namespace {
+
+double spacing_of(const Trajectory& kept) { return kept.size() > 1 ? kept.t[1] - kept.t[0] : 0; }
+
+/// The shorter of natural and drive period [s]; 0 where there is none.
+double shortest_period(const SimulatedRun& run) {
+  const double natural = natural_period(run.oscillator), drive = drive_period(run);
+  return natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
+}
+
+bool dense_enough(const SimulatedRun& run, double period, double states) {
+  return run.outcome.status == Status::reached_end && run.trajectory.size() > 1 &&
+         (period == 0 || spacing_of(run.trajectory) * states <= period * (1 + 1e-9));
+}
+
+/// Of the kept states from one index to another, both included, and of the last one where that is meant.
+/// force per mass.
+template <class F>
+EnergyBalance from_states(const SimulatedRun& run, const F& force, std::size_t first, std::size_t last) {
+  const Trajectory& kept = run.trajectory;
+  const auto newtons = [&](double t) { return run.oscillator.mass * force(t); };
+  EnergyLedger ledger(newtons, run.oscillator, spacing_of(kept));
+  for (std::size_t i = first; i <= last; ++i) ledger(kept.t[i], {kept.x[i], kept.v[i]});
+  if (last + 1 == kept.size() && run.outcome.t > kept.t.back()) ledger(run.outcome.t, run.outcome.y);
+  return ledger.balance();
+}
+
+/// Where the kept states at the breaks of the force are; empty where one falls between two states, whose
+/// quadrature would go wrong.
+template <class F>
+std::optional<std::vector<std::size_t>> states_at_breaks(const SimulatedRun& run, const F& force) {
+  constexpr double same = 1e-6;  // of a spacing
+  const double spacing = spacing_of(run.trajectory), end = run.trajectory.t.back();
+  std::vector<std::size_t> found;
+  for (double at = force.next_break(-spacing); at < end; at = force.next_break(at)) {
+    const double index = std::round(at / spacing);
+    if (std::abs(at - index * spacing) > same * spacing) return std::nullopt;
+    if (index > 0) found.push_back(static_cast<std::size_t>(index));
+  }
+  return found;
+}
+
+/// From break to break of a force that has few.
+template <class F>
+std::optional<EnergyBalance> from_stretches(const SimulatedRun& run, const F& force) {
+  const auto breaks = states_at_breaks(run, force);
+  if (!breaks) return std::nullopt;
+  const Trajectory& kept = run.trajectory;
+  EnergyBalance sum;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i <= breaks->size(); ++i) {
+    const std::size_t last = i < breaks->size() ? (*breaks)[i] : kept.size() - 1;
+    if (last == first) continue;
+    const auto smooth = force.within(0.5 * (kept.t[first] + kept.t[first + 1]));
+    const EnergyBalance part = from_states(run, smooth, first, last);
+    if (first == 0) sum.start = part.start;
+    sum.end = part.end;
+    sum.drive += part.drive;
+    for_each_resistance([&]<class R>() { sum.taken.of<R>() += part.taken.of<R>(); });
+    first = last;
+  }
+  return sum;
+}
+
+/// The force must know the closed form of its own motion; from break to break where it has any.
+template <class F>
+EnergyBalance from_closed_form(const SimulatedRun& run, const F& force, double panel) {
+  const Oscillator<double>& o = run.oscillator;
+  const LinearLaw<double> law = linear_law(o);
+  const Trajectory& kept = run.trajectory;
+  const auto motion = [&](double t) {
+    const auto after = std::upper_bound(kept.t.begin(), kept.t.end(), t);
+    const auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - kept.t.begin() - 1, 0));
+    return force.propagate(law, kept.t[i], t, State<double>{kept.x[i], kept.v[i]});
+  };
+  const auto newtons = [&](const F& smooth) { return [&](double t) { return o.mass * smooth(t); }; };
+  const double end = run.outcome.t;
+  Power work{};
+  if constexpr (requires { force.within(0.0); }) {
+    double from = 0;
+    while (from < end) {
+      const double until = std::min(force.next_break(from), end);
+      const F smooth = force.within(0.5 * (from + until));
+      work = work + exact_work(newtons(smooth), motion, from, until, panel);
+      from = until;
+    }
+  } else {
+    work = exact_work(newtons(force), motion, 0, end, panel);
+  }
+  return energy_balance(o, run.start, motion(end), work);
+}
+
+/// With dry friction, which `exact` takes without a drive only.
+EnergyBalance from_arcs(const SimulatedRun& run) {
+  return with_terms(run.oscillator, run.drive, [&](const auto& system) {
+    if constexpr (requires { exact_friction_balance(system, run.oscillator, run.start, run.until); })
+      return exact_friction_balance(system, run.oscillator, run.start, run.until);
+    return EnergyBalance{};
+  });
+}
+
+}  // namespace
+
+std::vector<double> energies(const SimulatedRun& run) {
+  std::vector<double> values(run.trajectory.size());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = energy(run.oscillator, State<double>{run.trajectory.x[i], run.trajectory.v[i]});
+  return values;
+}
+
+std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
+  const double period = shortest_period(run);
+  const bool closed = run.method == "exact";
+  const Law law = law_of(run.oscillator);
+  const bool rubs = law.has<Friction>();
+  // The states do not tell what a hysteretic force was.
+  if (law.has<Hysteresis>()) return std::nullopt;
+  if (!dense_enough(run, period, closed ? 0 : 20)) return std::nullopt;
+  if (closed && rubs) return from_arcs(run);
+  const double spacing = spacing_of(run.trajectory);
+  const double m = run.oscillator.mass;
+  if (!run.general) {
+    const HarmonicForce<double> force{run.drive.amplitude / m, run.drive.frequency, run.drive.phase};
+    if (closed) return from_closed_form(run, force, period > 0 ? period / 4 : spacing);
+    return from_states(run, force, 0, run.trajectory.size() - 1);
+  }
+  if constexpr (each_set_of_terms)  // the page drives by sines only
+    return std::visit(
+        [&](const auto& drive) -> std::optional<EnergyBalance> {
+          const auto force = force_of(drive, m);
+          if constexpr (HasClosedForm<std::remove_const_t<decltype(force)>, double>)
+            if (closed)
+              return from_closed_form(run, force, period > 0 ? std::min(period / 4, spacing) : spacing);
+          // Of a recording the breaks are as many as its samples, and hardly jumps.
+          if constexpr (std::is_same_v<std::remove_cvref_t<decltype(drive)>, SampledDrive>)
+            return from_states(run, force, 0, run.trajectory.size() - 1);
+          else
+            return from_stretches(run, force);
+        },
+        *run.general);
+  return std::nullopt;
+}
+
+std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run) {
+  const bool driven = run.general || run.drive.amplitude > 0;
+  const Oscillator<double>& o = run.oscillator;
+  if (driven || is_linear(law_of(o))) return std::nullopt;
+  if (!dense_enough(run, natural_period(o), 8)) return std::nullopt;
+  return measure_oscillator(run.trajectory);
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,60 @@
+// States in compensated sums, by the same methods and laws. Few of them, and one type of force for all
+// drives: the increments of a long run are what costs, not the drive.
+#include "cromer/base/compensated.h"
+
+#include <cassert>
+#include <variant>
+
+#include "cromer/base/function_ref.h"
+#include "cromer/tasks/simulate/run_law/units.h"
+
+namespace cromer::core {
+namespace {
+
+using AnyForce = FunctionRef<double(double t)>;
+
+/// Hands rounded states on.
+struct Rounded {
+  KeepEvery& keep;
+
+  void operator()(double t, const State<Compensated>& y) const { keep(t, {y.x.value, y.v.value}); }
+  void pause() const { keep.pause(); }
+};
+
+template <Terms terms>
+Outcome run_terms(const LawRun& run, AnyForce force, KeepEvery& keep, const Watch& watch) {
+  const DrivenOscillator<double, terms, AnyForce> system(divided_by_mass(run.oscillator), force);
+  const State<Compensated> start{run.start.x, run.start.v};
+  return visit_method(run.method, run.settings, [&]<class M>(const M& method) {
+    Outcome outcome;
+    if constexpr (takes_compensated_sums(M::info))
+      outcome = solve(system, method, run.interval, start, run.control, Rounded{keep}, watch);
+    else
+      assert(false && "the method does not add up increments");
+    return outcome;
+  });
+}
+
+template <bool driven>
+Outcome run_under(const LawRun& run, AnyForce force, KeepEvery& keep, const Watch& watch) {
+  const Law present = law_of(run.oscillator);
+  if (present == law_of("spring")) return run_terms<Terms{.drive = driven}>(run, force, keep, watch);
+  if (is_linear(present))
+    return run_terms<Terms{.drive = driven, .law = linear_terms}>(run, force, keep, watch);
+  return run_terms<Terms{.drive = driven, .law = any_terms}>(run, force, keep, watch);
+}
+
+}  // namespace
+
+Outcome run_compensated(const LawRun& run, KeepEvery& keep, const Watch& watch) {
+  const double m = run.oscillator.mass;
+  if (run.general)
+    return std::visit(
+        [&](const auto& drive) { return run_under<true>(run, force_of(drive, m), keep, watch); },
+        *run.general);
+  const HarmonicForce<double> force = force_of(run.drive, m);
+  return run.drive.amplitude != 0 ? run_under<true>(run, force, keep, watch)
+                                  : run_under<false>(run, force, keep, watch);
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,260 @@
+#include "cromer/tasks/spectrum/response_spectrum.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "cromer/analysis/hysteretic_peaks.h"
+#include "cromer/base/function_ref.h"
+#include "cromer/base/grid.h"
+#include "cromer/ensemble/dispatch.h"
+#include "cromer/ensemble/rotated_peaks.h"
+#include "cromer/model/band_limited.h"
+#include "cromer/tasks/spectrum/spectrum_setup.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr int band_limited_factor = 16;  // values for each interval
+constexpr int band_limited_reach = 128;  // samples: faithful up to 31/32 of the Nyquist frequency
+// Periods between two looks at the watch: of one component, of two, and of hysteretic damping.
+constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32;
+constexpr double slice_of_work = 3e7;  // samples times periods: a fraction of a second
+
+double angular_frequency(double period) { return 2 * std::numbers::pi / period; }
+
+/// What shakes the oscillators: the samples, or the denser ones of a band-limited motion.
+struct Shaking {
+  std::vector<double> refined;
+  GroundMotion ground;
+
+  Shaking(const Component& component, BetweenSamples between) {
+    const bool refine = between == BetweenSamples::band_limited;  // then linear
+    if (refine)
+      refined = refine_band_limited(component.acceleration, band_limited_factor, band_limited_reach);
+    ground = {refine ? refined : component.acceleration,
+              refine ? component.spacing / band_limited_factor : component.spacing,
+              refine ? BetweenSamples::linear : between, refine ? std::size_t{band_limited_factor} : 1};
+  }
+};
+
+std::vector<LinearLaw<double>> laws_of(std::span<const double> periods, double damping_ratio) {
+  std::vector<LinearLaw<double>> laws;
+  for (const double period : periods) {
+    const double w = angular_frequency(period);
+    laws.push_back({.decay_rate = damping_ratio * w, .stiffness = w * w});
+  }
+  return laws;
+}
+
+Shock shock_of(const ResponsePeaks& peaks) {
+  return {.primary = peaks.during.magnitude(),
+          .residual = peaks.after.magnitude(),
+          .positive = std::max(peaks.during.high, peaks.after.high),
+          .negative = -std::min(peaks.during.low, peaks.after.low)};
+}
+
+void extend_hysteretic(ResponseSpectrum& spectrum, const Component& component,
+                       std::span<const double> periods) {
+  spectrum.displacement.resize(1);
+  for (const double peak :
+       hysteretic_peaks(component.acceleration, component.spacing, periods, spectrum.damping_ratio))
+    spectrum.displacement[0].push_back(peak);
+}
+
+/// A slice of the periods.
+void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
+            std::span<const LinearLaw<double>> laws, PeakSearch search, bool shock) {
+  if (shock) {
+    search.quantity = ResponseOf::absolute_acceleration;
+    search.largest_alone = false;
+    for (const auto& found : response_peaks(shaking[0].ground, laws, search))
+      spectrum.shock.push_back(shock_of(found));
+    return;
+  }
+  spectrum.displacement.resize(shaking.size());
+  for (std::size_t c = 0; c < shaking.size(); ++c)
+    for (const auto& found : response_peaks(shaking[c].ground, laws, search)) {
+      const std::size_t i = spectrum.displacement[c].size();
+      const bool continuous = search.peaks == Peaks::continuous;
+      spectrum.displacement[c].push_back(continuous ? found.overall() : found.during.magnitude());
+      if (continuous && found.after.magnitude() > 1.01 * found.during.magnitude())
+        spectrum.after_the_end.push_back(i);
+    }
+  if (shaking.size() < 2) return;
+  for (const auto& found : rotated_peaks(shaking[0].ground, shaking[1].ground, laws, search.peaks)) {
+    const std::size_t i = spectrum.rotd50.size();
+    spectrum.geometric_mean.push_back(std::sqrt(spectrum.displacement[0][i] * spectrum.displacement[1][i]));
+    spectrum.rotd50.push_back(found.median);
+    spectrum.rotd100.push_back(found.largest);
+  }
+}
+
+void measure(Component& component, BetweenSamples between) {
+  for (const double a : component.acceleration) component.peak = std::max(component.peak, std::abs(a));
+  const Shaking shaking(component, between);
+  component.intensity =
+      intensity(shaking.ground.acceleration, shaking.ground.spacing, shaking.ground.between);
+  component.fourier = fourier_amplitude(component.acceleration, component.spacing);
+}
+
+/// Steady states are summed as they are: there is nothing to choose, and nothing before or after them.
+Result<void> check_hysteretic(const SpectrumOptions& options, std::size_t components) {
+  const auto alone = [](std::string_view other) {
+    return Error{
+        fmt::format("--loss-factor sums steady states of a band-limited ground; leave {} out", other)};
+  };
+  if (!options.peaks.empty()) return alone("--peaks");
+  if (!options.between_samples.empty()) return alone("--between-samples");
+  if (options.shock) return alone("--shock");
+  if (components > 1)
+    return Error{"--loss-factor takes one recording; ask for the components one after the other"};
+  return {};
+}
+
+Result<void> check_hysteretic_memory(const SpectrumResult& result, std::span<const double> loss_factors) {
+  const Component& component = result.components[0];
+  const double longest = *std::max_element(result.periods.begin(), result.periods.end());
+  const double least = *std::min_element(loss_factors.begin(), loss_factors.end());
+  const double samples = hysteretic_samples(component.acceleration.size(), component.spacing, longest, least);
+  const auto fits = fits_in_memory(2 * samples, 64, result.options.memory > 0 ? result.options.memory : 16e9);
+  if (fits) return {};
+  return Error{"--loss-factor: until the slowest oscillator rests, " + fits.error().message +
+               ": shorter periods or more damping"};
+}
+
+/// Peaks that come after the end are those of a ground that has stopped accelerating, not of one at rest.
+std::optional<std::string> after_the_end_warning(const SpectrumResult& result) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& spectrum : result.spectra)
+    for (const std::size_t i : spectrum.after_the_end) least = std::min(least, result.periods[i]);
+  if (!std::isfinite(least)) return std::nullopt;
+  return fmt::format(
+      "from a period of {:.4g} s on there are peaks that come after the recording's end, on a ground that "
+      "goes on at "
+      "the speed it has then; --peaks samples looks no further than the recording",
+      least);
+}
+
+Result<void> check_together(const SpectrumOptions& options, Peaks peaks, BetweenSamples between,
+                            std::size_t components) {
+  if (peaks == Peaks::peer && between != BetweenSamples::linear)
+    return Error{"--peaks peer joins the samples by straight lines; leave --between-samples out"};
+  if (!options.loss_factor.empty()) return check_hysteretic(options, components);
+  if (options.shock && components > 1)
+    return Error{"--shock takes one recording; ask for the components one after the other"};
+  return {};
+}
+
+}  // namespace
+
+double pseudo_velocity(double displacement, double period) {
+  return angular_frequency(period) * displacement;
+}
+
+double pseudo_acceleration(double displacement, double period) {
+  return angular_frequency(period) * pseudo_velocity(displacement, period);
+}
+
+namespace {
+
+/// Makes the components once the options are known to be right; its warnings come first.
+using MakeComponents = FunctionRef<Result<std::vector<Component>>(std::vector<std::string>& warnings)>;
+
+Result<SpectrumResult> spectrum_of(MakeComponents make_components, const SpectrumOptions& options,
+                                   const Watch& watch) {
+  const auto peaks = peaks_of(options);
+  if (!peaks) return peaks.error();
+  const auto between = between_of(options);
+  if (!between) return between.error();
+  const auto ratios = damping_ratios_of(options);
+  if (!ratios) return ratios.error();
+  const auto unit = choose_unit_by_environment();
+  if (!unit) return unit.error();
+  const PeakSearch search{
+      .peaks = *peaks, .after_the_end = options.shock || *peaks == Peaks::continuous, .walk = unit->walk};
+  SpectrumResult result;
+  result.options = options;
+  result.peaks = *peaks;
+  if (options.peaks.empty()) result.options.peaks = name(Peaks::continuous);
+  if (options.between_samples.empty())
+    result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";
+
+  auto components = make_components(result.warnings);
+  if (!components) return components.error();
+  result.components = *std::move(components);
+  if (auto good = check_together(options, *peaks, *between, result.components.size()); !good)
+    return good.error();
+  auto periods = periods_of(result.options, result.components[0], ratios->size());
+  if (!periods) return periods.error();
+  result.periods = *std::move(periods);
+  if (result.hysteretic())
+    if (auto good = check_hysteretic_memory(result, *ratios); !good) return good.error();
+  for (auto& warning : period_warnings(result.options, result.periods, result.components[0], *peaks))
+    result.warnings.push_back(std::move(warning));
+  if (watch.warn) watch.warn(result.warnings);
+
+  std::vector<Shaking> shaking;
+  for (auto& component : result.components) {
+    measure(component, *between);
+    shaking.emplace_back(component, *between);
+  }
+  for (const Component& component : result.components)
+    if (std::isnan(component.intensity.arias))
+      result.warnings.push_back(fmt::format(
+          "{}: its Arias intensity, about 10^{:.0f} m/s, is {} any number that a computer holds",
+          component.file, component.intensity.decades, component.intensity.decades > 0 ? "above" : "below"));
+  const std::size_t all = result.periods.size();
+  const auto samples = static_cast<double>(shaking[0].ground.acceleration.size());
+  const auto of_one = std::clamp(static_cast<std::size_t>(slice_of_work / samples), least_slice, slice);
+  const std::size_t at_once = result.hysteretic()  ? slice_of_sums
+                              : shaking.size() > 1 ? slice_of_two
+                                                   : of_one;
+  for (std::size_t r = 0; r < ratios->size(); ++r) {
+    ResponseSpectrum& spectrum = result.spectra.emplace_back();
+    spectrum.damping_ratio = (*ratios)[r];
+    const auto laws = laws_of(result.periods, spectrum.damping_ratio);
+    for (std::size_t begin = 0; begin < all;) {
+      if (watch.interrupted()) {
+        result.interrupted = true;
+        result.spectra.clear();
+        return result;
+      }
+      const std::size_t count = std::min(at_once, all - begin);
+      if (result.hysteretic())
+        extend_hysteretic(spectrum, result.components[0], std::span(result.periods).subspan(begin, count));
+      else
+        extend(spectrum, shaking, std::span(laws).subspan(begin, count), search, options.shock);
+      begin += count;
+      if (watch.progress)
+        watch.progress((static_cast<double>(r) + static_cast<double>(begin) / static_cast<double>(all)) /
+                       static_cast<double>(ratios->size()));
+    }
+  }
+  if (auto warning = after_the_end_warning(result)) result.warnings.push_back(*std::move(warning));
+  return result;
+}
+
+}  // namespace
+
+Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
+                                         const Watch& watch) {
+  const auto read = [&](std::vector<std::string>& warnings) {
+    return read_components(files, options, warnings);
+  };
+  return spectrum_of(read, options, watch);
+}
+
+Result<SpectrumResult> response_spectrum(std::vector<Component> components, const SpectrumOptions& options,
+                                         const Watch& watch) {
+  const auto given = [&](std::vector<std::string>&) -> Result<std::vector<Component>> {
+    return std::move(components);
+  };
+  return spectrum_of(given, options, watch);
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,103 @@
+// Task: response and shock spectra of a recorded acceleration.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cromer/analysis/ground_motion.h"
+#include "cromer/base/interrupt.h"
+#include "cromer/ensemble/response_peaks.h"
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+
+namespace cromer::core {
+
+struct SpectrumOptions {
+  std::vector<std::string> damping_ratio{};  ///< grids, 0 to 20; 0.05 by default
+  std::vector<std::string> loss_factor{};    ///< in place of it: grids, above 0 to 2
+  std::string periods{};                     ///< grid [s], as parse_grid reads it
+  std::string frequencies{};                 ///< in place of periods: grid of natural frequencies [rad/s]
+  std::string peaks{};                       ///< continuous (by default), samples or peer
+  std::string between_samples{};             ///< linear (by default), hold or band-limited
+  bool shock = false;                        ///< shock response spectrum
+  bool in_g = false;                         ///< accelerations are written in g
+  std::vector<std::string> column{};         ///< one, or two components
+  std::optional<int> run{};                  ///< > 0; the first by default
+  std::string unit{};                        ///< of the acceleration, where the file says none
+  ReadOptions read{};
+  std::vector<double> these_periods{};  // [s] in place of the grids. Set by the caller, not an option
+  double memory = 0;  // [bytes] most that may be used; 0: no limit. Set by the caller, not an option
+
+  /// The oscillators were asked for by their frequencies, and people read them so.
+  bool by_frequency() const { return !frequencies.empty(); }
+};
+
+/// A file as it was read.
+struct SpectrumFile {
+  std::string name, bytes;
+};
+
+/// One horizontal component, or the only one.
+struct Component {
+  std::string file, column;
+  std::string motion;                ///< event and station, where the file names them
+  std::vector<double> acceleration;  // [m/s^2] as recorded
+  double spacing = 0;                // [s]
+  double peak = 0;                   // [m/s^2] largest |a|: the peak ground acceleration
+  Intensity intensity;
+  FourierAmplitude fourier;
+
+  double duration() const { return spacing * static_cast<double>(acceleration.size() - 1); }
+};
+
+/// Largest absolute acceleration of the mass (ISO 18431-4), all as magnitudes [m/s^2].
+struct Shock {
+  double primary;   ///< while the shock lasts
+  double residual;  ///< after it
+  double positive;  ///< towards positive values, ever
+  double negative;  ///< towards negative values, ever
+
+  double maximax() const { return std::max(positive, negative); }
+};
+
+/// Of one damping ratio, at all periods.
+struct ResponseSpectrum {
+  double damping_ratio = 0;
+  std::vector<std::vector<double>> displacement{};            // [m] SD of each component
+  std::vector<double> geometric_mean{}, rotd50{}, rotd100{};  // [m] SD, of two components
+  std::vector<Shock> shock{};                                 ///< of a shock spectrum, then alone
+  std::vector<std::size_t>
+      after_the_end{};  ///< periods whose continuous peak comes after the last sample, by 1 %
+};
+
+/// Pseudo-velocity [m/s] and pseudo-acceleration [m/s^2] of a peak displacement [m].
+double pseudo_velocity(double displacement, double period);
+double pseudo_acceleration(double displacement, double period);
+
+struct SpectrumResult {
+  SpectrumOptions options;  ///< as used, defaults filled in
+  Peaks peaks = Peaks::continuous;
+  std::vector<double> periods{};  // [s] in the order asked for
+  std::vector<Component> components{};
+  std::vector<ResponseSpectrum> spectra{};
+  std::vector<std::string> warnings{};
+  /// The springs have hysteretic damping, and damping_ratio is their loss factor.
+  bool hysteretic() const { return !options.loss_factor.empty(); }
+  bool by_frequency() const { return options.by_frequency(); }
+
+  bool interrupted = false;  ///< then `spectra` is empty
+};
+
+/// Checks the options and the files (one, or two components of one motion), then computes. An Error names
+/// option or file, value and cure.
+Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
+                                         const Watch& watch = {});
+
+/// The same of components whose file, column, acceleration and spacing are set, and alike where there are
+/// two.
+Result<SpectrumResult> response_spectrum(std::vector<Component> components, const SpectrumOptions& options,
+                                         const Watch& watch = {});
+
+}  // namespace cromer::core

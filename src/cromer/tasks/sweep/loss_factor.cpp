@@ -1,0 +1,68 @@
+#include "cromer/tasks/sweep/loss_factor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/model/law.h"
+
+namespace cromer::core {
+
+std::vector<Option> point_options(SimulateOptions& o) {
+  auto options = options_of(o);
+  const auto before = std::find_if(options.begin(), options.end(),
+                                   [](const Option& each) { return each.name == "quality-factor"; });
+  options.insert(before + 1,
+                 {"loss-factor", &o.loss_factor, "", Range::not_negative,
+                  "hysteretic damping, a spring k (1 + i eta), in place of a damper: settled motions alone",
+                  "", before->group});
+  return options;
+}
+
+bool has_loss_factor(const SweepOptions& options) {
+  const auto typed = options.values.find("loss-factor");
+  return typed != options.values.end() && !typed->second.empty();
+}
+
+Result<void> check_loss_factor(const SweepOptions& options, const SweepWork& work) {
+  if (!has_loss_factor(options)) return {};
+  const auto refuse = [](std::string_view other) {
+    return Error{fmt::format(
+        "--loss-factor is said of the settled motion of a linear law, in closed form; leave --{} out",
+        other)};
+  };
+  std::vector<std::string_view> others{"damping", "damping-ratio", "quality-factor", "static-friction",
+                                       "until"};
+  for_each_term([&]<class T>() {
+    if constexpr (!linear_terms.has<T>())
+      for (const CoefficientInfo& each : T::coefficients) others.push_back(each.option);
+  });
+  for (const std::string_view other : others) {
+    const auto typed = options.values.find(other);
+    if (typed != options.values.end() && !typed->second.empty()) return refuse(other);
+  }
+  if (options.settle) return refuse("settle");
+  if (!options.direction.empty()) return refuse("direction");
+  if (options.check) return refuse("check");
+  if (work.base.drive == "base") return refuse("drive base");
+  if (work.method != "exact")
+    return Error{
+        fmt::format("--loss-factor has no law in time that {} could step; leave --method out", work.method)};
+  return {};
+}
+
+Result<void> check_settled_loss(const SweepOptions& options, const SweepWork& work) {
+  if (!has_loss_factor(options)) return {};
+  if (!work.driven)
+    return Error{"--loss-factor: nothing drives the motion; give --drive-amplitude and --drive-frequency"};
+  for (const Measure* measure : work.measures)
+    if (!measure->in_closed_form)
+      return Error{fmt::format("--loss-factor is said of the settled motion; --measure {} looks at another",
+                               measure->name)};
+  return {};
+}
+
+}  // namespace cromer::core

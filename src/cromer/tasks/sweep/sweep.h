@@ -1,0 +1,121 @@
+// Task: the same run over grids of its options.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cromer/base/interrupt.h"
+#include "cromer/ensemble/chunks.h"
+#include "cromer/result.h"
+#include "cromer/tasks/simulate/simulate.h"
+
+namespace cromer::core {
+
+/// What `cromer sweep` takes.
+struct SweepOptions {
+  SimulateOptions simulate{};                        ///< method, tolerance, drive's kind: what is not a grid
+  std::map<std::string_view, std::string> values{};  ///< numeric options of simulate by name, as typed
+  std::vector<std::string> measure{};                ///< names, also several with commas
+  std::optional<double> settle{};                    ///< cycles dropped, >= 0; empty: found out
+  std::string direction{};                           ///< up, down or both; empty: each point by itself
+  std::optional<int> threads{};                      ///< > 0; empty: one for each processor
+  bool check = false;                                ///< step a few points of a closed form, too
+  double memory = 0;  // [bytes] that the rows may take; 0: no limit. Set by the caller, not an option
+};
+
+/// One option that takes several values.
+struct SweptOption {
+  std::string name;    ///< as typed: "drive-frequency"
+  std::string column;  ///< "drive_frequency (rad/s)"
+  std::uint64_t points = 0;
+  std::string shown;      ///< the column for people, in the unit that its grid was given in
+  double shown_unit = 1;  ///< that unit in SI
+};
+
+struct SweepWork;
+
+/// A sweep that is ready to go: its rows, to be made in chunks by whoever does.
+struct SweepPlan {
+  std::vector<SweptOption> swept;     ///< outermost first
+  std::vector<std::string> measured;  ///< columns of the measures
+  std::string
+      way;  ///< how points are found: "closed form", "stepped until settled", ... (sweep_description.h)
+  std::string steps;  ///< how long steps and runs are: "steps of 0.01 s, to 60 s"; may be empty
+  std::string method;
+  std::string simd;  ///< the unit of the kernel: baseline, avx2, avx512
+  ChunkedRows rows;  ///< the swept values, the measures, and last the status (PointStatus)
+  std::vector<std::string> warnings;
+  std::shared_ptr<const SweepWork> work;  ///< what the rows depend on (sweep_rows.h)
+};
+
+/// Checks the options (an Error names option, value and constraint) and says what there is to do.
+Result<SweepPlan> plan_sweep(const SweepOptions& options);
+
+/// How many points ended in which way, and which of them is to be explained.
+struct SweepCounts {
+  static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
+
+  std::uint64_t done = 0, not_settled = 0, not_finite = 0, no_convergence = 0, unstable = 0, own_damping = 0;
+  std::uint64_t first_own_damping = none;  ///< row
+  std::uint64_t phase_outside = 0;         ///< lags outside 0 to pi
+  std::uint64_t phase_worst = none;        ///< row of the lag farthest outside
+  double phase_excess = 0;                 // [rad] how far that is, > 0
+  bool ok() const { return not_finite == 0 && no_convergence == 0 && unstable == 0; }
+  std::uint64_t with_numbers() const { return done + own_damping; }
+};
+
+/// Closed form and stepping side by side at a few points.
+struct SweepCheck {
+  std::size_t points = 0;
+  double difference = 0;             ///< largest of the amplitude, relative
+  std::size_t left_out = 0;          ///< points without a settled motion in closed form, or when stepped
+  std::uint64_t first_left_out = 0;  ///< the row of the first of them
+  std::string why{};                 ///< why that one is left out
+};
+
+struct SweepResult {
+  SweepPlan plan;
+  std::vector<double> rows;  ///< as ChunkedRows has them, without the status
+  SweepCounts counts;
+  std::optional<SweepCheck> check{};
+  bool interrupted = false;               ///< rows that were not reached are NaN
+  std::uint64_t done = 0;                 ///< rows made
+  std::vector<unsigned char> statuses{};  ///< of each row: PointStatus, or not_reached
+  static constexpr unsigned char not_reached = 255;
+};
+
+/// All rows, in memory.
+Result<SweepResult> sweep(const SweepOptions& options, const Watch& watch = {});
+
+/// The same of options that are planned already, made by `make`.
+Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const ChunkMaker& make,
+                          const Watch& watch);
+
+/// Stepping beside the closed form at points all over the sweep; empty where there is no closed form, or no
+/// time.
+std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch);
+
+/// Counts a row as it was made: its status, in the last column, and a lag outside 0 to pi.
+void count_row(const SweepPlan& plan, std::uint64_t row, const double* made, SweepCounts& counts);
+
+/// The word for a row's status: settled, measured (after --settle), reached_end, settled_by_own_damping,
+/// not_settled, unstable, not_finite, no_convergence or not_reached.
+std::string_view status_word(const SweepPlan& plan, unsigned char status);
+
+/// "60 points: 58 settled, 2 not_settled".
+std::string status_counts(const SweepResult& result);
+
+/// The plan's warnings, and those that only the rows give.
+std::vector<std::string> warnings_of(const SweepResult& result);
+
+/// Why a sweep does not take this option of simulate, or this text for one of its own that has no grid; empty
+/// where there is nothing particular to say.
+std::string sweep_refusal(std::string_view option, std::string_view text);
+
+}  // namespace cromer::core

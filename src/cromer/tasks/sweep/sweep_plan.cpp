@@ -1,0 +1,326 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "cromer/ensemble/dispatch.h"
+#include "cromer/methods/all.h"
+#include "cromer/model/law.h"
+#include "cromer/tasks/simulate/drive_setup.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
+#include "cromer/tasks/sweep/loss_factor.h"
+#include "cromer/tasks/sweep/sweep.h"
+#include "cromer/tasks/sweep/sweep_description.h"
+#include "cromer/tasks/sweep/sweep_rows.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double most_rows = 9007199254740992.0;  // 2^53: beyond, rows cannot be told apart
+
+constexpr std::uint64_t most_looked_at = 100000;  // values of a grid
+
+constexpr double enough_steps = 10;  // in a cycle of the drive, not to be warned of
+
+/// Grids into axes, single values into the base. A range is a grid of however few points; where there is
+/// nothing else to sweep, one point is swept: along the drive's frequency, or all that has a value.
+Result<void> read_values(const SweepOptions& options, SweepWork& work) {
+  std::vector<SweepAxis> single;
+  for (const Option& option : point_options(work.base)) {
+    const auto typed = options.values.find(option.name);
+    if (typed == options.values.end() || typed->second.empty()) continue;
+    const auto wrong = [&](const Error& error) {
+      return Error{fmt::format("--{}: {}", option.name, error.message)};
+    };
+    const auto grid = parse_grid(typed->second, option.unit);
+    if (!grid) return wrong(grid.error());
+    // Both ends, and every value of a list, which may run any way.
+    const std::uint64_t looked_at = std::min(grid->size(), most_looked_at);
+    for (std::uint64_t i = 0; i < looked_at; ++i) {
+      set_number(option.target, (*grid)[i + 1 < looked_at ? i : grid->size() - 1]);
+      if (auto good = check(option); !good) return good;
+    }
+    set_number(option.target, (*grid)[0]);
+    const bool swept = grid->size() > 1 || typed->second.find(':') != std::string::npos;
+    (swept ? work.axes : single)
+        .push_back({std::string(option.name), std::string(option.unit), *grid,
+                    unit_of_grid(typed->second, option.unit)});
+  }
+  if (!work.axes.empty()) return {};
+  if (single.empty())
+    return Error{
+        "nothing is swept: give at least one numeric option a grid, for instance --drive-amplitude 1 "
+        "--drive-frequency 0.1:10:1000, or --position 0.5,1,1.5 --until 20"};
+  const auto frequency = std::find_if(single.begin(), single.end(),
+                                      [](const SweepAxis& a) { return a.name == "drive-frequency"; });
+  if (frequency != single.end())
+    work.axes = {*frequency};
+  else
+    work.axes = std::move(single);
+  return {};
+}
+
+Result<SweepDirection> direction_of(std::string_view name) {
+  if (name.empty()) return SweepDirection::none;
+  if (name == "up") return SweepDirection::up;
+  if (name == "down") return SweepDirection::down;
+  if (name == "both") return SweepDirection::both;
+  return Error{fmt::format("--direction: \"{}\" is none of up, down and both", name)};
+}
+
+/// The axis along which points follow each other comes last: the drive's frequency by nature. The method's
+/// settings come first: points that share them run side by side.
+Result<void> order_axes(SweepWork& work) {
+  std::stable_partition(work.axes.begin(), work.axes.end(),
+                        [](const SweepAxis& axis) { return is_method_setting(axis.name); });
+  const auto move_last = [&](std::string_view name) {
+    const auto at =
+        std::find_if(work.axes.begin(), work.axes.end(), [&](const SweepAxis& a) { return a.name == name; });
+    if (at == work.axes.end()) return false;
+    std::rotate(at, at + 1, work.axes.end());
+    return true;
+  };
+  const bool along = move_last("drive-frequency") ||
+                     (work.direction != SweepDirection::none && move_last("drive-amplitude"));
+  if (work.direction != SweepDirection::none && !along)
+    return Error{
+        "--direction: the points follow each other along --drive-frequency or --drive-amplitude, and neither "
+        "has a grid"};
+  return {};
+}
+
+double first_of(const Grid& grid) { return grid[0]; }
+double lowest_of(const Grid& grid) { return grid.lowest(); }
+double highest_of(const Grid& grid) { return grid.highest(); }
+
+/// The options with this value of every axis.
+SimulateOptions options_at(const SweepWork& work, double (*value_of)(const Grid&)) {
+  SimulateOptions options = work.base;
+  const auto table = point_options(options);
+  for (const SweepAxis& axis : work.axes)
+    set_number(std::find_if(table.begin(), table.end(), [&](const Option& o) { return o.name == axis.name; })
+                   ->target,
+               value_of(axis.grid));
+  return options;
+}
+
+/// The run that these options describe: whatever `simulate` would refuse is refused.
+Result<SimulatedRun> run_of(const SimulateOptions& options) {
+  auto runs = set_up_runs(options);
+  if (!runs) return runs.error();
+  if (runs->front().general)
+    return Error{fmt::format(
+        "--drive {}: a sweep takes drives that go on: harmonic, unbalance or base; run the others with "
+        "simulate",
+        options.drive)};
+  return std::move(runs->front());
+}
+
+bool has_term(const SweepWork& work, double value, std::initializer_list<std::string_view> names) {
+  return value != 0 || std::any_of(work.axes.begin(), work.axes.end(), [&](const SweepAxis& axis) {
+           return axis.grid.size() > 1 && std::find(names.begin(), names.end(), axis.name) != names.end();
+         });
+}
+
+/// How the points are found.
+Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
+  const SimulateOptions& o = work.base;
+  const MethodInfo& info = *find_method(work.method);
+  Law law;
+  for_each_term([&]<class T>() {
+    if (has_term(work, o.law.*T::template members<double>[0], { T::coefficients[0].option }))
+      law = law.with(law_with<T>);
+  });
+  if (has_term(work, o.static_friction.value_or(0), {"static-friction"})) law = law.with(law_with<Friction>);
+  const bool rubs = law.has<Friction>(), linear = is_linear(law);
+  const bool to_end = work.runs_to_end();
+  for (const Measure* measure : work.measures)
+    if (to_end && measure->of_settled_motion)
+      return Error{fmt::format(
+          "--until: {} is that of the settled motion, which has no end; leave --until out, or measure peak, "
+          "final or energy",
+          measure->name)};
+  if (to_end && options.settle)
+    return Error{"--settle: a run to its end drops no cycles; leave --settle or --until out"};
+  if (to_end && work.direction != SweepDirection::none)
+    return Error{"--direction: points follow each other where the motion has settled; leave --until out"};
+
+  const bool in_closed_form = std::all_of(work.measures.begin(), work.measures.end(),
+                                          [](const Measure* m) { return m->in_closed_form; });
+  // Without a spring only stepping tells where the mass comes to swing about.
+  const bool held = has_term(work, o.stiffness.value_or(1), {"stiffness"});
+  const bool fixed_steps = info.order > 0 && info.error_order == 0;
+  if (linear && held && !to_end && !options.settle && in_closed_form &&
+      work.direction == SweepDirection::none && info.error_order == 0)
+    work.way = SweepWay::closed_form;
+  else if (rubs || !fixed_steps)
+    work.way = SweepWay::one_by_one;
+  else
+    work.way = to_end ? SweepWay::to_end : SweepWay::settled;
+  if (work.way == SweepWay::one_by_one && work.direction != SweepDirection::none)
+    return Error{
+        fmt::format("--direction: with {} each point is a run of its own; take a method of fixed steps, for "
+                    "instance rk4, "
+                    "and no friction",
+                    rubs ? "friction" : work.method)};
+  return {};
+}
+
+/// Points whose motion has cycles to settle over.
+Result<void> check_cycles(const SweepWork& work) {
+  if (work.runs_to_end()) return {};
+  for (const SweepAxis& axis : work.axes) {
+    if (axis.name != "drive-frequency" && axis.name != "drive-amplitude") continue;
+    const double low = axis.grid.lowest();
+    if (!(low > 0))
+      return Error{fmt::format("--{}: at {} nothing swings, so nothing settles; begin above it", axis.name,
+                               shortest(low))};
+  }
+  return {};
+}
+
+/// Along each axis, the others at their first value: that every value describes an oscillator which can be
+/// run.
+Result<void> check_along_axes(const SweepWork& work) {
+  SweepPoints points(work.base, work.axes);
+  std::vector<double> values(work.axes.size());
+  for (std::size_t k = 0; k < work.axes.size(); ++k) {
+    points.values_of(0, values.data());
+    const SweepAxis& axis = work.axes[k];
+    for (std::uint64_t i = 0; i < std::min(axis.grid.size(), most_looked_at); ++i) {
+      values[k] = axis.grid[i];
+      const auto at = points.at(values.data());
+      if (!at)
+        return Error{fmt::format("--{} {}{}{}: {}", axis.name, shortest(values[k]),
+                                 axis.unit.empty() ? "" : " ", axis.unit, at.error().message)};
+    }
+  }
+  return {};
+}
+
+/// Why --check finds no closed form to check; empty where there is one.
+std::string nothing_to_check(const SweepOptions& options, const SweepWork& work) {
+  const auto none = [](std::string_view why) {
+    return fmt::format("--check: there is no closed form to check at any point: {}", why);
+  };
+  const MethodInfo& info = *find_method(work.method);
+  if (work.way == SweepWay::closed_form)
+    return info.order > 0 ? ""
+                          : fmt::format(
+                                "--check: {} is the closed form of the law itself and takes no steps to "
+                                "check it by; take another method",
+                                work.method);
+  if (work.direction != SweepDirection::none)
+    return none("with --direction each starts where the one before ended");
+  if (options.settle) return none("--settle asks for stepping");
+  if (work.runs_to_end()) return none("they are stepped to an end, not settled under a drive");
+  for (const Measure* measure : work.measures)
+    if (!measure->in_closed_form) return none(fmt::format("{} comes from stepping alone", measure->name));
+  if (info.error_order > 0) return none(fmt::format("{} chooses its own steps", work.method));
+  return none("the law is not linear");
+}
+
+/// A drive that the steps hardly see.
+std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
+  double fewest = enough_steps;
+  for (const SimulatedRun* run : {&one, &other})
+    if (run->drive.amplitude > 0 && run->drive.frequency > 0 && run->method != "exact")
+      fewest = std::min(fewest, drive_period(*run) / run->step);
+  if (fewest >= enough_steps) return "";
+  return fmt::format(
+      "--step: at an end of the grid a cycle of the drive has {:.2g} steps only: what is found there is the "
+      "method's doing, not the law's",
+      fewest);
+}
+
+std::string column_of(const SweepAxis& axis, std::string_view unit) {
+  std::string name = axis.name;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
+}
+
+/// What the rows are and how they come about, in words and numbers.
+void describe_rows(const SweepOptions& options, const SweepWork& work, SweepPlan& plan) {
+  plan.method = work.method;
+  plan.simd = work.unit.name;
+  plan.way = work.settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
+                                   : std::string(words(work.way));
+  plan.steps = steps_in_words(work);
+  for (const SweepAxis& axis : work.axes)
+    plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
+                          column_of(axis, axis.typed.name), axis.typed.factor});
+  for (const SweptOption& swept : plan.swept) plan.rows.columns.push_back(swept.column);
+  for (const Measure* measure : work.measures)
+    for (const std::string& column : measure->columns) plan.measured.push_back(column);
+  plan.rows.columns.insert(plan.rows.columns.end(), plan.measured.begin(), plan.measured.end());
+  plan.rows.columns.emplace_back("status");
+  plan.rows.rows = 1;
+  for (const SweepAxis& axis : work.axes) plan.rows.rows *= axis.grid.size();
+  plan.rows.rows_per_chunk = work.rows_per_chunk();
+  plan.rows.description = describe(options, work, SweepPoints(work.base, work.axes).settings_of(0), plan);
+}
+
+}  // namespace
+
+Result<SweepPlan> plan_sweep(const SweepOptions& options) {
+  auto work = std::make_shared<SweepWork>();
+  work->base = options.simulate;
+  if (work->base.method.empty()) work->base.method = {has_loss_factor(options) ? "exact" : "euler-cromer"};
+  if (work->base.method.size() > 1)
+    return Error{fmt::format("--method: a sweep goes by one method, not by {}; run it once for each",
+                             work->base.method.size())};
+  work->method = work->base.method.front();
+  if (auto good = read_values(options, *work); !good) return good.error();
+  const auto direction = direction_of(options.direction);
+  if (!direction) return direction.error();
+  work->direction = *direction;
+  if (auto good = order_axes(*work); !good) return good.error();
+  if (auto good = check_loss_factor(options, *work); !good) return good.error();
+
+  double rows = 1;
+  for (const SweepAxis& axis : work->axes) rows *= static_cast<double>(axis.grid.size());
+  if (!(rows < most_rows))
+    return Error{fmt::format(
+        "the grids multiply to {:.3g} points, too many to be told apart; take coarser ones", rows)};
+  if (const auto first = run_of(options_at(*work, first_of)); !first) return first.error();
+  if (auto good = check_along_axes(*work); !good) return good.error();
+  const SimulateOptions highest = options_at(*work, highest_of);
+  const auto low = run_of(options_at(*work, lowest_of)), high = run_of(highest);
+  if (!low) return low.error();
+  if (!high) return high.error();
+  if (work->direction == SweepDirection::both)
+    work->axes.insert(work->axes.begin(), {std::string(direction_axis), "", Grid({1, -1})});
+  work->driven = high->drive.amplitude > 0 && high->drive.frequency > 0;
+
+  auto measures = find_measures(options.measure, work->driven);
+  if (!measures) return measures.error();
+  work->measures = *std::move(measures);
+  if (auto good = check_settled_loss(options, *work); !good) return good.error();
+  if (auto good = choose_way(options, *work); !good) return good.error();
+  if (auto good = check_cycles(*work); !good) return good.error();
+  work->settling.dropped = options.settle;
+  auto unit = choose_unit_by_environment();
+  if (!unit) return unit.error();
+  work->unit = *unit;
+
+  SweepPlan plan;
+  describe_rows(options, *work, plan);
+  plan.rows.make = [work, per_chunk = plan.rows.rows_per_chunk, all = plan.rows.rows](
+                       std::uint64_t chunk, double* to, const Watch& watch) {
+    const std::uint64_t first = chunk * per_chunk;
+    return make_rows(*work, first, std::min(per_chunk, all - first), to, watch);
+  };
+  plan.warnings = setup_warnings(highest, {*low, *high});
+  std::erase_if(plan.warnings, [](const std::string& warning) {
+    return warning.find("whole number of steps") != std::string::npos;
+  });
+  if (const std::string few = few_steps(*low, *high); !few.empty()) plan.warnings.push_back(few);
+  if (options.check)
+    if (std::string none = nothing_to_check(options, *work); !none.empty())
+      plan.warnings.push_back(std::move(none));
+  plan.work = work;
+  return plan;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,158 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/ensemble/point.h"
+#include "cromer/tasks/sweep/sweep.h"
+#include "cromer/tasks/sweep/sweep_growth.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double rounding = 1e-12;  // [rad] of a lag
+
+/// How far a lag [rad] lies outside 0 to pi.
+double excess(double lag) { return std::max(-lag, lag - std::numbers::pi); }
+
+/// The swept options and their values in a row: "drive-frequency 0.5, damping 0".
+std::string place_of(const SweepPlan& plan, std::uint64_t row) {
+  std::vector<double> values(plan.swept.size());
+  SweepPoints(plan.work->base, plan.work->axes).values_of(row, values.data());
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    text += fmt::format("{}{} {:.4g}", i ? ", " : "", plan.swept[i].name, values[i]);
+  return text;
+}
+
+std::string of_points(std::uint64_t count, const SweepPlan& plan) {
+  return fmt::format("{} of {} points", count, plan.rows.rows);
+}
+
+/// What the settled motion of an undamped law rests on.
+std::string own_damping_warning(const SweepPlan& plan, const SweepCounts& counts) {
+  SweepPoints points(plan.work->base, plan.work->axes);
+  std::vector<double> values(plan.swept.size());
+  points.values_of(counts.first_own_damping, values.data());
+  const auto at = points.at(values.data());
+  const auto rate = at ? own_decay_rate(*plan.work, at->settings, at->point) : std::nullopt;
+  std::string number;
+  if (rate && *rate > 0) {
+    // Down to a millionth, as stepping would have it.
+    const double cycles = std::log(1e6) / *rate * at->point.drive.frequency / (2 * std::numbers::pi);
+    number = fmt::format(": decay rate {:.2g} 1/s at {}, {:.2g} cycles of the drive", *rate,
+                         place_of(plan, counts.first_own_damping), cycles);
+  }
+  return fmt::format(
+      "{} have no damping by the law: what settles there settles by {}'s own damping alone{}; give --damping "
+      "or --damping-ratio, or --until to see the motion that does not settle",
+      of_points(counts.own_damping, plan), plan.method, number);
+}
+
+std::string phase_warning(const SweepPlan& plan, const SweepCounts& counts) {
+  const SweepWork& work = *plan.work;
+  std::string why;
+  // Stepping leaves something of the free motion, and of it in the lag.
+  if (work.way != SweepWay::closed_form && work.settling.dropped)
+    why = fmt::format("after {:g} cycles the free motion may still be there (drop more), or ",
+                      *work.settling.dropped);
+  else if (work.way != SweepWay::closed_form && counts.phase_excess < 10 * work.settling.tolerance)
+    why = fmt::format("settling leaves {:g}, or ", work.settling.tolerance);
+  return fmt::format(
+      "the lag of {} lies outside 0 to pi, by {:.2g} rad at {}: {}{}'s own error feeds the motion there, "
+      "where a damper only takes energy; a shorter --step brings the lag back",
+      of_points(counts.phase_outside, plan), counts.phase_excess, place_of(plan, counts.phase_worst), why,
+      plan.method);
+}
+
+}  // namespace
+
+void count_row(const SweepPlan& plan, std::uint64_t row, const double* made, SweepCounts& counts) {
+  switch (static_cast<PointStatus>(static_cast<int>(made[plan.rows.columns.size() - 1]))) {
+    case PointStatus::done:
+      ++counts.done;
+      break;
+    case PointStatus::not_settled:
+      ++counts.not_settled;
+      break;
+    case PointStatus::not_finite:
+      ++counts.not_finite;
+      break;
+    case PointStatus::no_convergence:
+      ++counts.no_convergence;
+      break;
+    case PointStatus::unstable:
+      ++counts.unstable;
+      break;
+    case PointStatus::own_damping:
+      ++counts.own_damping;
+      counts.first_own_damping = std::min(counts.first_own_damping, row);
+      break;
+  }
+  std::size_t column = plan.swept.size();
+  for (const Measure* measure : plan.work->measures) {
+    if (measure->name == "phase") {
+      const double beyond = excess(made[column]);
+      if (beyond > rounding) {
+        ++counts.phase_outside;
+        // Chunks come in any order.
+        if (beyond > counts.phase_excess || (beyond == counts.phase_excess && row < counts.phase_worst))
+          counts.phase_excess = beyond, counts.phase_worst = row;
+      }
+    }
+    column += measure->columns.size();
+  }
+}
+
+std::string_view status_word(const SweepPlan& plan, unsigned char status) {
+  if (status == SweepResult::not_reached) return "not_reached";
+  const SweepWork& work = *plan.work;
+  switch (static_cast<PointStatus>(status)) {
+    case PointStatus::done:
+      if (work.runs_to_end()) return "reached_end";
+      return work.settling.dropped ? "measured" : "settled";
+    case PointStatus::not_settled:
+      return "not_settled";
+    case PointStatus::not_finite:
+      return "not_finite";
+    case PointStatus::no_convergence:
+      return "no_convergence";
+    case PointStatus::unstable:
+      return "unstable";
+    case PointStatus::own_damping:
+      return "settled_by_own_damping";
+  }
+  return "";
+}
+
+std::string status_counts(const SweepResult& result) {
+  const SweepCounts& c = result.counts;
+  const std::uint64_t all = result.plan.rows.rows;
+  const std::uint64_t ended = c.with_numbers() + c.not_settled + c.not_finite + c.no_convergence + c.unstable;
+  std::string text = fmt::format("{} points:", all);
+  bool first = true;
+  const auto add = [&](std::uint64_t count, unsigned char status) {
+    if (count == 0) return;
+    text += fmt::format("{} {} {}", first ? "" : ",", count, status_word(result.plan, status));
+    first = false;
+  };
+  const auto of = [](PointStatus status) { return static_cast<unsigned char>(status); };
+  add(c.done, of(PointStatus::done));
+  add(c.own_damping, of(PointStatus::own_damping));
+  add(c.not_settled, of(PointStatus::not_settled));
+  add(c.unstable, of(PointStatus::unstable));
+  add(c.not_finite, of(PointStatus::not_finite));
+  add(c.no_convergence, of(PointStatus::no_convergence));
+  add(all - ended, SweepResult::not_reached);
+  return text;
+}
+
+std::vector<std::string> warnings_of(const SweepResult& result) {
+  std::vector<std::string> warnings = result.plan.warnings;
+  if (result.counts.own_damping > 0) warnings.push_back(own_damping_warning(result.plan, result.counts));
+  if (result.counts.phase_outside > 0) warnings.push_back(phase_warning(result.plan, result.counts));
+  return warnings;
+}
+
+}  // namespace cromer::core

@@ -1,0 +1,26 @@
+// A recording in progress, as the page reads it.
+#include "cromer/documents/json/live.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace cromer::core {
+namespace {
+
+TEST(LiveJson, SamplesAreAListForEachColumn) {
+  Rows rows;
+  rows.width = 2;
+  rows.add(0.5, std::vector<double>{1, 10});
+  rows.add(0.75, std::vector<double>{2, std::nan("")});
+  EXPECT_EQ(live_samples_json(7, rows),
+            "{\"first\":7,\"t\":[0.5,0.75],\"values\":[[1.0,2.0],[10.0,null]]}\n");
+}
+
+TEST(LiveJson, NoticesHaveTheirKind) {
+  const std::vector<Notice> notices{{NoticeKind::gap, "nothing for 2 s"}};
+  EXPECT_EQ(live_notices_json(notices), "{\"notices\":[{\"kind\":\"gap\",\"text\":\"nothing for 2 s\"}]}\n");
+}
+
+}  // namespace
+}  // namespace cromer::core

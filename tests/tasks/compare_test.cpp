@@ -1,0 +1,304 @@
+#include "cromer/tasks/compare/compare.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "cromer/identify/motion/motion_model.h"
+#include "cromer/methods/all.h"
+#include "tests/identify/free_swing.h"
+#include "tests/tasks/disc_recording.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::HasSubstr;
+
+CompareResult compared(const Series& series, const CompareOptions& options) {
+  const Result<FittedRecording> fit = fit_series(series, "recording2.csv", options.fit);
+  EXPECT_TRUE(fit.ok());
+  Result<CompareResult> result = compare_fitted(*fit, options);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  return result.ok() ? *result : CompareResult{};
+}
+
+TEST(CompareTask, ExplainsTheMisfitInASentence) {
+  CompareOptions options;
+  options.fit.segment = 30;
+  options.fit.segments = 3;
+  options.method = "rk4";
+  const std::string drag = explanation(compared(disc_recording(), options));
+  EXPECT_THAT(drag, HasSubstr("One decay rate is not enough. It falls from 0.014"));
+  EXPECT_THAT(drag, HasSubstr("% too small, with viscous+drag 0.00030"));
+  options.fit.goal = "drag 1 %";  // not of the constant rate beside it
+  EXPECT_EQ(explanation(compared(disc_recording(), options)), drag);
+  options.fit = FitOptions{};
+  options.fit.law = "viscous";
+  EXPECT_THAT(explanation(compared(disc_recording(), options)),
+              HasSubstr("No other law was tried: with one"));
+  options.fit.law = "auto";
+  EXPECT_THAT(explanation(compared(
+                  disc_recording(2, 60, {.mass = 0.2176, .stiffness = 17.04, .damping = 0.01}), options)),
+              HasSubstr("One decay rate is enough: with one"));
+  EXPECT_EQ(explanation(CompareResult{}), "");
+}
+
+TEST(CompareTask, OneRateLeavesWhatTheViscousFitLeaves) {
+  const CompareResult result = compared(disc_recording(), {});
+  FitOptions viscous;
+  viscous.law = "viscous";
+  const Result<FittedRecording> fit = fit_series(disc_recording(), "recording2.csv", viscous);
+  ASSERT_TRUE(fit.ok());
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_NEAR(result.curves[0].law_rms, fit->fit.residual.rms, 0.01 * fit->fit.residual.rms);
+}
+
+TEST(CompareTask, OneConstantRateEndsTenPerCentOff) {
+  CompareOptions options;
+  options.fit.segment = 30;
+  options.fit.segments = 3;
+  options.method = "rk4";
+  const CompareResult result = compared(disc_recording(), options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  const ComparedCurve &constant = result.curves[0], &law = result.curves[1];
+  EXPECT_EQ(constant.label, "one constant decay rate");
+  EXPECT_EQ(law.label, "viscous+drag");
+  // exp(-0.00984 * 120) of the start over the closed form of the envelope with damping and drag: 0.904.
+  EXPECT_NEAR(constant.amplitude_ratio_end, 0.904, 0.015);
+  // Noise of 0.3 mm leaves 0.4 % in the end's amplitude (seen over many seeds).
+  EXPECT_NEAR(law.amplitude_ratio_end, 1, 0.015);
+  EXPECT_NEAR(law.phase_drift, 0, 0.01);
+  EXPECT_NEAR(law.rms, 3e-4, 0.1e-4);  // the sensor's noise
+  EXPECT_GT(constant.rms, 2 * law.rms);
+  EXPECT_GT(law.r_squared, constant.r_squared);
+  EXPECT_EQ(law.trajectory.size(), 12001u);
+}
+
+TEST(CompareTask, EveryMethodFollowsTheRecording) {
+  const Series series = disc_recording(4, 20);
+  for (const MethodInfo& info : method_infos) {
+    CompareOptions options;
+    options.fit.law = "viscous";
+    options.method = info.name;
+    options.step = 1e-3;
+    const CompareResult result = compared(series, options);
+    ASSERT_EQ(result.curves.size(), 2u) << info.name;
+    // First-order methods that gain or lose energy are known to do so by w² h/2.
+    const bool keeps_energy = info.order != 1 || info.symplectic;
+    const double expected =
+        keeps_energy ? 1 : std::exp((info.implicit ? -1 : 1) * 8.849 * 8.849 * 1e-3 / 2 * 20);
+    EXPECT_NEAR(result.curves[1].amplitude_ratio_end, expected, 0.03 * expected) << info.name;
+  }
+}
+
+TEST(CompareTask, PhaseDriftBeyondATurnIsNotFoldedBack) {
+  // Euler-Cromer's own frequency, from the eigenvalues of its step at the recording's mean decay rate; its
+  // velocity lags half a step.
+  const Series series = disc_recording(4, 100);
+  CompareOptions options;
+  options.fit.law = "viscous+drag";
+  options.step = 0.05;
+  const CompareResult result = compared(series, options);
+  const double w = std::sqrt(17.04 / 0.2176), h = 0.05, b = 0.0097;
+  const double simulated = std::acos((1 - b * h - w * w * h * h / 2) / std::sqrt(1 - 2 * b * h)) / h;
+  const double drift = (simulated - w) * 100 + w * h / 2;
+  EXPECT_GT(drift, 6.3);
+  EXPECT_NEAR(result.curves[1].phase_drift, drift, 0.05);
+}
+
+TEST(CompareTask, DefaultStepDividesTheSamplesAndThePeriod) {
+  // 0.71 s / 200 = 3.55 ms: three steps a sample. A step that does not divide the sample spacing gives the
+  // same to the interpolation's error.
+  const Series series = disc_recording(4, 20);
+  CompareOptions by_default, divided, odd;
+  by_default.fit.law = divided.fit.law = odd.fit.law = "viscous";
+  by_default.method = divided.method = odd.method = "rk4";
+  divided.step = 0.01 / 3;
+  odd.step = 0.0031;
+  const CompareResult a = compared(series, by_default), b = compared(series, divided),
+                      c = compared(series, odd);
+  for (std::size_t i = 0; i < series.t.size(); ++i) {
+    EXPECT_EQ(a.curves[1].trajectory.x[i], b.curves[1].trajectory.x[i]);
+    EXPECT_NEAR(a.curves[1].trajectory.x[i], c.curves[1].trajectory.x[i], 2e-8);
+  }
+}
+
+CompareOptions by_method(const char* method) {
+  CompareOptions options;
+  options.method = method;
+  return options;
+}
+
+TEST(CompareTask, SaysWhatItCannotDo) {
+  const Series series = disc_recording(4, 20);
+  const Result<FittedRecording> fit = fit_series(series, "f", {});
+  ASSERT_TRUE(fit.ok());
+  const auto message = [&](const CompareOptions& options) {
+    const Result<CompareResult> result = compare_fitted(*fit, options);
+    return result.ok() ? std::string("compared") : result.error().message;
+  };
+  EXPECT_THAT(message(by_method("euler-kromer")), HasSubstr("did you mean euler-cromer"));
+  EXPECT_THAT(message(by_method("exact")), HasSubstr("no closed form with drag"));
+  EXPECT_THAT(message({.step = 0}), HasSubstr("--step"));
+  EXPECT_THAT(message({.step = 1e-12}), HasSubstr("--step"));
+
+  for (const std::string quantity :
+       {"velocity", "angular velocity", "acceleration", "angular acceleration"}) {
+    Series derivative = series;
+    derivative.quantity = quantity;
+    const Result<FittedRecording> fitted = fit_series(derivative, "f", {});
+    ASSERT_TRUE(fitted.ok()) << quantity;
+    const Result<CompareResult> result = compare_fitted(*fitted, {});
+    ASSERT_FALSE(result.ok()) << quantity;
+    EXPECT_THAT(result.error().message, HasSubstr("compare needs a position or an angle"));
+  }
+}
+
+TEST(CompareTask, ARunThatDivergesIsAWarning) {
+  const Series series = disc_recording(4, 60);
+  CompareOptions options;
+  options.fit.law = "viscous+drag";
+  options.method = "forward-euler";
+  options.step = 0.5;
+  const CompareResult result = compared(series, options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_TRUE(std::isnan(result.curves[1].rms));
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("not_finite")));
+}
+
+// A motion of one law, sampled 100 times a second with noise.
+Series recording_of(const Motion& law, double duration, double noise, const char* quantity) {
+  Series series;
+  series.column = "x";
+  series.quantity = quantity;
+  series.rate = 100;
+  for (int i = 0; i <= static_cast<int>(100 * duration); ++i) series.t.push_back(i / 100.0);
+  std::mt19937_64 engine(11);
+  std::normal_distribution<double> normal(0, noise);
+  for (const double x : free_motion(law, series.t, 1e-3).x)
+    series.y.push_back(law.equilibrium + x + normal(engine));
+  series.lines.resize(series.t.size());
+  return series;
+}
+
+TEST(CompareTask, SamplesThatFitSetsAsideCountNowhere) {
+  Series series = disc_recording(4, 30);
+  for (std::size_t i = 100; i < series.y.size(); i += 400)
+    for (std::size_t k = i; k < i + 4; ++k) series.y[k] = 0;
+  series.y[333] = 1;
+  CompareOptions options;
+  options.fit.law = "viscous+drag";
+  options.method = "rk4";
+  const CompareResult result = compared(series, options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
+  EXPECT_GT(result.curves[1].r_squared, 0.999);
+  EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("set aside")));
+  EXPECT_EQ(result.curves[1].trajectory.size(), series.t.size());
+}
+
+TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
+  // A third of the sample spacing: Euler-Cromer's own frequency is higher by (w h)²/24 and, at a decay rate
+  // b, by b h/2; what it calls the position is half a step ahead. The mean of b is that of the envelope's
+  // closed form.
+  CompareOptions options;
+  options.fit.law = "viscous+drag";
+  const CompareResult result = compared(disc_recording(), options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  const ComparedCurve& law = result.curves[1];
+  const double w = std::sqrt(17.04 / 0.2176), h = 0.01 / 3;
+  EXPECT_NEAR(law.step, h, 1e-12);
+  EXPECT_NEAR(law.law_rms, 3e-4, 0.1e-4);
+  EXPECT_GT(law.rms, 1.5 * law.law_rms);
+  const double g = 0.000789 / (2 * 0.2176), q = 4 * 0.02043 * w / (3 * std::numbers::pi * 0.2176);
+  const double shrunk = std::exp(-g * 120) / (1 + q * 0.036 / g * (1 - std::exp(-g * 120)));
+  const double b = -std::log(shrunk) / 120;
+  EXPECT_NEAR(law.method_phase, w * (w * w * h * h / 24 + b * h / 2) * 120 + w * h / 2, 5e-4);
+  const std::string sentence = explanation(result);
+  EXPECT_THAT(sentence, HasSubstr("with viscous+drag 0.00030"));
+  EXPECT_THAT(sentence, HasSubstr("Simulated by euler-cromer in steps of 0.00333"));
+  EXPECT_THAT(sentence, HasSubstr("the method adds a phase of 0.069"));
+}
+
+TEST(CompareTask, AStepTooLongForTheMethodIsNoWordOnTheLaw) {
+  CompareOptions options;
+  options.fit.law = "viscous";
+  options.step = 100;
+  const CompareResult result = compared(disc_recording(4, 20), options);
+  ASSERT_EQ(result.curves.size(), 2u);
+  EXPECT_TRUE(result.curves[0].diverged);
+  EXPECT_THAT(explanation(result), HasSubstr("the motion runs away"));
+}
+
+TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
+  // The amplitude falls by 4 f/w² a cycle: it rests after 8 of them, 10 s.
+  const FreeSwing cart{
+      .angular_frequency = 5, .decay_rate = 0.01, .friction = 0.08, .equilibrium = 0, .position = 0.1};
+  const Series series = recording_of(cart, 30, 3e-4, "position");
+  CompareOptions options;
+  options.fit.law = "viscous+friction";
+  for (const char* method : {"rk4", "exact"}) {
+    options.method = method;
+    const CompareResult result = compared(series, options);
+    ASSERT_EQ(result.curves.size(), 2u);
+    for (const ComparedCurve& curve : result.curves) {
+      EXPECT_TRUE(curve.measured_at_rest);
+      EXPECT_TRUE(std::isnan(curve.amplitude_ratio_end));
+      EXPECT_TRUE(std::isnan(curve.phase_drift));
+    }
+    EXPECT_TRUE(result.curves[1].at_rest);
+    EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
+    EXPECT_THAT(explanation(result), HasSubstr("swings where the measured motion has died down"));
+  }
+}
+
+TEST(CompareTask, APendulumIsSimulatedAsOne) {
+  const FreeSwing pendulum{
+      .angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
+  CompareOptions options;
+  options.fit.law = "viscous+pendulum";
+  options.method = "rk4";
+  const CompareResult result = compared(recording_of(pendulum, 60, 0.005, "angle"), options);
+  ASSERT_EQ(result.curves.size(), 2u) << result.recording.fit.message;
+  EXPECT_EQ(result.curves[1].label, "viscous+pendulum");
+  EXPECT_NEAR(result.curves[1].rms, 0.005, 0.0003);
+  EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
+  EXPECT_GT(result.curves[0].rms, 0.1);
+}
+
+TEST(CompareTask, ProgressNeverGoesBack) {
+  std::string file = "Time (s),Position (m),Run 2: Position (m)\n";
+  const Series series = disc_recording(4, 20);
+  for (std::size_t i = 0; i < series.t.size(); ++i)
+    file += std::to_string(series.t[i]) + "," + std::to_string(series.y[i]) + "," +
+            std::to_string(series.y[i]) + "\n";
+  CompareOptions options;
+  options.fit.law = "auto";
+  options.fit.column = "Position";
+  double furthest = 0;
+  bool back = false;
+  const Watch watch{nullptr, [&](double fraction) {
+                      back = back || fraction < furthest - 1e-9;
+                      furthest = std::max(furthest, fraction);
+                    }};
+  const auto result = compare(file, "two.csv", options, watch);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_FALSE(back);
+  EXPECT_NEAR(furthest, 1, 1e-9);
+}
+
+TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
+  Series series = disc_recording(4, 30);
+  for (std::size_t i = 0; i < series.t.size(); ++i) series.y[i] += 0.002 * series.t[i];
+  const CompareResult result = compared(series, by_method("rk4"));
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("the zero drifts, by 0.0599 m")));
+  EXPECT_THAT(explanation(result), HasSubstr("No verdict on the damping"));
+  EXPECT_THAT(explanation(result), testing::Not(HasSubstr("enough")));
+}
+
+}  // namespace
+}  // namespace cromer::core

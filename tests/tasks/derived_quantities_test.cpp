@@ -1,0 +1,193 @@
+// Frequency, damping ratio and their kin of every law, against closed forms and motions integrated in small
+// steps.
+#include "cromer/tasks/fit/derived_quantities.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "cromer/identify/motion/motion_model.h"
+#include "tests/identify/free_swing.h"
+
+namespace cromer::core {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double w0 = 3, A = 0.4;
+
+Estimate certain(double value) { return make_estimate(value, 0, 2); }
+
+void set(LawFit& fit, const char* name, const Estimate& estimate) {
+  fit.names.emplace_back(name);
+  fit.estimates.push_back(estimate);
+  fit.covariance.assign(fit.names.size() * fit.names.size(), 0);
+}
+
+/// Released at rest at A.
+LawFit released(double decay_rate) {
+  LawFit fit;
+  set(fit, "angular_frequency", certain(w0));
+  set(fit, "decay_rate", certain(decay_rate));
+  set(fit, "position", certain(A));
+  fit.student = 2;
+  return fit;
+}
+
+double value(const LawFit& fit, std::string_view name) {
+  for (const Parameter& number : derived_quantities(fit, "m", 0))
+    if (number.name == name) return number.estimate.value;
+  ADD_FAILURE() << name;
+  return 0;
+}
+
+/// The viscous rate that takes as much in a cycle as the motion loses about the amplitude A: from the squares
+/// of the turning points before and after it, A reached in the middle.
+double rate_by_integration(const Motion& law, double period) {
+  constexpr int points = 4000;
+  std::vector<double> t;
+  for (int i = 0; i <= points; ++i) t.push_back(1.3 * period * i / points);
+  const Trajectory motion = free_motion(law, t, period / 600);
+  // Turning points after half a period and after a whole one.
+  std::vector<double> turns{law.position};
+  for (std::size_t i = 1; i + 1 < motion.size(); ++i)
+    if (motion.v[i] * motion.v[i + 1] < 0) {
+      const double s = motion.v[i] / (motion.v[i] - motion.v[i + 1]), h = t[i + 1] - t[i];
+      turns.push_back(motion.x[i] + 0.5 * s * h * motion.v[i]);
+    }
+  EXPECT_GE(turns.size(), 3u);
+  return std::log(turns[0] / std::abs(turns[2])) / period;
+}
+
+TEST(DerivedQuantities, OfTheViscousLawAreTheTextbooks) {
+  const LawFit fit = released(0.2);
+  const double w = std::sqrt(9 - 0.04);
+  EXPECT_NEAR(value(fit, "frequency"), w / (2 * pi), 1e-14);
+  EXPECT_NEAR(value(fit, "period"), 2 * pi / w, 1e-14);
+  EXPECT_NEAR(value(fit, "damping_ratio"), 0.2 / 3, 1e-15);
+  EXPECT_NEAR(value(fit, "quality_factor"), 7.5, 1e-13);
+  EXPECT_NEAR(value(fit, "logarithmic_decrement"), 0.2 * 2 * pi / w, 1e-14);
+  EXPECT_NEAR(value(fit, "at_amplitude"), A, 1e-15);
+}
+
+TEST(DerivedQuantities, ASwingThatIsFedHasALimitCycleAndNoQuality) {
+  LawFit fit = released(-0.1);
+  fit.law = law_of("viscous+van-der-pol");
+  set(fit, "van_der_pol", make_estimate(2.5, 0.1, 2));
+  fit.estimates[1] = make_estimate(-0.1, 0.01, 2);
+  fit.motion.law = fit.law;
+  fit.motion.set_angular_frequency(w0);
+  fit.motion.set_decay_rate(-0.1);
+  fit.motion.per_mass.van_der_pol = 2.5;
+  const std::size_t n = fit.names.size();
+  fit.covariance[1 * n + 1] = 0.01 * 0.01;
+  fit.covariance[3 * n + 3] = 0.1 * 0.1;
+  const double limit = std::sqrt(8 * 0.1 / 2.5);
+  bool found = false;
+  for (const Parameter& number : derived_quantities(fit, "m", 0)) {
+    EXPECT_NE(number.name, "quality_factor");
+    if (number.name != "limit_cycle_amplitude") continue;
+    found = true;
+    // To the first order in the damping, whose root takes half of each relative error.
+    EXPECT_NEAR(number.estimate.value, limit, 1e-3 * limit);
+    EXPECT_NEAR(number.estimate.standard_error, limit / 2 * std::hypot(0.1, 0.04), 1e-3 * limit);
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(DerivedQuantities, OfDragAndFrictionTakeTheSameEnergyInACycle) {
+  LawFit drag = released(0);
+  drag.law = law_of("viscous+drag");
+  set(drag, "drag", certain(0.05));
+  // Drag takes 8 d w^2 A^3/3 in a cycle, viscous damping 2 pi zeta w^2 A^2.
+  EXPECT_NEAR(value(drag, "damping_ratio"), 4 * 0.05 * A / (3 * pi), 1e-14);
+  EXPECT_NEAR(value(drag, "frequency"), w0 / (2 * pi), 1e-14);
+  LawFit friction = released(0);
+  friction.law = law_of("viscous+friction");
+  set(friction, "friction", certain(0.02));
+  // Friction takes 4 f A.
+  EXPECT_NEAR(value(friction, "damping_ratio"), 4 * 0.02 * A / (2 * pi * w0 * w0 * A * A), 1e-15);
+  EXPECT_NEAR(value(friction, "quality_factor"), pi * w0 * w0 * A / (4 * 0.02), 1e-10);
+}
+
+TEST(DerivedQuantities, AreThoseOfTheMotionIntegrated) {
+  // Damping so small that the amplitude hardly changes over the cycle that is looked at.
+  for (const bool pendulum : {false, true}) {
+    LawFit fit = released(1e-5);
+    fit.law = law_of(pendulum ? "viscous+drag+friction+pendulum" : "viscous+drag+friction+cubic");
+    set(fit, "drag", certain(2e-5));
+    set(fit, "friction", certain(2e-6));
+    if (!pendulum) set(fit, "cubic", certain(-1.5));
+    FreeSwing law{.angular_frequency = w0,
+                  .decay_rate = 1e-5,
+                  .drag = 2e-5,
+                  .friction = 2e-6,
+                  .cubic = pendulum ? 0 : -1.5,
+                  .position = A,
+                  .pendulum = pendulum};
+    const double measured = rate_by_integration(law, value(fit, "period"));
+    // The rate is that of a harmonic swing; the springs' curvature changes what is lost by some of k3
+    // A^2/w0^2 = 3 %.
+    EXPECT_NEAR(value(fit, "logarithmic_decrement") / value(fit, "period") / measured, 1, 0.03) << pendulum;
+    fit.law = law_of("viscous+drag+friction");
+    law.pendulum = false;
+    law.cubic = 0;
+    EXPECT_NEAR(value(fit, "logarithmic_decrement") / value(fit, "period") /
+                    rate_by_integration(law, value(fit, "period")),
+                1, 1e-4);
+  }
+}
+
+TEST(DerivedQuantities, PropagateTheWholeCovariance) {
+  LawFit fit = released(0.05);
+  fit.law = law_of("viscous+drag+friction+cubic");
+  set(fit, "drag", certain(0.3));
+  set(fit, "friction", certain(0.01));
+  set(fit, "cubic", certain(-2));
+  set(fit, "velocity", certain(0.5));
+  const std::size_t n = fit.names.size();
+  // A covariance with correlations: L L^T.
+  std::vector<double> L(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j <= i; ++j) L[i * n + j] = i == j ? 2e-4 : (i + j) % 3 == 0 ? -0.7e-4 : 0.9e-4;
+  fit.covariance.assign(n * n, 0.0);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t k = 0; k < n; ++k) fit.covariance[i * n + j] += L[i * n + k] * L[j * n + k];
+  const auto moved = [&](std::size_t i, double by) {
+    LawFit other = fit;
+    other.estimates[i].value += by;
+    return other;
+  };
+  for (const Parameter& number : derived_quantities(fit, "m", 0)) {
+    std::vector<double> slope;
+    for (std::size_t i = 0; i < n; ++i)
+      slope.push_back((value(moved(i, 1e-6), number.name) - value(moved(i, -1e-6), number.name)) / 2e-6);
+    double variance = 0;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) variance += slope[i] * fit.covariance[i * n + j] * slope[j];
+    EXPECT_GT(variance, 0) << number.name;
+    EXPECT_NEAR(number.estimate.standard_error / std::sqrt(variance), 1, 1e-6) << number.name;
+  }
+}
+
+TEST(DerivedQuantities, OfADrivenMotionHoldAtItsMeanAmplitude) {
+  LawFit fit = released(0.05);
+  fit.drive = Drive::harmonic();
+  fit.law = law_of("viscous+drag");
+  fit.motion.set_angular_frequency(w0);
+  set(fit, "drag", certain(0.3));
+  std::vector<double> x;
+  for (int i = 0; i < 1000; ++i) x.push_back(7 + 0.2 * std::sin(2 * pi * i / 100));
+  const std::vector<Parameter> list = derived_quantities(fit, "m", 0, x);
+  ASSERT_EQ(list.back().name, "at_amplitude");
+  EXPECT_NEAR(list.back().estimate.value, 0.2, 1e-12);
+  EXPECT_NEAR(list[2].estimate.value, (0.05 + 4 * 0.3 * w0 / (3 * pi) * 0.2) / w0, 1e-12);
+  fit.motion.set_decay_rate(4);  // overdamped
+  EXPECT_EQ(derived_quantities(fit, "m", 0, x).size(), 3u);
+}
+
+}  // namespace
+}  // namespace cromer::core

@@ -1,0 +1,199 @@
+// What a comparison and a run say in words, of handmade numbers.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/simulate/run_effect.h"
+#include "cromer/tasks/simulate/simulate.h"
+
+namespace cromer::core {
+namespace {
+
+/// Two curves that the law fits: the law alone leaves 0.02 m and 0.01 m.
+CompareResult compared() {
+  CompareResult both;
+  both.recording.series.quantity = "position";
+  both.curves.resize(2);
+  for (ComparedCurve& curve : both.curves) {
+    curve.method = "rk4";
+    curve.step = 0.01;
+    curve.law_amplitude_ratio_end = 0.9;
+  }
+  both.curves[0].law = law_of("viscous");
+  both.curves[0].rms = both.curves[0].law_rms = 0.02;
+  both.curves[1].law = law_of("viscous+drag");
+  both.curves[1].rms = both.curves[1].law_rms = 0.01;
+  both.recording.decay_by_amplitude = {{0, 1, 0.5, {}, 0.4}, {1, 2, 0.25, {}, 0.2}};
+  return both;
+}
+
+TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
+  CompareResult both = compared();
+  const std::string left = "with one rate 0.0200\u00a0m (rms) are left and the amplitude at the end is ";
+  const std::string end = ", with viscous+drag 0.0100\u00a0m. Quote the law instead.";
+  EXPECT_EQ(explanation(both),
+            "One decay rate is not enough. It falls from 0.400 to 0.200\u00a01/s as the swing dies down from "
+            "0.500\u00a0m to 0.250\u00a0m; " +
+                left + "10\u00a0% too small" + end);
+  both.curves[0].law_amplitude_ratio_end = 1.1;
+  std::swap(both.recording.decay_by_amplitude[0], both.recording.decay_by_amplitude[1]);
+  EXPECT_EQ(explanation(both),
+            "One decay rate is not enough. It rises from 0.200 to 0.400\u00a01/s as the swing grows from "
+            "0.250\u00a0m to 0.500\u00a0m; " +
+                left + "10\u00a0% too large" + end);
+  both.curves[0].law_amplitude_ratio_end = 1.0004;
+  EXPECT_THAT(explanation(both), testing::HasSubstr(left + "right to 0.05\u00a0%"));
+  both.curves[0].law_amplitude_ratio_end = 0.999;
+  EXPECT_THAT(explanation(both), testing::HasSubstr(left + "0.10\u00a0% too small"));
+}
+
+TEST(Explanation, SaysWhereOneRateIsEnough) {
+  CompareResult both = compared();
+  both.curves[1].law = law_of("viscous");
+  EXPECT_EQ(
+      explanation(both),
+      "One decay rate is enough: with one rate 0.0200\u00a0m (rms) are left, and the amplitude at the end is "
+      "10\u00a0% too small.");
+  both.curves[0].measured_at_rest = true;
+  EXPECT_THAT(explanation(both),
+              testing::EndsWith(", and it still swings where the measured motion has died down."));
+  both.curves[0].at_rest = true;
+  EXPECT_THAT(explanation(both),
+              testing::EndsWith(", and the swing has died down where the measured one has."));
+}
+
+TEST(Explanation, AConstantRateLeavesTheFrequency) {
+  CompareResult both = compared();
+  const std::string numbers = "with one rate 0.0200\u00a0m (rms) are left, with viscous+drag 0.0100\u00a0m.";
+  both.recording.decay_by_amplitude[1].law_rate = 0.393;
+  EXPECT_EQ(explanation(both), "One decay rate describes the amplitude, but not the motion: " + numbers +
+                                   " The frequency changes as the swing dies down.");
+  both.recording.decay_by_amplitude[1].law_rate = 0.391;
+  EXPECT_THAT(explanation(both), testing::StartsWith("One decay rate is not enough. It falls from"));
+  both.recording.decay_by_amplitude.clear();
+  EXPECT_EQ(explanation(both), "One decay rate is not enough: " + numbers);
+}
+
+TEST(Explanation, ADoubtIsNoVerdict) {
+  CompareResult both = compared();
+  both.doubts = {"the sensor is coarse", "another"};
+  EXPECT_EQ(
+      explanation(both),
+      "The sensor is coarse. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left, with "
+      "viscous+drag 0.0100\u00a0m.");
+  both.doubts = {"äon"};
+  both.curves[1].law = law_of("viscous");
+  EXPECT_EQ(explanation(both), "äon. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left.");
+}
+
+TEST(Explanation, ThereIsNoneOfWhatDidNotEnd) {
+  CompareResult both = compared();
+  both.curves[0].diverged = true;
+  EXPECT_EQ(explanation(both),
+            "Simulated by rk4 in steps of 0.0100\u00a0s the motion runs away: that step is too long for the "
+            "method, "
+            "and nothing follows about the law. Take a smaller --step or another --method.");
+  both = compared();
+  both.curves[1].complete = false;
+  EXPECT_EQ(explanation(both), "");
+  both = compared();
+  both.curves[0].complete = false;
+  EXPECT_EQ(explanation(both), "");
+  both = compared();
+  both.curves.pop_back();
+  EXPECT_EQ(explanation(both), "");
+}
+
+TEST(Explanation, SaysWhatTheMethodAddsToTheLaw) {
+  CompareResult both = compared();
+  both.recording.decay_by_amplitude.clear();
+  const std::string before = explanation(both);
+  const auto added = [&](double phase, double ratio, double rms = 0.01) {
+    both.curves[1].method_phase = phase;
+    both.curves[1].method_amplitude_ratio = ratio;
+    both.curves[1].rms = rms;
+    return explanation(both).substr(before.size());
+  };
+  const std::string leaves = " Simulated by rk4 in steps of 0.0100\u00a0s the same law leaves ";
+  EXPECT_EQ(added(0.0099, 1.0049, 0.0102), "");
+  EXPECT_EQ(added(0, 1, 0.01021), leaves + "0.0102\u00a0m; the rest is the method's.");
+  EXPECT_EQ(added(0.0101, 1),
+            leaves + "0.0100\u00a0m: the method adds a phase of 0.010\u00a0rad by the end.");
+  EXPECT_EQ(added(-0.5, 0.99), leaves +
+                                   "0.0100\u00a0m: the method adds a phase of −0.50\u00a0rad and makes the "
+                                   "amplitude 1.0\u00a0% smaller by the end.");
+  EXPECT_EQ(added(0, 1.0055),
+            leaves + "0.0100\u00a0m: the method makes the amplitude 0.55\u00a0% larger by the end.");
+}
+
+/// A run of a law that drags, of which nothing is known.
+SimulatedRun run_of(const char* method) {
+  SimulatedRun run;
+  run.method = method;
+  run.label = method;
+  run.oscillator.drag = 1;
+  return run;
+}
+
+TEST(RunInWords, SaysHowItSwung) {
+  SimulatedRun run = run_of("rk4");
+  EXPECT_EQ(run_in_words(run), "");
+  const auto swung = [&](double first, double last) {
+    run.measured =
+        MeasuredOscillator{.angular_frequency = 3, .first_amplitude = first, .last_amplitude = last};
+    return run_in_words(run);
+  };
+  EXPECT_EQ(swung(1, 0.5), "rk4 swung at 3 rad/s on average, from 1 m down to 0.5 m");
+  EXPECT_EQ(swung(0.5, 1), "rk4 swung at 3 rad/s on average, from 0.5 m up to 1 m");
+  EXPECT_EQ(swung(1, 1.0009), "rk4 swung at 3 rad/s on average, 1.001 m to each side");
+  EXPECT_EQ(swung(1, 0.9989), "rk4 swung at 3 rad/s on average, from 1 m down to 0.9989 m");
+  EXPECT_EQ(swung(1, 1.0011), "rk4 swung at 3 rad/s on average, from 1 m up to 1.001 m");
+}
+
+TEST(RunInWords, SaysWhoGaveAndTookTheEnergy) {
+  const auto energy = [](EnergyBalance balance, double drag, double damping = 0, const char* method = "rk4") {
+    SimulatedRun run = run_of(method);
+    balance.taken.of<Drag>() = drag;
+    balance.taken.of<Viscous>() = damping;
+    run.energy_balance = balance;
+    return run_in_words(run);
+  };
+  EXPECT_EQ(energy({.start = 8, .end = 2}, 6),
+            "rk4 had 8 J, of which drag took 75 %, the method itself nothing");
+  EXPECT_EQ(energy({.start = 8, .end = 2}, 4, 1),
+            "rk4 had 8 J, of which damping took 12.5 %, drag 50 %, the method itself 12 %");
+  EXPECT_EQ(energy({.start = 8, .end = 5}, 1),
+            "rk4 had 8 J, of which drag took 12.5 %, the method itself 25 %");
+  EXPECT_EQ(energy({.start = 8, .end = 9}, 1),
+            "rk4 had 8 J, of which drag took 12.5 %, the method itself added 25 %");
+  EXPECT_EQ(energy({.start = 2, .end = 4, .drive = 6}, 4),
+            "rk4 had 8 J with what the drive gave, of which drag took 50 %, the method itself nothing");
+  EXPECT_EQ(
+      energy({.start = 2, .end = 4, .drive = 4}, 4, -2),
+      "rk4 had 8 J with what the drive and the damping gave, of which drag took 50 %, the method itself "
+      "nothing");
+  EXPECT_EQ(energy({.start = 0, .end = 0}, 1), "");
+  EXPECT_EQ(energy({.start = 1, .end = 3, .drive = 2}, 0), "");
+}
+
+TEST(RunInWords, SaysWhetherALawThatKeepsItsEnergyDid) {
+  const auto kept = [](double end, const char* method) {
+    SimulatedRun run = run_of(method);
+    run.oscillator.drag = 0;
+    run.oscillator.cubic = 1;
+    run.energy_balance = EnergyBalance{.start = 2, .end = end};
+    return run_in_words(run);
+  };
+  EXPECT_EQ(kept(2, "rk4"), "rk4 kept its 2 J");
+  EXPECT_EQ(kept(2.0000019, "rk4"), "rk4 kept its 2 J");
+  EXPECT_EQ(kept(2.0000021, "rk4"), "rk4 had 2 J, to which the method itself added 0.00011 %");
+  EXPECT_EQ(kept(1.5, "rk4"), "rk4 had 2 J, of which the method itself took 25 %");
+  EXPECT_EQ(kept(2.5, "rk4"), "rk4 had 2 J, to which the method itself added 25 %");
+  EXPECT_EQ(kept(1.5, "verlet"), "verlet had 2 J and at the end 25 % less, which comes and goes");
+  EXPECT_EQ(kept(2.5, "verlet"), "verlet had 2 J and at the end 25 % more, which comes and goes");
+}
+
+}  // namespace
+}  // namespace cromer::core

@@ -1,0 +1,302 @@
+#include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <sstream>
+
+#include "tests/identify/forced_truth.h"
+#include "tests/support/shared_data.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::HasSubstr;
+
+// A rig in SI units: 0.25 kg, and a force sensor in newtons, so that the gain is 1/mass.
+std::string rig(std::size_t n = 3000, double noise = 1e-4) {
+  const ForcedTruth truth{.w0 = 12, .g = 0.35, .cubic = 2e3, .gain = 4, .position = 0.01, .velocity = 0};
+  const auto record = forced_synthetic(truth, multisine(40, 1), n, 0.03, noise, 1);
+  std::ostringstream file;
+  file.precision(12);
+  file << "Time (s),Force (N),Position (m)\n";
+  for (std::size_t i = 0; i < n; ++i)
+    file << record.t[i] << ',' << record.force[i] << ',' << record.y[i] << '\n';
+  return file.str();
+}
+
+FitOptions forced_options() {
+  FitOptions options;
+  options.force_column = "Force";
+  options.law = "viscous+cubic";
+  return options;
+}
+
+std::string message(const std::string& bytes, const FitOptions& options) {
+  const auto result = fit(bytes, "rig.csv", options);
+  return result.ok() ? "fitted" : result.error().message;
+}
+
+FittedRecording fitted(const std::string& bytes, const FitOptions& options) {
+  const auto result = fit(bytes, "rig.csv", options);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  return result.ok() ? result->front() : FittedRecording{};
+}
+
+TEST(FitForced, NamesFollowTheContract) {
+  FitOptions options = forced_options();
+  options.law = "viscous+cubic+quadratic";
+  options.mass = Quantity{0.25, 0.001};
+  const FittedRecording result = fitted(rig(), options);
+  ASSERT_EQ(result.fit.status, FitStatus::converged) << result.fit.message;
+  std::vector<std::string> names;
+  for (const Parameter& number : result.parameters) names.push_back(number.name + " " + number.unit);
+  EXPECT_THAT(names,
+              testing::ElementsAre("angular_frequency rad/s", "decay_rate 1/s", "cubic 1/(m² s²)",
+                                   "quadratic 1/(m s²)", "force_gain m/(s² N)", "force_offset N",
+                                   "equilibrium m", "position m", "velocity m/s", "stiffness N/m",
+                                   "damping kg/s", "cubic_stiffness N/m³", "quadratic_stiffness N/m²"));
+  EXPECT_EQ(result.between_samples, "band-limited");
+  EXPECT_NEAR(result.find("force_gain")->value, 4, 4 * result.find("force_gain")->standard_error);
+  EXPECT_NEAR(result.find("stiffness")->value, 0.25 * 144, 0.3);
+  EXPECT_GE(result.find("stiffness")->standard_error, 36 * 0.004 * 0.99);  // the mass's own
+  EXPECT_NEAR(result.find("cubic_stiffness")->value, 500, 4 * result.find("cubic_stiffness")->standard_error);
+  // At the motion's amplitude the spring is stiffer than at rest: rate over frequency there, not over 12
+  // rad/s.
+  const double ratio = result.find("damping_ratio")->value;
+  const double there = 2 * std::numbers::pi * result.find("frequency")->value / std::sqrt(1 - ratio * ratio);
+  EXPECT_NEAR(ratio * there, result.find("decay_rate")->value, 1e-9);
+  EXPECT_NEAR(ratio * there, 0.35, 0.012);
+  EXPECT_GT(there, 12.3);
+  EXPECT_EQ(result.driven->motion.size(), result.series.t.size());
+}
+
+TEST(FitForced, TestsTheLawOnWhatWasHeldOut) {
+  FitOptions options = forced_options();
+  options.hold_out = 0.25;
+  const FittedRecording result = fitted(rig(), options);
+  ASSERT_TRUE(result.held_out.has_value());
+  EXPECT_EQ(result.series.t.size(), 2250u);
+  EXPECT_EQ(result.held_out->samples, 750u);
+  EXPECT_NEAR(result.held_out->from, 67.5, 1e-9);
+  EXPECT_LT(result.held_out->rms, 1.2e-4);
+  EXPECT_GT(result.held_out->rms, 0.9e-4);
+  // What is held out changes nothing in the fit.
+  FitOptions cut = forced_options();
+  cut.to = 67.47;
+  EXPECT_NEAR(fitted(rig(), cut).find("cubic")->value, result.find("cubic")->value,
+              0.1 * result.find("cubic")->standard_error);
+}
+
+TEST(FitForced, TakesThePartAskedForWithTheForceAroundIt) {
+  FitOptions options = forced_options();
+  options.from = 30;
+  options.to = 60;
+  const FittedRecording result = fitted(rig(), options);
+  EXPECT_EQ(result.series.t.size(), 1001u);
+  EXPECT_NEAR(result.fit.residual.rms, 1e-4, 1e-5);  // the sinc series is not cut off at 30 and 60 s
+}
+
+TEST(FitForced, SaysWhatIsWrongWithTheForce) {
+  FitOptions options = forced_options();
+  const std::string good = rig(300);
+  options.force_column = "Kraft";
+  EXPECT_THAT(message(good, options), testing::AllOf(HasSubstr("--force-column"), HasSubstr("Kraft")));
+  options.force_column = "Position";
+  EXPECT_THAT(message(good, options), HasSubstr("is the column that is fitted"));
+
+  const auto edited = [&](auto edit) {
+    std::istringstream lines(good);
+    std::string line, result;
+    std::getline(lines, line);
+    result = line + '\n';
+    for (int i = 0; std::getline(lines, line); ++i) {
+      const auto a = line.find(','), b = line.find(',', a + 1);
+      std::string t = line.substr(0, a), u = line.substr(a + 1, b - a - 1), y = line.substr(b + 1);
+      edit(i, t, u, y);
+      result += t + ',' + u + ',' + y + '\n';
+    }
+    return result;
+  };
+  options = forced_options();
+  using S = std::string;
+  EXPECT_THAT(message(edited([](int, S&, S& u, S&) { u = "2"; }), options),
+              HasSubstr("is 2 throughout: a force that never changes drives nothing"));
+  EXPECT_THAT(message(edited([](int i, S&, S& u, S&) { u = i > 100 && i < 110 ? "" : u; }), options),
+              HasSubstr("has a gap"));
+  EXPECT_THAT(message(edited([](int i, S&, S& u, S&) { u = i < 200 ? u : ""; }), options),
+              HasSubstr("choose the part that both have"));
+  EXPECT_THAT(message(edited([](int i, S& t, S&, S&) { t = std::to_string(0.03 * i + (i % 2 ? 0.008 : 0)); }),
+                      options),
+              HasSubstr("not evenly spaced"));
+  // A value of the motion may be missing.
+  EXPECT_EQ(message(edited([](int i, S&, S&, S& y) { y = i % 50 == 9 ? "" : y; }), options), "fitted");
+}
+
+TEST(FitForced, SaysWhatIsWrongWithTheOptions) {
+  const std::string good = rig(300);
+  FitOptions options = forced_options();
+  options.between_samples = "cubic";
+  EXPECT_THAT(message(good, options), HasSubstr("--between-samples"));
+  options = forced_options();
+  options.law = "viscous+friktion";
+  EXPECT_THAT(message(good, options), HasSubstr("friktion"));
+  options = forced_options();
+  options.drive_frequency = "2 Hz";
+  EXPECT_THAT(message(good, options), HasSubstr("exclude each other"));
+  options = forced_options();
+  options.hold_out = 0.95;
+  EXPECT_THAT(message(good, options), HasSubstr("--hold-out"));
+  EXPECT_THAT(message(good, {.between_samples = "hold"}),
+              HasSubstr("--between-samples needs --force-column"));
+  EXPECT_THAT(message(good, {.hold_out = 0.2}), HasSubstr("--hold-out needs --force-column"));
+  EXPECT_THAT(message(good, {.drive_frequency = "2 kg"}), HasSubstr("--drive-frequency"));
+  EXPECT_THAT(message(good, {.drive_frequency = "-2 Hz"}), HasSubstr("positive"));
+}
+
+TEST(FitForced, AShortRecordIsAStatus) {
+  const FittedRecording result = fitted(rig(20), forced_options());
+  EXPECT_EQ(result.fit.status, FitStatus::too_short);
+  EXPECT_THAT(result.fit.message, HasSubstr("too few"));
+  EXPECT_TRUE(result.parameters.empty());
+}
+
+// Beats of 7.2 and 7.58 rad/s, by the closed form of an undriven start.
+std::string beats(double amplitude) {
+  const double w0 = 7.2, g = 0.04, drive = 7.58;
+  const double r = w0 * w0 - drive * drive, s = 2 * g * drive, size = amplitude / (r * r + s * s);
+  const double c = r * size, d = s * size;  // steady: c cos + d sin
+  const double w = std::sqrt(w0 * w0 - g * g);
+  std::mt19937_64 engine(3);
+  std::normal_distribution<double> normal(0, 2e-4);
+  std::ostringstream file;
+  file << "Time (s),Position (m)\n";
+  for (int i = 0; i < 8000; ++i) {
+    const double t = 0.01 * i, x = 0.03 - c, v = -d * drive;
+    file << t << ','
+         << 0.2 + c * std::cos(drive * t) + d * std::sin(drive * t) +
+                std::exp(-g * t) * (x * std::cos(w * t) + (v + g * x) / w * std::sin(w * t)) + normal(engine)
+         << '\n';
+  }
+  return file.str();
+}
+
+TEST(FitDriven, SaysTheDrive) {
+  FitOptions options;
+  options.drive_frequency = "1.206 Hz";
+  options.mass = Quantity{0.25, 0};
+  const FittedRecording result = fitted(beats(0.3), options);
+  ASSERT_EQ(result.fit.status, FitStatus::converged) << result.fit.message;
+  const auto near = [&](const char* name, double truth) {
+    ASSERT_NE(result.find(name), nullptr) << name;
+    EXPECT_NEAR(result.find(name)->value, truth, 4 * result.find(name)->standard_error) << name;
+  };
+  near("drive_frequency", 7.58);
+  near("drive_amplitude", 0.3);
+  near("drive_force", 0.075);
+  near("drive_phase", 0);
+  near("angular_frequency", 7.2);
+  near("stiffness", 0.25 * 7.2 * 7.2);
+  EXPECT_TRUE(result.between_samples.empty());
+  EXPECT_THAT(result.simulate, testing::StartsWith("cromer simulate --mass 0.25 --stiffness 12.9"));
+  EXPECT_THAT(result.simulate, HasSubstr(" --drive-frequency 7.5"));
+}
+
+TEST(FitDriven, AGyroscopesRecordIsOneOfAngularVelocities) {
+  // The derivative of the beats by central differences, which is theirs but for a factor near 1.
+  std::istringstream angles(beats(0.3));
+  std::string line;
+  std::getline(angles, line);
+  std::vector<double> t, x;
+  while (std::getline(angles, line)) {
+    t.push_back(std::stod(line));
+    x.push_back(std::stod(line.substr(line.find(',') + 1)));
+  }
+  std::ostringstream rates;
+  rates.precision(12);
+  rates << "Time (s),Gyro z (rad/s)\n";
+  for (std::size_t i = 1; i + 1 < t.size(); ++i)
+    rates << t[i] << ',' << (x[i + 1] - x[i - 1]) / (t[i + 1] - t[i - 1]) + 0.01 << '\n';
+  const FittedRecording result = fitted(rates.str(), {});
+  ASSERT_NE(result.find("drive_frequency"), nullptr);
+  EXPECT_NEAR(result.find("drive_frequency")->value, 7.58, 2e-3);
+  EXPECT_NEAR(result.find("angular_frequency")->value, 7.2, 1e-2);
+  EXPECT_NEAR(result.find("drive_amplitude")->value, 0.3, 0.01);
+  EXPECT_NEAR(result.find("equilibrium")->value, 0.01, 2e-3);
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("holds angular velocity: it is fitted as that")));
+}
+
+TEST(FitDriven, WritesTheMotionUnderTheDrive) {
+  FitOptions options;
+  options.drive_frequency = "1.206 Hz";
+  const FittedRecording result = fitted(beats(0.3), options);
+  const FittedMotion motion = fitted_motion(result);
+  ASSERT_EQ(motion.x.size(), result.series.t.size());
+  for (std::size_t i = 1; i + 1 < motion.x.size(); ++i) {
+    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium().value + motion.residual[i], result.series.y[i], 1e-12);
+    const double slope = (motion.x[i + 1] - motion.x[i - 1]) / (motion.t[i + 1] - motion.t[i - 1]);
+    EXPECT_NEAR(motion.v[i], slope, 0.02 * 7.58 * 0.3);
+  }
+}
+
+TEST(FitDriven, SimulatesACurvedSpring) {
+  FitOptions options;
+  options.drive_frequency = "1.206 Hz";
+  options.law = "viscous+cubic+quadratic";
+  const FittedRecording result = fitted(beats(0.3), options);
+  for (const char* option : {"--cubic ", "--quadratic ", "--drive-amplitude "})
+    EXPECT_THAT(result.simulate, HasSubstr(option));
+}
+
+TEST(FitDriven, IsRecognisedUnlessTheMotionIsFree) {
+  const FittedRecording driven = fitted(beats(0.3), {});
+  ASSERT_NE(driven.find("drive_frequency"), nullptr);
+  EXPECT_NEAR(driven.find("drive_frequency")->value, 7.58, 1e-3);
+  EXPECT_THAT(driven.warnings, testing::Contains(HasSubstr("the motion is driven, at 1.2063")));
+  EXPECT_EQ(fitted(beats(0), {}).find("drive_frequency"), nullptr);
+  EXPECT_EQ(fitted(beats(0.3), {.law = "viscous"}).find("drive_frequency"), nullptr);
+}
+
+TEST(FitForced, ForetellsTheSilverbox) {
+  const std::string path = data("silverbox/silverbox_train.csv");
+  SKIP_WITHOUT(path);
+  FitOptions options;
+  options.read.rate = 610.3515625;
+  options.force_column = "V1";
+  options.column = "V2";
+  options.law = "viscous+cubic+quadratic";
+  options.hold_out = 0.25;
+  const auto result = fit(bytes_of(path), path, options);
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  EXPECT_EQ(result->front().between_samples, "band-limited");
+  ASSERT_TRUE(result->front().held_out.has_value());
+  EXPECT_LT(result->front().held_out->rms, 0.33e-3);
+  for (const Candidate& candidate : result->front().candidates)
+    if (candidate.between_samples == "linear") {
+      EXPECT_NEAR(candidate.rms, 0.89e-3, 0.02e-3);
+    }
+}
+
+TEST(FitDriven, FindsTheGeneratorOfTheBeats) {
+  const std::string path =
+      data("spring-disc-pasco/molla_dura_discopieno_battimenti_0.1419kg_frequenza_1.207hz.csv");
+  SKIP_WITHOUT(path);
+  for (const char* drive : {"1.207 Hz", "auto"}) {
+    FitOptions options;
+    options.column = "position";
+    options.drive_frequency = drive;
+    const auto result = fit(bytes_of(path), path, options);
+    ASSERT_TRUE(result.ok()) << result.error().message;
+    EXPECT_NEAR(result->front().find("drive_frequency")->value / (2 * std::numbers::pi), 1.207, 5e-4);
+    EXPECT_LT(result->front().fit.residual.rms, 0.01 / std::sqrt(12.0));  // rounding alone
+  }
+}
+
+}  // namespace
+}  // namespace cromer::core

@@ -1,0 +1,179 @@
+// What a lab asks of a fitted law: decay against amplitude, budget of the spring constant, Keulegan-Carpenter
+// number, textbook estimates, the motion sample by sample.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/analysis/air.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+#include "tests/tasks/disc_recording.h"
+
+namespace cromer::core {
+namespace {
+
+FitOptions disc_options() {
+  FitOptions options;
+  options.mass = Quantity{0.2176, 0.0003};
+  options.disc_diameter = Quantity{0.12, 0};
+  return options;
+}
+
+FittedRecording fitted(const FitOptions& options, const Series& series) {
+  const Result<FittedRecording> result = fit_series(series, "disc.csv", options);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  return result.ok() ? *result : FittedRecording{};
+}
+
+const Series& disc() {
+  static const Series series = disc_recording();
+  return series;
+}
+
+TEST(DecayByAmplitude, FollowsTheLawThatMadeTheRecord) {
+  const Oscillator<double>& o = disc_oscillator;
+  const AmplitudeDecay truth{.angular_frequency = std::sqrt(o.stiffness / o.mass),
+                             .per_mass = divided_by_mass(o)};
+  double chi_squared = 0;
+  int points = 0;
+  for (const unsigned seed : {2u, 3u, 4u}) {
+    const FittedRecording result = fitted({}, disc_recording(seed));
+    ASSERT_GE(result.decay_by_amplitude.size(), 10u);
+    for (const AmplitudeRate& each : result.decay_by_amplitude) {
+      const double off = (each.rate.value - truth.rate(each.amplitude)) / each.rate.standard_error;
+      chi_squared += off * off;
+      ++points;
+      EXPECT_LT(each.rate.standard_error, 0.2 * each.rate.value);
+      EXPECT_NEAR(each.law_rate, truth.rate(each.amplitude), 0.02 * each.law_rate);
+    }
+    EXPECT_GT(result.decay_by_amplitude.front().amplitude, 2 * result.decay_by_amplitude.back().amplitude);
+  }
+  // Chi squared of about sixty points: within four standard deviations of its mean.
+  EXPECT_NEAR(chi_squared, points, 4 * std::sqrt(2.0 * points));
+}
+
+TEST(DecayByAmplitude, OneRateForAllShowsAgainstIt) {
+  FitOptions options;
+  options.law = "viscous";
+  const FittedRecording result = fitted(options, disc());
+  const AmplitudeRate& first = result.decay_by_amplitude.front();
+  EXPECT_GT(first.rate.value - first.law_rate, 5 * first.rate.standard_error);
+}
+
+TEST(KeuleganCarpenter, IsTheWayOfTheDiscInItsDiameters) {
+  const FittedRecording result = fitted(disc_options(), disc());
+  ASSERT_TRUE(result.keulegan_carpenter);
+  EXPECT_NEAR(result.keulegan_carpenter->value, 2 * std::numbers::pi * 0.036 / 0.12, 0.002);
+  FitOptions uncertain = disc_options();
+  uncertain.disc_diameter = Quantity{0.12, 0.0012};
+  const Estimate number = *fitted(uncertain, disc()).keulegan_carpenter;
+  EXPECT_NEAR(number.standard_error / number.value, 0.01, 2e-4);
+}
+
+TEST(DragCoefficient, CarriesTheTemperaturesUncertainty) {
+  FitOptions options = disc_options();
+  options.mass = Quantity{0.2176, 0};
+  const Estimate without = *fitted(options, disc()).find("drag_coefficient");
+  options.temperature = Quantity{293.15, 10};
+  const FittedRecording with = fitted(options, disc());
+  const Estimate coefficient = *with.find("drag_coefficient");
+  EXPECT_DOUBLE_EQ(coefficient.value, without.value);
+  const double share = 10 / 293.15 * coefficient.value;
+  EXPECT_NEAR(coefficient.standard_error, std::hypot(without.standard_error, share), 1e-9);
+  // Averaged over a cycle: C_d = 3 pi m q/(2 rho S w), q the slope of the decay rate.
+  const AmplitudeDecay decay = amplitude_decay(with.fit);
+  const double q = (decay.rate(0.02) - decay.rate(0.01)) / 0.01, w = decay.angular_frequency;
+  const double area = std::numbers::pi / 4 * 0.12 * 0.12;
+  const double averaged = 3 * std::numbers::pi * 0.2176 * q / (2 * air_density(293.15) * area * w);
+  EXPECT_NEAR(coefficient.value, averaged, 1e-9 * averaged);
+  // nu goes as about T^1.7.
+  EXPECT_NEAR(with.reynolds_max->standard_error / with.reynolds_max->value, 1.76 * 10 / 293.15, 2e-3);
+}
+
+TEST(StiffnessBudget, SumsUpToTheStiffnesssError) {
+  FitOptions options = disc_options();
+  options.mass = Quantity{0.2176, 1e-6};
+  options.spring_mass = Quantity{0.01, 6e-6};
+  const FittedRecording result = fitted(options, disc());
+  ASSERT_EQ(result.stiffness_budget.size(), 3u);
+  double variance = 0, share = 0;
+  for (const Contribution& each : result.stiffness_budget) {
+    variance += each.contribution * each.contribution;
+    share += each.share;
+  }
+  EXPECT_NEAR(std::sqrt(variance), result.find("stiffness")->standard_error, 1e-9);
+  EXPECT_NEAR(share, 1, 1e-12);
+  EXPECT_EQ(result.stiffness_budget[1].quantity, "spring_mass");
+  EXPECT_NEAR(result.stiffness_budget[1].contribution / result.stiffness_budget[0].contribution, 2, 1e-9);
+}
+
+TEST(MonteCarlo, AgreesWithThePropagatedIntervalAndRepeats) {
+  FitOptions options = disc_options();
+  options.spring_mass = Quantity{0.01, 0.001};
+  options.monte_carlo = 200'000;
+  const FittedRecording result = fitted(options, disc());
+  ASSERT_TRUE(result.monte_carlo);
+  const Estimate k = *result.find("stiffness");
+  const MonteCarlo& trials = *result.monte_carlo;
+  EXPECT_NEAR(trials.mean, k.value, 5 * k.standard_error / std::sqrt(200'000));
+  EXPECT_NEAR(trials.standard_deviation / k.standard_error, 1, 0.01);
+  EXPECT_NEAR((trials.high - trials.low) / (k.high - k.low), 1, 0.01);
+  EXPECT_EQ(trials.mean, fitted(options, disc()).monte_carlo->mean);
+  options.seed = 2;
+  EXPECT_NE(trials.mean, fitted(options, disc()).monte_carlo->mean);
+}
+
+TEST(MonteCarlo, FewDegreesOfFreedomWidenTheInterval) {
+  LawFit fit;
+  fit.independent_samples = 9;
+  fit.names = {"angular_frequency", "decay_rate", "equilibrium", "position", "velocity"};
+  fit.estimates.assign(5, {});
+  fit.estimates[0] = make_estimate(9, 0.01, student_95(4));
+  fit.fitted = 5;
+  const Body body{Quantity{0.2, 0}, {}, {}, {}};
+  const MonteCarlo trials = *stiffness_monte_carlo(fit, body, 400'000, 1);
+  const double error = 2 * 0.2 * 9 * 0.01;
+  EXPECT_NEAR((trials.high - trials.low) / (2 * student_95(4) * error), 1, 0.01);
+  EXPECT_NEAR(trials.standard_deviation / (error * std::sqrt(2.0)), 1, 0.05);  // t: sqrt(nu/(nu - 2))
+  const std::atomic<bool> stop{true};
+  EXPECT_FALSE(stiffness_monte_carlo(fit, body, 400'000, 1, Watch{&stop, {}}));
+}
+
+TEST(Textbook, StandsBesideTheFitOnRequest) {
+  EXPECT_FALSE(fitted({}, disc()).textbook);
+  FitOptions options;
+  options.textbook = true;
+  const FittedRecording result = fitted(options, disc());
+  ASSERT_TRUE(result.textbook && result.textbook->decrement && result.textbook->bandwidth);
+  // From 0.0142 1/s at the start to 0.0062 at the end, and 0.0087 in the middle, of a period of 0.71 s.
+  EXPECT_NEAR(result.textbook->decrement->value, 0.0087 * 0.71, 0.05 * 0.0062);
+  EXPECT_GT(result.textbook->bandwidth->width / 2, 0.0098);  // broadened by the record's length
+}
+
+TEST(FittedMotion, IsTheTrueMotionAndTheSamplesAgree) {
+  FitOptions options = disc_options();
+  const FittedRecording result = fitted(options, disc());
+  const FittedMotion motion = fitted_motion(result);
+  ASSERT_EQ(motion.t.size(), disc().t.size());
+  EXPECT_FALSE(motion.per_mass);
+  const double A = 0.036, w = std::sqrt(disc_oscillator.stiffness / disc_oscillator.mass);
+  EXPECT_NEAR(motion.energy.front(), 0.5 * 17.04 * A * A, 2e-3 * 0.5 * 17.04 * A * A);
+  double sum = 0, square = 0;
+  int n = 0;
+  for (std::size_t i = 0; i < motion.t.size(); ++i) {
+    EXPECT_NEAR(motion.x[i] + result.fit.equilibrium().value + motion.residual[i], disc().y[i], 1e-12);
+    if (std::isnan(motion.local_velocity[i])) continue;
+    const double off = motion.local_velocity[i] - motion.v[i];
+    sum += off * motion.v[i];
+    square += motion.v[i] * motion.v[i];
+    EXPECT_NEAR(off, 0, 6 * 3e-4 * w * std::sqrt(2.0 / 71));  // the noise that the window lets through
+    ++n;
+  }
+  EXPECT_GT(n, 11'000);
+  // A central difference over as many samples would shrink the velocity by half.
+  EXPECT_NEAR(sum / square, 0, 2e-4);
+}
+
+}  // namespace
+}  // namespace cromer::core

@@ -1,0 +1,57 @@
+// The units of what a fit says, whatever unit the column was written in.
+#include "cromer/tasks/fit/motion_units.h"
+
+#include <gtest/gtest.h>
+
+#include "cromer/base/concat.h"
+
+namespace cromer::core {
+namespace {
+
+/// Of a file whose second column is so named.
+MotionUnits units_of(std::string_view column) {
+  const auto recording = read_recording(concat({"Time (s),", column, "\n0,1\n1,2\n2,1\n"}), "lab.csv", {});
+  EXPECT_TRUE(recording.ok());
+  FittedRecording fitted;
+  auto series = take_series(*recording, "", 1, {});
+  EXPECT_TRUE(series.ok());
+  fitted.series = std::move(*series);
+  return motion_units(fitted);
+}
+
+void expect(std::string_view column, const MotionUnits& units) {
+  const MotionUnits found = units_of(column);
+  EXPECT_EQ(found.measured, units.measured) << column;
+  EXPECT_EQ(found.displacement, units.displacement) << column;
+  EXPECT_EQ(found.velocity, units.velocity) << column;
+  EXPECT_EQ(found.energy, units.energy) << column;
+}
+
+TEST(MotionUnits, AreThoseOfTheDisplacementBehindTheColumn) {
+  for (const char* column : {"Position (mm)", "x (in)", "x (m)", "x"})
+    expect(column, {"m", "m", "m/s", "J/kg"});
+  for (const char* column : {"Velocity (cm/s)", "Velocity (in/s)"})
+    expect(column, {"m/s", "m", "m/s", "J/kg"});
+  for (const char* column : {"Acceleration (g)", "Acceleration (m/s^2)", "Acceleration"})
+    expect(column, {"m/s²", "m", "m/s", "J/kg"});
+  for (const char* column : {"Angle (deg)", "Angle (°)"})
+    expect(column, {"rad", "rad", "rad/s", "J/(kg m²)"});
+  expect("Gyroscope x (deg/s)", {"rad/s", "rad", "rad/s", "J/(kg m²)"});
+}
+
+TEST(MotionUnits, AreThoseOfTheColumnWhereItIsNoMotion) {
+  expect("Voltage (mV)", {"V", "V", "V/s", ""});
+  expect("Position (px)", {"px", "px", "px/s", ""});
+}
+
+TEST(MotionUnits, HaveNoNameWhereTheSiUnitHasNone) { expect("Pressure (kPa)", {"", "", "", ""}); }
+
+TEST(MotionUnits, HaveAnEnergyWithAMass) {
+  FittedRecording fitted;
+  fitted.series.quantity = "position";
+  fitted.parameters.push_back({"stiffness", {}, "N/m"});
+  EXPECT_EQ(motion_units(fitted).energy, "J");
+}
+
+}  // namespace
+}  // namespace cromer::core

@@ -1,0 +1,205 @@
+#include "cromer/tasks/simulate/run_effect.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cromer/analysis/effective_oscillator.h"
+#include "cromer/methods/all.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "tests/support/simulated.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST(RunEffect, EveryLinearRunSaysWhatItReallySimulates) {
+  const auto result = simulated({.stiffness = 36,
+                                 .damping = 0.3,
+                                 .method = {"forward-euler", "euler-cromer", "exact", "dormand-prince"},
+                                 .step = 0.01,
+                                 .until = 1});
+  EXPECT_NEAR(*result.runs[0].effect->effective.decay_rate, -0.030, 5e-4);
+  EXPECT_THAT(effect_in_words(result.runs[0]), HasSubstr("turns your damping of 0.15 1/s into growth"));
+  EXPECT_NEAR(*result.runs[1].effect->effective.decay_rate, 0.1502, 5e-5);
+  EXPECT_EQ(*result.runs[2].effect->effective.decay_rate, 0.15);
+  EXPECT_FALSE(result.runs[3].effect) << "it chooses its own steps";
+}
+
+TEST(RunEffect, ADrivenRunSettlesWhereItIsSaidTo) {
+  const auto result = simulated({.stiffness = 36,
+                                 .damping = 1.2,
+                                 .drive_amplitude = 1.5,
+                                 .drive_frequency = {4},
+                                 .method = {"euler-cromer"},
+                                 .step = 0.05,
+                                 .until = 100});
+  const auto& steady = *result.runs[0].effect->effective.steady_state;
+  EXPECT_NEAR(result.runs[0].outcome.y.x,
+              steady.amplitude * std::cos(4 * result.runs[0].outcome.t - steady.phase_lag), 1e-12);
+  EXPECT_THAT(steady_in_words(result.runs[0]), HasSubstr("settles at "));
+  EXPECT_THAT(steady_in_words(result.runs[0]), HasSubstr("(your law: "));
+  EXPECT_EQ(run_in_words(result.runs[0]).find("euler-cromer turns your damping"), 0u);
+}
+
+TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
+  std::vector<std::string> said;
+  bool finished = false;
+  Watch watch;
+  watch.warn = [&](const std::vector<std::string>& warnings) {
+    EXPECT_FALSE(finished);
+    said = warnings;
+  };
+  watch.progress = [&](double) { finished = true; };
+  const auto result =
+      simulate({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.34, .until = 3.4}, watch);
+  ASSERT_TRUE(result.ok());
+  EXPECT_TRUE(finished);
+  EXPECT_THAT(said,
+              Contains(HasSubstr("--step: 0.34 s is beyond the stability limit of euler-cromer for this law, "
+                                 "0.333333 s")));
+  EXPECT_THAT(simulated({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.33, .until = 3.3}).warnings,
+              testing::IsEmpty());
+  EXPECT_THAT(simulated({.stiffness = 36, .method = {"forward-euler"}, .step = 0.01, .until = 1}).warnings,
+              Contains(HasSubstr("forward-euler is unstable for this law whatever the step")));
+}
+
+/// What is said before a run up to three steps.
+std::vector<std::string> warnings(SimulateOptions options, double step) {
+  options.step = step;
+  options.until = 3 * step;
+  return simulated(std::move(options)).warnings;
+}
+
+TEST(RunEffect, AHardeningSpringIsWarnedOfWhereTheMotionBegins) {
+  // At 1 m the stiffness is 9 + 3 * 1000 N/m: Verlet is stable up to 2/sqrt(3009) s.
+  const SimulateOptions stiff{.stiffness = 9, .law = {.cubic = 1000}, .position = 1, .method = {"verlet"}};
+  EXPECT_THAT(
+      warnings(stiff, 0.05),
+      Contains(HasSubstr("stability limit of verlet for motions as wide as at the start under this law, "
+                         "0.0364602 s")));
+  EXPECT_THAT(warnings(stiff, 0.03), testing::IsEmpty());
+}
+
+TEST(RunEffect, EveryMethodIsWarnedOfAtItsLimit) {
+  // k = 36 N/m, c = 0.3 kg/s: as the method itself says.
+  const LinearLaw<double> law{.decay_rate = 0.15, .stiffness = 36};
+  for (const double beta : {0.25, 0.0})
+    for (const MethodInfo& info : method_infos) {
+      if (info.error_order > 0 || (beta == 0 && info.name != "newmark")) continue;
+      SimulateOptions options{.stiffness = 36, .damping = 0.3, .method = {std::string(info.name)}};
+      if (beta == 0) options.beta = 0;
+      const auto limit = visit_method(info.name, MethodSettings{.newton = {}, .beta = beta},
+                                      [&](const auto& method) { return stability_limit(method, law); });
+      EXPECT_EQ(limit.has_value(), !info.a_stable || beta == 0) << info.name;
+      if (!limit) {
+        EXPECT_THAT(warnings(options, 1e3), IsEmpty()) << info.name;
+        continue;
+      }
+      ASSERT_GT(*limit, 0) << info.name;
+      const std::string said = fmt::format("stability limit of {} for this law, {:.6g} s", info.name, *limit);
+      EXPECT_THAT(warnings(options, 1.001 * *limit), Contains(HasSubstr(said)));
+      EXPECT_THAT(warnings(options, 0.999 * *limit), IsEmpty()) << info.name;
+      // A drive changes nothing about it.
+      options.drive_amplitude = 1;
+      options.drive_frequency = {3};
+      EXPECT_THAT(warnings(options, 1.001 * *limit), Contains(HasSubstr(said)));
+      options.drive = "step";
+      options.drive_frequency.clear();
+      EXPECT_THAT(warnings(options, 1.001 * *limit), Contains(HasSubstr(said)));
+    }
+}
+
+TEST(RunEffect, LawsThatAreNotLinearAreWarnedOfBySmallMotions) {
+  const auto limit = HasSubstr("stability limit of verlet for small motions under this law, 0.333333 s");
+  SimulateOptions law{.stiffness = 36, .method = {"verlet"}};
+  law.law.friction = 0.1;
+  EXPECT_THAT(warnings(law, 0.34), Contains(limit));
+  EXPECT_THAT(warnings(law, 0.33), IsEmpty());
+  law.law.friction = 0;
+  law.law.cubic = 0.1;
+  EXPECT_THAT(warnings(law, 0.34), Contains(limit));
+  EXPECT_THAT(warnings(law, 0.33), IsEmpty());
+  law.law.drag = 0.1;
+  EXPECT_THAT(warnings(law, 0.34), Contains(limit));
+  // At the bottom of a double well k = -18 N/m counts twice.
+  EXPECT_THAT(warnings({.stiffness = -18, .law = {.cubic = 1}, .method = {"verlet"}}, 0.34), Contains(limit));
+  // Friction outweighs what forward Euler adds to small swings, if the step is short; cubic stiffness does
+  // not.
+  law = {.law = {.friction = 0.1}, .method = {"forward-euler"}};
+  EXPECT_THAT(warnings(law, 0.001), IsEmpty());
+  law = {.law = {.cubic = 0.1}, .method = {"forward-euler"}};
+  EXPECT_THAT(warnings(law, 0.001), Contains(HasSubstr("forward-euler is unstable for small motions")));
+}
+
+TEST(RunEffect, NonlinearLawsHaveNone) {
+  EXPECT_FALSE(simulated({.law = {.drag = 0.1}, .step = 0.01, .until = 0.1}).runs[0].effect);
+  EXPECT_FALSE(simulated({.law = {.cubic = 1}, .step = 0.01, .until = 0.1}).runs[0].effect);
+}
+
+TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
+  const auto result = simulated(
+      {.law = {.drag = 0.2}, .method = {"implicit-euler", "dormand-prince"}, .step = 0.03, .until = 120});
+  const std::string lossy = effect_in_words(result.runs[0]), exact = effect_in_words(result.runs[1]);
+  EXPECT_THAT(exact, HasSubstr("swung at 0.9994"));
+  EXPECT_THAT(exact, HasSubstr("the method itself nothing"));
+  EXPECT_THAT(exact, HasSubstr("had 0.5 J, of which drag took 99."));
+  // What implicit Euler takes, drag cannot take any more.
+  const auto& balance = *result.runs[0].energy_balance;
+  EXPECT_LT(balance.method(), -0.1 * balance.start);
+  EXPECT_THAT(lossy, HasSubstr("the method itself 2"));
+  const auto spring =
+      simulated({.law = {.cubic = 1}, .method = {"euler-cromer", "rk4"}, .step = 0.02, .until = 60});
+  EXPECT_THAT(effect_in_words(spring.runs[1]), HasSubstr("m to each side; kept its 0.75 J"));
+  EXPECT_THAT(effect_in_words(spring.runs[0]), HasSubstr("which comes and goes"));
+  const auto driven = simulated({.damping = 0.1,
+                                 .law = {.cubic = 1},
+                                 .drive_amplitude = 1,
+                                 .drive_frequency = {1.2},
+                                 .method = {"implicit-euler"},
+                                 .step = 0.02,
+                                 .until = 60});
+  EXPECT_EQ(effect_in_words(driven.runs[0]).find("had "), 0u);
+  EXPECT_THAT(effect_in_words(driven.runs[0]), HasSubstr("with what the drive gave, of which damping took "));
+}
+
+TEST(RunEffect, ASwingThatIsFedSaysWhatItGot) {
+  const auto result = simulated({.damping = -0.2,
+                                 .law = {.van_der_pol = 0.2},
+                                 .position = 0.1,
+                                 .method = {"rk4"},
+                                 .step = 0.01,
+                                 .until = 120});
+  EXPECT_THAT(result.warnings, testing::IsEmpty());
+  const std::string words = effect_in_words(result.runs[0]);
+  EXPECT_THAT(words, HasSubstr("with what the damping gave, of which van-der-pol took 9"));
+  EXPECT_NEAR(result.runs[0].outcome.y.x * result.runs[0].outcome.y.x +
+                  result.runs[0].outcome.y.v * result.runs[0].outcome.y.v,
+              4, 0.3);  // A = sqrt(4 c/e) = 2
+}
+
+TEST(RunEffect, OptionsOfTheMethodReachIt) {
+  // The central difference is Verlet's method.
+  const auto result =
+      simulated({.stiffness = 36, .method = {"newmark", "verlet"}, .step = 0.1, .until = 1, .beta = 0.0});
+  EXPECT_NEAR(result.runs[0].outcome.y.x, result.runs[1].outcome.y.x, 1e-13);
+  EXPECT_THAT(result.warnings, Contains("--beta has no effect on verlet"));
+  const auto damped = simulated(
+      {.stiffness = 36, .method = {"generalized-alpha"}, .step = 1000, .until = 2000, .rho_inf = 0.3});
+  EXPECT_NEAR(damped.runs[0].effect->effective.spectral_radius, 0.3, 0.02);
+
+  const auto refused = simulate({.method = {"generalized-alpha"}, .rho_inf = 1.2});
+  ASSERT_FALSE(refused.ok());
+  EXPECT_THAT(refused.error().message, HasSubstr("--rho-inf: it must lie between 0 and 1, not 1.2"));
+}
+
+}  // namespace
+}  // namespace cromer::core

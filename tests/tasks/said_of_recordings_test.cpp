@@ -1,0 +1,245 @@
+// What is said of recordings that are no plain free swing, and refused of them, from the bytes of a file on.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "cromer/base/concat.h"
+#include "cromer/base/quantity.h"
+#include "cromer/tasks/fit/fit.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+struct Sensor {
+  double duration = 60, rate = 50, noise = 3e-4, resolution = 0;
+  unsigned seed = 1;
+};
+
+/// A file of a motion as a sensor with normal noise sees it.
+std::string recorded(const Sensor& sensor, const std::function<double(double)>& motion) {
+  std::mt19937_64 engine(sensor.seed);
+  std::normal_distribution<double> normal(0, sensor.noise);
+  std::string text = "Time (s),Position (m)\n";
+  for (int i = 0; i < sensor.duration * sensor.rate; ++i) {
+    const double t = i / sensor.rate;
+    double y = motion(t) + normal(engine);
+    if (sensor.resolution > 0) y = sensor.resolution * std::nearbyint(y / sensor.resolution);
+    text += concat({shortest(t), ",", shortest(y), "\n"});
+  }
+  return text;
+}
+
+FittedRecording fitted(const std::string& bytes, const FitOptions& options = {}) {
+  const auto fits = fit(bytes, "lab.csv", options);
+  EXPECT_TRUE(fits.ok()) << fits.error().message;
+  return fits ? fits->front() : FittedRecording{};
+}
+
+/// exp(-g t) cos(w t + phase).
+double swing(double t, double w, double g, double phase = 0) {
+  return std::exp(-g * t) * std::cos(w * t + phase);
+}
+
+std::string driven_at(double w) { return concat({shortest(w), " rad/s"}); }
+
+// A generator that runs down a little looks like a swing with a very high quality factor.
+TEST(SaidOfRecordings, AnAmplitudeThatHardlyFallsMayBeADrives) {
+  for (const double quality : {16000.0, 60000.0})
+    for (const double periods : {30.0, 100.0, 300.0}) {
+      const double w = 6, fall = periods * std::numbers::pi / quality;
+      const auto bytes = recorded({.duration = periods * two_pi / w, .noise = 2e-5},
+                                  [&](double t) { return 0.05 * swing(t, w, w / (2 * quality)); });
+      EXPECT_THAT(fitted(bytes).warnings,
+                  Contains(HasSubstr("If something drives it, the frequency is the drive's")))
+          << quality << ' ' << fall;
+    }
+  // Good swings in air are not doubted.
+  for (const double quality : {30.0, 300.0, 1500.0})
+    EXPECT_THAT(fitted(recorded({.duration = 60}, [&](double t) { return 0.05 * swing(t, 6, 3 / quality); }))
+                    .warnings,
+                Not(Contains(HasSubstr("drives it"))))
+        << quality;
+}
+
+TEST(SaidOfRecordings, ASensorThatLosesTheMotionIsNamed) {
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    for (const double level : {0.0, 0.3, -1.2})
+      for (const double spikes : {0.0, 0.05, 0.2}) {
+        const double lost = 12 + 3.1 * seed;
+        std::mt19937_64 engine(seed);
+        std::uniform_real_distribution<double> share(0, 1);
+        std::normal_distribution<double> spike(0, 1);
+        std::string text = "Time (s),Position (m)\n";
+        for (int i = 0; i < 2000; ++i) {
+          const double t = 0.02 * i, noise = 3e-4 * spike(engine);
+          double y = 0.2 + 0.05 * swing(t, 6, 0.03, seed) + noise;
+          if (t > lost) y = 0.2 + level + (share(engine) < spikes ? spike(engine) : 0);
+          text += concat({shortest(t), ",", shortest(1e-4 * std::nearbyint(1e4 * y)), "\n"});
+        }
+        const FittedRecording fit = fitted(text);
+        ASSERT_EQ(fit.fit.status, FitStatus::converged) << seed << ' ' << level << ' ' << spikes;
+        EXPECT_NEAR(fit.find("angular_frequency")->value, 6, 1e-3);
+        EXPECT_NEAR(fit.series.t.back(), lost, 0.06) << seed << ' ' << level << ' ' << spikes;
+        EXPECT_THAT(fit.warnings, Contains(HasSubstr("the sensor loses the motion at")));
+        EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("set going"))));
+      }
+}
+
+TEST(SaidOfRecordings, AMotionThatComesToRestIsNotLost) {
+  // Dry friction and an encoder without noise; a swing that dies down into its rounding.
+  const double w = 6, shift = 0.002;
+  const auto friction = recorded({.noise = 0, .resolution = 1e-4}, [&](double t) {
+    const double half = std::floor(w * t / std::numbers::pi), side = std::fmod(half, 2) == 0 ? 1 : -1;
+    const double amplitude = 0.05 - (2 * half + 1) * shift;
+    const double last = std::floor((0.05 / shift - 1) / 2);
+    if (amplitude <= shift) return (std::fmod(last, 2) == 0 ? -1 : 1) * (0.05 - 2 * (last + 1) * shift);
+    return side * shift + amplitude * std::cos(w * t);
+  });
+  EXPECT_THAT(fitted(friction).warnings, Not(Contains(HasSubstr("loses the motion"))));
+  for (const double resolution : {1e-4, 1e-3, 5e-3}) {
+    const auto damped = recorded({.duration = 80, .noise = 0, .resolution = resolution},
+                                 [&](double t) { return 0.2 + 0.05 * swing(t, w, 0.15); });
+    EXPECT_THAT(fitted(damped).warnings, Not(Contains(HasSubstr("loses the motion")))) << resolution;
+  }
+}
+
+TEST(SaidOfRecordings, CoarseRoundingIsCalledThat) {
+  for (unsigned seed = 1; seed <= 4; ++seed)
+    for (const double size : {0.3, 0.6, 0.8}) {
+      const double offset = 0.01 * std::fmod(0.3819660113 * seed, 1.0);
+      const FittedRecording fit =
+          fitted(recorded({.noise = 1e-3, .resolution = 0.01, .seed = seed},
+                          [&](double t) { return offset + 0.01 * size * swing(t, 6, 0.01, seed); }));
+      EXPECT_NE(fit.fit.status, FitStatus::clipped) << seed << ' ' << size;
+      EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("out of its range"))));
+      if (fit.succeeded())
+        EXPECT_THAT(fit.warnings, Contains(AllOf(HasSubstr("levels only"), HasSubstr("0.01 m apart"))));
+      else
+        EXPECT_THAT(fit.fit.message, HasSubstr("the resolution is too coarse")) << seed << ' ' << size;
+    }
+}
+
+TEST(SaidOfRecordings, TimesRoundedToHalfTheirSpacingMakeNoGapsAndNoModes) {
+  for (const auto& [rate, to] :
+       {std::pair{60.0, 0.01}, {70.0, 0.005}, {70.0, 0.01}, {97.3, 0.005}, {30.0, 0.02}}) {
+    std::mt19937_64 engine(3);
+    std::normal_distribution<double> normal(0, 1e-4);
+    std::string text = "Time (s),Position (m)\n";
+    for (int i = 0; i < 60 * rate; ++i)
+      text += concat({shortest(to * std::nearbyint(i / rate / to)), ",",
+                      shortest(0.2 + 0.05 * swing(i / rate, 8, 0.02) + normal(engine)), "\n"});
+    const FittedRecording fit = fitted(text);
+    EXPECT_THAT(fit.series.gaps, IsEmpty()) << rate << ' ' << to;
+    EXPECT_THAT(fit.modes, IsEmpty());
+    EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("mode")))) << rate << ' ' << to;
+    EXPECT_LT(fit.fit.residual.rms, 1.1e-4) << rate << ' ' << to;
+    EXPECT_NEAR(fit.find("angular_frequency")->value, 8,
+                4 * fit.find("angular_frequency")->standard_error + 1e-4);
+  }
+}
+
+TEST(SaidOfRecordings, HarmonicsAreNoModes) {
+  // A sensor that is not linear: sin² makes the second, sin³ the third harmonic.
+  for (const auto& [g, seed] : {std::pair{0.005, 1u}, {0.02, 2u}})
+    for (const auto& [second, third] : {std::pair{0.03, 0.03}, {0.05, 0.0}, {0.0, 0.05}, {0.02, 0.01}}) {
+      const FittedRecording fit =
+          fitted(recorded({.noise = 1e-4, .seed = seed}, [g = g, second = second, third = third](double t) {
+            const double u = swing(t, 6, g);
+            return 0.2 + 0.05 * (u + second * u * u + third * u * u * u);
+          }));
+      EXPECT_THAT(fit.modes, IsEmpty()) << g << ' ' << second << ' ' << third;
+      EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("two modes")))) << g << ' ' << second << ' ' << third;
+      EXPECT_THAT(fit.warnings, Contains(HasSubstr("harmonic"))) << g << ' ' << second << ' ' << third;
+    }
+}
+
+TEST(SaidOfRecordings, BeatsAreNamed) {
+  for (unsigned seed = 1; seed <= 2; ++seed)
+    for (const double part : {1.0, 0.5, 0.2})
+      for (const auto& [g, duration] :
+           {std::pair{0.01, 120.0}, {0.02, 60.0}, {0.003, 240.0}, {0.005, 50.0}}) {
+        const FittedRecording fit =
+            fitted(recorded({.duration = duration, .rate = 20, .seed = seed}, [&, g = g](double t) {
+              return 0.2 + 0.05 * (swing(t, two_pi * 0.7085, g) + part * swing(t, two_pi * 0.73, g, seed));
+            }));
+        ASSERT_EQ(fit.modes.size(), 2u) << seed << ' ' << part << ' ' << g << ": " << fit.fit.message;
+        double low = fit.modes[0].angular_frequency.value, high = fit.modes[1].angular_frequency.value;
+        if (low > high) std::swap(low, high);
+        EXPECT_NEAR(low / two_pi, 0.7085, 5e-4);
+        EXPECT_NEAR(high / two_pi, 0.73, 5e-4);
+        std::vector<std::string> said = fit.warnings;
+        said.push_back(fit.fit.message);
+        EXPECT_THAT(said, Contains(AllOf(HasSubstr("two modes swing here"), HasSubstr("beat every 46"))))
+            << seed << ' ' << part << ' ' << g;
+      }
+}
+
+TEST(SaidOfRecordings, NoiseHasNoModes) {
+  for (unsigned seed = 1; seed <= 6; ++seed)
+    for (const double correlation : {0.5, 0.95, 0.995}) {
+      double noise = 0;
+      std::mt19937_64 engine(seed);
+      std::normal_distribution<double> normal(0, 1e-3);
+      const FittedRecording fit = fitted(
+          recorded({.noise = 0}, [&](double) { return noise = correlation * noise + normal(engine); }));
+      EXPECT_THAT(fit.modes, IsEmpty()) << seed << ' ' << correlation;
+    }
+}
+
+TEST(SaidOfRecordings, ASecondSteadyLineHasTwoReadings) {
+  for (const auto& [one, other] : {std::pair{5.0, 7.0}, {4.3, 6.5}, {5.5, 5.9}})
+    for (const double part : {1.0, 0.3})
+      for (const bool first : {true, false}) {
+        const double named = first ? one : other, second = first ? other : one;
+        const auto bytes = recorded({.noise = 1e-4}, [&, a = one, b = other](double t) {
+          return std::cos(a * t) / (36 - a * a) + part * std::cos(b * t + 1) / (36 - b * b);
+        });
+        const FittedRecording fit = fitted(bytes, {.drive_frequency = driven_at(named)});
+        EXPECT_THAT(fit.warnings, Contains(AllOf(HasSubstr("another drive, or an undamped body"),
+                                                 HasSubstr(shortest(second / two_pi).substr(0, 5)))))
+            << named << ' ' << second << ' ' << part;
+      }
+}
+
+TEST(SaidOfRecordings, ADrivenBodyThatRingsDownHasOneReading) {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const auto bytes = recorded({.noise = 1e-4, .seed = seed},
+                                [](double t) { return 0.05 * std::cos(5 * t) - 0.05 * swing(t, 6, 0.05); });
+    EXPECT_THAT(fitted(bytes, {.drive_frequency = driven_at(5)}).warnings,
+                Not(Contains(HasSubstr("another drive"))));
+  }
+}
+
+TEST(SaidOfRecordings, UncertaintiesKeepTheirSecondDigit) {
+  const auto bytes = recorded({.duration = 120, .rate = 20}, [](double t) {
+    return 0.05 * (swing(t, two_pi * 0.7085, 0.01) + 0.5 * swing(t, two_pi * 0.73, 0.01));
+  });
+  const FittedRecording fit = fitted(bytes);
+  ASSERT_EQ(fit.modes.size(), 2u);
+  const Estimate& g = fit.modes[0].decay_rate;
+  EXPECT_THAT(fit.warnings, Contains(HasSubstr(format_quantity({g.value, g.standard_error}, "1/s"))));
+}
+
+TEST(SaidOfRecordings, UsedAreTheSamplesThatTheFitSaw) {
+  const FittedRecording fit = fitted(recorded({.duration = 30}, [](double t) {
+    return 0.05 * swing(t, 6, 0.05) + (std::lround(50 * t) % 211 == 200 ? 0.02 : 0);
+  }));
+  ASSERT_EQ(fit.series.outliers.size(), 7u);
+  EXPECT_EQ(fit.samples, 1500u);
+  EXPECT_EQ(fit.used(), 1493u);
+}
+
+}  // namespace
+}  // namespace cromer::core

@@ -1,0 +1,50 @@
+// Samples that a fit sets aside are in nothing else that is said of the recording.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cromer/tasks/fit/fit.h"
+#include "tests/tasks/disc_recording.h"
+
+namespace cromer::core {
+namespace {
+
+TEST(SetAside, NeitherStretchesNorTextbookRulesSeeThem) {
+  const Series clean = disc_recording(4, 60);
+  Series spoilt = clean;
+  for (std::size_t i = 100; i < spoilt.y.size(); i += 211) spoilt.y[i] += i % 2 == 0 ? 0.05 : -0.05;
+  FitOptions options;
+  options.law = "viscous+drag";
+  options.textbook = true;
+  const Result<FittedRecording> a = fit_series(clean, "clean", options), b = fit_series(spoilt, "b", options);
+  ASSERT_TRUE(a.ok() && b.ok());
+  EXPECT_EQ(b->series.outliers.size(), 28u);
+  ASSERT_FALSE(a->decay_by_amplitude.empty());
+  ASSERT_EQ(b->decay_by_amplitude.size(), a->decay_by_amplitude.size());
+  for (std::size_t i = 0; i < a->decay_by_amplitude.size(); ++i) {
+    const Estimate &with = b->decay_by_amplitude[i].rate, &without = a->decay_by_amplitude[i].rate;
+    EXPECT_LT(with.standard_error, 1.3 * without.standard_error);
+    EXPECT_NEAR(with.value, without.value, without.standard_error);
+  }
+  ASSERT_TRUE(a->textbook->decrement && b->textbook->decrement);
+  EXPECT_NEAR(b->textbook->decrement->value, a->textbook->decrement->value,
+              2 * a->textbook->decrement->standard_error);
+}
+
+TEST(SetAside, TheMotionBeginsAtTheFirstSampleThatTheFitSees) {
+  Series late = disc_recording(4, 30);
+  for (std::size_t i = 0; i < 20; ++i) {
+    late.outliers.push_back({late.t[i], 7, 0});
+    late.y[i] = 7;
+  }
+  FitOptions options;
+  options.law = "viscous+drag";
+  const Result<FittedRecording> fit = fit_series(late, "late", options);
+  ASSERT_TRUE(fit.ok());
+  EXPECT_DOUBLE_EQ(fit->series.t.front(), 0.2);
+  EXPECT_EQ(fit->series.outliers.size(), 20u);
+  EXPECT_NEAR(fit->fit.position().value, 0.036 * std::cos(std::sqrt(17.04 / 0.2176) * 0.2), 1e-3);
+}
+
+}  // namespace
+}  // namespace cromer::core

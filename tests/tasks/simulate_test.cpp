@@ -1,0 +1,158 @@
+#include "cromer/tasks/simulate/simulate.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <numbers>
+
+#include "cromer/methods/all.h"
+#include "cromer/tasks/simulate/simulate_setup.h"
+#include "tests/support/simulated.h"
+
+namespace cromer::core {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+TEST(Simulate, DefaultsAreThoseOfTheContract) {
+  const auto result = simulated({});
+  ASSERT_EQ(result.runs.size(), 1u);
+  const auto& only = result.runs.front();
+  EXPECT_EQ(only.method, "euler-cromer");
+  EXPECT_DOUBLE_EQ(only.step, two_pi / 200);
+  EXPECT_DOUBLE_EQ(only.until, 20 * two_pi);
+  EXPECT_EQ(only.start, (State<double>{1, 0}));
+  EXPECT_EQ(only.outcome.status, Status::reached_end);
+  EXPECT_EQ(only.trajectory.size(), 4001u);
+}
+
+TEST(Simulate, AMotionThatIsSetGoingStartsAtRestAtZero) {
+  EXPECT_EQ(simulated({.velocity = 2}).runs.front().start, (State<double>{0, 2}));
+  EXPECT_EQ(simulated({.drive_amplitude = 1, .drive_frequency = {3}}).runs.front().start,
+            (State<double>{0, 0}));
+}
+
+TEST(Simulate, TheShorterPeriodSetsTheStep) {
+  const auto result = simulated({.stiffness = 9, .drive_amplitude = 1, .drive_frequency = {1, 10}});
+  EXPECT_DOUBLE_EQ(result.runs[0].step, two_pi / 3 / 200);
+  EXPECT_DOUBLE_EQ(result.runs[1].step, two_pi / 10 / 200);
+  EXPECT_DOUBLE_EQ(result.runs[1].until, 20 * two_pi / 3);
+}
+
+TEST(Simulate, FrequencyAndRatioSetSpringAndDamping) {
+  const Oscillator<double> law =
+      simulated({.mass = 0.5, .natural_frequency = 6, .damping_ratio = 0.1}).runs.front().oscillator;
+  EXPECT_DOUBLE_EQ(law.stiffness, 18);
+  EXPECT_DOUBLE_EQ(law.damping, 2 * 0.1 * std::sqrt(18 * 0.5));
+  EXPECT_DOUBLE_EQ(simulated({.stiffness = 9, .quality_factor = 15}).runs.front().oscillator.damping, 0.2);
+}
+
+TEST(Simulate, AgreesWithTheClosedForm) {
+  // x = exp(-b t)(cos wd t + b/wd sin wd t), b = 0.1, w = 3.
+  SimulateOptions options{
+      .stiffness = 9, .damping = 0.2, .method = {"exact", "rk4"}, .step = 0.01, .until = 10};
+  const auto result = simulated(options);
+  const double wd = std::sqrt(9 - 0.01);
+  for (std::size_t i = 0; i < result.runs[0].trajectory.size(); ++i) {
+    const double t = result.runs[0].trajectory.t[i];
+    const double truth = std::exp(-0.1 * t) * (std::cos(wd * t) + 0.1 / wd * std::sin(wd * t));
+    EXPECT_NEAR(result.runs[0].trajectory.x[i], truth, 1e-13);
+    EXPECT_NEAR(result.runs[1].trajectory.x[i], truth, 1e-6);
+  }
+}
+
+TEST(Simulate, EveryMethodRunsInTheOrderAsked) {
+  SimulateOptions options{.drive_amplitude = 1, .drive_frequency = {2, 0.5}, .step = 0.05, .until = 1};
+  for (const auto name : method_names) options.method.emplace_back(name);
+  const auto result = simulated(options);
+  ASSERT_EQ(result.runs.size(), 2 * method_names.size());
+  for (std::size_t i = 0; i < result.runs.size(); ++i) {
+    EXPECT_EQ(result.runs[i].method, method_names[i / 2]);
+    EXPECT_EQ(result.runs[i].drive.frequency, i % 2 ? 0.5 : 2);
+    EXPECT_TRUE(result.ok());
+  }
+}
+
+TEST(Simulate, KeepsEveryNthState) {
+  const auto result = simulated({.step = 0.01, .until = 1, .every = 10});
+  ASSERT_EQ(result.runs.front().trajectory.size(), 11u);
+  EXPECT_DOUBLE_EQ(result.runs.front().trajectory.t[3], 0.3);
+}
+
+TEST(Simulate, RefusesWhatHasNoMeaning) {
+  EXPECT_THAT(refusal({.mass = 0}), HasSubstr("--mass"));
+  EXPECT_THAT(refusal({.mass = std::nan("")}), HasSubstr("--mass"));
+  EXPECT_THAT(refusal({.damping = -1}), HasSubstr("--damping"));
+  EXPECT_THAT(refusal({.step = -0.1}), HasSubstr("--step"));
+  EXPECT_THAT(refusal({.method = {"rk5"}}), HasSubstr("rk4"));
+  EXPECT_THAT(refusal({.law = {.drag = 1}, .method = {"exact"}}), HasSubstr("drag (1 kg/m)"));
+  EXPECT_THAT(refusal({.stiffness = -1, .damping_ratio = 0.1}), HasSubstr("--damping-ratio"));
+  EXPECT_THAT(refusal({.stiffness = 0}), HasSubstr("no natural period"));
+  EXPECT_THAT(refusal({.position = 1e200}), HasSubstr("--position"));
+}
+
+TEST(Simulate, RefusesMoreStatesThanMemoryBeforeTakingIt) {
+  EXPECT_THAT(refusal({.step = 1e-3, .until = 1e3, .memory = 1e6}), HasSubstr("24 MB"));
+  EXPECT_EQ(refusal({.step = 1e-3, .until = 1e3, .every = 1000, .memory = 1e6}), "");
+  EXPECT_NE(refusal({.step = 1e-9, .until = 1e9}), "");
+}
+
+TEST(Simulate, ADoubleWellHasThePeriodOfItsBottom) {
+  // k = -1, k3 = 1: wells at x = +-1 with stiffness 2.
+  EXPECT_DOUBLE_EQ(natural_period({.stiffness = -1, .cubic = 1}), two_pi / std::sqrt(2));
+  EXPECT_EQ(natural_period({.stiffness = -1}), 0);
+  const auto result = simulated({.stiffness = -1, .law = {.cubic = 1}, .position = 1.001, .method = {"rk4"}});
+  const auto& x = result.runs.front().trajectory.x;
+  EXPECT_NEAR(x[200], x[0], 1e-6);
+}
+
+TEST(Simulate, SaysWhenARunDivergedAndEndsFinite) {
+  const auto result = simulated({.method = {"forward-euler"}, .step = 1, .until = 1e5});
+  const auto& only = result.runs.front();
+  EXPECT_FALSE(result.ok());
+  EXPECT_EQ(only.outcome.status, Status::not_finite);
+  // The energy doubles each step, E = 2^(n-1); doubles end below 2^1024.
+  EXPECT_EQ(only.outcome.step, 1024);
+  EXPECT_THAT(only.message, HasSubstr("diverged: not finite after t = 1024 s (step 1024)"));
+  EXPECT_EQ(only.trajectory.t.back(), only.outcome.t);
+}
+
+TEST(Simulate, WarnsOfWhatHasNoEffect) {
+  const auto warnings = [](const SimulateOptions& options) {
+    std::string all;
+    for (const auto& warning : simulated(options).warnings) all += warning + "\n";
+    return all;
+  };
+  EXPECT_EQ(warnings({}), "");
+  EXPECT_EQ(warnings({.law = {.friction = 0.1}}), "");
+  EXPECT_THAT(warnings({.method = {"rk4"}, .tolerance = 1e-9}), HasSubstr("no effect on rk4"));
+  EXPECT_EQ(warnings({.method = {"implicit-euler"}, .tolerance = 1e-9}), "");
+  EXPECT_THAT(warnings({.drive_frequency = {3}}), HasSubstr("--drive-amplitude"));
+  EXPECT_THAT(warnings({.step = 0.01, .until = 0.105}), HasSubstr("the last step is 0.005 s"));
+}
+
+TEST(Simulate, AnInterruptKeepsWhatIsThere) {
+  std::atomic<bool> stop{true};
+  const auto result = simulate({.step = 0.01, .until = 1e6, .every = 1000}, {&stop, {}});
+  ASSERT_TRUE(result.ok());
+  EXPECT_FALSE(result->ok());
+  EXPECT_TRUE(result->runs.front().outcome.interrupted);
+  EXPECT_THAT(result->runs.front().message, HasSubstr("interrupted after t = "));
+  EXPECT_GE(result->runs.front().trajectory.size(), 1u);
+}
+
+TEST(Simulate, ASensorReadsEveryKeptState) {
+  SimulateOptions options{.step = 0.01, .until = 1, .every = 10};
+  options.sensor = {.noise = 0, .resolution = 1e-3, .offset = 0.2, .seed = 1, .used = true};
+  const SimulatedRun only = simulated(options).runs.front();
+  ASSERT_EQ(only.sensor.size(), only.trajectory.size());
+  EXPECT_EQ(only.sensor.front(), 1.2);
+  EXPECT_NEAR(only.sensor.back(), 0.2 + std::cos(1.0), 0.01);
+}
+
+}  // namespace
+}  // namespace cromer::core

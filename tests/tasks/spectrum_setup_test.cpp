@@ -1,0 +1,196 @@
+// From the options of spectrum to what is computed: each limit from both sides, each sentence whole.
+#include "cromer/tasks/spectrum/spectrum_setup.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cromer/base/quantity.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::StartsWith;
+
+template <class T>
+std::string said(const Result<T>& result) {
+  return result ? "" : result.error().message;
+}
+
+TEST(SpectrumSetup, WordsAreKnownOrTheNearestIsNamed) {
+  EXPECT_EQ(*peaks_of({}), Peaks::continuous);
+  EXPECT_EQ(*peaks_of({.peaks = "continuous"}), Peaks::continuous);
+  EXPECT_EQ(*peaks_of({.peaks = "samples"}), Peaks::samples);
+  EXPECT_EQ(*peaks_of({.peaks = "peer"}), Peaks::peer);
+  EXPECT_EQ(said(peaks_of({.peaks = "sample"})),
+            "--peaks: \"sample\" is not known; it takes continuous, samples or peer (did you mean samples?)");
+  EXPECT_EQ(said(peaks_of({.peaks = "zzzzzzzzzz"})),
+            "--peaks: \"zzzzzzzzzz\" is not known; it takes continuous, samples or peer");
+  EXPECT_EQ(*between_of({}), BetweenSamples::linear);
+  EXPECT_EQ(*between_of({.between_samples = "hold"}), BetweenSamples::hold);
+  EXPECT_EQ(*between_of({.between_samples = "band-limited"}), BetweenSamples::band_limited);
+  EXPECT_THAT(said(between_of({.between_samples = "auto"})),
+              StartsWith("--between-samples: \"auto\" is not known; it takes linear, hold or band-limited"));
+}
+
+TEST(SpectrumSetup, DampingLiesBetweenItsLimits) {
+  EXPECT_THAT(*damping_ratios_of({}), ElementsAre(0.05));
+  EXPECT_THAT(*damping_ratios_of({.damping_ratio = {"0", "0.1,20"}}), ElementsAre(0, 0.1, 20));
+  EXPECT_EQ(said(damping_ratios_of({.damping_ratio = {"0.1,-0.1"}})),
+            "--damping-ratio: it must lie between 0 and 20, not -0.1");
+  EXPECT_EQ(said(damping_ratios_of({.damping_ratio = {"20.5"}})),
+            "--damping-ratio: it must lie between 0 and 20, not 20.5");
+  EXPECT_THAT(*damping_ratios_of({.loss_factor = {"0.001,2"}}), ElementsAre(0.001, 2));
+  EXPECT_EQ(said(damping_ratios_of({.loss_factor = {"0.0005"}})),
+            "--loss-factor: it must lie between 0.001 and 2, not 5e-04");
+  EXPECT_EQ(said(damping_ratios_of({.loss_factor = {"2.5"}})),
+            "--loss-factor: it must lie between 0.001 and 2, not 2.5");
+  EXPECT_EQ(said(damping_ratios_of({.damping_ratio = {"1"}, .loss_factor = {"1"}})),
+            "--damping-ratio and --loss-factor both say how the springs are damped; leave one of them out");
+  EXPECT_THAT(said(damping_ratios_of({.damping_ratio = {"much"}})), StartsWith("--damping-ratio: "));
+  EXPECT_THAT(said(damping_ratios_of({.loss_factor = {"much"}})), StartsWith("--loss-factor: "));
+}
+
+/// 101 samples, one each 0.01 s.
+Component second() {
+  Component component;
+  component.acceleration.assign(101, 1);
+  component.spacing = 0.01;
+  return component;
+}
+
+TEST(SpectrumSetup, OscillatorsAreByPeriodOrByFrequency) {
+  EXPECT_EQ(second().duration(), 1);
+  SpectrumOptions options;
+  EXPECT_EQ(periods_of(options, second(), 1)->size(), 200u);
+  EXPECT_EQ(options.periods, "0.01:10:200:log");
+  EXPECT_EQ(options.frequencies, "");
+  options = {.shock = true};
+  const auto shock = periods_of(options, second(), 1);
+  EXPECT_EQ(options.periods, "");
+  EXPECT_EQ(options.frequencies, "0.1:10:200:log Hz");
+  EXPECT_NEAR(shock->front(), 10, 1e-12);
+  EXPECT_NEAR(shock->back(), 0.1, 1e-12);
+  options = {.frequencies = "2,4"};
+  EXPECT_THAT(*periods_of(options, second(), 1),
+              ElementsAre(testing::DoubleEq(std::numbers::pi), testing::DoubleEq(std::numbers::pi / 2)));
+  options = {.periods = "1", .frequencies = "1"};
+  EXPECT_EQ(said(periods_of(options, second(), 1)),
+            "--periods and --frequencies both say which oscillators there are; leave one of them out");
+}
+
+TEST(SpectrumSetup, PeriodsSuitTheRecording) {
+  const auto periods = [](const char* text) {
+    SpectrumOptions options{.periods = text};
+    return said(periods_of(options, second(), 1));
+  };
+  EXPECT_EQ(periods("1,0"), "--periods: it must be positive, not 0 s");
+  EXPECT_EQ(periods("1.01e-5"), "");
+  EXPECT_EQ(
+      periods("1,9.5e-6"),
+      "--periods: 9.5e-06 s is a period below a thousandth of the sampling step (0.01 s): such an oscillator "
+      "moves with the ground, its PSA is the ground's own peak; ask for longer ones");
+  EXPECT_EQ(periods("1e6"), "");
+  EXPECT_EQ(
+      periods("1,1000001"),
+      "--periods: 1000001 s is a period of more than a million times the recording (1 s); ask for shorter "
+      "ones");
+  EXPECT_THAT(periods("long"), StartsWith("--periods: "));
+  SpectrumOptions slow{.frequencies = "-1"};
+  EXPECT_EQ(said(periods_of(slow, second(), 1)), "--frequencies: it must be positive, not -1 rad/s");
+  // 64 bytes and 600 for each damping ratio, for each of two periods.
+  SpectrumOptions two{.periods = "1,2", .memory = 2 * (64 + 600 * 3)};
+  EXPECT_TRUE(periods_of(two, second(), 3));
+  two.memory -= 1;
+  EXPECT_FALSE(periods_of(two, second(), 3));
+}
+
+TEST(SpectrumSetup, DoubtfulPeriodsAreSaidWordForWord) {
+  const auto warnings = [](std::vector<double> periods, Peaks peaks, const SpectrumOptions& options) {
+    return period_warnings(options, periods, second(), peaks);
+  };
+  const SpectrumOptions options{.periods = "given", .peaks = "peer"};
+  EXPECT_THAT(warnings({0.02, 1}, Peaks::peer, options), IsEmpty());
+  const std::string end =
+      " below 0.02 s, twice the sampling step of 0.01 s: the recording holds nothing that fast, and what is "
+      "shown "
+      "there comes from how its samples were joined";
+  EXPECT_THAT(warnings({1, 0.019}, Peaks::peer, options), ElementsAre("--periods: one period is" + end));
+  EXPECT_THAT(warnings({0.01, 0.019, 1}, Peaks::peer, {.frequencies = "given"}),
+              ElementsAre("--frequencies: 2 periods are" + end));
+  EXPECT_THAT(warnings({2, 1}, Peaks::continuous, options), IsEmpty());
+  EXPECT_THAT(
+      warnings({2, 1}, Peaks::peer, options),
+      ElementsAre(
+          "--peaks peer: the recording (1 s) is shorter than the longest period (2 s), whose peak may "
+          "come after its end; continuous counts that too"));
+}
+
+SpectrumFile file_of(const char* name, const char* heading, const char* unit, int samples, double first = 1) {
+  std::string bytes =
+      std::string("time (s),") + heading + (*unit ? std::string(" (") + unit + ")" : "") + "\n";
+  for (int i = 0; i < samples; ++i) bytes += std::to_string(i * 0.5) + "," + shortest(first + (i % 3)) + "\n";
+  return {name, bytes};
+}
+
+struct Read {
+  std::vector<Component> components;
+  std::vector<std::string> warnings;
+  std::string refusal;
+};
+
+Read read(const std::vector<SpectrumFile>& files, const SpectrumOptions& options = {}) {
+  Read all;
+  auto components = read_components(files, options, all.warnings);
+  all.refusal = said(components);
+  if (components) all.components = *std::move(components);
+  return all;
+}
+
+TEST(SpectrumSetup, AnAccelerationHasItsUnitOrIsGivenOne) {
+  const SpectrumFile bare = file_of("a.csv", "acceleration", "", 9),
+                     g = file_of("b.csv", "acceleration", "g", 9);
+  EXPECT_THAT(read({g}).warnings, IsEmpty());
+  EXPECT_DOUBLE_EQ(read({g}).components.at(0).acceleration[1], 2 * 9.80665);
+  EXPECT_THAT(
+      read({bare}).warnings,
+      ElementsAre("a.csv: column \"acceleration\" has no unit and is taken as m/s^2; --unit says another"));
+  EXPECT_EQ(read({bare}).components.at(0).acceleration[1], 2);
+  const Read said_so = read({bare}, {.unit = "g"});
+  EXPECT_THAT(said_so.warnings, IsEmpty());
+  EXPECT_DOUBLE_EQ(said_so.components.at(0).acceleration[1], 2 * 9.80665);
+  EXPECT_EQ(read({g}, {.unit = "g"}).refusal,
+            "--unit: b.csv: column \"acceleration (g)\" has its unit already; leave --unit out");
+  EXPECT_EQ(read({bare}, {.unit = "m/s"}).refusal,
+            "--unit: \"m/s\" is no unit of acceleration; for instance g, m/s^2 or cm/s^2");
+  EXPECT_EQ(read({file_of("a.csv", "acceleration", "m/s^2", 9, 1e100)}).refusal, "");
+  EXPECT_EQ(read({file_of("a.csv", "acceleration", "m/s^2", 9, 2e100)}).refusal,
+            "a.csv: column \"acceleration (m/s^2)\" has 2e+100 m/s^2 at sample 1: nothing shakes like that; "
+            "mend the "
+            "recording");
+}
+
+TEST(SpectrumSetup, TwoComponentsAreCutToTheShorter) {
+  const SpectrumFile long_one = file_of("a.csv", "acceleration", "g", 12, 2),
+                     short_one = file_of("b.csv", "acceleration", "g", 9);
+  EXPECT_THAT(read({long_one, short_one}).warnings,
+              ElementsAre("a.csv is longer than b.csv: its last 3 samples are left out"));
+  EXPECT_THAT(read({short_one, long_one}).warnings,
+              ElementsAre("a.csv is longer than b.csv: its last 3 samples are left out"));
+  EXPECT_EQ(read({short_one, long_one}).components.at(1).acceleration.size(), 9u);
+  EXPECT_THAT(
+      read({short_one, short_one}).warnings,
+      ElementsAre("b.csv \"acceleration (g)\" and b.csv \"acceleration (g)\" hold the same samples: one "
+                  "component given twice, so RotD50 is its own spectrum and RotD100 sqrt(2) times that"));
+  EXPECT_EQ(read({short_one, short_one, short_one}).refusal,
+            "spectrum takes one recording, or the two components of one motion; 3 are given");
+  EXPECT_EQ(read({short_one, long_one}, {.column = {"acceleration", "acceleration"}}).refusal,
+            "spectrum takes one recording, or the two components of one motion; 4 are given");
+}
+
+}  // namespace
+}  // namespace cromer::core
