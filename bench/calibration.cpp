@@ -17,6 +17,7 @@
 #include "bench/calibration/calibrate.h"
 #include "bench/calibration/coverage_figure.h"
 #include "bench/calibration/forced_rows.h"
+#include "cromer/documents/words/words.h"
 
 namespace {
 
@@ -67,7 +68,8 @@ int write_figure(const std::vector<Tally>& tallies, const std::string& path) {
   const auto format = cromer::core::figure_format(path);
   const auto picture = format ? cromer::core::draw(coverage_figure(tallies), *format) : format.error();
   if (!picture) {
-    std::fprintf(stderr, "calibration: --figure %s: %s\n", path.c_str(), picture.error().message.c_str());
+    std::fprintf(stderr, "calibration: --figure %s: %s\n", path.c_str(),
+                 cromer::core::in_words(picture.error()).c_str());
     return 1;
   }
   std::FILE* file = std::fopen(path.c_str(), "wb");

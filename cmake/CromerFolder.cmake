@@ -18,13 +18,17 @@ endif()
 
 set_property(GLOBAL PROPERTY CROMER_FOLDERS "")
 
-# cromer_folder(<folder> DEPENDS <folders> LIBRARIES <targets>): the library cromer_<folder>, header-only where it has no sources.
+# cromer_folder(<folder> [EXCEPT <room>] DEPENDS <folders> LIBRARIES <targets>): the library cromer_<folder>, header-only where it has
+# no sources; without a room that is a library of its own.
 function(cromer_folder folder)
-  cmake_parse_arguments(ARG "" "" "DEPENDS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXCEPT" "DEPENDS;LIBRARIES" ${ARGN})
   string(REPLACE "/" "_" name ${folder})
   set(root ${PROJECT_SOURCE_DIR}/src/cromer/${folder})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${root}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/modules/")
+  if(ARG_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX "/${folder}/${ARG_EXCEPT}/")
+  endif()
   if(sources)
     add_library(cromer_${name} STATIC ${sources})
     set(visibility PUBLIC)

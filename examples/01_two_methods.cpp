@@ -8,7 +8,7 @@ int main() {
   for (const char* method : {"forward-euler", "euler-cromer"}) {
     const auto run =
         cromer::simulate(oscillator, {.method = method, .position = 0.03, .step = 0.01, .until = 5});
-    if (!run) return std::fprintf(stderr, "%s\n", run.error().message.c_str()), 2;
+    if (!run) return std::fprintf(stderr, "%s\n", run.error().message().c_str()), 2;
     std::printf("%-14s energy after 5 s: %.3g times the first\n", method,
                 run->energy.back() / run->energy.front());
   }

@@ -7,9 +7,9 @@
 int main(int argc, char** argv) {
   const std::string folder = argc > 1 ? argv[1] : "data";
   const auto swing = cromer::read_file(folder + "/recording2.csv");
-  if (!swing) return std::fprintf(stderr, "%s\n", swing.error().message.c_str()), 2;
+  if (!swing) return std::fprintf(stderr, "%s\n", swing.error().message().c_str()), 2;
   const auto fits = cromer::fit(*swing, {.mass = {0.2176, 0.0003}});
-  if (!fits) return std::fprintf(stderr, "%s\n", fits.error().message.c_str()), 2;
+  if (!fits) return std::fprintf(stderr, "%s\n", fits.error().message().c_str()), 2;
   for (const cromer::LawFit& fit : *fits) {
     std::printf("run %d: %s\n", fit.run, fit.law.c_str());
     for (const cromer::Parameter& each : fit.parameters) {

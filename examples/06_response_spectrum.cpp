@@ -12,7 +12,7 @@ int main() {
   const std::vector<double> periods{0.1, 0.3, 0.5, 1, 2, 5};
   const auto spectrum =
       cromer::response_spectrum(acceleration, dt, {.damping_ratio = 0.02, .periods = periods});
-  if (!spectrum) return std::fprintf(stderr, "%s\n", spectrum.error().message.c_str()), 2;
+  if (!spectrum) return std::fprintf(stderr, "%s\n", spectrum.error().message().c_str()), 2;
   for (std::size_t i = 0; i < periods.size(); ++i)
     std::printf("T = %4.1f s: SD = %.5f m, PSA = %.4f m/s^2\n", periods[i], spectrum->displacement[i],
                 spectrum->pseudo_acceleration[i]);

@@ -11,7 +11,7 @@ int main() {
   const auto swept = cromer::sweep(
       duffing, frequencies,
       {.method = "rk4", .drive_amplitude = 0.3, .direction = cromer::SweepOptions::Direction::both});
-  if (!swept) return std::fprintf(stderr, "%s\n", swept.error().message.c_str()), 2;
+  if (!swept) return std::fprintf(stderr, "%s\n", swept.error().message().c_str()), 2;
   const std::size_t n = frequencies.size();
   for (std::size_t i = 0; i < n; i += 4)
     std::printf("%.2f rad/s: up %.3f m, down %.3f m\n", frequencies[i], swept->amplitude[i],

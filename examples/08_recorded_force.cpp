@@ -12,9 +12,9 @@ int main() {
   const cromer::Oscillator truth{.mass = 2, .stiffness = 18, .damping = 0.4};
   const cromer::SampledForce drive{force, 0.01};
   const auto run = cromer::simulate(truth, {.method = "exact", .drive = drive, .step = 0.01, .until = 29.99});
-  if (!run) return std::fprintf(stderr, "%s\n", run.error().message.c_str()), 2;
+  if (!run) return std::fprintf(stderr, "%s\n", run.error().message().c_str()), 2;
   const auto fit = cromer::fit(run->t, run->x, {.law = "viscous", .force = force});
-  if (!fit) return std::fprintf(stderr, "%s\n", fit.error().message.c_str()), 2;
+  if (!fit) return std::fprintf(stderr, "%s\n", fit.error().message().c_str()), 2;
   for (const cromer::Parameter& each : fit->parameters)
     std::printf("%-18s %.6g %s\n", each.name.c_str(), each.estimate.value, each.unit.c_str());
   return fit->succeeded() ? 0 : 1;

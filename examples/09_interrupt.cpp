@@ -11,7 +11,7 @@ int main() {
   };
   const auto run = cromer::simulate(
       oscillator, {.method = "rk4", .step = 1e-4, .until = 2000, .every = 1000, .progress = half_way});
-  if (!run) return std::fprintf(stderr, "%s\n", run.error().message.c_str()), 2;
+  if (!run) return std::fprintf(stderr, "%s\n", run.error().message().c_str()), 2;
   std::printf("%s: %zu states, the last at %.1f s\n", run->message.c_str(), run->size(), run->t.back());
   return run->interrupted ? 0 : 1;
 }

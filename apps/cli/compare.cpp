@@ -1,4 +1,5 @@
 #include "cromer/tasks/compare/compare.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +57,7 @@ std::string table(const std::vector<CompareResult>& comparisons) {
            number(curve.amplitude_ratio_end, 4), number(curve.phase_drift, 4), curve.method,
            curve.measured_at_rest ? curve.label + ", at the end the measured motion rests" : curve.label});
     if (!comparison.curves.empty()) out += text_table(rows, 0, 4);
-    if (const std::string sentence = explanation(comparison); !sentence.empty()) out += sentence + "\n";
+    if (const Notice sentence = explanation(comparison); !sentence.empty()) out += in_words(sentence) + "\n";
   }
   return out;
 }
@@ -88,28 +89,28 @@ int run_compare(const Arguments& arguments) {
                      "measured and simulated motion as .csv, or the document as .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output, files); !good) return refuse(good.error().message);
+  if (auto good = check_outputs(output, files); !good) return refuse(good.error());
   auto bytes = read_file(files.front());
-  if (!bytes) return refuse(bytes.error().message);
+  if (!bytes) return refuse(bytes.error());
   auto comparisons = compare(*bytes, files.front(), options, watching(output.quiet));
   clear_progress();
-  if (!comparisons) return refuse(comparisons.error().message);
-  bool ok = true;
-  for (const auto& comparison : *comparisons) {
-    warn(comparison.warnings, output.quiet);
-    ok = ok && comparison.complete;
-    const LawFit& fit = comparison.recording.fit;
-    if (fit.status == FitStatus::converged) continue;
-    complain(fmt::format("{}: run {}: {}: {}", files.front(), comparison.recording.series.run,
-                         name(fit.status), fit.message));
-    ok = false;
-  }
-  if (auto good = write_files(*comparisons, output); !good) return refuse(good.error().message);
+  if (!comparisons) return refuse(comparisons.error());
+  if (auto good = write_files(*comparisons, output); !good) return refuse(good.error());
   if (output.output != "-" && !print(output.json ? to_json(*comparisons) : table(*comparisons)))
     return refuse("standard output cannot be written");
   if (!output.plot.empty())
     if (auto drawn = write_plot(output.plot, compare_figure(*comparisons)); !drawn)
-      return refuse(drawn.error().message);
+      return refuse(drawn.error());
+  bool ok = true;
+  for (const auto& comparison : *comparisons) {
+    tell(comparison.notices, output);
+    ok = ok && comparison.complete;
+    const LawFit& fit = comparison.recording.fit;
+    if (fit.status == FitStatus::converged) continue;
+    complain(fmt::format("{}: run {}: {}: {}", files.front(), comparison.recording.series.run,
+                         name(fit.status), in_words(fit.message)));
+    ok = false;
+  }
   return ok ? done : no_success;
 }
 

@@ -1,4 +1,5 @@
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -70,29 +71,26 @@ Result<void> write_files(const Answer& answer, const OutputOptions& output, cons
 Result<void> check_motion(const std::string& motion, const OutputOptions& output,
                           const std::vector<std::string>& inputs) {
   if (motion.empty()) return {};
-  if (!motion.ends_with(".csv"))
-    return Error{fmt::format("--motion: {}: the motion is written as .csv", motion)};
-  if (motion == output.output) return Error{fmt::format("-o and --motion both name {}", motion)};
+  if (!motion.ends_with(".csv")) return Error{"motion_is_csv", {{"file", motion}}};
+  if (motion == output.output)
+    return Error{"two_outputs_one_file", {{"first", "-o"}, {"second", "--motion"}, {"file", motion}}};
   OutputOptions same;
   same.output = motion;
-  Result<void> good = check_outputs(same, inputs);
-  if (!good && good.error().message.starts_with("-o "))
-    return Error{"--motion " + good.error().message.substr(3)};
-  return good;
+  return check_outputs(same, inputs, "--motion");
 }
 
-/// Warnings and failures on standard error; whether all fits succeeded.
-bool say_what_is_wrong(const std::vector<FittedRecording>& fits, bool many, bool quiet) {
-  bool good = true;
-  for (const auto& fitted : fits) {
-    for (const auto& warning : fitted.warnings)
-      warn({many ? fmt::format("{}: {}", fitted.file, warning) : warning}, quiet);
-    if (fitted.succeeded()) continue;
-    complain(fmt::format("{}: run {}: {}: {}", fitted.file, fitted.series.run, fitted.status(),
-                         fitted.fit.message));
-    good = false;
+/// What there is to say of the fits and of the line through them, and which fits failed.
+void say_what_is_wrong(const Answer& answer, const OutputOptions& output) {
+  std::vector<Notice> notices;
+  for (const auto& fitted : answer.fits) {
+    for (const Notice& notice : fitted.notices)
+      notices.push_back(answer.many ? Notice{"in_file", {{"file", fitted.file}, {"what", notice}}} : notice);
+    if (!fitted.succeeded())
+      complain(fmt::format("{}: run {}: {}: {}", fitted.file, fitted.series.run, fitted.status(),
+                           in_words(fitted.fit.message)));
   }
-  return good;
+  if (answer.line) notices.insert(notices.end(), answer.line->notices.begin(), answer.line->notices.end());
+  tell(notices, output);
 }
 
 }  // namespace
@@ -126,16 +124,15 @@ int run_fit(const Arguments& arguments) {
        "Output"});
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_fit_options(options); !good) return refuse(good.error().message);
-  if (auto good = check(spring); !good) return refuse(good.error().message);
+  if (auto good = check_fit_options(options); !good) return refuse(good.error());
+  if (auto good = check(spring); !good) return refuse(good.error());
   if (options.mass && (spring.mass_line || spring.held))
     return refuse(fmt::format("--mass: {} takes the masses from --masses, one for each; leave --mass out",
                               spring.held ? "--static" : "--mass-line"));
   const auto found = recording_files(files);
-  if (!found) return refuse(found.error().message);
-  if (auto good = check_outputs(output, found->files); !good) return refuse(good.error().message);
-  if (auto good = check_motion(motion, output, found->files); !good) return refuse(good.error().message);
-  warn(found->notes, output.quiet);
+  if (!found) return refuse(found.error());
+  if (auto good = check_outputs(output, found->files); !good) return refuse(good.error());
+  if (auto good = check_motion(motion, output, found->files); !good) return refuse(good.error());
   if (spring.held && !motion.empty())
     return refuse("--motion has no meaning with --static: a mass at rest has no motion");
   if (spring.held) return run_static(found->files, options, spring, output);
@@ -143,29 +140,30 @@ int run_fit(const Arguments& arguments) {
   const Watch watch = watching(output.quiet);
   auto fits = fit_all(*found, options, watch);
   clear_progress();
-  if (!fits) return refuse(fits.error().message);
+  if (!fits) return refuse(fits.error());
   const bool interrupted = watch.interrupted();
   if (interrupted)
     complain(fmt::format("interrupted; what follows is what {} of {} files have given", files_of(*fits),
                          found->files.size()));
   Answer answer{*std::move(fits), found->many};
-  const bool good = say_what_is_wrong(answer.fits, found->many, output.quiet) && !interrupted;
+  const bool good = !interrupted && std::all_of(answer.fits.begin(), answer.fits.end(),
+                                                [](const auto& fitted) { return fitted.succeeded(); });
   if (spring.mass_line && !interrupted) {
     auto line = mass_line(answer.fits, *parse_masses(spring.masses));
     // A line that lacks points because fits failed is no wrong input.
-    if (!line && good) return refuse(line.error().message);
-    if (!line) {
-      complain("there is no line of T² against mass: " + line.error().message);
-    } else {
-      warn(line->warnings, output.quiet);
+    if (!line && good) return refuse(line.error());
+    if (line)
       answer.line = *std::move(line);
-    }
+    else
+      complain("there is no line of T² against mass: " + in_words(line.error()));
   }
-  if (auto written = write_files(answer, output, motion); !written) return refuse(written.error().message);
+  if (auto written = write_files(answer, output, motion); !written) return refuse(written.error());
   if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))
     return refuse("standard output cannot be written");
   if (!output.plot.empty())
-    if (auto drawn = write_plot(output.plot, answer.figure()); !drawn) return refuse(drawn.error().message);
+    if (auto drawn = write_plot(output.plot, answer.figure()); !drawn) return refuse(drawn.error());
+  say_what_is_wrong(answer, output);
+  tell(found->notes, output);
   return good ? done : no_success;
 }
 

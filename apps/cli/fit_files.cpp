@@ -1,7 +1,5 @@
 #include "fit_files.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
@@ -37,16 +35,15 @@ Result<void> open_folder(const std::string& folder, RecordingFiles& found) {
     else
       ++left_aside;
   }
-  if (problem) return Error{fmt::format("{}: cannot be read: {}", folder, problem.message())};
+  if (problem) return Error{"folder_unreadable", {{"folder", folder}, {"reason", problem.message()}}};
   if (names.empty())
     return Error{
-        fmt::format("{}: the folder holds no recording (a file ending in one of {}; folders in it are not "
-                    "searched)",
-                    folder, fmt::join(endings, ", "))};
+        "folder_without_recordings",
+        {{"folder", folder}, {"endings", std::vector<std::string>(std::begin(endings), std::end(endings))}}};
   if (left_aside > 0)
     found.notes.push_back(
-        fmt::format("{}: {} of {} entries are no recordings by their ending and are left aside", folder,
-                    left_aside, left_aside + names.size()));
+        Notice{"entries_left_aside",
+               {{"folder", folder}, {"left", left_aside}, {"all", left_aside + names.size()}}});
   std::sort(names.begin(), names.end());
   found.files.insert(found.files.end(), names.begin(), names.end());
   return {};
@@ -82,12 +79,12 @@ std::vector<FittedRecording> fit_file(const std::string& file, const FitOptions&
                                       const Watch& watch) {
   try {
     const auto bytes = read_file(file);
-    if (!bytes) return {not_fitted(file, 1, bytes.error().message)};
+    if (!bytes) return {not_fitted(file, 1, bytes.error().notice)};
     auto fits = fit(*bytes, file, options, watch);
-    if (!fits) return {not_fitted(file, options.run.value_or(1), fits.error().message)};
+    if (!fits) return {not_fitted(file, options.run.value_or(1), fits.error().notice)};
     return *std::move(fits);
   } catch (const std::bad_alloc&) {
-    return {not_fitted(file, 1, "not enough memory for this file")};
+    return {not_fitted(file, 1, Notice{"no_memory_for_file"})};
   }
 }
 

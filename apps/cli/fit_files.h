@@ -12,7 +12,7 @@ namespace cromer::core::cli {
 struct RecordingFiles {
   std::vector<std::string> files;  ///< in the order named, a folder's by name, capitals first
   bool many = false;               ///< more than one file, or a folder, was named: the answer is a list
-  std::vector<std::string> notes;  ///< what of a folder was left aside
+  std::vector<Notice> notes;       ///< what of a folder was left aside
 };
 
 /// A folder stands for the files right in it whose ending is that of a recording. One without any is an

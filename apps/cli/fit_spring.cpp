@@ -10,6 +10,7 @@
 #include "cromer/documents/text/interval_text.h"
 #include "cromer/documents/text/text_table.h"
 #include "cromer/documents/text/words.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
@@ -148,17 +149,15 @@ std::vector<Option> options_of(SpringOptions& o) {
 }
 
 Result<void> check(const SpringOptions& options) {
-  if (options.held && options.mass_line)
-    return Error{"--static and --mass-line are two ways; give one of them"};
-  const char* way = options.held ? "--static" : "--mass-line";
-  if (!options.held && options.gravity) return Error{"--gravity is for --static only"};
+  if (options.held && options.mass_line) return Error{"static_or_mass_line"};
+  const char* way = options.held ? "static" : "mass-line";
+  if (!options.held && options.gravity) return Error{"gravity_without_static"};
   if (!options.held && !options.mass_line)
-    return options.masses.empty() ? Result<void>{} : Error{"--masses goes with --static or --mass-line"};
-  if (options.masses.empty())
-    return Error{fmt::format("{} needs --masses, for instance --masses \"48.4 g, 67.95 g, 87.96 g\"", way)};
+    return options.masses.empty() ? Result<void>{} : Error{"masses_without_line"};
+  if (options.masses.empty()) return Error{"masses_needed", {{"way", way}}};
   const auto masses = parse_masses(options.masses);
   if (!masses) return masses.error();
-  if (masses->size() < 2) return Error{fmt::format("--masses: {} needs at least two masses", way)};
+  if (masses->size() < 2) return Error{"two_masses_needed", {{"way", way}}};
   return {};
 }
 
@@ -167,23 +166,22 @@ int run_static(const std::vector<std::string>& files, const FitOptions& fit, con
   std::vector<NamedBytes> bytes;
   for (const auto& file : files) {
     auto read = read_file(file);
-    if (!read) return refuse(read.error().message);
+    if (!read) return refuse(read.error());
     bytes.emplace_back(file, *std::move(read));
   }
   StaticOptions task{fit, options.masses, options.gravity.value_or(Quantity{9.80665, 0})};
   const auto found = fit_static(bytes, task);
-  if (!found) return refuse(found.error().message);
-  warn(found->warnings, output.quiet);
+  if (!found) return refuse(found.error());
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
     if (auto good = write_file(output.output, csv ? static_csv(*found) : to_json(*found)); !good)
-      return refuse(good.error().message);
+      return refuse(good.error());
   }
   if (output.output != "-" && !print(output.json ? to_json(*found) : static_text(*found)))
     return refuse("standard output cannot be written");
   if (!output.plot.empty())
-    if (auto good = write_plot(output.plot, static_figure(*found)); !good)
-      return refuse(good.error().message);
+    if (auto good = write_plot(output.plot, static_figure(*found)); !good) return refuse(good.error());
+  tell(found->notices, output);
   return done;
 }
 

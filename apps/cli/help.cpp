@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "cromer/documents/words/words.h"
 #include "syntax.h"
 
 namespace cromer::core::cli {
@@ -49,7 +50,7 @@ void append_option(std::string& out, const Option& option) {
   std::string text(option.help);
   if (option.range == Range::positive || option.range == Range::not_negative ||
       option.range == Range::not_negative_unless_bounded)
-    text += fmt::format("; must {}", constraint(option.range));
+    text += fmt::format("; must {}", in_words(constraint(option.range)));
   if (!option.default_text.empty()) text += fmt::format(" [{}]", option.default_text);
   const std::string left = left_side(option);
   out += left;

@@ -93,23 +93,22 @@ int run_inspect(const Arguments& arguments) {
   add_output_options(syntax.options, output, {.plot = false}, "the columns as .csv or .json");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output, files); !good) return refuse(good.error().message);
+  if (auto good = check_outputs(output, files); !good) return refuse(good.error());
   auto bytes = read_file(files.front());
-  if (!bytes) return refuse(bytes.error().message);
+  if (!bytes) return refuse(bytes.error());
   auto inspection = inspect(*bytes, files.front(), options);
-  if (!inspection) return refuse(inspection.error().message);
-  warn(inspection->warnings, output.quiet);
+  if (!inspection) return refuse(inspection.error());
   if (!output.output.empty()) {
     const bool csv = *file_format(output.output) == FileFormat::csv;
     const Result<std::string> text =
         csv ? recording_csv(inspection->recording, options) : Result<std::string>(to_json(*inspection, true));
-    if (!text) return refuse(text.error().message);
-    if (auto good = write_file(output.output, *text); !good) return refuse(good.error().message);
+    if (!text) return refuse(text.error());
+    if (auto good = write_file(output.output, *text); !good) return refuse(good.error());
   }
-  if (output.output == "-") return done;
-  return print(output.json ? to_json(*inspection, false) : summary(*inspection))
-             ? done
-             : refuse("standard output cannot be written");
+  if (output.output != "-" && !print(output.json ? to_json(*inspection, false) : summary(*inspection)))
+    return refuse("standard output cannot be written");
+  tell(inspection->notices, output);
+  return done;
 }
 
 }  // namespace cromer::core::cli

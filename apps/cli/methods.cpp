@@ -1,4 +1,5 @@
 #include "cromer/tasks/methods/methods.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ std::string effects(const MethodsOptions& options, const std::vector<MethodRow>&
                     off_by(effective.angular_frequency, law.angular_frequency),
                     number(effective.energy_factor()), number(method.effect->stability_limit, "any"),
                     method.effect->stable ? "yes" : "no"});
-    words += name + " " + method.words + "\n";
+    words += name + " " + in_words(method.words) + "\n";
   }
   return asked_for(options, law) + text_table(rows, 1, 7) + "\nWith this step\n" + words;
 }
@@ -98,7 +99,7 @@ int run_methods(const Arguments& arguments) {
   if (options.markdown)
     return print(methods_in_markdown()) ? done : refuse("standard output cannot be written");
   const auto methods = list_methods(options);
-  if (!methods) return refuse(methods.error().message);
+  if (!methods) return refuse(methods.error());
   return print(output.json    ? to_json(*methods)
                : options.step ? effects(options, *methods)
                               : table(*methods))

@@ -9,6 +9,7 @@
 #include "cromer/base/utf8.h"
 #include "cromer/cluster/tables_file.h"
 #include "cromer/report/file.h"
+#include "message.h"
 
 namespace cromer::core::cli {
 
@@ -22,7 +23,9 @@ void add_output_options(std::vector<Option>& options, OutputOptions& output, Out
     options.push_back(
         {"plot", &output.plot, "", Range::any, "draw a figure: .svg, .png or .pdf", "none", group});
   options.push_back({"quiet", &output.quiet, "", Range::any, "no warnings, no progress",
-                     "warnings on standard error", group});
+                     "warnings on standard error, after the answer", group});
+  options.push_back({"verbose", &output.verbose, "", Range::any, "all there is to say, on a terminal too",
+                     "there the three worst", group});
 }
 
 Result<FileFormat> file_format(const std::string& path, bool hdf5) {
@@ -34,34 +37,34 @@ Result<FileFormat> file_format(const std::string& path, bool hdf5) {
   if (ending == ".csv") return FileFormat::csv;
   if (ending == ".json") return FileFormat::json;
   if (ending == ".h5" && hdf5) return FileFormat::hdf5;
-  if (ending == ".h5")
-    return Error{fmt::format(
-        "--output: {}: only simulate, sweep and spectrum write HDF5 files; use .csv or .json", path)};
-  return Error{fmt::format("--output: {}: the ending says the format, and \"{}\" is {}", path, ending,
-                           hdf5 ? "none of .csv, .json and .h5" : "neither .csv nor .json")};
+  if (ending == ".h5") return Error{"no_hdf5_here", {{"file", path}}};
+  return Error{hdf5 ? "unknown_ending_hdf5" : "unknown_ending", {{"file", path}, {"ending", ending}}};
 }
 
-Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs) {
+Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs,
+                           const char* option) {
   for (const auto& input : inputs)
-    for (const auto& [name, path] : {std::pair{"-o", &options.output}, std::pair{"--plot", &options.plot}}) {
+    for (const auto& [name, path] :
+         {std::pair{option, &options.output}, std::pair{"--plot", &options.plot}}) {
       std::error_code none;
       if (!path->empty() && std::filesystem::equivalent(input, *path, none))
-        return Error{fmt::format("{} {}: that is the recording itself; it would be lost", name, *path)};
+        return Error{"output_is_the_input", {{"option", name}, {"file", *path}}};
     }
   if (!options.output.empty()) {
     const auto format = file_format(options.output, options.hdf5);
     if (!format) return format.error();
-    if (options.output == "-" && options.json)
-      return Error{"--json and -o - both want standard output; give -o a file name"};
+    if (options.output == "-" && options.json) return Error{"two_on_standard_output"};
     if (options.output != "-")
       if (auto good = check_writable(options.output); !good) return good;
     if (*format == FileFormat::hdf5)
       if (auto good = can_write_tables(); !good) return good;
   }
   if (!options.plot.empty()) {
-    if (auto format = figure_format(options.plot); !format) return Error{"--plot: " + format.error().message};
+    if (auto format = figure_format(options.plot); !format)
+      return Error{"option_is_wrong", {{"option", "plot"}, {"what", format.error().notice}}};
     if (auto good = check_writable(options.plot); !good) return good;
-    if (options.plot == options.output) return Error{fmt::format("-o and --plot both name {}", options.plot)};
+    if (options.plot == options.output)
+      return Error{"two_outputs_one_file", {{"first", "-o"}, {"second", "--plot"}, {"file", options.plot}}};
   }
   return {};
 }
@@ -72,6 +75,10 @@ Result<void> write_plot(const std::string& path, const Figure& figure) {
   auto picture = draw(figure, *format);
   if (!picture) return picture.error();
   return write_file(path, *picture);
+}
+
+void tell(const std::vector<Notice>& notices, const OutputOptions& output) {
+  if (!output.quiet) tell(notices, output.verbose);
 }
 
 bool print(std::string_view text) {

@@ -33,7 +33,7 @@ int unknown_option(const Syntax& syntax, const std::string& typed) {
       std::string_view(typed).substr(std::min(typed.size(), typed.find_first_not_of('-')));
   const std::string_view name = bare.substr(0, bare.find('='));
   if (syntax.refusal)
-    if (const std::string why = syntax.refusal(name, ""); !why.empty()) return refuse(why);
+    if (const Notice why = syntax.refusal(name, ""); !why.empty()) return refuse(Error{why});
   if (const std::string_view owner = option_owner(name); !owner.empty())
     return refuse(fmt::format("--{} is an option of cromer {}, not of cromer {}; see cromer {} --help", name,
                               owner, syntax.command, syntax.command));
@@ -47,10 +47,10 @@ Result<void> assign_all(const Syntax& syntax, const std::vector<Typed>& typed) {
     if (flag)
       if (auto good = assign(*option, "true"); !good) return good;
     if (texts.size() > 1 && !option->is_list())
-      return Error{fmt::format("--{} is given {} times; it takes one value", option->name, texts.size())};
+      return Error{"given_several_times", {{"option", option->name}, {"times", texts.size()}}};
     for (const auto& text : texts)
       if (auto good = assign(*option, text); !good) {
-        const std::string why = syntax.refusal ? syntax.refusal(option->name, text) : "";
+        const Notice why = syntax.refusal ? syntax.refusal(option->name, text) : Notice{};
         return why.empty() ? good : Error{why};
       }
   }
@@ -104,7 +104,7 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
     return refuse(fmt::format("{} needs a file; see cromer {} --help", syntax.command, syntax.command));
   if (syntax.files == "FILE" && files.size() > 1)
     return refuse(fmt::format("{} takes one file, but {} are given", syntax.command, files.size()));
-  if (auto good = assign_all(syntax, typed); !good) return refuse(good.error().message);
+  if (auto good = assign_all(syntax, typed); !good) return refuse(good.error());
   return std::nullopt;
 }
 

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "cromer/documents/json/live.h"
 #include "cromer/documents/text/words.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/record/live_fitter.h"
 #include "cromer/tasks/record/options.h"
 #include "exit_status.h"
@@ -48,7 +49,7 @@ void watch_it(const Recorder& recorder, const std::string& column, const Watch& 
 }
 
 std::string summary(const std::string& path, const RecorderStatus& status) {
-  const std::string times = sentence(status.times);
+  const std::string times = in_words(sentence(status.times));
   std::string text = fmt::format("{}: {} samples", path, status.samples);
   if (status.rate > 0)
     text += fmt::format(" in {}, {} a second", format_quantity({status.end - status.begin, 0}, "s"),
@@ -56,23 +57,30 @@ std::string summary(const std::string& path, const RecorderStatus& status) {
   return text + "\n" + (times.empty() ? "" : times + "\n");
 }
 
+/// The first remarks, and how many more there are.
+std::vector<Notice> what_happened(const Recorder& recorder, const RecorderStatus& end) {
+  constexpr std::size_t most = 20;
+  const auto remarks = recorder.notices_since(0);
+  std::vector<Notice> all;
+  for (std::size_t i = 0; i < std::min(remarks.size(), most); ++i) all.push_back(remarks[i].what);
+  if (end.garbage > 1) all.push_back(Notice{"lines_no_samples", {{"lines", end.garbage}}});
+  if (end.samples > 0 && remarks.size() > most) all.push_back(Notice{"file_lists_more"});
+  return all;
+}
+
 /// Says what happened, what was recorded and how it ended; the exit status.
 int conclude(const Recorder& recorder, const RecordOptions& options, const OutputOptions& output) {
   RecorderStatus end = recorder.status();
   const auto notices = recorder.notices_since(0);
-  std::vector<std::string> said;
-  for (std::size_t i = 0; i < std::min<std::size_t>(notices.size(), 20); ++i) said.push_back(notices[i].text);
-  if (end.garbage > 1) said.push_back(fmt::format("{} lines were no samples", end.garbage));
-  if (end.samples > 0 && notices.size() > 20) said.push_back("the end of the file lists more");
-  warn(said, output.quiet);
   if (end.samples == 0 && end.failure.empty())
-    end.failure = fmt::format("no sample came from {}", options.from);
+    end.failure = Notice{"no_sample_came", {{"source", options.from}}};
   if (!print(output.json       ? recording_json(options.output, end, recorder.headings(), notices)
              : end.samples > 0 ? summary(options.output, end)
                                : ""))
     return refuse("standard output cannot be written");
+  tell(what_happened(recorder, end), output);
   if (end.failure.empty()) return done;
-  complain(end.failure);
+  complain(in_words(end.failure));
   return no_success;
 }
 
@@ -98,12 +106,13 @@ int run_record(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, none)) return *status;
   if (options.from.empty()) return refuse("cromer record needs --from SOURCE; see cromer record --help");
   const auto setup = check(options);
-  if (!setup) return refuse(setup.error().message);
+  if (!setup) return refuse(setup.error());
 
   const Watch watch = watching(true);
   const auto recorder =
-      make_recorder(*setup, options.duration, options.output, command_line("record", arguments));
-  if (auto good = recorder->start(); !good) return refuse(good.error().message);
+      make_recorder(*setup, options.duration, options.output, command_line("record", arguments),
+                    [](const Notice& notice) { return in_words(notice); });
+  if (auto good = recorder->start(); !good) return refuse(good.error());
   watch_it(*recorder, options.column, watch, output.quiet);
   recorder->stop();
   return conclude(*recorder, options, output);

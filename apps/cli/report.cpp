@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "cromer/base/utf8.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/study/study_json.h"
 #include "cromer/study/write_report.h"
 #include "cromer/version.h"
@@ -60,28 +61,18 @@ int run_report(const Arguments& arguments) {
 
   Watch watch = watching(output.quiet);
   watch.progress = {};
-  // What is said before a run is not said again at the end.
-  std::vector<std::string> said;
-  watch.warn = [&](const std::vector<std::string>& warnings) {
-    if (!output.quiet && isatty(STDERR_FILENO)) std::fputs("\r\033[K", stderr);
-    warn(warnings, output.quiet);
-    said.insert(said.end(), warnings.begin(), warnings.end());
-  };
   const auto progress = progress_line(output.quiet);
   const auto report = write_report(files.front(), folder, today(), "cromer " CROMER_VERSION, watch, progress);
   if (progress) std::fputs("\r\033[K", stderr);
-  if (!report) return refuse(report.error().message);
-  std::vector<std::string> unsaid;
-  for (const std::string& warning : report->warnings)
-    if (std::find(said.begin(), said.end(), warning) == said.end()) unsaid.push_back(warning);
-  warn(unsaid, output.quiet);
-  if (!output.quiet)
-    for (const std::string& shown : report->shown) complain("as this study is to show, " + shown);
-  if (!report->failure.empty()) complain(report->failure);
+  if (!report) return refuse(report.error());
+  const bool good = report->failure.empty();
   if (output.json && !print(to_json(*report))) return refuse("standard output cannot be written");
-  if (!report->failure.empty()) return no_success;
-  if (!output.json) print(report->index + "\n");
-  return done;
+  if (!output.json && good) print(report->index + "\n");
+  if (!good) complain(in_words(report->failure));
+  if (!output.quiet)
+    for (const Notice& shown : report->shown) complain("as this study is to show, " + in_words(shown));
+  tell(report->notices, output);
+  return good ? done : no_success;
 }
 
 }  // namespace cromer::core::cli

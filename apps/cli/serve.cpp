@@ -8,6 +8,7 @@
 #include "apps/serve/own_addresses.h"
 #include "command_line.h"
 #include "commands.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/report/read_file.h"
 #include "exit_status.h"
 #include "message.h"
@@ -54,7 +55,7 @@ Syntax syntax_of(ServeOptions& o) {
 Result<std::optional<RecordSetup>> setup_of(const RecordOptions& options) {
   if (options.from.empty()) {
     if (options.output.empty()) return std::optional<RecordSetup>{};
-    return Error{"-o names the recording, but there is no --from SOURCE to record"};
+    return Error{"output_without_source"};
   }
   auto setup = check(options);
   if (!setup) return setup.error();
@@ -69,7 +70,7 @@ int serve_lab(const std::string& address, std::optional<int> port, const std::st
   HttpServer server(
       [&](const HttpRequest& request, const HttpServer::Respond& respond) { lab->handle(request, respond); },
       [&](EventCursor& cursor) { return session.events(cursor); });
-  if (auto good = server.listen(address, port.value_or(8000)); !good) return refuse(good.error().message);
+  if (auto good = server.listen(address, port.value_or(8000)); !good) return refuse(good.error());
   Guard guard{server.port(), !is_loopback(address), ""};
   if (guard.beyond_this_computer) guard.token = random_token();
   lab = std::make_unique<Lab>(session, guard, page);
@@ -93,12 +94,13 @@ int run_serve(const Arguments& arguments) {
   if (options.port && (*options.port < 0 || *options.port > 65535))
     return refuse(fmt::format("--port {}: it must be 0 to 65535", *options.port));
   auto setup = setup_of(options.recording);
-  if (!setup) return refuse(setup.error().message);
+  if (!setup) return refuse(setup.error());
   if (options.page.empty()) {
     options.page = find_lab_page();
-    if (options.page.empty()) warn({"the page is not built; ./dev page builds it"}, options.quiet);
+    if (options.page.empty() && !options.quiet)
+      complain("warning: the page is not built; ./dev page builds it");
   } else if (const auto bytes = read_file(options.page); !bytes) {
-    return refuse("--page: " + bytes.error().message);
+    return refuse("--page: " + in_words(bytes.error()));
   }
   LiveSession session(*std::move(setup), options.recording, command_line("serve", arguments));
   return serve_lab(options.address, options.port, options.page, session);

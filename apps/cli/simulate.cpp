@@ -1,4 +1,5 @@
 #include "cromer/tasks/simulate/simulate.h"
+#include "cromer/documents/words/words.h"
 
 #include <unistd.h>
 
@@ -55,26 +56,20 @@ int run_simulate(const Arguments& arguments) {
   add_output_options(syntax.options, output, {}, "the kept states as .csv, .json or .h5");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
-  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
-  if (auto good = load_drive(options, ""); !good) return refuse(good.error().message);
+  if (auto good = check_outputs(output); !good) return refuse(good.error());
+  if (auto good = load_drive(options, ""); !good) return refuse(good.error());
   options.memory = memory_for_states();
 
-  Watch watch = watching(output.quiet);
-  std::size_t said = 0;
-  watch.warn = [&](const std::vector<std::string>& warnings) {
-    warn(warnings, output.quiet);
-    said = warnings.size();
-  };
-  auto result = simulate(options, watch);
+  const auto result = simulate(options, watching(output.quiet));
   clear_progress();
-  if (!result) return refuse(result.error().message);
-  warn({result->warnings.begin() + static_cast<std::ptrdiff_t>(said), result->warnings.end()}, output.quiet);
-  for (const auto& run : result->runs)
-    if (!run.message.empty()) complain(run.label + ": " + run.message);
+  if (!result) return refuse(result.error());
   if (auto good = write_files(*result, output, command_line("simulate", arguments)); !good)
-    return refuse(good.error().message);
+    return refuse(good.error());
   if (output.output != "-" && !print(output.json ? to_json(*result, false) : simulate_text(*result)))
     return refuse("standard output cannot be written");
+  for (const auto& run : result->runs)
+    if (!run.message.empty()) complain(run.label + ": " + in_words(run.message));
+  tell(result->notices, output);
   return result->ok() ? done : no_success;
 }
 

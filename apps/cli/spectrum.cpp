@@ -28,15 +28,13 @@ struct SpectrumOutput {
 
 Result<void> check(const SpectrumOutput& output, bool shock, const std::vector<std::string>& inputs) {
   if (auto good = check_outputs(output.common, inputs); !good) return good;
-  if (output.tripartite && output.common.plot.empty())
-    return Error{"--tripartite is a way to draw; say into which file with --plot"};
-  if (output.tripartite && shock)
-    return Error{
-        "--tripartite draws pseudo-velocities, which a shock spectrum has not; leave one of them out"};
+  if (output.tripartite && output.common.plot.empty()) return Error{"tripartite_without_plot"};
+  if (output.tripartite && shock) return Error{"tripartite_of_shock"};
   if (output.fourier.empty()) return {};
-  if (!output.fourier.ends_with(".csv"))
-    return Error{"--fourier: " + output.fourier + ": the amplitudes are written as .csv"};
-  if (output.fourier == output.common.output) return Error{"-o and --fourier both name " + output.fourier};
+  if (!output.fourier.ends_with(".csv")) return Error{"fourier_is_csv", {{"file", output.fourier}}};
+  if (output.fourier == output.common.output)
+    return Error{"two_outputs_one_file",
+                 {{"first", "-o"}, {"second", "--fourier"}, {"file", output.fourier}}};
   OutputOptions same;
   same.output = output.fourier;
   return check_outputs(same, inputs);
@@ -86,39 +84,33 @@ int run_spectrum(const Arguments& arguments) {
                             "pseudo-acceleration", "Output"});
   std::vector<std::string> names;
   if (const auto status = parse(syntax, arguments, names)) return *status;
-  if (auto good = check(output, options.shock, names); !good) return refuse(good.error().message);
+  if (auto good = check(output, options.shock, names); !good) return refuse(good.error());
   std::vector<SpectrumFile> files;
   for (const auto& name : names) {
     auto bytes = read_file(name);
-    if (!bytes) return refuse(bytes.error().message);
+    if (!bytes) return refuse(bytes.error());
     files.push_back({name, *std::move(bytes)});
   }
   // Half of the machine's: what is computed is written out once more as text.
   options.memory =
       0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 
-  const bool quiet = output.common.quiet;
-  Watch watch = watching(quiet);
-  std::size_t said = 0;
-  watch.warn = [&](const std::vector<std::string>& warnings) {
-    warn(warnings, quiet);
-    said = warnings.size();
-  };
-  const auto result = response_spectrum(files, options, watch);
+  const auto result = response_spectrum(files, options, watching(output.common.quiet));
   clear_progress();
-  if (!result) return refuse(result.error().message);
-  warn({result->warnings.begin() + static_cast<std::ptrdiff_t>(said), result->warnings.end()}, quiet);
+  if (!result) return refuse(result.error());
   if (result->interrupted) {
-    complain("interrupted; nothing is written");
     if (output.common.json) print(to_json(*result, false));
+    complain("interrupted; nothing is written");
+    tell(result->notices, output.common);
     return no_success;
   }
   if (auto good = write_files(*result, output, command_line("spectrum", arguments)); !good)
-    return refuse(good.error().message);
-  if (output.common.output == "-") return done;
-  return print(output.common.json ? to_json(*result, false) : spectrum_text(*result))
-             ? done
-             : refuse("standard output cannot be written");
+    return refuse(good.error());
+  if (output.common.output != "-" &&
+      !print(output.common.json ? to_json(*result, false) : spectrum_text(*result)))
+    return refuse("standard output cannot be written");
+  tell(result->notices, output.common);
+  return done;
 }
 
 }  // namespace cromer::core::cli

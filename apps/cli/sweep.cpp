@@ -1,4 +1,5 @@
 #include "cromer/tasks/sweep/sweep.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -87,20 +88,20 @@ int help_first_rank(Ranks& ranks, const SweepOptions& options) {
   if (plan)
     ranks.help(plan->rows, options.threads.value_or(0), watching(true));
   else
-    ranks.cannot_help(plan.error().message);
+    ranks.cannot_help(in_words(plan.error()));
   return done;
 }
 
 int show(const SweepResult& result, const OutputOptions& output, const Arguments& arguments) {
-  warn(warnings_of(result), output.quiet);
-  if (const std::string trouble = sweep_trouble(result); !trouble.empty()) complain(trouble);
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
+  if (auto good = write_files(result, output, arguments); !good) return refuse(good.error());
+  if (output.output != "-" && !print(output.json ? to_json(result) : sweep_text(result)))
+    return refuse("standard output cannot be written");
   if (result.interrupted)
     complain(fmt::format("interrupted after {} of {} points{}", result.done, result.plan.rows.rows,
                          into_file ? "; --resume goes on" : ""));
-  if (auto good = write_files(result, output, arguments); !good) return refuse(good.error().message);
-  if (output.output != "-" && !print(output.json ? to_json(result) : sweep_text(result)))
-    return refuse("standard output cannot be written");
+  if (const std::string trouble = sweep_trouble(result); !trouble.empty()) complain(trouble);
+  tell(notices_of(result), output);
   const bool any = result.counts.not_settled < result.plan.rows.rows;
   return any && result.counts.ok() && !result.interrupted ? done : no_success;
 }
@@ -139,10 +140,10 @@ int run_sweep(const Arguments& arguments) {
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   auto ranks = join_ranks(place);
-  if (!ranks) return refuse(ranks.error().message);
+  if (!ranks) return refuse(ranks.error());
   if (!place.first()) return help_first_rank(**ranks, options);
 
-  if (auto good = check_outputs(output); !good) return refuse(good.error().message);
+  if (auto good = check_outputs(output); !good) return refuse(good.error());
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
   if (resume && !into_file)
     return refuse("--resume: only an HDF5 file can be gone on with; name it with -o FILE.h5");
@@ -150,12 +151,12 @@ int run_sweep(const Arguments& arguments) {
   options.memory = memory_for_rows(json);
   const Watch watch = place.ranks > 1 ? watching_ranks(output.quiet) : watching(output.quiet);
   auto plan = plan_sweep(options);
-  if (!plan) return refuse(plan.error().message);
+  if (!plan) return refuse(plan.error());
   if (!trajectories.path.empty()) {
     if (trajectories.path == output.output || trajectories.path == output.plot)
       return refuse(fmt::format("--trajectories: {} is another output's name", trajectories.path));
     const auto announced = announce_trajectories(*plan, trajectories);
-    if (!announced) return refuse(announced.error().message);
+    if (!announced) return refuse(announced.error());
     if (!output.quiet) complain(*announced);
   } else if (trajectories.every != 1) {
     return refuse("--every: it thins trajectories; name their file with --trajectories FILE.csv");
@@ -165,7 +166,7 @@ int run_sweep(const Arguments& arguments) {
     if (trajectories.path.empty() || result.interrupted) return status;
     const auto said = write_trajectories(result.plan, trajectories, command_line("sweep", arguments), watch);
     clear_progress();
-    if (!said) return refuse(said.error().message);
+    if (!said) return refuse(said.error());
     if (said->empty()) return status;
     complain(*said);
     return static_cast<int>(no_success);
@@ -174,27 +175,27 @@ int run_sweep(const Arguments& arguments) {
   if (!into_file) {
     const auto result = sweep(*std::move(plan), options, make, watch);
     clear_progress();
-    return result ? finish(*result) : refuse(result.error().message);
+    return result ? finish(*result) : refuse(result.error());
   }
   if (output.json || !output.plot.empty()) {
     if (auto good =
             fits_in_memory(static_cast<double>(plan->rows.rows),
                            static_cast<double>(plan->rows.columns.size()) * sizeof(double), options.memory);
         !good)
-      return refuse(good.error().message + ", or leave --json and --plot out");
+      return refuse(in_words(good.error()) + ", or leave --json and --plot out");
   } else {
     options.memory = memory_to_look_through;
   }
   auto file = open_sweep_file(*plan, output.output, resume, command_line("sweep", arguments), watch);
   if (!file) {
-    if (!watch.interrupted()) return refuse(file.error().message);
-    complain(file.error().message);
+    if (!watch.interrupted()) return refuse(file.error());
+    complain(file.error());
     return no_success;
   }
   const auto result = fill_sweep_file(*file, *std::move(plan), options, make, watch);
   clear_progress();
   if (result) return finish(*result);
-  complain(result.error().message);
+  complain(result.error());
   return no_success;
 }
 

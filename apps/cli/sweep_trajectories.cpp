@@ -7,6 +7,7 @@
 
 #include "cromer/base/bytes.h"
 #include "cromer/cluster/disk.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
 #include "cromer/tasks/sweep/sweep_trajectories.h"
@@ -34,15 +35,14 @@ void append_block(std::string& out, const SweepPlan& plan, const std::vector<dou
 Result<std::string> announce_trajectories(const SweepPlan& plan, const TrajectoryOptions& options) {
   const auto format = file_format(options.path);
   if (!format || *format != FileFormat::csv || options.path == "-")
-    return Error{
-        fmt::format("--trajectories {}: trajectories are written as CSV; name it FILE.csv", options.path)};
+    return Error{"trajectories_are_csv", {{"file", options.path}}};
   if (auto good = check_writable(options.path); !good) return good.error();
   const auto states = count_trajectory_states(plan, options.every);
   if (!states) return states.error();
   // Numbers have 18 characters or so where they are not round.
   const double bytes = *states * 18.0 * static_cast<double>(plan.swept.size() + 3);
   if (auto good = fits_on_disk(options.path, bytes); !good)
-    return Error{fmt::format("--trajectories {}, or a larger --every", good.error().message)};
+    return Error{"trajectories_do_not_fit", {{"what", good.error().notice}}};
   return fmt::format("trajectories: {} points, about {:.3g} states, at most some {} in {}", plan.rows.rows,
                      *states, bytes_in_words(bytes), options.path);
 }

@@ -18,7 +18,7 @@ struct Syntax {
   std::vector<Option> options;   ///< in the order of --help
   std::string_view example;      ///< one or more command lines
   /// What this command has to say of an option, or a value, that it does not take; empty: what all say.
-  std::string (*refusal)(std::string_view option, std::string_view text) = nullptr;
+  Notice (*refusal)(std::string_view option, std::string_view text) = nullptr;
 };
 
 /// Assigns every option and collects the files. Returns the exit status where there is nothing left to do:

@@ -104,15 +104,14 @@ Result<void> HttpServer::listen(const std::string& address, int port) {
   Failure failed;
   const auto place = asio::ip::make_address(address, failed);
   if (failed)
-    return Error{
-        fmt::format("--address \"{}\" is no IP address; 0.0.0.0 stands for all of this computer", address)};
+    return Error{"no_ip_address", {{"address", address}}};
   const asio::ip::tcp::endpoint end(place, static_cast<unsigned short>(port));
   auto& acceptor = state_->acceptor;
   acceptor.open(end.protocol(), failed);
   if (!failed) acceptor.set_option(asio::socket_base::reuse_address(true), failed);
   if (!failed) acceptor.bind(end, failed);
   if (!failed) acceptor.listen(asio::socket_base::max_listen_connections, failed);
-  if (failed) return Error{fmt::format("cannot serve at {} port {}: {}", address, port, failed.message())};
+  if (failed) return Error{"cannot_serve", {{"address", address}, {"port", port}, {"reason", failed.message()}}};
   return {};
 }
 

@@ -8,6 +8,7 @@
 
 #include "apps/serve/lab_page.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/report/read_file.h"
 
 namespace cromer::core::serve {
@@ -38,12 +39,12 @@ Result<std::optional<double>> duration_in(const std::string& body) {
   if (body.empty()) return std::optional<double>{};
   const Json document = Json::parse(
       body, [](int depth, Json::parse_event_t, Json&) { return depth < 4; }, false);
-  if (!document.is_object()) return Error{"the body is no JSON object such as {\"for\": \"20 s\"}"};
+  if (!document.is_object()) return Error{"body_is_no_object"};
   const auto wanted = document.find("for");
   if (wanted == document.end() || wanted->is_null()) return std::optional<double>{};
   const auto length = parse_quantity(wanted->is_string() ? wanted->get<std::string>() : wanted->dump(), "s");
-  if (!length) return Error{"\"for\": " + length.error().message};
-  if (!(length->value > 0)) return Error{"\"for\": it must be positive"};
+  if (!length) return Error{"duration_asked", {{"what", length.error().notice}}};
+  if (!(length->value > 0)) return Error{"duration_asked", {{"what", Notice{"must_be_positive_plain"}}}};
   return std::optional(length->value);
 }
 
@@ -104,10 +105,10 @@ void Lab::record(const HttpRequest& request, const Respond& respond) {
   if (!request.body.empty() && !request.content_type.starts_with("application/json"))
     return respond(refused(415, "the body must be application/json"));
   auto duration = duration_in(request.body);
-  if (!duration) return respond(refused(400, duration.error().message));
+  if (!duration) return respond(refused(400, in_words(duration.error())));
   answer_later(starts_, respond, [this, duration = *duration] {
     const auto name = session_.start(duration);
-    return name ? HttpAnswer{200, "application/json", session_.status()} : refused(409, name.error().message);
+    return name ? HttpAnswer{200, "application/json", session_.status()} : refused(409, in_words(name.error()));
   });
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "cromer/documents/json/live.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core::serve {
 namespace {
@@ -39,9 +40,9 @@ std::shared_ptr<LiveSession::Active> LiveSession::active() const {
 }
 
 Result<std::string> LiveSession::start(std::optional<double> duration) {
-  if (!setup_) return Error{"cromer serve was started without --from: there is nothing to record from"};
+  if (!setup_) return Error{"nothing_to_record_from"};
   if (const auto before = active(); before && before->recorder->status().running)
-    return Error{"a recording is going on; stop it first"};
+    return Error{"recording_goes_on"};
   const std::size_t stops_before = [this] {
     const std::lock_guard lock(mutex_);
     return stops_;
@@ -50,14 +51,15 @@ Result<std::string> LiveSession::start(std::optional<double> duration) {
   const std::string path = free_path(options_.output);
   next->name = fs::path(path).filename().string();
   next->duration = duration ? duration : options_.duration;
-  next->recorder = make_recorder(*setup_, next->duration, path, command_);
+  next->recorder = make_recorder(*setup_, next->duration, path, command_,
+                                 [](const Notice& notice) { return in_words(notice); });
   if (auto good = next->recorder->start(); !good) return good.error();
   next->fitter = std::make_unique<LiveFitter>(*next->recorder, options_.column);
   std::unique_lock lock(mutex_);
   if (stops_ != stops_before) {
     lock.unlock();
     next->recorder->stop();
-    return Error{"the recording was stopped while it was starting"};
+    return Error{"stopped_while_starting"};
   }
   next->number = ++recordings_;
   paths_[next->name] = path;

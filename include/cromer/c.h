@@ -28,20 +28,24 @@ typedef int (*cromer_progress)(double done, void* user);
 enum {
   CROMER_DONE = 0,
   CROMER_NO_SUCCESS = 1, /* not converged, diverged, interrupted: what exists is there */
-  CROMER_BAD_INPUT =
-      2 /* the document is {"message": ..., "argument": ...}; argument is null where none is at fault */
+  /* the document is {"message", "argument", "code", "values"}: a sentence, the argument at fault or null, and
+   * what the sentence is made of */
+  CROMER_BAD_INPUT = 2
 };
 
 /* verb: read, fit, simulate, compare, methods, spectrum or sweep. request: a JSON object (UTF-8; NULL or ""
  * for {}) whose names are the options of the program with _ for -: {"mass": "217.6 ± 0.3 g", "law": "auto"};
  * numbers are SI, texts may have units, lists stand where an option may be given several times. A file is
- * named by "file". Arrays: fit, compare   t [s], y [SI unit of "observed": position, angle, velocity,
- * angular_velocity, acceleration], force [N] simulate       force [N] or acceleration [m/s^2] of the ground,
- * with "spacing" [s] spectrum       acceleration [m/s^2], second, periods [s], with "spacing" [s] sweep any
- * option that takes a grid, by its name, for instance drive_frequency What comes back: read: each column by
- * its title; fit: t, measured, residual, x, v of each run as "1.t"; simulate: t, x, v, energy of each run;
- * compare: t, x, v of each curve; spectrum: period, displacement; sweep: a column each. Never NULL but where
- * memory has ended. */
+ * named by "file"; "language" is that of the document's sentences, "en" (if not given) or "de".
+ *
+ * Arrays: fit and compare take t [s], y [SI unit of "observed": position, angle, velocity, angular_velocity,
+ * acceleration] and force [N]; simulate takes force [N] or acceleration [m/s^2] of the ground, with "spacing"
+ * [s]; spectrum takes acceleration [m/s^2], second and periods [s], with "spacing" [s]; sweep takes any
+ * option that has a grid, by its name, for instance drive_frequency.
+ *
+ * What comes back: read: each column by its title; fit: t, measured, residual, x, v of each run as "1.t";
+ * simulate: t, x, v, energy of each run; compare: t, x, v of each curve; spectrum: period, displacement;
+ * sweep: a column each. Never NULL but where memory has ended. */
 CROMER_API cromer_result* cromer_call(const char* verb, const char* request, const cromer_array* arrays,
                                       size_t count, cromer_progress progress, void* user);
 

@@ -9,6 +9,7 @@
 #include <cromer/export.h>
 #include <cromer/fit.h>
 #include <cromer/methods.h>
+#include <cromer/notice.h>
 #include <cromer/result.h>
 #include <cromer/trajectory.h>
 
@@ -41,10 +42,10 @@ struct ComparedCurve {
 struct Comparison {
   LawFit fit;
   std::vector<ComparedCurve> curves;  ///< one constant decay rate, then the law that the data chose
-  std::string explanation;            ///< whether one decay rate is enough, in a sentence
+  std::string explanation;            ///< whether one decay rate is enough, in an English sentence
   bool complete = true;               ///< all curves are
   bool interrupted = false;           ///< progress ended it
-  std::vector<std::string> warnings;  ///< the fit's first
+  std::vector<Notice> notices;        ///< what else there is to know, the fit's first
   std::shared_ptr<const core::CompareResult> detail{};
 };
 

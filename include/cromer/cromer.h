@@ -2,8 +2,9 @@
 //
 // Seven verbs: read, fit, simulate, compare, methods, response_spectrum, sweep. Arrays go in as spans of
 // doubles in SI units, results come out as plain structs. Bad arguments are an Error in a Result; how a
-// computation went is a status in its result. Nothing throws but what the standard library throws where
-// memory ends. Every call is a pure function of its arguments and may run in any thread.
+// computation went is a status in its result, and what else there is to know stands in its notices. Nothing
+// throws but what the standard library throws where memory ends. Every call is a pure function of its
+// arguments and may run in any thread.
 #pragma once
 
 #include <cromer/compare.h>     // IWYU pragma: export
@@ -11,6 +12,7 @@
 #include <cromer/drive.h>       // IWYU pragma: export
 #include <cromer/fit.h>         // IWYU pragma: export
 #include <cromer/methods.h>     // IWYU pragma: export
+#include <cromer/notice.h>      // IWYU pragma: export
 #include <cromer/oscillator.h>  // IWYU pragma: export
 #include <cromer/quantity.h>    // IWYU pragma: export
 #include <cromer/read.h>        // IWYU pragma: export

@@ -12,6 +12,7 @@
 
 #include <cromer/drive.h>
 #include <cromer/export.h>
+#include <cromer/notice.h>
 #include <cromer/oscillator.h>
 #include <cromer/progress.h>
 #include <cromer/quantity.h>
@@ -103,7 +104,7 @@ struct FittedMotion : Trajectory {  ///< x is the displacement from the equilibr
 /// The law of one recorded motion.
 struct LawFit {
   FitStatus status = FitStatus::converged;
-  std::string message;  ///< why, where it did not converge
+  std::string message;  ///< why, where it did not converge, in English
   std::string law;      ///< "viscous+drag"; "" where the record could not be read
   /// As fitted: per unit mass, then the drive, equilibrium, position and velocity at the first used sample,
   /// `begin`; then, with a mass, what they are in newtons.
@@ -121,8 +122,8 @@ struct LawFit {
   std::optional<Estimate> keulegan_carpenter;  ///< with a disc diameter: 2 pi A/D at the largest amplitude
   std::string file, column;                    ///< where the record comes from; "" of arrays
   int run = 1;
-  bool interrupted = false;           ///< progress ended it: what is missing was not tried
-  std::vector<std::string> warnings;  ///< sentences for people
+  bool interrupted = false;     ///< progress ended it: what is missing was not tried
+  std::vector<Notice> notices;  ///< what else there is to know
   std::shared_ptr<const core::FittedRecording> detail{};  ///< for at() and document.h
 
   bool succeeded() const { return detail && status == FitStatus::converged; }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <cromer/export.h>
+#include <cromer/notice.h>
 #include <cromer/result.h>
 
 namespace cromer {
@@ -42,7 +43,7 @@ struct Recording {
   std::string file;
   std::string dialect;  ///< who wrote it: "PASCO Capstone", "Tracker", "plain", ...
   std::vector<Column> columns;
-  std::vector<std::string> warnings;  ///< what was repaired or left out; sentences for people
+  std::vector<Notice> notices;  ///< what was repaired, assumed or left out
   ReadOptions options;
   std::shared_ptr<const core::Recording> detail{};
 

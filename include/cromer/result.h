@@ -6,14 +6,26 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
+
+#include <cromer/notice.h>
 
 namespace cromer {
 
-/// What went wrong and what to do about it, in one sentence that its reader can act on.
+/// What went wrong and what to do about it.
 struct Error {
-  std::string message;  ///< without newline at its end
+  Notice notice;
   std::string
       argument{};  ///< the argument at fault, as its field is called: "step"; "" where it is none alone
+
+  Error(Notice what, std::string argument_at_fault = {})  // NOLINT: implicit on purpose
+      : notice(std::move(what)), argument(std::move(argument_at_fault)) {}
+  explicit Error(std::string code, std::vector<NoticeValue> values = {})
+      : notice(std::move(code), std::move(values)) {}
+
+  /// One sentence that its reader can act on, without a full stop. It names arguments as their fields are
+  /// called.
+  std::string message(Language language = Language::english) const { return text(notice, language); }
 };
 
 /// Holds a T or the Error that prevented it.

@@ -10,6 +10,7 @@
 #include <cromer/drive.h>
 #include <cromer/export.h>
 #include <cromer/methods.h>
+#include <cromer/notice.h>
 #include <cromer/oscillator.h>
 #include <cromer/progress.h>
 #include <cromer/result.h>
@@ -47,11 +48,11 @@ struct Simulation : Trajectory {
   std::vector<double> energy;  // [J] kinetic and potential, one for each state
   Status status = Status::reached_end;
   bool interrupted = false;  ///< progress asked for it (the status is then stopped_by_event)
-  std::string message;       ///< why it ended early; "" where it did not
+  std::string message;       ///< why it ended early, in English; "" where it did not
   Counts counts;
   double step = 0;                                     // [s] as used
   std::optional<MethodEffect> effect{};                ///< what the method really simulates, of linear laws
-  std::vector<std::string> warnings;                   ///< sentences for people
+  std::vector<Notice> notices;                         ///< what else there is to know
   std::shared_ptr<const core::SimulateResult> detail;  ///< for document.h
 
   bool succeeded() const { return status == Status::reached_end && !interrupted; }

@@ -10,6 +10,7 @@
 
 #include <cromer/drive.h>
 #include <cromer/export.h>
+#include <cromer/notice.h>
 #include <cromer/progress.h>
 #include <cromer/result.h>
 
@@ -49,7 +50,7 @@ struct ResponseSpectrum {
   double arias_intensity = 0;               // [m/s]
   double duration_5_95 = 0;                 // [s] significant duration
   bool interrupted = false;                 ///< then the vectors are empty
-  std::vector<std::string> warnings;        ///< sentences for people
+  std::vector<Notice> notices;              ///< what else there is to know
   std::shared_ptr<const core::SpectrumResult> detail{};
 };
 

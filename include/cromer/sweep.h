@@ -9,6 +9,7 @@
 
 #include <cromer/export.h>
 #include <cromer/methods.h>
+#include <cromer/notice.h>
 #include <cromer/oscillator.h>
 #include <cromer/progress.h>
 #include <cromer/result.h>
@@ -40,7 +41,7 @@ struct FrequencyResponse {
       status;       ///< "settled", "not_settled", "unstable", "not_finite", "no_convergence", ...
   std::string way;  ///< how they were found: "closed form", "stepped until settled", ...
   bool interrupted = false;
-  std::vector<std::string> warnings;  ///< sentences for people
+  std::vector<Notice> notices;  ///< what else there is to know
   std::shared_ptr<const core::SweepResult> detail{};
 };
 

@@ -1,4 +1,5 @@
 #include "cromer/base/grid.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ using ::testing::HasSubstr;
 std::vector<double> values(std::string_view text, std::string_view unit = "") {
   const auto grid = parse_grid(text, unit);
   if (!grid) {
-    ADD_FAILURE() << text << ": " << grid.error().message;
+    ADD_FAILURE() << text << ": " << in_words(grid.error());
     return {};
   }
   return *values_of(*grid, 8, 0);
@@ -27,7 +28,7 @@ std::vector<double> values(std::string_view text, std::string_view unit = "") {
 
 std::string message(std::string_view text, std::string_view unit = "") {
   const auto grid = parse_grid(text, unit);
-  return grid ? "accepted" : grid.error().message;
+  return grid ? "accepted" : in_words(grid.error());
 }
 
 TEST(Grid, ListKeepsItsOrder) {
@@ -118,7 +119,7 @@ TEST(Grid, OneTooLongSaysWhatItNeeds) {
   EXPECT_EQ((*grid)[grid->size() - 1], 10);
   const auto all = values_of(*grid, 56, 16e9);
   ASSERT_FALSE(all.ok());
-  EXPECT_EQ(all.error().message, "1e+15 points need 56 PB of memory, and there are 16 GB; ask for fewer");
+  EXPECT_EQ(in_words(all.error()), "1e+15 points need 56 PB of memory, and there are 16 GB; ask for fewer");
   EXPECT_FALSE(values_of(*parse_grid("1:2:9e15", ""), 200, 0).ok());
 }
 
@@ -145,7 +146,7 @@ TEST(Grid, OneOnTheLimitIsAccepted) {
   EXPECT_TRUE(fits_in_memory(1e17, 10, 0).ok());
   const auto all = fits_in_memory(2e17, 10, 0);
   ASSERT_FALSE(all.ok());
-  EXPECT_EQ(all.error().message, "2e+17 points need 2 EB of memory; ask for fewer");
+  EXPECT_EQ(in_words(all.error()), "2e+17 points need 2 EB of memory; ask for fewer");
 }
 
 TEST(Grid, WhereAUnitMayStand) {

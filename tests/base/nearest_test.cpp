@@ -1,11 +1,14 @@
 #include "cromer/base/nearest.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
 
 namespace cromer::core {
 namespace {
+
+using testing::ElementsAre;
 
 constexpr std::array<std::string_view, 5> methods{"forward-euler", "euler-cromer", "implicit-euler", "verlet",
                                                   "rk4"};
@@ -27,15 +30,16 @@ TEST(Nearest, CountsASwapAsOneEdit) {
 }
 
 TEST(Nearest, PrefersNamesThatContainWhatWasTyped) {
-  EXPECT_EQ(nearest_names("euler", methods), "forward-euler, euler-cromer or implicit-euler");
-  EXPECT_EQ(nearest_names("Cromer", methods), "euler-cromer");
+  EXPECT_THAT(nearest_names("euler", methods),
+              ElementsAre("forward-euler", "euler-cromer", "implicit-euler"));
+  EXPECT_THAT(nearest_names("Cromer", methods), ElementsAre("euler-cromer"));
   constexpr std::array<std::string_view, 3> options{"velocity", "natural-frequency", "drive-frequency"};
   EXPECT_EQ(nearest("frequency", options), "drive-frequency");  // the shorter of two
   // One slip of the finger says more than a word within a word, two letters say nothing.
   constexpr std::array<std::string_view, 2> slip{"drive-phase", "phade"};
   EXPECT_EQ(nearest("phase", slip), "phade");
-  EXPECT_EQ(nearest_names("rk", methods), "rk4");
-  EXPECT_EQ(nearest_names("er", methods), "");
+  EXPECT_THAT(nearest_names("rk", methods), ElementsAre("rk4"));
+  EXPECT_THAT(nearest_names("er", methods), ElementsAre());
 }
 
 TEST(Nearest, GivesUpOnWhatIsTooFar) {
@@ -83,8 +87,8 @@ TEST(Nearest, NobodyMeansANameOfMoreThanTwoHundredLetters) {
 
 TEST(Nearest, NamesAllThatContainIt) {
   constexpr std::array<std::string_view, 2> two{"one-euler", "other-euler"};
-  EXPECT_EQ(nearest_names("euler", two), "one-euler or other-euler");
-  EXPECT_EQ(nearest_names("zzzzzzzz", two), "");
+  EXPECT_THAT(nearest_names("euler", two), ElementsAre("one-euler", "other-euler"));
+  EXPECT_THAT(nearest_names("zzzzzzzz", two), ElementsAre());
 }
 
 }  // namespace

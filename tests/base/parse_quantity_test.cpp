@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
@@ -13,14 +14,14 @@ using testing::HasSubstr;
 
 void expect(std::string_view text, std::string_view unit, double value, double uncertainty = 0) {
   const auto quantity = parse_quantity(text, unit);
-  ASSERT_TRUE(quantity.ok()) << text << ": " << quantity.error().message;
+  ASSERT_TRUE(quantity.ok()) << text << ": " << in_words(quantity.error());
   EXPECT_DOUBLE_EQ(quantity->value, value) << text;
   EXPECT_DOUBLE_EQ(quantity->uncertainty, uncertainty) << text;
 }
 
 std::string message(std::string_view text, std::string_view unit) {
   const auto quantity = parse_quantity(text, unit);
-  return quantity ? "accepted" : quantity.error().message;
+  return quantity ? "accepted" : in_words(quantity.error());
 }
 
 TEST(ParseQuantity, EveryRefusalShowsAnExampleThatIsAccepted) {

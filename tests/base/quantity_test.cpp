@@ -1,4 +1,5 @@
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -16,14 +17,14 @@ constexpr double pi = std::numbers::pi;
 
 void expect(std::string_view text, std::string_view unit, double value, double uncertainty = 0) {
   const auto quantity = parse_quantity(text, unit);
-  ASSERT_TRUE(quantity.ok()) << text << ": " << quantity.error().message;
+  ASSERT_TRUE(quantity.ok()) << text << ": " << in_words(quantity.error());
   EXPECT_DOUBLE_EQ(quantity->value, value) << text;
   EXPECT_DOUBLE_EQ(quantity->uncertainty, uncertainty) << text;
 }
 
 std::string message(std::string_view text, std::string_view unit) {
   const auto quantity = parse_quantity(text, unit);
-  return quantity ? "accepted" : quantity.error().message;
+  return quantity ? "accepted" : in_words(quantity.error());
 }
 
 TEST(ParseQuantity, BareNumbersAreSI) {
@@ -214,7 +215,7 @@ TEST(FormatQuantity, ReadsBackWithinItsLastPlace) {
 TEST(ParseQuantity, AnyTextEndsInAnAnswer) {
   EXPECT_TRUE(rc::check("no text crashes", [](const std::string& text) {
     const auto quantity = parse_quantity(text, "kg");
-    RC_ASSERT((quantity.ok() ? std::isfinite(quantity->value) : !quantity.error().message.empty()));
+    RC_ASSERT((quantity.ok() ? std::isfinite(quantity->value) : !in_words(quantity.error()).empty()));
   }));
 }
 

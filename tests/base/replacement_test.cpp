@@ -1,4 +1,5 @@
 #include "cromer/base/replacement.h"
+#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -122,11 +123,11 @@ TEST_F(ReplacementOf, ALinkIsFollowedToItsEnd) {
 TEST_F(ReplacementOf, WhatCannotBeIsNamed) {
   EXPECT_EQ(folder_of("file"), ".");
   EXPECT_EQ(folder_of("a/b/file"), "a/b");
-  EXPECT_EQ(cannot_write("x", ENOENT).message, "cannot write x: No such file or directory");
+  EXPECT_EQ(in_words(cannot_write("x", ENOENT)), "cannot write x: No such file or directory");
   for (const Maker make : {&Replacement::beside, &Replacement::named_beside}) {
     const auto missing = make(path("no/file"));
     ASSERT_FALSE(missing.ok());
-    EXPECT_EQ(missing.error().message, "cannot write " + path("no/file") + ": No such file or directory");
+    EXPECT_EQ(in_words(missing.error()), "cannot write " + path("no/file") + ": No such file or directory");
     auto fresh = make(path("folder/file"));
     EXPECT_FALSE(fresh.ok());
   }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
@@ -157,9 +158,9 @@ TEST(ParseUnit, OnlyADegreeCelsiusAloneHasAnOffset) {
 }
 
 TEST(ParseUnit, TheWordThatIsUnknownIsNamed) {
-  EXPECT_EQ(parse_unit("kg foo/s").error().message, "unknown unit \"foo\"");
-  EXPECT_EQ(parse_unit("kg^0").error().message, "unknown unit \"kg^0\"");
-  EXPECT_EQ(parse_unit("kg/").error().message, "unknown unit \"kg/\"");
+  EXPECT_EQ(in_words(parse_unit("kg foo/s").error()), "unknown unit \"foo\"");
+  EXPECT_EQ(in_words(parse_unit("kg^0").error()), "unknown unit \"kg^0\"");
+  EXPECT_EQ(in_words(parse_unit("kg/").error()), "unknown unit \"kg/\"");
   EXPECT_FALSE(parse_unit("Gm^9 Gm^9 Gm^9 Gm^9").ok());  // more metres than a double holds
   EXPECT_FALSE(parse_unit("pm^9 pm^9 pm^9").ok());
 }

@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 
+#include "cromer/documents/words/words.h"
 #include "tests/cluster/started.h"
 
 namespace cromer::core {
@@ -48,7 +49,7 @@ struct Sample {
   /// Writes those chunks; whether it could.
   bool write(const std::vector<std::uint64_t>& chunks) {
     auto file = RowsFile::open(work, options, {});
-    EXPECT_TRUE(file) << file.error().message;
+    EXPECT_TRUE(file) << in_words(file.error());
     if (!file) return false;
     for (const std::uint64_t chunk : chunks) EXPECT_TRUE(file->write(chunk, rows(chunk).data()));
     EXPECT_TRUE(file->close());
@@ -56,7 +57,7 @@ struct Sample {
   }
   std::string refusal() const {
     auto file = RowsFile::open(work, options, {});
-    return file ? "" : file.error().message;
+    return file ? "" : in_words(file.error());
   }
 };
 
@@ -240,7 +241,7 @@ TEST(RowsFile, leaves_nothing_where_it_was_interrupted_before_the_first_chunk) {
   std::atomic<bool> stop{true};
   auto file = RowsFile::open(s.work, s.options, {&stop});
   ASSERT_FALSE(file);
-  EXPECT_THAT(file.error().message, HasSubstr("nothing was begun"));
+  EXPECT_THAT(in_words(file.error()), HasSubstr("nothing was begun"));
   EXPECT_FALSE(exists(s.options.path) || exists(s.options.path + ".new") ||
                exists(s.options.path + ".journal"));
 }

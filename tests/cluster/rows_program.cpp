@@ -17,6 +17,7 @@
 
 #include "cromer/cluster/ranks.h"
 #include "cromer/cluster/rows_file.h"
+#include "cromer/documents/words/words.h"
 
 namespace {
 
@@ -82,18 +83,18 @@ int main(int count, char** words) {
   std::unique_ptr<Ranks> ranks;
   if (place.ranks > 1) {
     auto joined = Ranks::join(place);
-    if (!joined) return fail(joined.error().message, 2);
+    if (!joined) return fail(in_words(joined.error()), 2);
     ranks = std::make_unique<Ranks>(std::move(*joined));
     if (name == "cannot" && !ranks->first()) return ranks->cannot_help("this node has no AVX-512"), 0;
     if (!ranks->first()) return ranks->help(work, threads, watch), 0;
   }
   auto file = RowsFile::open(work, options, watch);
-  if (!file) return fail(file.error().message, 2);
+  if (!file) return fail(in_words(file.error()), 2);
   const auto sink = [&](std::uint64_t chunk, const double* made) { return file->write(chunk, made); };
   const auto end = ranks ? ranks->make_chunks(work, file->unfinished(), threads, sink, watch)
                          : make_chunks(work, file->unfinished(), threads, sink, watch);
-  if (const auto closed = file->close(); !closed && end) return fail(closed.error().message, 1);
-  if (!end) return fail(end.error().message, 1);
+  if (const auto closed = file->close(); !closed && end) return fail(in_words(closed.error()), 1);
+  if (!end) return fail(in_words(end.error()), 1);
   rusage used{};
   getrusage(RUSAGE_SELF, &used);
   std::printf("%s; peak memory %ld KiB\n", *end == ChunksEnd::done ? "done" : "interrupted", used.ru_maxrss);

@@ -18,8 +18,11 @@ TEST(LiveJson, SamplesAreAListForEachColumn) {
 }
 
 TEST(LiveJson, NoticesHaveTheirKind) {
-  const std::vector<Notice> notices{{NoticeKind::gap, "nothing for 2 s"}};
-  EXPECT_EQ(live_notices_json(notices), "{\"notices\":[{\"kind\":\"gap\",\"text\":\"nothing for 2 s\"}]}\n");
+  const std::vector<Remark> remarks{
+      {RemarkKind::gap, Notice{"nothing_came", {{"duration", 2.0}, {"time", 1.0}}}}};
+  EXPECT_EQ(live_notices_json(remarks),
+            "{\"notices\":[{\"kind\":\"gap\",\"text\":\"nothing for 2 s from 1 s on\","
+            "\"german\":\"2 s lang nichts, ab 1 s\"}]}\n");
 }
 
 }  // namespace

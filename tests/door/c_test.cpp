@@ -14,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 using testing::HasSubstr;
+using testing::MatchesRegex;
 using testing::Not;
 
 struct Free {
@@ -115,7 +116,7 @@ TEST(CallC, EveryVerbAnswers) {
   EXPECT_NEAR(array(swept, "amplitude (m)")[1], 1 / 0.2, 1e-9);
 }
 
-/// {"message", "argument"} of bad input.
+/// {"message", "argument", "code", "values"} of bad input.
 void expect_refused(const Answer& answer, const char* argument, const char* words) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(cromer_status(answer.get()), CROMER_BAD_INPUT);
@@ -126,6 +127,8 @@ void expect_refused(const Answer& answer, const char* argument, const char* word
     EXPECT_TRUE(said["argument"].is_null()) << said;
   EXPECT_THAT(said["message"].get<std::string>(), HasSubstr(words));
   EXPECT_THAT(said["message"].get<std::string>(), Not(HasSubstr("--")));
+  EXPECT_THAT(said["code"].get<std::string>(), MatchesRegex("[a-z0-9_]+")) << said;
+  EXPECT_TRUE(said["values"].is_object()) << said;
   std::size_t count = 7;
   cromer_arrays(answer.get(), &count);
   EXPECT_EQ(count, 0u);
@@ -157,6 +160,55 @@ TEST(CallC, BadInputIsSaid) {
   expect_refused(call("spectrum", "{}"), "acceleration", "give the array, or a file");
   expect_refused(call("sweep", "{}", {{"colour", made.y.data(), 9}}), "colour", "no array that sweep takes");
   expect_refused(call("read", "{}"), "file", "nothing to read");
+}
+
+TEST(CallC, ARefusalIsData) {
+  const Swing made = swing();
+  const json said = document(call("fit", R"({"mas": 1})", made.arrays()));
+  EXPECT_EQ(said["code"], "unknown_argument_but");
+  EXPECT_EQ(said["values"], json({{"argument", "mas"}, {"verb", "fit"}, {"near", "mass"}}));
+  const json verbs = document(call("swim", "{}"));
+  EXPECT_EQ(verbs["message"],
+            "there is no verb \"swim\"; there are read, fit, simulate, compare, methods, spectrum and sweep");
+  EXPECT_EQ(verbs["values"]["verbs"].size(), 7u);
+  const json nested = document(call("fit", R"({"mass": ""})", made.arrays()));
+  EXPECT_EQ(nested["code"], "option_is_wrong");
+  EXPECT_EQ(nested["values"]["what"]["code"], "value_is_empty");
+}
+
+TEST(CallC, SpeaksGermanWhereAsked) {
+  const char* request =
+      R"({"stiffness": 9, "method": "forward-euler", "step": 0.05, "until": 1, "language": )";
+  const auto grows = [&](const char* language) {
+    const json said = document(call("simulate", (std::string(request) + language + "}").c_str()));
+    for (const json& each : said["notices"])
+      if (each["code"] == "unstable_at_any_step") return each;
+    ADD_FAILURE() << said;
+    return json::object();
+  };
+  const json german = grows(R"("de")"), english = grows(R"("en")");
+  EXPECT_EQ(german["severity"], "wrong_if_ignored");
+  EXPECT_EQ(english["severity"], "wrong_if_ignored");
+  EXPECT_EQ(german["text"],
+            "forward-euler ist bei diesem Gesetz mit jedem Schritt instabil: die Bewegung wird wachsen");
+  EXPECT_EQ(english["text"],
+            "forward-euler is unstable for this law whatever the step: the motion will grow");
+  EXPECT_EQ(grows("null"), english);
+}
+
+TEST(CallC, RefusesInGermanWhereAsked) {
+  const Swing made = swing();
+  const auto message = [](const Answer& answer) { return document(answer)["message"].get<std::string>(); };
+  EXPECT_EQ(message(call("fit", R"({"language": "de"})")),
+            "eine Aufnahme fehlt: bitte die Felder t und y oder eine Datei angeben");
+  EXPECT_EQ(
+      message(call("swim", R"({"language": "de"})")),
+      "das Verb „swim“ gibt es nicht; es gibt read, fit, simulate, compare, methods, spectrum und sweep");
+  EXPECT_THAT(message(call("fit", R"({"language": "de", "mass": "5 N"})", made.arrays())),
+              HasSubstr("„5 N“ ist eine Kraft"));
+  expect_refused(call("fit", R"({"language": "fr"})", made.arrays()), "language",
+                 "language \"fr\" is not known; it takes en or de");
+  expect_refused(call("methods", R"({"language": 7})"), "language", "language must be a text");
 }
 
 TEST(CallC, NamesOfNothingAreShownAsTheyWereGiven) {

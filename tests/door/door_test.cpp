@@ -46,7 +46,7 @@ Swing swing(int samples = 2000, double w = 3, double noise = 1e-4) {
 TEST(DoorFit, FindsTheLawOfArrays) {
   const Swing made = swing();
   const auto fit = cromer::fit(made.t, made.y, {.law = "viscous", .mass = {0.2176, 0.0003}});
-  ASSERT_TRUE(fit) << fit.error().message;
+  ASSERT_TRUE(fit) << fit.error().message();
   ASSERT_TRUE(fit->succeeded()) << fit->message;
   EXPECT_EQ(fit->law, "viscous");
   EXPECT_EQ(fit->samples, 2000u);
@@ -79,7 +79,7 @@ TEST(DoorFit, TheLawMovesAsTheRecordDoes) {
   const auto fit = cromer::fit(made.t, made.y, {.law = "viscous"});
   ASSERT_TRUE(fit && fit->succeeded());
   const auto at = fit->at(std::vector<double>{1.234, 17.5, 60});
-  ASSERT_TRUE(at) << at.error().message;
+  ASSERT_TRUE(at) << at.error().message();
   ASSERT_EQ(at->size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
     const double t = at->t[i];
@@ -134,9 +134,9 @@ TEST(DoorFit, VelocitiesAreFittedAsWhatTheyAre) {
 void expect_refused(const cromer::Result<cromer::LawFit>& fit, const std::string& argument,
                     const std::string& words) {
   ASSERT_FALSE(fit) << argument;
-  EXPECT_EQ(fit.error().argument, argument) << fit.error().message;
-  EXPECT_THAT(fit.error().message, HasSubstr(words));
-  EXPECT_THAT(fit.error().message, Not(HasSubstr("--")));
+  EXPECT_EQ(fit.error().argument, argument) << fit.error().message();
+  EXPECT_THAT(fit.error().message(), HasSubstr(words));
+  EXPECT_THAT(fit.error().message(), Not(HasSubstr("--")));
 }
 
 TEST(DoorFit, ErrorsNameTheArgument) {
@@ -189,9 +189,9 @@ TEST(DoorFit, RecordedForceDrives) {
   const cromer::Oscillator truth{.mass = 2, .stiffness = 18, .damping = 0.4};
   const auto run = cromer::simulate(
       truth, {.method = "exact", .drive = cromer::SampledForce{force, 0.01}, .step = 0.01, .until = 29.99});
-  ASSERT_TRUE(run) << run.error().message;
+  ASSERT_TRUE(run) << run.error().message();
   const auto fit = cromer::fit(run->t, run->x, {.law = "viscous", .force = force});
-  ASSERT_TRUE(fit) << fit.error().message;
+  ASSERT_TRUE(fit) << fit.error().message();
   ASSERT_TRUE(fit->succeeded()) << fit->message;
   EXPECT_NEAR(fit->find("angular_frequency")->value, 3, 1e-6);
   EXPECT_NEAR(fit->find("decay_rate")->value, 0.1, 1e-6);
@@ -215,7 +215,7 @@ TEST(DoorCompare, RefusesWhatSomethingDrives) {
   for (const auto* fit : {&*by_force, &*by_sine}) {
     const auto compared = cromer::compare(*fit);
     ASSERT_FALSE(compared);
-    EXPECT_THAT(compared.error().message, HasSubstr("something drives this motion"));
+    EXPECT_THAT(compared.error().message(), HasSubstr("something drives this motion"));
   }
   EXPECT_EQ(cromer::compare(*refused_fit).error().argument, "fit");
 }
@@ -232,7 +232,8 @@ TEST(DoorFit, NoiseIsNoHold) {
     const auto fit = cromer::fit(t, y, {.law = "viscous"});
     ASSERT_TRUE(fit);
     EXPECT_EQ(fit->begin, 0) << seed;
-    for (const std::string& warning : fit->warnings) EXPECT_THAT(warning, Not(HasSubstr("held"))) << seed;
+    for (const cromer::Notice& notice : fit->notices)
+      EXPECT_THAT(cromer::text(notice), Not(HasSubstr("held"))) << seed;
   }
 }
 
@@ -258,7 +259,7 @@ TEST(DoorFit, HarmonicDriveIsFound) {
     cromer::FitOptions options{.law = "viscous", .mass = 1, .find_drive = find};
     if (!find) options.drive_frequency = 2.3;
     const auto fit = cromer::fit(run->t, run->x, options);
-    ASSERT_TRUE(fit) << fit.error().message;
+    ASSERT_TRUE(fit) << fit.error().message();
     ASSERT_TRUE(fit->succeeded()) << fit->message;
     EXPECT_NEAR(fit->find("drive_frequency")->value, 2.3, 1e-6);
     EXPECT_NEAR(fit->find("drive_force")->value, 0.5, 1e-5);
@@ -291,7 +292,7 @@ TEST(DoorFit, ThreadsDoNotDisturbEachOther) {
 TEST(DoorSimulate, ExactIsTheClosedForm) {
   const auto run = cromer::simulate({.mass = 1, .stiffness = 4},
                                     {.method = "exact", .position = 0.1, .step = 0.1, .until = 10});
-  ASSERT_TRUE(run) << run.error().message;
+  ASSERT_TRUE(run) << run.error().message();
   ASSERT_EQ(run->size(), 101u);
   ASSERT_EQ(run->energy.size(), 101u);
   for (std::size_t i = 0; i < run->size(); ++i) {
@@ -342,7 +343,7 @@ TEST(DoorSimulate, EveryDriveRuns) {
   for (const cromer::Drive& drive : drives) {
     const auto run = cromer::simulate({.mass = 1, .stiffness = 9, .damping = 0.5},
                                       {.method = "rk4", .drive = drive, .step = 0.01, .until = 4});
-    ASSERT_TRUE(run) << drive.index() << ": " << run.error().message;
+    ASSERT_TRUE(run) << drive.index() << ": " << run.error().message();
     EXPECT_TRUE(run->succeeded());
     EXPECT_EQ(run->x.front(), 0) << drive.index();
     EXPECT_NE(run->x.back(), 0) << drive.index();
@@ -363,8 +364,8 @@ TEST(DoorSimulate, ErrorsNameTheArgument) {
                           const char* argument) {
     const auto run = cromer::simulate(law, options);
     ASSERT_FALSE(run) << argument;
-    EXPECT_EQ(run.error().argument, argument) << run.error().message;
-    EXPECT_THAT(run.error().message, Not(HasSubstr("--")));
+    EXPECT_EQ(run.error().argument, argument) << run.error().message();
+    EXPECT_THAT(run.error().message(), Not(HasSubstr("--")));
   };
   refused({.mass = 0}, {}, "mass");
   refused({.mass = std::nan("")}, {}, "mass");
@@ -426,7 +427,7 @@ TEST(DoorSpectrum, HalfSineHasItsClosedForm) {
   const std::vector<double> periods{0.5};  // d = 0.5 s
   const auto spectrum =
       cromer::response_spectrum(acceleration, 5e-4, {.damping_ratio = 0, .periods = periods});
-  ASSERT_TRUE(spectrum) << spectrum.error().message;
+  ASSERT_TRUE(spectrum) << spectrum.error().message();
   // x'' + w^2 x = sin(W t), W = w/2: x = (sin W t - (W/w) sin w t)/(w^2 - W^2), largest at t = 2 pi/(w + W).
   const double w = 4 * std::numbers::pi, W = w / 2, t = 2 * std::numbers::pi / (w + W);
   const double largest = (std::sin(W * t) - W / w * std::sin(w * t)) / (w * w - W * W);
@@ -443,7 +444,7 @@ TEST(DoorSpectrum, ErrorsNameTheArgument) {
   const std::vector<double> a(100, 1.0), negative{-1}, short_one(3);
   const auto refused = [](const auto& result, const char* argument) {
     ASSERT_FALSE(result) << argument;
-    EXPECT_EQ(result.error().argument, argument) << result.error().message;
+    EXPECT_EQ(result.error().argument, argument) << result.error().message();
   };
   refused(cromer::response_spectrum({}, 0.01), "acceleration");
   refused(cromer::response_spectrum(a, 0), "spacing");
@@ -457,7 +458,7 @@ TEST(DoorSweep, TheResonanceCurveIsKnown) {
   const cromer::Oscillator law{.mass = 2, .stiffness = 18, .damping = 0.6};
   const std::vector<double> frequencies{1, 2.9, 3, 3.1, 10};
   const auto swept = cromer::sweep(law, frequencies, {.method = "exact", .drive_amplitude = 0.5});
-  ASSERT_TRUE(swept) << swept.error().message;
+  ASSERT_TRUE(swept) << swept.error().message();
   ASSERT_EQ(swept->amplitude.size(), 5u);
   for (std::size_t i = 0; i < 5; ++i) {
     const double w = frequencies[i], real = 18 - 2 * w * w, imaginary = 0.6 * w;
@@ -466,7 +467,7 @@ TEST(DoorSweep, TheResonanceCurveIsKnown) {
     EXPECT_NEAR(swept->phase[i], std::atan2(imaginary, real), 1e-12);
   }
   const auto one = cromer::sweep(law, std::vector<double>{3}, {.method = "exact"});
-  ASSERT_TRUE(one) << one.error().message;
+  ASSERT_TRUE(one) << one.error().message();
   ASSERT_EQ(one->amplitude.size(), 1u);
   EXPECT_EQ(one->frequency[0], 3);
 }
@@ -496,7 +497,7 @@ TEST(DoorSweep, ErrorsNameTheArgument) {
 TEST(DoorRead, ColumnsComeWithTheirUnits) {
   const std::string text = "Time (s);Ort (mm)\n0,0;1,5\n0,1;2,5\n0,2;\n0,3;4,5\n";
   const auto recording = cromer::read(std::as_bytes(std::span(text.data(), text.size())), "lab.csv");
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().message();
   ASSERT_EQ(recording->columns.size(), 2u);
   EXPECT_EQ(recording->columns[1].unit, "mm");
   EXPECT_EQ(recording->columns[1].values[1], 2.5);
@@ -517,14 +518,14 @@ TEST(DoorRead, ColumnsComeWithTheirUnits) {
 TEST(DoorRead, AFileIsFittedAndCompared) {
   const std::string folder = CROMER_SOURCE_DIR "/data/";
   const auto recording = cromer::read_file(folder + "recording1.csv");
-  ASSERT_TRUE(recording) << recording.error().message;
+  ASSERT_TRUE(recording) << recording.error().message();
   const auto fits = cromer::fit(*recording, {.mass = {0.2176, 0.0003}, .to = 20.0});
-  ASSERT_TRUE(fits) << fits.error().message;
+  ASSERT_TRUE(fits) << fits.error().message();
   ASSERT_FALSE(fits->empty());
   EXPECT_TRUE(fits->front().succeeded()) << fits->front().message;
   EXPECT_THAT(fits->front().file, HasSubstr("recording1.csv"));
   const auto compared = cromer::compare(fits->front(), {.method = "rk4"});
-  ASSERT_TRUE(compared) << compared.error().message;
+  ASSERT_TRUE(compared) << compared.error().message();
   ASSERT_FALSE(compared->curves.empty());
   EXPECT_TRUE(compared->complete);
   EXPECT_FALSE(compared->explanation.empty());
@@ -534,6 +535,118 @@ TEST(DoorRead, AFileIsFittedAndCompared) {
   EXPECT_EQ(cromer::fit(cromer::Recording{}).error().argument, "recording");
   EXPECT_FALSE(cromer::read_file(folder + "no such file.csv"));
   EXPECT_EQ(cromer::read_file(folder + "recording1.csv", {.rate = -1}).error().argument, "rate");
+}
+
+/// The notice of that code; nullptr where there is none.
+const cromer::Notice* find(const std::vector<cromer::Notice>& notices, std::string_view code) {
+  for (const cromer::Notice& each : notices)
+    if (each.code == code) return &each;
+  return nullptr;
+}
+
+TEST(DoorNotices, HaveCodesSeveritiesAndSentences) {
+  const auto run =
+      cromer::simulate(cromer::with_frequency(3, 0), {.method = "forward-euler", .step = 0.05, .until = 1});
+  ASSERT_TRUE(run) << run.error().message();
+  const cromer::Notice* grows = find(run->notices, "unstable_at_any_step");
+  ASSERT_NE(grows, nullptr);
+  EXPECT_EQ(severity(*grows), cromer::Severity::wrong_if_ignored);
+  EXPECT_EQ(text(*grows), "forward-euler is unstable for this law whatever the step: the motion will grow");
+  EXPECT_EQ(text(*grows, cromer::Language::german),
+            "forward-euler ist bei diesem Gesetz mit jedem Schritt instabil: die Bewegung wird wachsen");
+  const auto too_long = cromer::simulate(cromer::with_frequency(3, 0), {.step = 1.0, .until = 10});
+  ASSERT_TRUE(too_long) << too_long.error().message();
+  const cromer::Notice* step = find(too_long->notices, "step_beyond_stability");
+  ASSERT_NE(step, nullptr);
+  EXPECT_THAT(text(*step), testing::StartsWith("step: 1 s is beyond the stability limit"));
+  EXPECT_THAT(text(*step, cromer::Language::german), HasSubstr("liegt über der Stabilitätsgrenze"));
+}
+
+TEST(DoorNotices, AreOfSamplesWhereArraysWereGiven) {
+  Swing made = swing();
+  made.y[700] += 1;
+  const auto fit = cromer::fit(made.t, made.y, {.law = "viscous"});
+  ASSERT_TRUE(fit) << fit.error().message();
+  const cromer::Notice* out = find(fit->notices, "samples_stick_out");
+  ASSERT_NE(out, nullptr);
+  EXPECT_EQ(severity(*out), cromer::Severity::worth_knowing);
+  EXPECT_TRUE(out->of_arrays);
+  EXPECT_EQ(text(*out), "1 sample sticks out alone, the first in sample 700");
+  EXPECT_THAT(text(*out, cromer::Language::german), HasSubstr("in Messwert 700"));
+  for (const cromer::Notice& each : fit->notices) {
+    EXPECT_THAT(text(each), Not(HasSubstr("--")));
+    EXPECT_THAT(text(each), Not(testing::ContainsRegex("line [0-9]")));
+    EXPECT_FALSE(text(each, cromer::Language::german).empty());
+    EXPECT_NE(text(each, cromer::Language::german), text(each));
+  }
+}
+
+TEST(DoorNotices, OfFilesSayWhatWasDone) {
+  const std::string text = "Time (s);Ort\n0,0;1,5\nbroken;row\n0,1;2,5\n0,2;3,5\n0,3;4,5\n";
+  const auto recording =
+      cromer::read(std::as_bytes(std::span(text.data(), text.size())), "lab.csv", {.skip_bad_rows = true});
+  ASSERT_TRUE(recording) << recording.error().message();
+  const cromer::Notice* rows = find(recording->notices, "bad_rows_left_out");
+  ASSERT_NE(rows, nullptr);
+  EXPECT_EQ(severity(*rows), cromer::Severity::detail);
+  EXPECT_FALSE(rows->of_arrays);
+  EXPECT_EQ(cromer::text(*rows), "1 bad row left out, the first in line 3");
+  ASSERT_EQ(rows->values.size(), 2u);
+  EXPECT_EQ(rows->values[0], cromer::NoticeValue("rows", 1));
+  EXPECT_EQ(rows->values[1], cromer::NoticeValue("line", 3));
+}
+
+TEST(DoorErrors, AreData) {
+  const Swing made = swing();
+  const auto refused = cromer::fit(made.t, std::vector<double>(7));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().notice.code, "lengths_differ");
+  EXPECT_EQ(refused.error().argument, "y");
+  EXPECT_EQ(refused.error().message(), "y has 7 values and t has 2000: they must be as many");
+  EXPECT_EQ(refused.error().message(cromer::Language::german),
+            "y hat 7 Werte und t hat 2000: es müssen gleich viele sein");
+  const auto mass = cromer::fit(made.t, made.y, {.mass = -1});
+  ASSERT_FALSE(mass);
+  EXPECT_EQ(mass.error().notice.code, "option_is_wrong");
+  EXPECT_EQ(mass.error().argument, "mass");
+  EXPECT_EQ(mass.error().message(), "mass: it must be positive, not -1 kg");
+  EXPECT_THAT(mass.error().message(cromer::Language::german), testing::StartsWith("mass: das muss größer"));
+  const auto before = cromer::fit(made.t, made.y, {.law = "viscous"})->at(std::vector<double>{-1.5});
+  ASSERT_FALSE(before);
+  EXPECT_EQ(before.error().message(),
+            "t begins at -1.5 s, before the first used sample, 0 s: the law says nothing of what was before");
+  EXPECT_THAT(before.error().message(cromer::Language::german), HasSubstr("-1,5 s"));
+}
+
+TEST(DoorErrors, OfFitsThatAreEmptyOrFailedSayWhy) {
+  EXPECT_EQ(cromer::LawFit{}.oscillator().error().notice.code, "fit_is_empty");
+  EXPECT_EQ(cromer::compare(cromer::LawFit{}).error().notice.code, "fit_is_empty");
+  const auto failed = cromer::fit(std::vector<double>{0, 1, 2}, std::vector<double>{1, 2, 1});
+  ASSERT_TRUE(failed);
+  const auto motion = failed->motion();
+  ASSERT_FALSE(motion);
+  EXPECT_EQ(motion.error().argument, "fit");
+  EXPECT_EQ(motion.error().message(), "the fit has no values: " + failed->message);
+  EXPECT_THAT(motion.error().message(cromer::Language::german),
+              testing::StartsWith("die Anpassung hat keine Werte: "));
+  EXPECT_EQ(cromer::compare(*failed).error().message(),
+            "the fit has no law to be compared: " + failed->message);
+}
+
+TEST(DoorDocument, SpeaksGermanWhereAsked) {
+  const auto run =
+      cromer::simulate(cromer::with_frequency(3, 0), {.method = "forward-euler", .step = 0.05, .until = 1});
+  ASSERT_TRUE(run);
+  const auto document = nlohmann::json::parse(cromer::json(*run, false, cromer::Language::german));
+  ASSERT_EQ(document["warnings"].size(), run->notices.size());
+  ASSERT_EQ(document["notices"].size(), run->notices.size());
+  for (std::size_t i = 0; i < run->notices.size(); ++i) {
+    EXPECT_EQ(document["warnings"][i], text(run->notices[i], cromer::Language::german));
+    EXPECT_EQ(document["notices"][i]["code"], run->notices[i].code);
+  }
+  const auto english = nlohmann::json::parse(cromer::json(*run, false));
+  for (std::size_t i = 0; i < run->notices.size(); ++i)
+    EXPECT_EQ(english["notices"][i]["text"], text(run->notices[i]));
 }
 
 TEST(DoorDocument, IsTheProgramsJson) {
@@ -555,7 +668,7 @@ TEST(DoorQuantity, TextIsReadAndWritten) {
   EXPECT_DOUBLE_EQ(mass->value, 0.2176);
   EXPECT_DOUBLE_EQ(mass->uncertainty, 0.0003);
   EXPECT_THAT(cromer::format_quantity(*mass, "kg"), HasSubstr("0.2176"));
-  EXPECT_THAT(cromer::parse_quantity("5 N", "kg").error().message, HasSubstr("is a force"));
+  EXPECT_THAT(cromer::parse_quantity("5 N", "kg").error().message(), HasSubstr("is a force"));
 }
 
 }  // namespace

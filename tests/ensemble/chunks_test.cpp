@@ -13,6 +13,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -120,7 +122,7 @@ TEST(Chunks, end_with_the_error_of_the_sink) {
                                },
                                {});
   ASSERT_FALSE(end);
-  EXPECT_EQ(end.error().message, "the disk is full");
+  EXPECT_EQ(in_words(end.error()), "the disk is full");
   EXPECT_EQ(taken, 4) << "nothing is handed on after an error";
 }
 

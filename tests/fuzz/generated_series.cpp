@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
 
 namespace {
@@ -97,8 +98,8 @@ std::string file_of(unsigned long seed) {
 std::string nonsense_in(const std::vector<cromer::core::FittedRecording>& fits) {
   static const std::regex number("(^|[^a-zA-Z])(inf|nan)([^a-zA-Z]|$)");
   for (const cromer::core::FittedRecording& fit : fits) {
-    std::vector<std::string> said = fit.warnings;
-    said.push_back(fit.fit.message);
+    std::vector<std::string> said = cromer::core::in_words(fit.notices);
+    said.push_back(cromer::core::in_words(fit.fit.message));
     for (const std::string& sentence : said)
       if (std::regex_search(sentence, number)) return sentence;
   }

@@ -1,4 +1,5 @@
 #include "targets.h"
+#include "cromer/documents/words/words.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -23,7 +24,7 @@ std::string_view text_of(const std::uint8_t* data, std::size_t size) {
 
 struct Read {
   Rows rows;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
   std::size_t garbage = 0;
 };
 
@@ -58,7 +59,7 @@ int live_lines(const std::uint8_t* data, std::size_t size) {
   }
   for (std::size_t i = 0; i < whole.rows.values.size(); ++i)
     require(same(whole.rows.values[i], pieces.rows.values[i]) && !std::isinf(whole.rows.values[i]));
-  for (const Notice& notice : whole.notices) require(is_utf8(notice.text));
+  for (const Remark& notice : whole.notices) require(is_utf8(in_words(notice.what)));
   return 0;
 }
 
@@ -67,7 +68,7 @@ int quantity(const std::uint8_t* data, std::size_t size) {
   for (const std::string_view unit : {"m", "s", "kg", "N/m", "rad/s", "1", "K", "Hz"}) {
     const auto read = parse_quantity(text, unit);
     if (!read) {
-      require(!read.error().message.empty());
+      require(!in_words(read.error()).empty());
       continue;
     }
     require(std::isfinite(read->value) && read->uncertainty >= 0 && std::isfinite(read->uncertainty));
@@ -81,7 +82,7 @@ int quantity(const std::uint8_t* data, std::size_t size) {
 
 int study(const std::uint8_t* data, std::size_t size) {
   const auto read = read_study(text_of(data, size), "fuzz.toml");
-  require(read || !read.error().message.empty());
+  require(read || !in_words(read.error()).empty());
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
@@ -22,12 +23,12 @@ TEST(ChooseLaw, ALongRecordIsJudgedByAPartAndFittedWhole) {
     record.y.push_back(truth.equilibrium + x + normal(engine));
   const LawChoice choice = choose_law(record.record(), {});
   const LawFit& fit = choice.chosen;
-  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_EQ(to_text(fit.law), "viscous+drag");
   EXPECT_LE(choice.candidates.size(), 23u);  // with van-der-pol in the place of drag, and with quadratic
   EXPECT_NEAR(fit["drag"].value, 0.1, 4 * fit["drag"].standard_error);
   EXPECT_NEAR(fit.decay_rate().value, 0.002, 4 * fit.decay_rate().standard_error);
-  EXPECT_THAT(fit.warnings, testing::Contains(testing::HasSubstr("one in 10 up to 399.99 s")));
+  EXPECT_THAT(in_words(fit.notices), testing::Contains(testing::HasSubstr("one in 10 up to 399.99 s")));
   // The uncertainties are those of all samples, half of the candidate's.
   EXPECT_LT(fit["drag"].standard_error, 0.6 * choice.candidates[1]["drag"].standard_error);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "tests/identify/synthetic.h"
 
@@ -27,7 +28,7 @@ SyntheticRecord of_amplitudes(const std::vector<double>& amplitudes) {
 std::string stop_of(const std::vector<double>& amplitudes, bool described = false, double resolution = 0) {
   SyntheticRecord record = of_amplitudes(amplitudes);
   record.resolution = resolution;
-  return sudden_stop(record.record(), 1, "m", described);
+  return in_words(sudden_stop(record.record(), 1, "m", described));
 }
 
 std::string stops(const char* between, const char* amplitude) {
@@ -73,7 +74,7 @@ TEST(SuddenStop, InTheLastWindow) {
 }
 
 TEST(SuddenStop, WithoutAUnitThereIsNone) {
-  EXPECT_EQ(sudden_stop(of_amplitudes({1, 1, 1, 1, 1, 1, 0.5, 0}).record(), 1, "", false),
+  EXPECT_EQ(in_words(sudden_stop(of_amplitudes({1, 1, 1, 1, 1, 1, 0.5, 0}).record(), 1, "", false)),
             stops("6 and 7", "1"));
 }
 
@@ -123,7 +124,7 @@ TEST(SuddenStop, IsSeenInTheLastPeriod) {
       record.t.push_back(8 + 0.125 * static_cast<double>(i));
       record.y.push_back(0);
     }
-    return sudden_stop(record.record(), 1, "m", false);
+    return in_words(sudden_stop(record.record(), 1, "m", false));
   };
   EXPECT_EQ(with_rest(2), "");
   EXPECT_EQ(with_rest(7), stops("7 and 7.875", "1 m"));
@@ -136,7 +137,7 @@ TEST(SuddenStop, NeedsSixSamplesInAWindow) {
     SyntheticRecord some;
     for (std::size_t i = 0; i < record.t.size(); ++i)
       if (i % 8 < keep) some.t.push_back(record.t[i]), some.y.push_back(record.y[i]);
-    return sudden_stop(some.record(), 1, "m", false);
+    return in_words(sudden_stop(some.record(), 1, "m", false));
   };
   EXPECT_NE(thinned(6), "");
   EXPECT_EQ(thinned(5), "");
@@ -146,7 +147,7 @@ TEST(SuddenStop, NeedsSixSamplesInAWindow) {
 struct Wandered {
   std::vector<double> t, r;
 
-  std::string told(std::string_view unit = "m") const { return wandering_zero({t, r}, r, unit); }
+  std::string told(std::string_view unit = "m") const { return in_words(wandering_zero({t, r}, r, unit)); }
   double share() const { return wandering_share({t, r}, r); }
 };
 
@@ -218,7 +219,7 @@ TEST(WanderingZero, NoneInResidualsThatAreAllTheSame) {
 }
 
 std::string few_of(const std::vector<double>& t, double frequency) {
-  return few_samples({t, t}, 2 * pi * frequency);
+  return in_words(few_samples({t, t}, 2 * pi * frequency));
 }
 
 TEST(FewSamples, FewerThanFourInAPeriod) {
@@ -241,7 +242,7 @@ TEST(FewSamples, NothingOfUnevenOnes) {
 }
 
 std::string turns_of(const std::vector<double>& y, int derivative = 0) {
-  return turning_over({even_times(y.size(), 0.5), y, 0, derivative});
+  return in_words(turning_over({even_times(y.size(), 0.5), y, 0, derivative}));
 }
 
 TEST(TurningOver, MoreThanOneTurn) {

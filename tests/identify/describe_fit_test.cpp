@@ -3,9 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/least_squares/uncertainty.h"
 #include "tests/identify/synthetic.h"
 
@@ -28,8 +30,8 @@ TEST(DescribeFit, ASingularFitHasNoFiniteStandardErrorAndSaysSo) {
                   .matrix = matrix,
                   .residuals = record.y});
     EXPECT_EQ(fit.status, FitStatus::undetermined);
-    EXPECT_THAT(fit.message, testing::HasSubstr("does not determine"));
-    EXPECT_THAT(fit.message, testing::Not(testing::HasSubstr("_")));  // names as people write them
+    EXPECT_THAT(in_words(fit.message), testing::HasSubstr("does not determine"));
+    EXPECT_THAT(in_words(fit.message), testing::Not(testing::HasSubstr("_")));  // names as people write them
     EXPECT_EQ(fit.estimates.size(), 5u);
     for (const Estimate& estimate : fit.estimates) EXPECT_TRUE(std::isinf(estimate.standard_error));
   }
@@ -53,7 +55,21 @@ TEST(DescribeFit, FewerSamplesThanParametersSayNothingOfThem) {
   const SyntheticRecord record = viscous_record({}, even_times(9, 0.1));
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
   EXPECT_EQ(fit.status, FitStatus::too_short);
-  EXPECT_THAT(fit.message, testing::HasSubstr("9 samples are too few"));
+  EXPECT_THAT(in_words(fit.message), testing::HasSubstr("9 samples are too few"));
+}
+
+TEST(DescribeFit, EveryParameterHasItsWords) {
+  for (std::size_t term = 0; term < term_count; ++term)
+    for (const DriveKind drive : {DriveKind::none, DriveKind::harmonic, DriveKind::recorded}) {
+      const FittedParameters fitted = fitted_parameters(Law{std::uint32_t{1} << term}, drive);
+      for (int i = 0; i < fitted.count; ++i) {
+        std::string words(fitted.of[i].name);
+        std::replace(words.begin(), words.end(), '_', ' ');
+        const Notice named = parameter_named(fitted.of[i].name);
+        EXPECT_EQ(in_words(named), words);
+        EXPECT_NE(in_words(named, {Language::german}), words);
+      }
+    }
 }
 
 // A decay rate of one standard error: in a sixth of the records the best one is negative, and 0 is reported.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "tests/identify/synthetic.h"
@@ -44,7 +45,7 @@ LawFit fit_with(double decay_rate, double error = 1e-6) {
 }
 
 std::vector<std::string> said_of(const SyntheticRecord& record, const LawFit& fit, const char* unit = "m") {
-  return doubts(record.record(), fit, false, unit);
+  return in_words(doubts(record.record(), fit, false, unit));
 }
 
 /// Of ever so fast a decay: not steady.
@@ -186,7 +187,7 @@ TEST(DoubtsLimits, ALineThatIsLeft) {
   EXPECT_THAT(said_of(swing(fall), fit_that_leaves_much()).size(), 1u);
   const auto left = said_of(swing(steady(4)), fit_that_leaves_much());
   EXPECT_THAT(left, ElementsAre(no_law(1 / noise)));
-  EXPECT_THAT(doubts(swing(steady(4)).record(), fit_that_leaves_much(), true, "m"),
+  EXPECT_THAT(in_words(doubts(swing(steady(4)).record(), fit_that_leaves_much(), true, "m")),
               ElementsAre(HasSubstr("the law viscous does not describe this recording: what is left is ")));
   LawFit fit = fit_that_leaves_much();
   fit.residual.autocorrelation = 0.5;
@@ -319,14 +320,14 @@ TEST(Widening, IsSaidBelowNineteenTwentieths) {
   const std::string correlated = "the residuals are correlated (0.123 from sample to sample)";
   fit.independent_samples = 190.1;
   EXPECT_EQ(
-      widening(fit, 200),
+      in_words(widening(fit, 200)),
       correlated +
           ", but not at the swing's frequency: the uncertainties of frequency and decay are hardly widened");
   fit.independent_samples = 189.9;
-  EXPECT_EQ(widening(fit, 200),
+  EXPECT_EQ(in_words(widening(fit, 200)),
             correlated + ": the uncertainties are widened to those of 190 independent samples");
   fit.independent_samples = 0;
-  EXPECT_EQ(widening(fit, 200), "");
+  EXPECT_EQ(in_words(widening(fit, 200)), "");
 }
 
 /// A fit of three dampings, in a swing of 4 rad/s.
@@ -395,7 +396,7 @@ TEST(MeanDecay, IsFedWhereTheIntervalIsBelowNone) {
 }
 
 TEST(MeanDecay, IsWrittenWithItsError) {
-  EXPECT_EQ(to_text(MeanDecay{1, {0.0123, 0.0004, 0, 0}}),
+  EXPECT_EQ(in_words(as_clause(MeanDecay{1, {0.0123, 0.0004, 0, 0}})),
             "decay rate 0.0123\u00a0±\u00a00.0004\u00a01/s at the record's mean amplitude");
 }
 

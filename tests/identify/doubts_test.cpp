@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
 #include "cromer/identify/diagnose/departures.h"
@@ -20,8 +21,8 @@ using testing::IsEmpty;
 
 std::vector<std::string> doubts_about(const SyntheticRecord& record) {
   const LawFit fit = choose_law(record.record(), {}).chosen;
-  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
-  return doubts(record.record(), fit);
+  EXPECT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
+  return in_words(doubts(record.record(), fit));
 }
 
 TEST(Doubts, NoneAboutAFreeDecay) {
@@ -43,7 +44,7 @@ TEST(Doubts, AWrongLawIsNoSwingThatDoesNotDieDown) {
     std::normal_distribution<double> normal(0, 5e-4);
     for (const double x : free_motion(truth, record.t, 0.005).x) record.y.push_back(x + normal(engine));
     const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
-    for (const std::string& sentence : doubts(record.record(), fit, true))
+    for (const std::string& sentence : in_words(doubts(record.record(), fit, true)))
       EXPECT_THAT(sentence, testing::Not(HasSubstr("does not die down"))) << seed;
   }
 }
@@ -82,8 +83,9 @@ TEST(Doubts, FrictionIsNotDescribedByTheViscousLaw) {
     record.y.push_back(side * shift + amplitude * std::cos(w0 * t) + normal(engine));
   }
   const LawFit viscous = fit_law(record.record(), {.law = law_of("viscous")});
-  EXPECT_THAT(doubts(record.record(), viscous), testing::Contains(HasSubstr("no law tried describes")));
-  EXPECT_THAT(doubts(record.record(), viscous, true),
+  EXPECT_THAT(in_words(doubts(record.record(), viscous)),
+              testing::Contains(HasSubstr("no law tried describes")));
+  EXPECT_THAT(in_words(doubts(record.record(), viscous, true)),
               testing::Contains(HasSubstr("the law viscous does not describe this recording")));
   EXPECT_THAT(doubts_about(record), testing::IsEmpty());
 }
@@ -94,7 +96,7 @@ std::vector<std::string> doubts_after(const Change& change,
                                       const std::vector<double>& t = even_times(2500, 0.01)) {
   SyntheticRecord record = viscous_record({.w0 = 8, .g = 0.05, .position = 0.05, .velocity = 0}, t, 3e-4);
   for (std::size_t i = 0; i < t.size(); ++i) record.y[i] = change(t[i], record.y[i]);
-  return doubts(record.record(), choose_law(record.record(), {}).chosen, false, "m");
+  return in_words(doubts(record.record(), choose_law(record.record(), {}).chosen, false, "m"));
 }
 
 TEST(Doubts, NameWhatTheDataShow) {
@@ -118,9 +120,9 @@ TEST(Departures, APendulumThatTurnsOver) {
       .angular_frequency = 3, .decay_rate = 0.1, .position = 0.1, .velocity = 9, .pendulum = true};
   SyntheticRecord record{even_times(2000, 0.02), {}, 0};
   record.y = free_motion(over, record.t, 1e-3).x;
-  EXPECT_THAT(turning_over(record.record()), HasSubstr("turns over"));
+  EXPECT_THAT(in_words(turning_over(record.record())), HasSubstr("turns over"));
   for (double& y : record.y) y = std::sin(y);
-  EXPECT_EQ(turning_over(record.record()), "");
+  EXPECT_EQ(in_words(turning_over(record.record())), "");
 }
 
 TEST(Doubts, WanderingNoiseIsNoWrongLaw) {
@@ -147,8 +149,8 @@ std::vector<std::string> driven_doubts_about(double second, double third_harmoni
                        second * std::cos(6.8 * t) + third_harmonic * std::cos(15 * t) + noise);
   }
   const LawFit fit = fit_law(record.record(), {.drive = Drive::harmonic(), .drive_frequency = 5.0});
-  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
-  return driven_doubts(record.record(), fit, residuals_of(fit, record.record()), 5, true, "m");
+  EXPECT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
+  return in_words(driven_doubts(record.record(), fit, residuals_of(fit, record.record()), 5, true, "m"));
 }
 
 TEST(Doubts, WhatADrivenLawLeavesIsNamed) {
@@ -165,16 +167,16 @@ TEST(Doubts, AWideningThatIsNoneIsNotSaid) {
   LawFit fit;
   fit.residual = {.rms = 1, .normality = 0, .autocorrelation = 0.99, .white = false};
   fit.independent_samples = 3000;
-  EXPECT_THAT(widening(fit, 3000), HasSubstr("of frequency and decay are hardly widened"));
+  EXPECT_THAT(in_words(widening(fit, 3000)), HasSubstr("of frequency and decay are hardly widened"));
   fit.independent_samples = 100;
-  EXPECT_THAT(widening(fit, 3000), HasSubstr("those of 100 independent samples"));
+  EXPECT_THAT(in_words(widening(fit, 3000)), HasSubstr("those of 100 independent samples"));
   // Where neighbours show nothing, the distance that does is named.
   fit.residual = {.autocorrelation = -0.036, .strongest_lag = 7, .strongest = 0.11, .white = false};
-  EXPECT_THAT(widening(fit, 3000), HasSubstr("are correlated (0.110 at 7 samples apart): the"));
+  EXPECT_THAT(in_words(widening(fit, 3000)), HasSubstr("are correlated (0.110 at 7 samples apart): the"));
   fit.residual.autocorrelation = -0.037;  // beyond 2/sqrt(3000)
-  EXPECT_THAT(widening(fit, 3000), HasSubstr("are correlated (-0.037 from sample to sample): the"));
+  EXPECT_THAT(in_words(widening(fit, 3000)), HasSubstr("are correlated (-0.037 from sample to sample): the"));
   fit.residual.white = true;
-  EXPECT_EQ(widening(fit, 3000), "");
+  EXPECT_EQ(in_words(widening(fit, 3000)), "");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <complex>
 #include <random>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
 #include "tests/identify/forced_truth.h"
@@ -47,7 +48,7 @@ Driven driven(const DrivenTruth& p, std::size_t n, double h, double noise, unsig
 }
 
 void expect_truth(const LawFit& fit, const DrivenTruth& p) {
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   const auto near = [](const char* name, const Estimate& e, double truth) {
     EXPECT_NEAR(e.value, truth, 4 * e.standard_error) << name;
     EXPECT_GT(e.standard_error, 0) << name;
@@ -119,7 +120,7 @@ TEST(DrivenFit, IntervalsHoldTheTruth) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const Driven record = driven(truth, 1500, 0.03, 2e-3, 50 + seed);
     const LawFit fit = fit_driven(record.record(), law_of("viscous"), {});
-    ASSERT_EQ(fit.status, FitStatus::converged) << seed << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << seed << in_words(fit.message);
     w0 += misses(fit.angular_frequency(), truth.w0);
     g += misses(fit.decay_rate(), truth.g);
     frequency += misses(fit["drive_frequency"], truth.drive);
@@ -151,7 +152,7 @@ TEST(DrivenFit, VelocitiesAndAccelerationsAreFittedAsThat) {
       const auto record =
           forced_synthetic(truth, force, 2000, 0.02, 1e-3 * std::pow(truth.w0, derivative), seed, derivative);
       const LawFit fit = fit_driven({record.t, record.y, 0, derivative}, law_of("viscous"), {});
-      ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+      ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
       const auto count = [&](const Estimate& e, double value) {
         inside += e.low <= value && value <= e.high;
         ++all;
@@ -199,7 +200,7 @@ TEST(DrivenFit, DryFrictionIsToldFromDamping) {
     std::vector<double> y = motion.x;
     for (double& each : y) each += normal(engine);
     const LawFit fit = fit_driven({motion.t, y}, law_of("viscous+friction"), 5.2);
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     EXPECT_NEAR(fit["decay_rate"].value, 0.1, 4.5 * fit["decay_rate"].standard_error);
     EXPECT_NEAR(fit["friction"].value, 0.4, 4.5 * fit["friction"].standard_error);
     EXPECT_NEAR(fit["angular_frequency"].value, 6, 4.5 * fit["angular_frequency"].standard_error);

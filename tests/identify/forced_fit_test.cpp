@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "tests/identify/forced_truth.h"
 
 namespace cromer::core {
@@ -20,7 +21,7 @@ const ForcedTruth strong{.drag = 0.5, .quadratic = 20, .cubic = 300, .offset = 0
 TEST(ForcedFit, FindsEveryParameterWithinItsStandardError) {
   const auto record = forced_synthetic(strong, multisine(40, 1), 6000, 0.03, 2e-4, 1);
   const LawFit fit = fit_forced(record, everything, BetweenSamples::band_limited);
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   expect_near("w0", fit.angular_frequency(), strong.w0, 1e-3);
   expect_near("g", fit.decay_rate(), strong.g, 1e-2);
   expect_near("drag", fit["drag"], strong.drag, 1e-1);
@@ -50,7 +51,7 @@ TEST(ForcedFit, AForceReadAsItWasLeavesTheMethodsErrorOnly) {
     const ForcedTruth truth{.drag = 0.3, .cubic = 150};
     const auto record = forced_synthetic(truth, read_between(samples, 0.04, hold), 2000, 0.04, 0, 3);
     const LawFit fit = fit_forced(record, everything, hold ? BetweenSamples::hold : BetweenSamples::linear);
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     EXPECT_LT(fit.residual.rms, 1e-6);
     EXPECT_NEAR(fit.angular_frequency().value, truth.w0, 1e-5);
     EXPECT_NEAR(fit["drag"].value, truth.drag, 1e-4);
@@ -84,12 +85,13 @@ TEST(ForcedFit, WhatLiesBetweenFineSamplesIsLeftOpen) {
   const LawChoice choice = choose_forced(record, {}, {});
   EXPECT_EQ(choice.chosen.status, FitStatus::converged);
   EXPECT_EQ(choice.chosen.drive.force.between, BetweenSamples::linear);
-  EXPECT_THAT(choice.chosen.warnings, testing::Contains(testing::HasSubstr("between its samples is open")));
+  EXPECT_THAT(in_words(choice.chosen.notices),
+              testing::Contains(testing::HasSubstr("between its samples is open")));
   // Where the samples are coarse it is told, and nothing is open.
   const auto coarse = forced_synthetic(truth, multisine(60, 3), 3000, 0.03, 1e-4, 4);
   const LawChoice told = choose_forced(coarse, {}, {});
   EXPECT_EQ(told.chosen.drive.force.between, BetweenSamples::band_limited);
-  EXPECT_THAT(told.chosen.warnings, testing::Not(testing::Contains(testing::HasSubstr("is open"))));
+  EXPECT_THAT(in_words(told.chosen.notices), testing::Not(testing::Contains(testing::HasSubstr("is open"))));
 }
 
 TEST(ForcedFit, TheDataSayWhichTermsThereAre) {
@@ -127,7 +129,7 @@ TEST(ForcedFit, IntervalsHoldTheTruth) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const auto record = forced_synthetic(truth, multisine(40, 100 + seed), 500, 0.03, 1e-3, seed);
     const LawFit fit = fit_forced(record, curved, BetweenSamples::band_limited);
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     w0 += misses(fit.angular_frequency(), truth.w0);
     g += misses(fit.decay_rate(), truth.g);
     k3 += misses(fit["cubic"], truth.cubic);
@@ -145,7 +147,7 @@ TEST(ForcedFit, FollowsALongRingingThroughManyCycles) {
   const auto strike = [](double t) { return t < 0.5 ? std::sin(2 * t * 3.14159265) : 0.0; };
   const auto record = forced_synthetic(truth, strike, 20000, 0.02, 1e-3, 7);
   const LawFit fit = fit_forced(record, linear, BetweenSamples::linear);
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_NEAR(fit.residual.rms, 1e-3, 3e-5);
   EXPECT_NEAR(fit.angular_frequency().value, 30, 1e-3);
   EXPECT_NEAR(fit.decay_rate().value, 0.005, 2e-4);
@@ -155,7 +157,7 @@ TEST(ForcedFit, FindsASpringThatIsMostlyCubic) {
   const ForcedTruth truth{.cubic = 1e4, .gain = 4, .position = 0.01, .velocity = 0};
   const auto record = forced_synthetic(truth, multisine(40, 1), 3000, 0.03, 1e-5, 1);
   const LawFit fit = fit_forced(record, curved, BetweenSamples::band_limited);
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_NEAR(fit["cubic"].value, 1e4, 5);
   EXPECT_LT(fit.residual.rms, 1.2e-5);
 }
@@ -170,7 +172,7 @@ TEST(ForcedFit, MissingSamplesAreLeftOut) {
     there.y.push_back(record.y[i]);
   }
   const LawFit fit = fit_forced(there, curved, BetweenSamples::band_limited);
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   expect_near("w0", fit.angular_frequency(), 12, 1e-3);
   expect_near("cubic", fit["cubic"], 200, 5e-2);
 }
@@ -218,7 +220,7 @@ TEST(ForcedFit, VelocitiesAndAccelerationsAreFittedAsThat) {
       const auto record = forced_synthetic(truth, multisine(20, seed + 1), 400, 0.03,
                                            5e-3 * std::pow(truth.w0, derivative), seed, derivative);
       const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
-      ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+      ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
       EXPECT_EQ(fit.find("force_offset"), nullptr);
       const auto count = [&](const Estimate& e, double value) {
         inside += e.low <= value && value <= e.high;
@@ -243,7 +245,7 @@ TEST(ForcedFit, ABodyWithoutASpringMayBeSeenByItsVelocity) {
   for (unsigned seed = 0; seed < 40; ++seed) {
     const auto record = forced_synthetic(truth, multisine(20, seed + 1), 800, 0.02, 5e-3, seed, 1);
     const LawFit fit = fit_forced(record, law_with<Viscous>, BetweenSamples::band_limited);
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     EXPECT_EQ(fit.find("position"), nullptr);
     EXPECT_NEAR(fit.residual.rms, 5e-3, 1e-3);
     const auto count = [&](const Estimate& e, double value) {
@@ -286,8 +288,8 @@ TEST(ForcedFit, WhatTheRecordDoesNotDetermineIsNamed) {
       record.y.push_back(std::sin(6 * t) / 6 + noise * normal(engine));
     }
     const LawFit fit = fit_forced(record, linear, BetweenSamples::band_limited);
-    EXPECT_EQ(fit.status, FitStatus::undetermined) << noise << ": " << fit.message;
-    EXPECT_THAT(fit.message,
+    EXPECT_EQ(fit.status, FitStatus::undetermined) << noise << ": " << in_words(fit.message);
+    EXPECT_THAT(in_words(fit.message),
                 testing::AllOf(testing::HasSubstr("force gain"), testing::HasSubstr("decay rate")))
         << noise;
   }

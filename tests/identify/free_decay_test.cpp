@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {
@@ -12,7 +13,7 @@ namespace {
 LawFit fit_viscous(const SyntheticRecord& record) { return fit_law(record.record(), {}); }
 
 void expect_truth(const LawFit& fit, const Truth& truth, double tolerance) {
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   const double A = std::hypot(truth.position, truth.velocity / truth.w0);
   EXPECT_NEAR(fit.angular_frequency().value, truth.w0, tolerance * truth.w0);
   EXPECT_NEAR(fit.decay_rate().value, truth.g, tolerance * truth.w0);
@@ -82,7 +83,7 @@ TEST(LawFit, FindsTheMotionOfAFastRecord) {
   for (const double h : {0.00013, 0.00012, 0.0001}) {
     SCOPED_TRACE(h);
     const LawFit fit = fit_viscous(viscous_record({}, even_times(150000, h), 0.0003, 0, 7));
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     EXPECT_NEAR(fit.angular_frequency().value, Truth{}.w0, 5 * fit.angular_frequency().standard_error);
     EXPECT_NEAR(fit.decay_rate().value, Truth{}.g, 5 * fit.decay_rate().standard_error);
   }
@@ -144,7 +145,7 @@ TEST(LawFit, IntervalsHoldForQuantisedValues) {
     const Truth truth{.g = 0.03 + 1e-4 * seed, .position = 0.05 + 1e-5 * seed};
     const LawFit fit = fit_viscous(viscous_record(truth, even_times(1500, 0.01), 3e-3, 0.01,
                                                   seed));  // steps of a fifth of the amplitude
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     covered += fit.decay_rate().low <= truth.g && truth.g <= fit.decay_rate().high;
   }
   EXPECT_GE(covered, 90);
@@ -157,7 +158,7 @@ TEST(LawFit, UndampedMotionIsFittedUnderTheBound) {
         fit_viscous(viscous_record({.g = 0, .velocity = 0}, even_times(1000, 0.01), 1e-3, 0, seed));
     ASSERT_EQ(fit.status, FitStatus::converged);
     EXPECT_GE(fit.decay_rate().value, 0);
-    on_bound += fit.decay_rate().value == 0 && !fit.warnings.empty();
+    on_bound += fit.decay_rate().value == 0 && !in_words(fit.notices).empty();
   }
   EXPECT_GT(on_bound, 3);
   EXPECT_LT(on_bound, 17);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
@@ -97,7 +98,7 @@ TEST(FreeMotion, RecoversDragAndCubicWithoutNoise) {
   motion.cubic = -600;
   const SyntheticRecord record = motion_record(motion, even_times(3000, 0.01), 0);
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag+cubic")});
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_NEAR(fit.angular_frequency().value, motion.angular_frequency, 1e-8);
   EXPECT_NEAR(fit.decay_rate().value, motion.decay_rate, 1e-8);
   EXPECT_NEAR(fit["drag"].value, motion.drag, 1e-7);
@@ -111,7 +112,7 @@ TEST(FreeMotion, RecoversAPendulumsLargeSwings) {
   const FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.03, .cubic = -16.0 / 6, .position = 1.2};
   const SyntheticRecord record = motion_record(motion, even_times(4000, 0.02), 1e-3);
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+cubic")});
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_NEAR(fit.residual.rms, 1e-3, 1e-4);
   EXPECT_NEAR(fit["cubic"].value, motion.cubic, 5 * fit["cubic"].standard_error);
 }
@@ -120,9 +121,9 @@ TEST(FreeMotion, ASwingOutOfStepWithEverySinusoidIsStillAnOscillation) {
   const FreeSwing motion{.angular_frequency = 4, .decay_rate = 0.01, .cubic = -16.0 / 6, .position = 1.4};
   const SyntheticRecord record = motion_record(motion, even_times(8000, 0.02), 1e-3);
   const LawChoice choice = choose_law(record.record(), {});
-  ASSERT_EQ(choice.chosen.status, FitStatus::converged) << choice.chosen.message;
+  ASSERT_EQ(choice.chosen.status, FitStatus::converged) << in_words(choice.chosen.message);
   EXPECT_LT(choice.candidates[0].explained, 0.6);
-  EXPECT_FALSE(choice.candidates[0].warnings.empty());
+  EXPECT_FALSE(in_words(choice.candidates[0].notices).empty());
   EXPECT_EQ(to_text(choice.chosen.law), "viscous+cubic");
   EXPECT_NEAR(choice.chosen.residual.rms, 1e-3, 1e-4);
 }
@@ -143,7 +144,7 @@ TEST(FreeMotion, StronglyBentSpringsAreFoundOverWholeRecords) {
     if (motion.law.has<OddQuadratic>()) motion.per_mass.odd_quadratic = coefficient;
     const SyntheticRecord record = motion_record(motion, even_times(3000, 0.02), 1e-3);
     const LawFit fit = fit_law(record.record(), {.law = motion.law});
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     EXPECT_NEAR(fit.residual.rms, 1e-3, 1e-4);
     EXPECT_EQ(to_text(choose_law(record.record(), {}).chosen.law), law);
   }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/diagnose/free_part.h"
 #include "tests/identify/synthetic.h"
 
@@ -53,7 +54,7 @@ struct Made {
       const auto there = find_free_part({at, in_another_unit(unit).y, 0});
       EXPECT_EQ(there.has_value(), part.has_value()) << unit;
       if (there && part) {
-        EXPECT_EQ(there->reason, part->reason) << unit;
+        EXPECT_EQ(in_words(there->reason), in_words(part->reason)) << unit;
       }
     }
     return part;
@@ -183,7 +184,7 @@ TEST(FreePartLimits, HeldDisplaced) {
   const auto part = Made{}.add(12, {1}).add(52, of_ten).free();
   ASSERT_TRUE(part);
   EXPECT_EQ(part->from, 12 * h);
-  EXPECT_EQ(part->reason, "it is held still until 1.5 s");
+  EXPECT_EQ(in_words(part->reason), "it is held still until 1.5 s");
   EXPECT_FALSE(Made{}.add(12, {1}).add(51, of_ten).free());
 }
 
@@ -232,11 +233,11 @@ TEST(FreePartLimits, HeldAtHalfTheAmplitude) {
   const auto displaced = Made{}.add(20, {0.5}).add(5, {-0.25, -0.75, -1, -1, -0.75}).add(95, of_ten).free();
   ASSERT_TRUE(displaced);
   EXPECT_EQ(displaced->from, 19 * h);
-  EXPECT_EQ(displaced->reason, "it is held still until 2.375 s");
+  EXPECT_EQ(in_words(displaced->reason), "it is held still until 2.375 s");
   const auto at_rest =
       Made{}.add(20, {0.484375}).add(5, {-0.25, -0.75, -1, -1, -0.75}).add(95, of_ten).free();
   ASSERT_TRUE(at_rest);
-  EXPECT_EQ(at_rest->reason, "it is held still until 2.375 s and then set going");
+  EXPECT_EQ(in_words(at_rest->reason), "it is held still until 2.375 s and then set going");
   // The first large swing is the one down, from the 23rd sample to the 26th.
   EXPECT_EQ(at_rest->from, 25 * h);
 }
@@ -284,10 +285,11 @@ TEST(FreePartLimits, ADriveThatStops) {
       const auto part = after_a_drive(stop, stop + 30, 0.03, per_period);
       ASSERT_TRUE(part) << stop << ' ' << per_period;
       EXPECT_NEAR(part->from, stop + 1, 0.8) << stop << ' ' << per_period;
-      EXPECT_NEAR(std::stod(part->reason.substr(std::string("the amplitude stays level until ").size())),
-                  part->from - 1, 0.06);
-      EXPECT_TRUE(part->reason.ends_with(" s and only falls from there, as where a drive stops"))
-          << part->reason;
+      EXPECT_NEAR(
+          std::stod(in_words(part->reason).substr(std::string("the amplitude stays level until ").size())),
+          part->from - 1, 0.06);
+      EXPECT_TRUE(in_words(part->reason).ends_with(" s and only falls from there, as where a drive stops"))
+          << in_words(part->reason);
     }
   // Ten samples in two periods show no amplitude.
   EXPECT_FALSE(after_a_drive(25, 55, 0.03, 5));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
@@ -89,7 +90,7 @@ TEST(FrictionFit, RecoversEverySumWithoutNoise) {
     if (!law.has<Cubic>()) motion.cubic = 0;
     const SyntheticRecord record = noisy(motion, even_times(2000, 0.01), 0);
     const LawFit fit = fit_law(record.record(), {.law = law});
-    ASSERT_EQ(fit.status, FitStatus::converged) << text << ": " << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << text << ": " << in_words(fit.message);
     EXPECT_NEAR(fit["friction"].value, motion.friction, 1e-6) << text;
     EXPECT_NEAR(fit.angular_frequency().value, motion.angular_frequency, 1e-6) << text;
     EXPECT_NEAR(fit.decay_rate().value, motion.decay_rate, 1e-6) << text;
@@ -106,7 +107,7 @@ TEST(FrictionFit, ARecordThatComesToRestIsFittedToItsEnd) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const SyntheticRecord record = noisy(motion, t, 1e-3, seed);
     const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+friction")});
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     EXPECT_NEAR(fit.residual.rms, 1e-3, 1e-4);
     covered += fit["friction"].low <= 0.15 && 0.15 <= fit["friction"].high;
   }
@@ -141,7 +142,8 @@ TEST(Bounds, CoefficientsAreNeverNegativeAndIntervalsSayWhereTheyAreCut) {
     covered += fit.decay_rate().low <= 0.05 && 0.05 <= fit.decay_rate().high;
     on_bound += fit["friction"].value <= 0;
     bool said = false;
-    for (const std::string& warning : fit.warnings) said = said || warning.find("bound 0") != warning.npos;
+    for (const std::string& notice : in_words(fit.notices))
+      said = said || notice.find("bound 0") != notice.npos;
     EXPECT_EQ(said, fit["friction"].low <= 0) << seed;
   }
   // Without friction its best value is negative half of the time.

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <string>
 
+#include "cromer/documents/words/words.h"
 #include "tests/identify/forced_truth.h"
 
 namespace cromer::core {
@@ -59,7 +60,7 @@ TEST(HardRecords, NoLawIsChosenAgainForTheSameSamples) {
 TEST(HardRecords, NoStepsAreWastedOnAForcedMotionThatNoneFollows) {
   const ForcedSynthetic record = read("strongly_bent_under_a_force.csv");
   const LawFit fit = fit_forced(record, law_of("viscous+quadratic+cubic"), BetweenSamples::band_limited);
-  EXPECT_GE(fit.step, record.spacing / 1024) << fit.message;
+  EXPECT_GE(fit.step, record.spacing / 1024) << in_words(fit.message);
 }
 
 // Between its samples the force is what its sinusoids are. From its own start this reading ended in a false
@@ -68,7 +69,7 @@ TEST(HardRecords, NoStepsAreWastedOnAForcedMotionThatNoneFollows) {
 TEST(HardRecords, AReadingIsTriedFromWhereAnotherLed) {
   const ForcedSynthetic record = read("cubic_under_a_force.csv");
   const LawFit fit = choose_forced(record, law_of("viscous+cubic"), std::nullopt).chosen;
-  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
+  EXPECT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_EQ(fit.drive.force.between, BetweenSamples::band_limited);
 }
 

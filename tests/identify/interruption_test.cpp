@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
@@ -15,12 +16,12 @@ TEST(Interruption, NoLawConvergesWhenItIsInterrupted) {
        {law_of("viscous"), law_of("viscous+drag"), law_of("viscous+cubic"), law_of("viscous+drag+cubic")}) {
     const LawFit fit = fit_law(record.record(), {.law = law}, watch);
     EXPECT_EQ(fit.status, FitStatus::iteration_limit) << to_text(law);
-    EXPECT_THAT(fit.message, testing::StartsWith("interrupted"));
+    EXPECT_THAT(in_words(fit.message), testing::StartsWith("interrupted"));
     EXPECT_EQ(fit.angular_frequency().value, 0);  // nothing that could be taken for a result
   }
   const LawChoice choice = choose_law(record.record(), {}, watch);
   EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit);
-  EXPECT_THAT(choice.chosen.message, testing::StartsWith("interrupted"));
+  EXPECT_THAT(in_words(choice.chosen.message), testing::StartsWith("interrupted"));
 }
 
 TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
@@ -31,13 +32,13 @@ TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
     const Watch watch{&stop, [&](double) { stop = ++done == after; }};
     const LawChoice choice = choose_law(record.record(), {}, watch);
     EXPECT_EQ(choice.chosen.status, FitStatus::iteration_limit) << after;
-    EXPECT_THAT(choice.chosen.message, testing::StartsWith("interrupted"));
+    EXPECT_THAT(in_words(choice.chosen.message), testing::StartsWith("interrupted"));
     EXPECT_EQ(choice.candidates.size(), static_cast<std::size_t>(after));
     EXPECT_NEAR(choice.chosen.angular_frequency().value, 8.849, 1e-3);
     // What is missing is named, what was compared is not.
-    EXPECT_THAT(choice.chosen.message,
+    EXPECT_THAT(in_words(choice.chosen.message),
                 testing::EndsWith("drag+friction+odd-quadratic, viscous+drag+friction+odd-quadratic"));
-    EXPECT_EQ(choice.chosen.message.find("not compared yet are viscous+drag,") != std::string::npos,
+    EXPECT_EQ(in_words(choice.chosen.message).find("not compared yet are viscous+drag,") != std::string::npos,
               after == 1);
   }
 }

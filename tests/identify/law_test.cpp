@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -28,8 +30,8 @@ TEST(Law, WritesWhatItReads) {
 TEST(Law, SuggestsTheNearestTerm) {
   const Result<Law> law = parse_law("viscous+darg");
   ASSERT_FALSE(law.ok());
-  EXPECT_NE(law.error().message.find("\"darg\""), std::string::npos);
-  EXPECT_NE(law.error().message.find("did you mean drag"), std::string::npos);
+  EXPECT_NE(in_words(law.error()).find("\"darg\""), std::string::npos);
+  EXPECT_NE(in_words(law.error()).find("did you mean drag"), std::string::npos);
 }
 
 TEST(Law, RefusesEmptyAndRepeatedTerms) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "cromer/analysis/amplitude_decay.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/identify/start/envelope_track.h"
@@ -55,7 +56,7 @@ TEST(Observed, VelocitiesAndAccelerationsGiveTheLawOfTheDisplacement) {
       const SyntheticRecord made = derivative_record(motion, derivative, 0);
       const Record record{made.t, made.y, 0, derivative};
       const LawFit fit = fit_law(record, {.law = law});
-      ASSERT_EQ(fit.status, FitStatus::converged) << text << ": " << fit.message;
+      ASSERT_EQ(fit.status, FitStatus::converged) << text << ": " << in_words(fit.message);
       EXPECT_NEAR(fit.angular_frequency().value, 6, 1e-5) << text << derivative;
       EXPECT_NEAR(fit.decay_rate().value, 0.02, 1e-5) << text << derivative;
       EXPECT_NEAR(fit.position().value, 0.08, 1e-5) << text << derivative;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/criterion.h"
 #include "tests/identify/forced_truth.h"
 
@@ -50,7 +51,7 @@ Reading read(const Change& change, bool law_is_given = true, std::optional<Betwe
     viscous.law = law_of("viscous");
     viscous.start = std::nullopt;
     LawFit fit = fit_law(made.record(), viscous);
-    EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     reading.asked.push_back(one.drive.force.between);
     change(fit);
     reading.chosen = fit;
@@ -147,7 +148,7 @@ TEST(Readings, SayWhatTheOtherWouldMakeOfTheNumbers) {
     }
   });
   const LawFit& chosen = reading.choice.chosen;
-  ASSERT_EQ(chosen.warnings.size(), reading.chosen.warnings.size() + 2);
+  ASSERT_EQ(in_words(chosen.notices).size(), in_words(reading.chosen.notices).size() + 2);
   for (std::size_t k = 0; k < 2; ++k) {
     const LawFit& other = reading.choice.candidates[k];
     std::string expected;
@@ -159,10 +160,11 @@ TEST(Readings, SayWhatTheOtherWouldMakeOfTheNumbers) {
                                 std::string(each) == "decay_rate" ? "decay rate" : "force gain",
                                 other[each].value, off);
     }
-    EXPECT_EQ(chosen.warnings[reading.chosen.warnings.size() + k], open_between(chosen, other, expected));
+    EXPECT_EQ(in_words(chosen.notices)[in_words(reading.chosen.notices).size() + k],
+              open_between(chosen, other, expected));
   }
   // Of the two others together one is further off than the weighted mean of both.
-  EXPECT_NE(chosen.warnings.back().find("the other would make the"), std::string::npos);
+  EXPECT_NE(in_words(chosen.notices).back().find("the other would make the"), std::string::npos);
 }
 
 /// How many readings stay open where the chosen fit's criterion is changed to lie so far below another's.
@@ -172,7 +174,7 @@ std::size_t open_beside(BetweenSamples between, double evidence) {
     fit.residual.rms =
         plain.other(between).residual.rms * std::exp(-evidence / (2 * fit.independent_samples));
   });
-  return reading.choice.chosen.warnings.size() - reading.chosen.warnings.size();
+  return in_words(reading.choice.chosen.notices).size() - in_words(reading.chosen.notices).size();
 }
 
 TEST(Readings, StayOpenWithinSix) {
@@ -232,8 +234,8 @@ TEST(Readings, AnInterruptionEndsTheChoice) {
       choose_reading(made.record(), options, {.law = law_of("viscous")}, choose, {.interrupt = &stop});
   EXPECT_EQ(asked, 1);
   EXPECT_TRUE(choice.candidates.empty());
-  EXPECT_TRUE(choice.chosen.warnings.empty() ||
-              choice.chosen.warnings.back().find("is open") == std::string::npos);
+  EXPECT_TRUE(in_words(choice.chosen.notices).empty() ||
+              in_words(choice.chosen.notices).back().find("is open") == std::string::npos);
 }
 
 }  // namespace

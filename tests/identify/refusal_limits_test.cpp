@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "tests/identify/synthetic.h"
 
@@ -49,7 +50,7 @@ LawFit fit_of(const Seen& seen) {
 
 /// "too_short: the record holds ..."; empty where the fit is taken.
 std::string told(const std::optional<Refusal>& refusal) {
-  return refusal ? std::string(name(refusal->status)) + ": " + refusal->message : "";
+  return refusal ? std::string(name(refusal->status)) + ": " + in_words(refusal->message) : "";
 }
 
 std::string told(const Seen& seen) { return told(refuse_fit(record_of(seen).record(), fit_of(seen))); }

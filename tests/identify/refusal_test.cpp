@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
@@ -37,7 +38,7 @@ TEST(Refusal, LeavesUnsaidWhatTheParametersWouldWarnOf) {
     const SyntheticRecord record = noise_record(3000, 0.99, seed);
     const LawFit fit = fit_law(record.record(), {});
     ASSERT_NE(fit.status, FitStatus::converged) << seed;
-    EXPECT_TRUE(fit.warnings.empty()) << seed << ": " << fit.warnings.front();
+    EXPECT_TRUE(in_words(fit.notices).empty()) << seed << ": " << in_words(fit.notices).front();
   }
 }
 

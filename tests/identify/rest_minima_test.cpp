@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "tests/identify/synthetic.h"
 
@@ -32,12 +33,12 @@ TEST(RestMinima, NoFitStartedAtTheTruthIsCloser) {
   for (unsigned seed = 1; seed <= trials; ++seed) {
     const SyntheticRecord record = record_of(truth, seed);
     const LawFit fit = fit_law(record.record(), {.law = law});
-    ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
     const LawFit informed =
         fit_law(record.record(), {.law = law, .start = KnownMotion{truth, record.t.size(), 0.1}});
     EXPECT_LE(fit.residual.rms, informed.residual.rms * (1 + 1e-7)) << seed;
     covered += fit["friction"].low <= truth.friction && truth.friction <= fit["friction"].high;
-    said += !fit.warnings.empty();
+    said += !in_words(fit.notices).empty();
   }
   EXPECT_GE(covered, 21);
   EXPECT_GE(said, 1);
@@ -54,7 +55,7 @@ TEST(RestMinima, ARestBeyondTheBandSettlesAtItsEnd) {
     for (std::size_t i = 0; i < record.t.size(); ++i)
       if (motion.v[i] == 0) record.y[i] += (rest > 0 ? 1.3 : -1.3) * band - rest;
     const LawFit fit = fit_law(record.record(), {.law = law_of("friction")});
-    EXPECT_EQ(fit.status, FitStatus::converged) << seed << ": " << fit.message;
+    EXPECT_EQ(fit.status, FitStatus::converged) << seed << ": " << in_words(fit.message);
     EXPECT_NEAR(fit["friction"].value, truth.friction, 0.02 * truth.friction);
   }
 }
@@ -84,7 +85,7 @@ TEST(RestMinima, EqualMinimaCountEqually) {
   EXPECT_NEAR(fit["friction"].high, 30 + 1.645, 1e-3);
   EXPECT_NEAR(fit["friction"].standard_error, std::sqrt(1 + 0.5 * 100), 1e-9);
   EXPECT_NEAR(fit.equilibrium().high, 1.960, 1e-3);
-  EXPECT_EQ(fit.warnings.size(), 1u);
+  EXPECT_EQ(in_words(fit.notices).size(), 1u);
 }
 
 }  // namespace

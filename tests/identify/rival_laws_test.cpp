@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 #include "tests/identify/synthetic.h"
@@ -34,8 +35,8 @@ TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
     const LawChoice choice = choose_law(record.record(), {});
     if (choice.chosen.law == law_of("viscous+drag")) continue;
     ++simple;
-    for (const std::string& warning : choice.chosen.warnings)
-      said += warning.find("cannot tell") != std::string::npos;
+    for (const std::string& notice : in_words(choice.chosen.notices))
+      said += notice.find("cannot tell") != std::string::npos;
     const MeanDecay decay = mean_decay(choice.chosen, record.record()).value();
     const double amplitude = decay.amplitude;
     const double true_rate = 0.01 + 4 * 0.15 * 8.944 / (3 * 3.14159265) * amplitude;
@@ -60,7 +61,7 @@ TEST(RivalLaws, NoneWhereTheRecordTells) {
   const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0.02, .drag = 0.5, .position = 0.05};
   const LawChoice choice = choose_law(record_of(truth, 12000, 0.02, 2e-4, 1).record(), {});
   EXPECT_EQ(to_text(choice.chosen.law), "viscous+drag");
-  EXPECT_THAT(choice.chosen.warnings, Not(Contains(HasSubstr("cannot tell"))));
+  EXPECT_THAT(in_words(choice.chosen.notices), Not(Contains(HasSubstr("cannot tell"))));
 }
 
 // A rival is named where another number or another damping would follow from it, not for its name alone.
@@ -73,15 +74,15 @@ TEST(RivalLaws, NoneWhereNoNumberWouldMove) {
   *std::find(rival.names.begin(), rival.names.end(), "cubic") = "odd_quadratic";
   rival.bic = candidates[0].bic + 1;
   candidates.push_back(rival);
-  EXPECT_EQ(rival_laws(record.record(), candidates, 0), "");
+  EXPECT_EQ(in_words(rival_laws(record.record(), candidates, 0)), "");
   candidates[1].find("decay_rate")->value += 4 * rival.decay_rate().standard_error;
-  EXPECT_THAT(rival_laws(record.record(), candidates, 0), HasSubstr("viscous+odd-quadratic"));
+  EXPECT_THAT(in_words(rival_laws(record.record(), candidates, 0)), HasSubstr("viscous+odd-quadratic"));
   candidates[1].bic = candidates[0].bic + 6.1;
-  EXPECT_EQ(rival_laws(record.record(), candidates, 0), "");
+  EXPECT_EQ(in_words(rival_laws(record.record(), candidates, 0)), "");
   // Another damping is another number.
   candidates[1] = rival;
   candidates[1].law = law_of("drag+cubic");
-  EXPECT_THAT(rival_laws(record.record(), candidates, 0), HasSubstr("drag+cubic"));
+  EXPECT_THAT(in_words(rival_laws(record.record(), candidates, 0)), HasSubstr("drag+cubic"));
 }
 
 TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
@@ -93,8 +94,8 @@ TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
   const MeanDecay decay = mean_decay(fit, record.record()).value();
   EXPECT_NEAR(decay.rate.value, 0.005, 4 * decay.rate.standard_error);
   EXPECT_LT(decay.rate.standard_error, 2e-4);
-  EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("shows no viscous"))));
-  EXPECT_THAT(fit.warnings, Contains(HasSubstr("cannot be told apart")));
+  EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("shows no viscous"))));
+  EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("cannot be told apart")));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
@@ -18,8 +19,8 @@ std::vector<ResidualLine> lines_beside(const Other& other, std::vector<std::stri
   SyntheticRecord record = viscous_record({.g = 0.02, .velocity = 0}, even_times(4000, 0.01), 3e-4, 0, seed);
   for (std::size_t i = 0; i < record.t.size(); ++i) record.y[i] += other(record.t[i]);
   const LawFit fit = fit_law(record.record(), {.law = law_of("viscous")});
-  EXPECT_EQ(fit.status, FitStatus::converged) << fit.message;
-  if (sentences) *sentences = second_modes(record.record(), fit, "m");
+  EXPECT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
+  if (sentences) *sentences = in_words(second_modes(record.record(), fit, "m"));
   return residual_lines(record.record(), fit);
 }
 

@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "tests/identify/free_swing.h"
@@ -33,7 +34,7 @@ Swung swung_from(double position, unsigned seed) {
 }
 
 void expect_truth(const LawFit& fit) {
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_EQ(to_text(fit.law), to_text(fed));
   EXPECT_LT(fit.residual.rms, 1.05e-3);
   EXPECT_NEAR(fit.decay_rate().value, decay_rate, 4 * fit.decay_rate().standard_error);
@@ -64,7 +65,7 @@ TEST(SelfSustained, IsChosen) {
 TEST(SelfSustained, MayRise) {
   const Swung swung = swung_from(0.03, 5);
   const LawFit fit = fit_law({swung.t, swung.y}, {.law = fed});
-  for (const std::string& sentence : doubts({swung.t, swung.y}, fit, true, "m"))
+  for (const std::string& sentence : in_words(doubts({swung.t, swung.y}, fit, true, "m")))
     EXPECT_THAT(sentence, testing::Not(testing::HasSubstr("rises")));
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "tests/identify/synthetic.h"
 
@@ -67,7 +68,7 @@ std::vector<bool> without_blocks(std::size_t blocks, std::size_t length, Engine&
 
 void expect_frequency(const SyntheticRecord& record) {
   const LawFit fit = fit_law(record.record(), {});
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_NEAR(fit.angular_frequency().value, w0, 5 * fit.angular_frequency().standard_error + 1e-9);
   EXPECT_LT(fit.angular_frequency().standard_error, 0.01 * w0);
 }
@@ -125,8 +126,9 @@ TEST(StartValues, TwoPartsFarApart) {
 // In strong noise the count of cycles between two parts may be lost, but not silently.
 TEST(StartValues, AnotherFrequencyThatFitsAsWellIsNamed) {
   const auto names_another = [](const LawFit& fit) {
-    return std::any_of(fit.warnings.begin(), fit.warnings.end(), [](const std::string& warning) {
-      return warning.find("fits nearly as well") != std::string::npos;
+    const std::vector<std::string> said = in_words(fit.notices);
+    return std::any_of(said.begin(), said.end(), [](const std::string& notice) {
+      return notice.find("fits nearly as well") != std::string::npos;
     });
   };
   int named = 0;
@@ -194,7 +196,7 @@ TEST(StartValues, PendulumFromALargeAngle) {
         SCOPED_TRACE(testing::Message() << amplitude << " rad, " << periods << " periods, fall " << folds);
         const SyntheticRecord record = large_swing(amplitude, periods, folds, ++seed);
         const LawFit fit = fit_law(record.record(), options);
-        ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+        ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
         EXPECT_NEAR(fit.angular_frequency().value, w0, 5 * fit.angular_frequency().standard_error);
         EXPECT_NEAR(fit.position().value, amplitude, 5 * fit.position().standard_error);
         EXPECT_NEAR(fit.residual.rms, 0.005, 0.0007);
@@ -208,7 +210,7 @@ TEST(StartValues, PendulumFromALargeAngleIsChosen) {
     for (const double folds : {0.0, 1.0}) {
       SCOPED_TRACE(testing::Message() << amplitude << " rad, fall " << folds);
       const LawFit fit = choose_law(large_swing(amplitude, 40, folds, 9).record(), options).chosen;
-      ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+      ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
       EXPECT_TRUE(fit.law.has<Pendulum>()) << to_text(fit.law);
       EXPECT_NEAR(fit.angular_frequency().value, w0, 5 * fit.angular_frequency().standard_error);
     }

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "cromer/documents/words/words.h"
 #include "tests/identify/forced_truth.h"
 #include "tests/identify/free_swing.h"
 
@@ -75,7 +76,7 @@ void expect_found(const Law& law, Kind kind) {
   LawFitOptions options{.law = law, .drive = drive};
   if (kind == Kind::harmonic) options.drive_frequency = 4.7;
   const LawFit fit = fit_law({t, y}, options);
-  ASSERT_EQ(fit.status, FitStatus::converged) << fit.message;
+  ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   EXPECT_LT(fit.residual.rms, 1.1e-3);
   const FittedParameters fitted = fitted_parameters(law, drive.kind, {}, motion);
   for (int i = 0; i < fitted.count; ++i) {
@@ -152,7 +153,7 @@ TEST(TermsFit, AHystereticForceOfExponentTwoIsFoundAtAnySize) {
     std::normal_distribution<double> normal(0, 1e-3 * size);
     for (double& each : y) each += normal(engine);
     const LawFit fit = fit_law({t, y}, {.law = motion.law, .hysteresis_exponent = 2});
-    ASSERT_EQ(fit.status, FitStatus::converged) << size << ": " << fit.message;
+    ASSERT_EQ(fit.status, FitStatus::converged) << size << ": " << in_words(fit.message);
     EXPECT_LT(fit.residual.rms, 1.1e-3 * size);
     for (const auto& [name, truth] : {std::pair{"hysteresis_stiffness", 12.0},
                                       {"hysteresis_beta", 0.4 / (size * size)},

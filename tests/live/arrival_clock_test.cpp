@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "arrivals.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core::test {
 namespace {
@@ -17,7 +18,7 @@ constexpr double no_time = 2e-6;  // [s] the stamps are rounded to the microseco
 
 std::vector<std::string> texts(const Stamped& stamped) {
   std::vector<std::string> all;
-  for (const auto& each : stamped.notices) all.push_back(each.text);
+  for (const auto& each : stamped.notices) all.push_back(in_words(each.what));
   return all;
 }
 
@@ -137,7 +138,7 @@ TEST(ArrivalClock, KeepsTheArrivalsOfARandomSource) {
   expect_good_order(stamped, sent);
   EXPECT_EQ(stamped.by.by_rate, 0u);
   EXPECT_LT(worst_error(stamped.times, sent), no_time);
-  EXPECT_THAT(sentence(stamped.by), HasSubstr("those of arrival; no steady rate was found"));
+  EXPECT_THAT(in_words(sentence(stamped.by)), HasSubstr("those of arrival; no steady rate was found"));
 }
 
 TEST(ArrivalClock, NoticesASampleThatIsMissing) {
@@ -154,8 +155,8 @@ TEST(ArrivalClock, NoticesASampleThatIsMissing) {
         ASSERT_NEAR(stamped.times[i] - stamped.times[2000], sent.sent[i] - sent.sent[2000], 2e-3) << i;
       }
     ASSERT_EQ(stamped.notices.size(), 1u);
-    EXPECT_EQ(stamped.notices[0].kind, NoticeKind::gap);
-    EXPECT_THAT(stamped.notices[0].text, HasSubstr("1 sample is missing after 14.7"));
+    EXPECT_EQ(stamped.notices[0].kind, RemarkKind::gap);
+    EXPECT_THAT(in_words(stamped.notices[0].what), HasSubstr("1 sample is missing after 14.7"));
   }
 }
 
@@ -224,16 +225,16 @@ TEST(ArrivalClock, CatchesUpSlowly) {
 }
 
 TEST(ArrivalClock, SaysWhatItDid) {
-  EXPECT_EQ(sentence({TimesBy::rate, 5988, 12, 100.02, 0.213}),
+  EXPECT_EQ(in_words(sentence({TimesBy::rate, 5988, 12, 100.02, 0.213})),
             "times: by the steady rate that was found, 100.02/s; delays up to 0.21 s; 12 of 6000 by arrival");
-  EXPECT_EQ(sentence({TimesBy::device}), "");
-  EXPECT_EQ(sentence({}), "");
+  EXPECT_EQ(in_words(sentence({TimesBy::device})), "");
+  EXPECT_EQ(in_words(sentence({})), "");
 }
 
 TEST(ArrivalClock, HoldsSamplesForFourTenthsOfASecond) {
   ArrivalClock clock;
   std::vector<double> times;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
   for (int i = 0; i <= 200; ++i) clock.take(100 + i / 100.0);
   clock.release(102, times, notices);
   EXPECT_EQ(times.size(), 161u);
@@ -252,7 +253,7 @@ TEST(ArrivalClock, HoldsSamplesForFourTenthsOfASecond) {
 TEST(ArrivalClock, TheFirstWaitForARate) {
   ArrivalClock clock;
   std::vector<double> times;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
   for (int i = 0; i < 10; ++i) clock.take(100 + 0.01 * i);
   clock.release(100.79, times, notices);
   EXPECT_EQ(times.size(), 0u);
@@ -295,12 +296,13 @@ TEST(ArrivalClock, APauseIsOfWholePeriodsOrOfTheDevice) {
 }
 
 TEST(ArrivalClock, SaysHowManyByTheRate) {
-  EXPECT_EQ(sentence({TimesBy::arrival, 3, 7, 100, 0.2}),
+  EXPECT_EQ(in_words(sentence({TimesBy::arrival, 3, 7, 100, 0.2})),
             "times: those of arrival; no steady rate was found for long; 3 of 10 by one");
-  EXPECT_EQ(sentence({TimesBy::arrival, 0, 7}), "times: those of arrival; no steady rate was found");
-  EXPECT_EQ(sentence({TimesBy::rate, 7, 0, 100, 0.2}),
+  EXPECT_EQ(in_words(sentence({TimesBy::arrival, 0, 7})),
+            "times: those of arrival; no steady rate was found");
+  EXPECT_EQ(in_words(sentence({TimesBy::rate, 7, 0, 100, 0.2})),
             "times: by the steady rate that was found, 100/s; delays up to 0.2 s");
-  EXPECT_EQ(sentence({TimesBy::count}), "times: counted, at the rate of --rate");
+  EXPECT_EQ(in_words(sentence({TimesBy::count})), "times: counted, at the rate of --rate");
   EXPECT_EQ(name(TimesBy::device), "device");
   EXPECT_EQ(name(TimesBy::count), "count");
   EXPECT_EQ(name(TimesBy::rate), "rate");

@@ -51,7 +51,7 @@ inline void send(Sent& sent, double rate, int count, const Delay& delay) {
 
 struct Stamped {
   std::vector<double> times;  // [s]
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
   SampleTimes by;
   double longest_held = 0, longest_held_later = 0;  // [s] of all, and of those after the first second
 };

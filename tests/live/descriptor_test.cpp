@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <termios.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/live/source.h"
 #include "server.h"
 
@@ -34,7 +35,7 @@ TEST(Serial, LinesAreSetToTheirSpeed) {
       {500000, B500000}, {921600, B921600}, {1000000, B1000000}, {2000000, B2000000}};
   for (const auto& [baud, code] : speeds) {
     const auto line = open_serial(terminal.device, baud);
-    ASSERT_TRUE(line) << baud << ' ' << line.error().message;
+    ASSERT_TRUE(line) << baud << ' ' << in_words(line.error());
     termios settings{};
     ASSERT_EQ(::tcgetattr(line->number(), &settings), 0);
     EXPECT_EQ(::cfgetispeed(&settings), code) << baud;
@@ -48,7 +49,7 @@ TEST(Serial, LinesAreSetToTheirSpeed) {
 TEST(Serial, WhatIsNoLineIsRefused) {
   const auto refusal = [](const std::string& device, int baud) {
     const auto line = open_serial(device, baud);
-    return line ? "opened" : line.error().message;
+    return line ? "opened" : in_words(line.error());
   };
   EXPECT_EQ(refusal("/dev/null", 9601),
             "serial:/dev/null: 9601 baud is no speed of serial lines; usual are 9600 and 115200");
@@ -76,10 +77,10 @@ TEST(Tcp, APulledCableIsSeenWithinHalfAMinute) {
 TEST(Tcp, WhatCannotBeReachedIsNamed) {
   const auto refused = open_tcp("127.0.0.1", 1, 1);
   ASSERT_FALSE(refused);
-  EXPECT_EQ(refused.error().message, "127.0.0.1:1: Connection refused");
+  EXPECT_EQ(in_words(refused.error()), "127.0.0.1:1: Connection refused");
   const auto unknown = open_tcp("no host", 5000, 1);
   ASSERT_FALSE(unknown);
-  EXPECT_THAT(unknown.error().message, StartsWith("no host: "));
+  EXPECT_THAT(in_words(unknown.error()), StartsWith("no host: "));
 }
 
 TEST(Descriptor, IsReadableWhereSomethingCame) {

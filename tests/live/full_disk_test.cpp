@@ -10,6 +10,7 @@
 #include <iterator>
 #include <memory>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/live/recorder.h"
 #include "small_disk.h"
 
@@ -47,7 +48,7 @@ class Logger final : public Source {
  public:
   explicit Logger(std::size_t count) : count_(count) {}
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& to, std::vector<Notice>&) override {
+  bool receive(double, Rows& to, std::vector<Remark>&) override {
     to = rows(sent_ ? 0 : count_);
     sent_ = true;
     return true;
@@ -86,7 +87,7 @@ TEST_F(FullDisk, EndsWithAWholeLineWhereverItIsFull) {
       more.values.erase(more.values.begin(), more.values.begin() + 100);
       const auto written = file.append(more);
       ASSERT_FALSE(written);
-      EXPECT_THAT(written.error().message, HasSubstr(path_.string() + ": File too large"));
+      EXPECT_THAT(in_words(written.error()), HasSubstr(path_.string() + ": File too large"));
     }
     EXPECT_EQ(content(), all.substr(0, all.rfind('\n', bytes - 1) + 1)) << bytes;
     EXPECT_EQ(file.rows(), lines_in(content()) - 2) << bytes;
@@ -110,7 +111,7 @@ TEST_F(FullDisk, OnlyWhatIsInTheFileIsCounted) {
   const RecorderStatus status = recorder.status();
   recorder.stop();
   EXPECT_FALSE(status.running);
-  EXPECT_THAT(status.failure, HasSubstr("File too large"));
+  EXPECT_THAT(in_words(status.failure), HasSubstr("File too large"));
   const std::size_t kept = lines_in(content()) - 1;
   ASSERT_GT(kept, 10u);
   EXPECT_EQ(status.samples, kept);

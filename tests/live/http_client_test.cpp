@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/live/source.h"
 #include "server.h"
 
@@ -13,7 +14,7 @@ using ::testing::StartsWith;
 
 std::string got(HttpClient& client, const std::string& target, double seconds = 2) {
   const auto answer = client.get(target, seconds);
-  return answer ? *answer : "Error: " + answer.error().message;
+  return answer ? *answer : "Error: " + in_words(answer.error());
 }
 
 /// What comes of one question that is answered so.

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -18,7 +20,7 @@ struct Reading {
 
   LineReader reader;
   Rows rows;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
 };
 
 TEST(Line, IsNumbersWordsOrGarbage) {
@@ -102,9 +104,9 @@ TEST(LineReader, CountsAndReportsGarbage) {
   reading.take("Sensor ready\n0.00 1\n0.01 ?!\x7f\n0.02 3\n5\n0.03 4 5\n\n0.04 6\n");
   EXPECT_THAT(reading.rows.t, ElementsAre(0, 0.02, 0.04));
   ASSERT_EQ(reading.reader.garbage(), 4u);
-  EXPECT_THAT(reading.notices[0].text, HasSubstr("line 1 is no sample: \"Sensor ready\""));
-  EXPECT_THAT(reading.notices[1].text, HasSubstr("line 3 is no sample: \"0.01 ?!?\""));
-  EXPECT_THAT(reading.notices[3].text, HasSubstr("line 6"));
+  EXPECT_THAT(in_words(reading.notices[0].what), HasSubstr("line 1 is no sample: \"Sensor ready\""));
+  EXPECT_THAT(in_words(reading.notices[1].what), HasSubstr("line 3 is no sample: \"0.01 ?!?\""));
+  EXPECT_THAT(in_words(reading.notices[3].what), HasSubstr("line 6"));
 }
 
 TEST(LineReader, AnEndlessLineTakesNoMemory) {
@@ -113,7 +115,7 @@ TEST(LineReader, AnEndlessLineTakesNoMemory) {
   for (int i = 0; i < 1000; ++i) reading.take(noise);
   reading.take("\n0 1\n0.1 2\n");
   EXPECT_EQ(reading.reader.garbage(), 1u);
-  EXPECT_LT(reading.notices[0].text.size(), 200u);
+  EXPECT_LT(in_words(reading.notices[0].what).size(), 200u);
   EXPECT_EQ(reading.rows.size(), 2u);
 }
 
@@ -129,7 +131,7 @@ TEST(LineReader, OpenedWithinALineLeavesItsRestOutAndSaysSo) {
     EXPECT_THAT(reading.rows.t, ElementsAre(12.08, 12.09)) << rest;
     EXPECT_EQ(reading.reader.garbage(), 0u) << rest;
     ASSERT_EQ(reading.notices.size(), 1u) << rest;
-    EXPECT_THAT(reading.notices[0].text, HasSubstr(rest));
+    EXPECT_THAT(in_words(reading.notices[0].what), HasSubstr(rest));
   }
   // From what is left of 19.99 to 20.00.
   SerialReading reading;
@@ -216,7 +218,7 @@ TEST(LineReader, LinesOfAThousandBytesAreRead) {
   EXPECT_EQ(whole.rows.size(), 1u);
   cut.take(longer + "\n1 2\n");
   EXPECT_THAT(cut.rows.t, ElementsAre(1));
-  EXPECT_THAT(cut.notices.at(0).text, HasSubstr("line 1 is no sample: \"0 1.000"));
+  EXPECT_THAT(in_words(cut.notices.at(0).what), HasSubstr("line 1 is no sample: \"0 1.000"));
 }
 
 TEST(LineReader, ThirtyTwoNumbersAreALine) {
@@ -236,11 +238,11 @@ TEST(LineReader, HeadingsSayMoreThanReady) {
   EXPECT_THAT(named.reader.headings(), ElementsAre("Time (s)", "Height (mm)"));
   ready.take("ready\n1\n");
   EXPECT_THAT(ready.reader.headings(), ElementsAre("Time (s)", "Value"));
-  EXPECT_THAT(ready.notices.at(0).text, HasSubstr("line 1 is no sample: \"ready\""));
+  EXPECT_THAT(in_words(ready.notices.at(0).what), HasSubstr("line 1 is no sample: \"ready\""));
   twice.take("boot,ok\nTime,x\n1 2\n3 4\nTime,y\n");
   EXPECT_THAT(twice.reader.headings(), ElementsAre("Time (s)", "x"));
   EXPECT_EQ(twice.notices.size(), 2u);
-  EXPECT_THAT(twice.notices.at(1).text, HasSubstr("line 5"));
+  EXPECT_THAT(in_words(twice.notices.at(1).what), HasSubstr("line 5"));
   few.take("a,b\n1 2 3\n");
   EXPECT_THAT(few.reader.headings(), ElementsAre("Time (s)", "Value 1", "Value 2"));
   EXPECT_EQ(few.reader.garbage(), 1u);
@@ -315,13 +317,14 @@ TEST(LineReader, TheFormOfTheNextLineShowsAWholeOne) {
   last.reader.end(101, last.rows, last.notices);
   EXPECT_EQ(last.rows.size(), 0u);
   ASSERT_EQ(last.notices.size(), 1u);
-  EXPECT_EQ(last.notices[0].kind, NoticeKind::connection);
+  EXPECT_EQ(last.notices[0].kind, RemarkKind::connection);
   SerialReading stopped;  // while its first line waits
   stopped.take("12.4 1\n12.", 100.001);
   stopped.reader.release_all(stopped.rows, stopped.notices);
   EXPECT_EQ(stopped.rows.size(), 0u);
   ASSERT_EQ(stopped.notices.size(), 1u);
-  EXPECT_EQ(stopped.notices[0].text, "what came first may be the end of a line, and is left out: \"12.4 1\"");
+  EXPECT_EQ(in_words(stopped.notices[0].what),
+            "what came first may be the end of a line, and is left out: \"12.4 1\"");
 }
 
 TEST(LineReader, RowsThatAreLetGoHaveOneValue) {

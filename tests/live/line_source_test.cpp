@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "server.h"
 
 namespace cromer::core::test {
@@ -37,7 +38,7 @@ struct Reading {
   Pipes pipes;
   LineSource source;
   Rows rows;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
 };
 
 TEST(LineSource, EndsWithItsInput) {
@@ -75,8 +76,8 @@ TEST(LineSource, IsTriedAgainUntilItIsBack) {
   reading.pipes.to.close();
   EXPECT_TRUE(reading.receive());
   ASSERT_EQ(reading.notices.size(), 1u);
-  EXPECT_EQ(reading.notices[0].text, "lab is gone; it is tried again until it is back");
-  EXPECT_EQ(reading.notices[0].kind, NoticeKind::connection);
+  EXPECT_EQ(in_words(reading.notices[0].what), "lab is gone; it is tried again until it is back");
+  EXPECT_EQ(reading.notices[0].kind, RemarkKind::connection);
   const double begun = steady_seconds();
   EXPECT_TRUE(reading.receive(0.1));
   EXPECT_GE(steady_seconds() - begun, 0.1);
@@ -84,7 +85,7 @@ TEST(LineSource, IsTriedAgainUntilItIsBack) {
   reading.pipes.ready = 1;
   EXPECT_TRUE(reading.receive());
   ASSERT_EQ(reading.notices.size(), 2u);
-  EXPECT_THAT(reading.notices[1].text, MatchesRegex("lab is back after [0-9.]+ s"));
+  EXPECT_THAT(in_words(reading.notices[1].what), MatchesRegex("lab is back after [0-9.]+ s"));
   reading.pipes.send("0.02 2\n");
   EXPECT_TRUE(reading.receive());
   EXPECT_THAT(reading.rows.values, ElementsAre(1, 2));
@@ -95,7 +96,7 @@ TEST(LineSource, WhatCannotBeOpenedIsAnError) {
   reading.pipes.ready = 0;
   const auto opened = reading.source.open();
   ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().message, "not there");
+  EXPECT_EQ(in_words(opened.error()), "not there");
 }
 
 TEST(LineSource, ValuesWaitForTheirTimes) {
@@ -115,14 +116,14 @@ TEST(Sources, AreMadeByTheirNames) {
   const auto tcp = make_source({SourceKind::tcp, "127.0.0.1", server.port()}, lines);
   ASSERT_TRUE(tcp->open());
   Rows rows;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
   EXPECT_TRUE(tcp->receive(0.01, rows, notices));
   const auto serial = make_source({SourceKind::serial, "/dev/null", 9600}, lines)->open();
   ASSERT_FALSE(serial);
-  EXPECT_THAT(serial.error().message, HasSubstr("serial:/dev/null: that is no serial line"));
+  EXPECT_THAT(in_words(serial.error()), HasSubstr("serial:/dev/null: that is no serial line"));
   const auto phone = make_source({SourceKind::phyphox, "127.0.0.1", 1}, lines)->open();
   ASSERT_FALSE(phone);
-  EXPECT_EQ(phone.error().message, "phyphox:127.0.0.1:1: 127.0.0.1:1: Connection refused");
+  EXPECT_EQ(in_words(phone.error()), "phyphox:127.0.0.1:1: 127.0.0.1:1: Connection refused");
   const auto input = make_source({}, lines);
   EXPECT_TRUE(input->open());
   EXPECT_EQ(input->times().by, TimesBy::nothing);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/live/source.h"
 #include "server.h"
 
@@ -65,13 +66,13 @@ struct Reading {
   void receive(double seconds = 0.2) { EXPECT_TRUE(source.receive(seconds, rows, notices)); }
   std::vector<std::string> texts() const {
     std::vector<std::string> all;
-    for (const Notice& notice : notices) all.push_back(notice.text);
+    for (const Remark& notice : notices) all.push_back(in_words(notice.what));
     return all;
   }
 
   PhyphoxSource source;
   Rows rows;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
 };
 
 TEST(PhyphoxSource, TakesWhatIsNew) {
@@ -174,7 +175,7 @@ TEST(PhyphoxSource, SeesThatItsDataWereCleared) {
     phone.hold({0.5, 0.75});
     reading.receive();
     ASSERT_EQ(reading.rows.size(), 3u);
-    EXPECT_THAT(reading.notices.at(1).text, HasSubstr("jumped back by 5.5 s"));
+    EXPECT_THAT(in_words(reading.notices.at(1).what), HasSubstr("jumped back by 5.5 s"));
   }
 }
 
@@ -195,11 +196,11 @@ TEST(PhyphoxSource, WhatItCannotOpenIsAnError) {
   Reading reading(phone);
   const auto opened = reading.source.open();
   ASSERT_FALSE(opened);
-  EXPECT_THAT(opened.error().message,
+  EXPECT_THAT(in_words(opened.error()),
               MatchesRegex("phyphox:127.0.0.1:[0-9]+: /config is answered with status 500"));
   Server other([](const std::string&) { return Reply{http("{}")}; });
   PhyphoxSource source("127.0.0.1", other.port());
-  EXPECT_THAT(source.open().error().message,
+  EXPECT_THAT(in_words(source.open().error()),
               HasSubstr("the phone's experiment \"\" has no values with a time"));
 }
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -36,7 +38,7 @@ TEST(Phyphox, AnExperimentWithoutTimeIsRefusedByName) {
       read_phyphox_config(R"json({"title": "Spring", "export": [{"sources": [{"label": "Period (s)",
     "buffer": "T"}]}]})json");
   ASSERT_FALSE(none);
-  EXPECT_THAT(none.error().message, HasSubstr("\"Spring\""));
+  EXPECT_THAT(in_words(none.error()), HasSubstr("\"Spring\""));
   for (const char* text : {"", "<html>", "[]", "{\"export\": 3}", "{\"export\": [3, {\"sources\": {}}]}"})
     EXPECT_FALSE(read_phyphox_config(text)) << text;
   EXPECT_FALSE(read_phyphox_config(std::string(100000, '[')));
@@ -67,7 +69,7 @@ TEST(Phyphox, WhatIsNoAnswerIsAnError) {
   EXPECT_FALSE(read_phyphox_answer(R"json({"buffer": []})json", set()));
   const auto other = read_phyphox_answer(R"json({"buffer": {"acc_time": {"buffer": [1]}}})json", set());
   ASSERT_FALSE(other);
-  EXPECT_THAT(other.error().message, HasSubstr("\"accX\""));
+  EXPECT_THAT(in_words(other.error()), HasSubstr("\"accX\""));
 }
 
 TEST(Phyphox, TheFirstTimeOfASetIsTaken) {
@@ -92,7 +94,7 @@ TEST(Phyphox, ASensorNeedsATimeAndAValue) {
   const auto headings = [](const std::string& outputs) {
     const auto set = read_phyphox_config(
         "{\"title\": \"a\", \"inputs\": [{\"source\": \"light\", \"outputs\": [" + outputs + "]}]}");
-    return set ? set->headings : Headings{set.error().message};
+    return set ? set->headings : Headings{in_words(set.error())};
   };
   EXPECT_THAT(headings(R"json({"x": "a"}, 7, {"y": 8}, {"t": "b"}, {"z": "c"})json"),
               ElementsAre("Time (s)", "light x", "light z"));

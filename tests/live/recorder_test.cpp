@@ -12,6 +12,8 @@
 #include <new>
 #include <thread>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -21,7 +23,7 @@ namespace fs = std::filesystem;
 class Silent final : public Source {
  public:
   Result<void> open() override { return {}; }
-  bool receive(double, Rows&, std::vector<Notice>&) override {
+  bool receive(double, Rows&, std::vector<Remark>&) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     return true;
   }
@@ -35,7 +37,7 @@ class Silent final : public Source {
 class Short final : public Source {
  public:
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& rows, std::vector<Notice>&) override {
+  bool receive(double, Rows& rows, std::vector<Remark>&) override {
     rows.width = 2;
     rows.add(0, std::vector{1.0, 2.0});
     return false;
@@ -51,7 +53,7 @@ class Device final : public Source {
  public:
   explicit Device(double step) : step_(step) {}
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& rows, std::vector<Notice>&) override {
+  bool receive(double, Rows& rows, std::vector<Remark>&) override {
     ::usleep(20000);
     rows.width = 1;
     rows.add(step_ * n_++, std::vector{1.0});
@@ -77,7 +79,7 @@ TEST(Recorder, TimesThatPassFarTooFastAreNoticed) {
   };
   const auto fast = notices(20, 4);
   ASSERT_EQ(fast.size(), 1u);
-  EXPECT_NE(fast[0].text.find("--time-unit ms"), std::string::npos) << fast[0].text;
+  EXPECT_NE(in_words(fast[0].what).find("--time-unit ms"), std::string::npos) << in_words(fast[0].what);
   EXPECT_TRUE(notices(0.02, 0.1).empty());
 }
 
@@ -112,20 +114,21 @@ TEST(Recorder, AColumnThatIsNotThereIsNoticedWithThoseThatAre) {
   for (const char* bad : {"Postion", "Time (s)"}) {
     const auto notices = noticed(bad);
     ASSERT_EQ(notices.size(), 1u) << bad;
-    EXPECT_EQ(notices[0].kind, NoticeKind::option);
-    EXPECT_EQ(notices[0].text, "--column \"" + std::string(bad) +
-                                   "\": there is no such column to be fitted live, only \"Position (mm)\", "
-                                   "\"Velocity (mm/s)\"");
+    EXPECT_EQ(notices[0].kind, RemarkKind::option);
+    EXPECT_EQ(in_words(notices[0].what),
+              "--column \"" + std::string(bad) +
+                  "\": there is no such column to be fitted live, only \"Position (mm)\", "
+                  "\"Velocity (mm/s)\"");
   }
 }
 
 /// Sends what it is given, a portion at a time, and ends.
 class Portions final : public Source {
  public:
-  Portions(std::vector<Rows> portions, std::vector<Notice> notices = {})
+  Portions(std::vector<Rows> portions, std::vector<Remark> notices = {})
       : portions_(std::move(portions)), notices_(std::move(notices)) {}
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& rows, std::vector<Notice>& notices) override {
+  bool receive(double, Rows& rows, std::vector<Remark>& notices) override {
     rows = portions_[n_++];
     notices = std::exchange(notices_, {});
     return n_ < portions_.size();
@@ -135,7 +138,7 @@ class Portions final : public Source {
 
  private:
   std::vector<Rows> portions_;
-  std::vector<Notice> notices_;
+  std::vector<Remark> notices_;
   std::size_t n_ = 0;
   Headings headings_{"Time (s)", "Value"};
 };
@@ -152,7 +155,8 @@ struct Recorded {
   explicit Recorded(std::unique_ptr<Source> source, std::optional<double> duration = {},
                     std::vector<std::string> comments = {})
       : path(fs::temp_directory_path() / ("cromer-portions-" + std::to_string(::getpid()) + ".csv")),
-        recorder(std::move(source), {path, duration, std::move(comments)}) {
+        recorder(std::move(source), {path, duration, std::move(comments), "",
+                                     [](const Notice& notice) { return in_words(notice); }}) {
     fs::remove(path);
     started = recorder.start();
     while (recorder.status().running) ::usleep(500);
@@ -169,10 +173,10 @@ struct Recorded {
 
 TEST(Recorder, WritesHeadRowsAndWhatWasNoticed) {
   const Recorded recorded(
-      std::make_unique<Portions>(
-          std::vector{rows_at({0.5, 1}), rows_at({}), rows_at({1.5})},
-          std::vector<Notice>{
-              {NoticeKind::garbage, "a"}, {NoticeKind::clock, "b"}, {NoticeKind::garbage, "c"}}),
+      std::make_unique<Portions>(std::vector{rows_at({0.5, 1}), rows_at({}), rows_at({1.5})},
+                                 std::vector<Remark>{{RemarkKind::garbage, Notice{"a"}},
+                                                     {RemarkKind::clock, Notice{"b"}},
+                                                     {RemarkKind::garbage, Notice{"c"}}}),
       {}, {"head"});
   EXPECT_EQ(recorded.content,
             "# head\nTime (s),Value\n0.5,5\n1,10\n1.5,15\n# a\n# b\n# c\n# times: counted, at the rate of "
@@ -186,14 +190,14 @@ TEST(Recorder, WritesHeadRowsAndWhatWasNoticed) {
   EXPECT_EQ(status.garbage, 2u);
   EXPECT_EQ(status.notices, 3u);
   EXPECT_EQ(status.times.by, TimesBy::count);
-  EXPECT_EQ(status.failure, "");
+  EXPECT_TRUE(status.failure.empty());
   EXPECT_EQ(recorded.recorder.headings(), (Headings{"Time (s)", "Value"}));
 }
 
 TEST(Recorder, ShowsPartsOfWhatItHas) {
-  const Recorded recorded(
-      std::make_unique<Portions>(std::vector{rows_at({1, 2, 3, 4, 5})},
-                                 std::vector<Notice>{{NoticeKind::gap, "a"}, {NoticeKind::gap, "b"}}));
+  const Recorded recorded(std::make_unique<Portions>(
+      std::vector{rows_at({1, 2, 3, 4, 5})},
+      std::vector<Remark>{{RemarkKind::gap, Notice{"a"}}, {RemarkKind::gap, Notice{"b"}}}));
   const Recorder& recorder = recorded.recorder;
   EXPECT_EQ(recorder.rows_since(0, 2).t, (std::vector<double>{1, 2}));
   EXPECT_EQ(recorder.rows_since(3).t, (std::vector<double>{4, 5}));
@@ -204,13 +208,13 @@ TEST(Recorder, ShowsPartsOfWhatItHas) {
   EXPECT_EQ(recorder.first_within(1.5), 3u);
   EXPECT_EQ(recorder.first_within(100), 0u);
   EXPECT_EQ(recorder.notices_since(1).size(), 1u);
-  EXPECT_EQ(recorder.notices_since(1)[0].text, "b");
+  EXPECT_EQ(in_words(recorder.notices_since(1)[0].what), "b");
   EXPECT_EQ(recorder.notices_since(7).size(), 0u);
 }
 
 TEST(Recorder, ARecordingOfNothingLeavesNoFile) {
-  const Recorded recorded(
-      std::make_unique<Portions>(std::vector{rows_at({})}, std::vector<Notice>{{NoticeKind::garbage, "a"}}));
+  const Recorded recorded(std::make_unique<Portions>(
+      std::vector{rows_at({})}, std::vector<Remark>{{RemarkKind::garbage, Notice{"a"}}}));
   EXPECT_FALSE(fs::exists(recorded.path));
   EXPECT_EQ(recorded.recorder.first_within(1), 0u);
   EXPECT_EQ(recorded.recorder.status().samples, 0u);
@@ -246,8 +250,8 @@ TEST(Recorder, ManyRowsAndNoticesAreBroughtToTheDisk) {
     EXPECT_EQ(std::count(recorded.content.begin(), recorded.content.end(), '\n'),
               static_cast<std::ptrdiff_t>(count) + 2);
   }
-  const Recorded garbled(std::make_unique<Portions>(std::vector{rows_at({1})},
-                                                    std::vector<Notice>(250, {NoticeKind::garbage, "a"})));
+  const Recorded garbled(std::make_unique<Portions>(
+      std::vector{rows_at({1})}, std::vector<Remark>(250, {RemarkKind::garbage, Notice{"a"}})));
   EXPECT_EQ(garbled.recorder.notices_since(0).size(), 200u);
   EXPECT_EQ(garbled.recorder.status().garbage, 250u);
   EXPECT_NE(garbled.content.find("# 250 lines were no samples\n"), std::string::npos);
@@ -257,7 +261,7 @@ TEST(Recorder, OutOfMemoryItGoesOnAndSaysSo) {
   class Starving final : public Source {
    public:
     Result<void> open() override { return {}; }
-    bool receive(double, Rows& rows, std::vector<Notice>&) override {
+    bool receive(double, Rows& rows, std::vector<Remark>&) override {
       if (n_++ == 1) throw std::bad_alloc();
       rows = rows_at({static_cast<double>(n_)});
       return n_ < 3;
@@ -277,11 +281,11 @@ TEST(Recorder, OutOfMemoryAtItsEndItKeepsWhatWasRead) {
    public:
     explicit Starving(bool finishes) : finishes_(finishes) {}
     Result<void> open() override { return {}; }
-    bool receive(double, Rows& rows, std::vector<Notice>&) override {
+    bool receive(double, Rows& rows, std::vector<Remark>&) override {
       rows = rows_at({1});
       return false;
     }
-    void finish(Rows& rows, std::vector<Notice>&) override {
+    void finish(Rows& rows, std::vector<Remark>&) override {
       if (!finishes_) throw std::bad_alloc();
       rows = rows_at({2});
     }
@@ -306,13 +310,13 @@ TEST(Recorder, WhereTheSourceCannotBeOpenedNoFileIsLeft) {
   class Closed final : public Source {
    public:
     Result<void> open() override { return Error{"not there"}; }
-    bool receive(double, Rows&, std::vector<Notice>&) override { return false; }
+    bool receive(double, Rows&, std::vector<Remark>&) override { return false; }
     const Headings& headings() const override { return headings_; }
     Headings headings_{};
   };
   const Recorded recorded(std::make_unique<Closed>());
   ASSERT_FALSE(recorded.started);
-  EXPECT_EQ(recorded.started.error().message, "not there");
+  EXPECT_EQ(in_words(recorded.started.error()), "not there");
   EXPECT_FALSE(fs::exists(recorded.path));
 }
 

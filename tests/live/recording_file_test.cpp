@@ -10,6 +10,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -53,9 +55,9 @@ TEST_F(RecordingFiles, OverwriteNothing) {
   RecordingFile file;
   const auto opened = file.open(path_);
   ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().message, path_.string() +
-                                        " exists and is not empty; a recording overwrites nothing: "
-                                        "name another file, or move that one away");
+  EXPECT_EQ(in_words(opened.error()), path_.string() +
+                                          " exists and is not empty; a recording overwrites nothing: "
+                                          "name another file, or move that one away");
   file.drop_if_empty();
   EXPECT_EQ(content(), "a");
 }
@@ -65,7 +67,7 @@ TEST_F(RecordingFiles, APipeThatNobodyReadsFromIsNotWaitedFor) {
   RecordingFile file;
   const auto opened = file.open(path_);
   ASSERT_FALSE(opened);
-  EXPECT_EQ(opened.error().message, "cannot write " + path_.string() + ": nobody reads from this pipe");
+  EXPECT_EQ(in_words(opened.error()), "cannot write " + path_.string() + ": nobody reads from this pipe");
 }
 
 TEST_F(RecordingFiles, ALinkToWhatIsNotThereYetStaysOne) {
@@ -90,7 +92,7 @@ TEST_F(RecordingFiles, AnEmptyOneIsTakenAndLeft) {
   RecordingFile none;
   const auto opened = none.open("/no such folder/a.csv");
   ASSERT_FALSE(opened);
-  EXPECT_NE(opened.error().message.find("No such file or directory"), std::string::npos);
+  EXPECT_NE(in_words(opened.error()).find("No such file or directory"), std::string::npos);
 }
 
 TEST_F(RecordingFiles, ANewOneIsDroppedWhereNothingWasWritten) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -34,7 +36,7 @@ TEST(SourceName, WhatIsNoneNamesTheForms) {
         "phyphox:", "phyphox:host:x", "serial:", "serial::9600"}) {
     const auto name = parse_source(text);
     ASSERT_FALSE(name) << text;
-    EXPECT_THAT(name.error().message, ::testing::HasSubstr("serial:DEVICE[:BAUD]")) << text;
+    EXPECT_THAT(in_words(name.error()), ::testing::HasSubstr("serial:DEVICE[:BAUD]")) << text;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -24,8 +26,8 @@ TEST(Timekeeper, ADeviceThatBeginsAnewGoesOnByTheComputersClock) {
   const Stamp reset = clock.of_device(0, 0.99 + 1.5);
   EXPECT_NEAR(reset.t, 5.99 + 1.5, 1e-6);
   ASSERT_TRUE(reset.notice);
-  EXPECT_EQ(reset.notice->kind, NoticeKind::clock);
-  EXPECT_THAT(reset.notice->text, HasSubstr("jumped back by 5.99 s"));
+  EXPECT_EQ(reset.notice->kind, RemarkKind::clock);
+  EXPECT_THAT(in_words(reset.notice->what), HasSubstr("jumped back by 5.99 s"));
   const Stamp next = clock.of_device(0.01, 0.99 + 1.51);
   EXPECT_NEAR(next.t, 5.99 + 1.51, 1e-6);
   EXPECT_FALSE(next.notice);
@@ -36,11 +38,11 @@ TEST(Timekeeper, AForwardJumpIsToldFromAGap) {
   for (int i = 0; i < 100; ++i) jumping.of_device(i * 0.01, i * 0.01), pausing.of_device(i * 0.01, i * 0.01);
   const Stamp jump = jumping.of_device(60.99, 1.0);
   ASSERT_TRUE(jump.notice);
-  EXPECT_THAT(jump.notice->text, HasSubstr("jumped forward by 60 s"));
+  EXPECT_THAT(in_words(jump.notice->what), HasSubstr("jumped forward by 60 s"));
   EXPECT_NEAR(jump.t, 1.0, 1e-6);
   const Stamp gap = pausing.of_device(60.99, 61.0);
   ASSERT_TRUE(gap.notice);
-  EXPECT_EQ(gap.notice->kind, NoticeKind::gap);
+  EXPECT_EQ(gap.notice->kind, RemarkKind::gap);
   EXPECT_EQ(gap.t, 60.99);
 }
 
@@ -89,7 +91,7 @@ TEST(Timekeeper, ANumberThatIsNoTimeIsReplaced) {
     const Stamp replaced = keeper.of_device(garbled, 100.02);
     EXPECT_DOUBLE_EQ(replaced.t, 12.02);
     ASSERT_TRUE(replaced.notice);
-    EXPECT_THAT(replaced.notice->text, HasSubstr("which is no time"));
+    EXPECT_THAT(in_words(replaced.notice->what), HasSubstr("which is no time"));
     const Stamp next = keeper.of_device(12.03, 100.03);
     EXPECT_EQ(next.t, 12.03);
     EXPECT_FALSE(next.notice);
@@ -112,7 +114,7 @@ Timekeeper running(double arrival_step = 0.01, int samples = 100) {
   return clock;
 }
 
-std::string said(const Stamp& stamp) { return stamp.notice ? stamp.notice->text : ""; }
+std::string said(const Stamp& stamp) { return stamp.notice ? in_words(stamp.notice->what) : ""; }
 
 TEST(Timekeeper, AGapIsLongerThanATenthOfASecondAndFiveSteps) {
   EXPECT_EQ(said(running().of_device(6.095, 1.1)), "nothing for 0.105 s from 5.99 s on");
@@ -135,11 +137,11 @@ TEST(Timekeeper, AJumpForwardIsHalfASecondMoreThanPassed) {
   for (int i = 0; i < 20; ++i) slow.of_device(i, i);
   EXPECT_EQ(slow.of_device(23.9, 20).t, 23.9);
   for (const double pace : {0.0051, 0.0199})
-    EXPECT_EQ(running(pace).of_device(66, 100 * pace).notice->kind, NoticeKind::clock);
+    EXPECT_EQ(running(pace).of_device(66, 100 * pace).notice->kind, RemarkKind::clock);
   for (const double pace : {0.0049, 0.0201})
-    EXPECT_EQ(running(pace).of_device(66, 100 * pace).notice->kind, NoticeKind::gap);
-  EXPECT_EQ(running(0.01, 9).of_device(66, 0.09).notice->kind, NoticeKind::clock);
-  EXPECT_EQ(running(0.01, 8).of_device(66, 0.08).notice->kind, NoticeKind::gap);
+    EXPECT_EQ(running(pace).of_device(66, 100 * pace).notice->kind, RemarkKind::gap);
+  EXPECT_EQ(running(0.01, 9).of_device(66, 0.09).notice->kind, RemarkKind::clock);
+  EXPECT_EQ(running(0.01, 8).of_device(66, 0.08).notice->kind, RemarkKind::gap);
 }
 
 TEST(Timekeeper, BehindAJumpTheTimesGoOnByTheDevicesSteps) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
 
 namespace cromer::core {
@@ -23,8 +24,8 @@ TEST(Registry, SuggestsTheNearestName) {
   EXPECT_TRUE(check_method_name("verlet").ok());
   const auto wrong = check_method_name("euler-kromer");
   ASSERT_FALSE(wrong.ok());
-  EXPECT_NE(wrong.error().message.find("did you mean euler-cromer"), std::string::npos)
-      << wrong.error().message;
+  EXPECT_NE(in_words(wrong.error()).find("did you mean euler-cromer"), std::string::npos)
+      << in_words(wrong.error());
 }
 
 TEST(Registry, SettingsReachTheMethod) {

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 #include "tests/read/archives.h"
@@ -20,17 +21,17 @@ const File meta{"meta/device.csv", "\"property\",\"value\"\n\"version\",\"1.1\"\
 
 std::string refusal(const std::string& bytes) {
   const auto recording = read_recording(bytes, "export.zip", {});
-  return recording ? "read" : recording.error().message;
+  return recording ? "read" : in_words(recording.error());
 }
 
 TEST(Archive, OneDataSetIsOneRecording) {
   for (const bool pack : {true, false}) {
     const auto r = read_recording(zipped({{"Raw Data.csv", gyro}, meta}, pack), "export.zip", {});
-    ASSERT_TRUE(r.ok()) << r.error().message;
+    ASSERT_TRUE(r.ok()) << in_words(r.error());
     EXPECT_EQ(r->dialect.name, "phyphox ZIP");
     EXPECT_EQ(runs(*r).size(), 1u);
     const auto series = take_series(*r, "", 1, {});
-    ASSERT_TRUE(series.ok()) << series.error().message;
+    ASSERT_TRUE(series.ok()) << in_words(series.error());
     EXPECT_THAT(series->y, ElementsAre(1.5, -2.5, 1));
     EXPECT_THAT(series->lines, ElementsAre(2, 3, 5));
   }
@@ -42,12 +43,12 @@ TEST(Archive, DataSetsAreRunsCalledByTheirFiles) {
                                         {"a/Results.csv", "\"f (Hz)\"\n1.5E0\n"},
                                         {"a/meta/time.csv", "\"event\"\n\"START\"\n"}}),
                                 "export.zip", {});
-  ASSERT_TRUE(r.ok()) << r.error().message;
+  ASSERT_TRUE(r.ok()) << in_words(r.error());
   EXPECT_THAT(runs(*r), ElementsAre(1, 2));
   EXPECT_EQ(column_title(r->table.columns.at(3)), "Gyroscope x (rad/s)");
   EXPECT_THAT(r->table.columns[1].values, ElementsAre(1.5, 2.5, testing::IsNan(), testing::IsNan()));
-  EXPECT_THAT(r->warnings, Contains("run 2 is called \"Gyroscope\" in the file"));
-  EXPECT_THAT(r->warnings, Contains("left out of the archive: \"Results\": it has no times"));
+  EXPECT_THAT(in_words(r->notices), Contains("run 2 is called \"Gyroscope\" in the file"));
+  EXPECT_THAT(in_words(r->notices), Contains("left out of the archive: \"Results\": it has no times"));
 }
 
 TEST(Archive, WhatCannotBeReadIsRefused) {
@@ -70,8 +71,8 @@ const std::string table = "t (s),x (m)\n0,1\n1,2\n2,4\n";
 
 std::vector<std::string> warnings_of(const std::vector<File>& files) {
   const auto recording = read_recording(zipped(files), "export.zip", {});
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
-  return recording ? recording->warnings : std::vector<std::string>{};
+  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
+  return recording ? in_words(recording->notices) : std::vector<std::string>{};
 }
 
 std::string dialect_of(const std::vector<File>& files) {
@@ -116,7 +117,7 @@ TEST(Archive, WarningsNameTheFileWhereThereAreSeveral) {
 TEST(Archive, FilesWithoutTimesAreReadWhereNoneHasThem) {
   const auto r =
       read_recording(zipped({{"a.csv", "x (m)\n5\n6\n"}, {"b.csv", "x (m)\n7\n6\n"}}), "e.zip", {});
-  ASSERT_TRUE(r.ok()) << r.error().message;
+  ASSERT_TRUE(r.ok()) << in_words(r.error());
   EXPECT_THAT(runs(*r), ElementsAre(1, 2));
   EXPECT_TRUE(r->named);
 }

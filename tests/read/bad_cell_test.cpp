@@ -1,5 +1,6 @@
 // Cells that are no numbers: the message says what they are and how to write them.
 #include "cromer/read/bad_cell.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,11 +19,14 @@ std::string refusal(std::string_view text, bool skip = false) {
   ReadOptions options;
   options.skip_bad_rows = skip;
   const auto recording = read_recording(text, "lab.csv", options);
-  return recording ? "read" : recording.error().message;
+  return recording ? "read" : in_words(recording.error());
+}
+
+std::string bad_cell(std::string_view cell, char decimal) {
+  return in_words(dialects::bad_cell(cell, decimal));
 }
 
 TEST(BadCell, IsCalledByItsName) {
-  using dialects::bad_cell;
   EXPECT_EQ(bad_cell("1,000.0", '.'), "it has thousands separators: write 1000.0");
   EXPECT_EQ(bad_cell("-1.234.567,5", ','), "it has thousands separators: write -1234567,5");
   EXPECT_EQ(bad_cell("12:00:00.50", '.'), "it is a clock time: write the seconds since the start");
@@ -40,7 +44,6 @@ TEST(BadCell, ThousandsStandInThrees) {
   const auto write = [](std::string_view number) {
     return concat({"it has thousands separators: write ", number});
   };
-  using dialects::bad_cell;
   EXPECT_EQ(bad_cell("1,234,567", '.'), write("1234567"));
   EXPECT_EQ(bad_cell("1.234.567", '.'), write("1234567"));
   EXPECT_EQ(bad_cell("+123,456.", '.'), write("+123456."));
@@ -53,7 +56,6 @@ TEST(BadCell, ThousandsStandInThrees) {
 }
 
 TEST(BadCell, DatesAndClockTimesAreTold) {
-  using dialects::bad_cell;
   for (const char* date : {"1-2-2024", "01/02/24", "01.02.2024 12:00", "1.2.24"})
     EXPECT_THAT(bad_cell(date, '.'), StartsWith("it is a date")) << date;
   for (const char* clock : {"12:00", "1:2:3", "00:00:01,5 h"})
@@ -62,7 +64,6 @@ TEST(BadCell, DatesAndClockTimesAreTold) {
 }
 
 TEST(BadCell, ExponentsAndDecimalMarksAreTold) {
-  using dialects::bad_cell;
   EXPECT_EQ(bad_cell("1d2", '.'), "it has Fortran's exponent: write 1E2");
   EXPECT_EQ(bad_cell("1,5D2", ','), "it has Fortran's exponent: write 1,5E2");
   for (const char* none : {"d2", "1D", "D", "1Dx"}) EXPECT_EQ(bad_cell(none, '.'), "") << none;
@@ -96,7 +97,7 @@ TEST(BadCell, HalfOfTheRowsAreNotMost) {
   options.skip_bad_rows = true;
   const auto recording = read_recording("t;x\n0;1\n1;2\n2;abc\n3;abc\n", "lab.csv", options);
   ASSERT_TRUE(recording.ok());
-  EXPECT_EQ(recording->warnings.at(0), "2 bad rows left out, the first in line 4");
+  EXPECT_EQ(in_words(recording->notices).at(0), "2 bad rows left out, the first in line 4");
 }
 
 TEST(BadCell, MostRowsLostIsSaidFirst) {
@@ -106,7 +107,7 @@ TEST(BadCell, MostRowsLostIsSaidFirst) {
   options.skip_bad_rows = true;
   const auto recording = read_recording(text, "lab.csv", options);
   ASSERT_TRUE(recording.ok());
-  EXPECT_THAT(recording->warnings.at(0),
+  EXPECT_THAT(in_words(recording->notices).at(0),
               AllOf(StartsWith("MOST ROWS ARE LOST: 4 bad rows left out, 3 rows kept, the first in line 5"),
                     HasSubstr("thousands")));
 }

@@ -87,15 +87,15 @@ TEST(Cells, AreNumbersMissingOrWords) {
   }
 }
 
-TEST(Cells, AreQuotedShort) {
+TEST(Cells, AreShownShort) {
   const std::string longest(40, 'a');
-  EXPECT_EQ(dialects::quoted(longest), "\"" + longest + "\"");
-  EXPECT_EQ(dialects::quoted(longest + "b"), "\"" + longest + "…\"");
-  EXPECT_EQ(dialects::quoted(longest.substr(1) + "äb"), "\"" + longest.substr(1) + "…\"");
-  EXPECT_EQ(dialects::quoted(longest.substr(2) + "äb"), "\"" + longest.substr(2) + "ä…\"");
-  EXPECT_EQ(dialects::quoted(std::string(60, '\x80')), "\"…\"");
-  EXPECT_EQ(dialects::quoted(" a\x1F\t\x7F~"), "\" a???~\"");
-  EXPECT_EQ(dialects::quoted(""), "\"\"");
+  EXPECT_EQ(dialects::shown(longest), longest);
+  EXPECT_EQ(dialects::shown(longest + "b"), longest + "…");
+  EXPECT_EQ(dialects::shown(longest.substr(1) + "äb"), longest.substr(1) + "…");
+  EXPECT_EQ(dialects::shown(longest.substr(2) + "äb"), longest.substr(2) + "ä…");
+  EXPECT_EQ(dialects::shown(std::string(60, '\x80')), "…");
+  EXPECT_EQ(dialects::shown(" a\x1F\t\x7F~"), " a???~");
+  EXPECT_EQ(dialects::shown(""), "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/base/concat.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 #include "cromer/read/time.h"
@@ -16,7 +17,7 @@ using testing::HasSubstr;
 
 Recording read(std::string_view text, const ReadOptions& options = {}) {
   auto recording = read_recording(text, "lab.csv", options);
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
+  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
   return recording ? *recording : Recording{};
 }
 
@@ -55,7 +56,7 @@ TEST(Runs, TracksAreCalledByTheirNames) {
   const Recording r = read("#multi:\n\tball\t\trod\t\nt\tx\ty\tx\ty\t\n0\t1\t2\t3\t4\t\n0.1\t1\t2\t\t\t\n");
   EXPECT_EQ(r.dialect.name, "Tracker");
   EXPECT_THAT(run_of_columns(r), ElementsAre(1, 1, 1, 2, 2));
-  EXPECT_THAT(r.warnings, Contains("run 2 is called \"rod\" in the file"));
+  EXPECT_THAT(in_words(r.notices), Contains("run 2 is called \"rod\" in the file"));
   const auto series = take_series(r, "x", 2, {});
   ASSERT_TRUE(series.ok());
   EXPECT_EQ(series->y.front(), 3);
@@ -66,7 +67,7 @@ TEST(MissingValues, SlowerSensors) {
        {std::pair{3, "every 3rd row"}, std::pair{12, "every 12th row"}, std::pair{22, "every 22nd row"}}) {
     std::string text = "Time (s),Pos A (mm),Pos B (mm)\n";
     for (int i = 0; i < 5 * stride; ++i) text += concat({std::to_string(i), i % stride ? ",1,\n" : ",1,2\n"});
-    EXPECT_THAT(read(text).warnings, Contains(HasSubstr(said)));
+    EXPECT_THAT(in_words(read(text).notices), Contains(HasSubstr(said)));
   }
 }
 
@@ -74,8 +75,8 @@ TEST(MissingValues, SensorsSampledInTurn) {
   std::string text = "Time (s),Pos A (mm),Pos B (mm)\n";
   for (int i = 0; i < 10; ++i) text += concat({"0.", std::to_string(i), i % 2 ? ",1,\n" : ",,2\n"});
   const Recording r = read(text);
-  EXPECT_THAT(r.warnings, ElementsAre("column \"Pos A (mm)\" is measured in every 2nd row only",
-                                      "column \"Pos B (mm)\" is measured in every 2nd row only"));
+  EXPECT_THAT(in_words(r.notices), ElementsAre("column \"Pos A (mm)\" is measured in every 2nd row only",
+                                               "column \"Pos B (mm)\" is measured in every 2nd row only"));
   const auto series = take_series(r, "Pos A", 1, {});
   ASSERT_TRUE(series.ok());
   EXPECT_EQ(series->rate, 5);
@@ -97,18 +98,18 @@ TEST(Columns, RunsAreNamedInALineOfTheirOwn) {
     EXPECT_THAT(runs(r), ElementsAre(1, 2)) << above;
     EXPECT_EQ(r.table.columns.at(3).name, "Position");
     EXPECT_EQ(r.table.columns.at(3).run, 2);
-    EXPECT_THAT(r.warnings, ElementsAre()) << above;
+    EXPECT_THAT(in_words(r.notices), ElementsAre()) << above;
   }
   // A label counts, not the order.
   const Recording later = read("Run #3,,Run #7,\n" + names + rows);
-  EXPECT_THAT(later.warnings, ElementsAre("run 1 is called \"Run #3\" in the file",
-                                          "run 2 is called \"Run #7\" in the file"));
+  EXPECT_THAT(in_words(later.notices), ElementsAre("run 1 is called \"Run #3\" in the file",
+                                                   "run 2 is called \"Run #7\" in the file"));
   // One time for all.
   const Recording shared =
       read(",Run #1,Run #2\nTime (s),Position (m),Position (m)\n0,1,2\n0.5,2,3\n1,4,5\n");
   EXPECT_THAT(runs(shared), ElementsAre(1, 2));
   const auto series = take_series(shared, "", 2, {});
-  ASSERT_TRUE(series.ok()) << series.error().message;
+  ASSERT_TRUE(series.ok()) << in_words(series.error());
   EXPECT_THAT(series->t, ElementsAre(0, 0.5, 1));
   EXPECT_THAT(series->y, ElementsAre(2, 3, 5));
   // Other words above the names are a title.
@@ -137,7 +138,7 @@ TEST(Commas, WholeNumbersAmongDecimalCommasAreRefused) {
   const std::string text = "0,1,1,6\n0,1,5\n0,2,1,7\n0,3,1,7\n";
   const auto refused = read_recording(text, "lab.csv", comma);
   ASSERT_FALSE(refused.ok());
-  EXPECT_THAT(refused.error().message,
+  EXPECT_THAT(in_words(refused.error()),
               HasSubstr("lab.csv:2: \"0,1,5\": it is open which commas are decimal marks"));
   comma.skip_bad_rows = true;
   EXPECT_THAT(read(text, comma).table.columns.at(1).values, ElementsAre(1.6, 1.7, 1.7));

@@ -4,6 +4,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/dialect_name.h"
 #include "cromer/read/lines.h"
@@ -47,17 +48,18 @@ TEST(PeerHead, WhatIsNoCountOrStepIsRefused) {
   EXPECT_EQ(refusal(peer("NPTS= 1.5, DT= 1")), "lab.txt:4: NPTS is not a number of values above 0");
   EXPECT_EQ(refusal(peer("NPTS= 3, DT= 1", "")), "lab.txt:4: no values follow");
   EXPECT_EQ(values(read(peer("NPTS= 1, DT= 1", "7\n")), 1).size(), 1u);
-  EXPECT_THAT(read(peer("NPTS= 1e300, DT= 1")).warnings,
+  EXPECT_THAT(in_words(read(peer("NPTS= 1e300, DT= 1")).notices),
               ElementsAre("NPTS says 1e+300 values, the file holds 3"));
 }
 
 TEST(PeerHead, ValuesBehindItsCountAreCounted) {
-  EXPECT_THAT(read(peer("NPTS= 3, DT= 1")).warnings, IsEmpty());
+  EXPECT_THAT(in_words(read(peer("NPTS= 3, DT= 1")).notices), IsEmpty());
   EXPECT_TRUE(read(peer("NPTS= 3, DT= 1")).named);
-  EXPECT_THAT(read(peer("NPTS= 2, DT= 1")).warnings, ElementsAre("1 value behind the 2 of NPTS left out"));
-  EXPECT_THAT(read(peer("NPTS= 4, DT= 1", "1 2 3\n4 5 6\n7\n")).warnings,
+  EXPECT_THAT(in_words(read(peer("NPTS= 2, DT= 1")).notices),
+              ElementsAre("1 value behind the 2 of NPTS left out"));
+  EXPECT_THAT(in_words(read(peer("NPTS= 4, DT= 1", "1 2 3\n4 5 6\n7\n")).notices),
               ElementsAre("3 values behind the 4 of NPTS left out"));
-  EXPECT_THAT(read(peer("NPTS= 3, DT= 1", "1 2 3\nthe end\n")).warnings, IsEmpty());
+  EXPECT_THAT(in_words(read(peer("NPTS= 3, DT= 1", "1 2 3\nthe end\n")).notices), IsEmpty());
 }
 
 TEST(PeerHead, TheMotionIsNamedWithoutItsDirection) {
@@ -99,14 +101,14 @@ TEST(NumberStream, StopsWhereItIsTold) {
   EXPECT_EQ(read_numbers(lines, 99, 9, false)->end, lines.size());
   const auto refused = [&](const char* text, bool until_words) {
     const auto stream = read_numbers(dialects::split_lines(text), 0, 9, until_words);
-    return stream ? std::string("read") : stream.error().message;
+    return stream ? std::string("read") : in_words(stream.error());
   };
-  EXPECT_EQ(refused("1\n2 x\n", true), ":2: \"x\" is not a number");
+  EXPECT_EQ(refused("1\n2 x\n", true), "line 2: \"x\" is not a number");
   EXPECT_EQ(refused("1\nx 2\n", true), "read");
-  EXPECT_EQ(refused("1\nx 2\n", false), ":2: \"x\" is not a number");
-  EXPECT_EQ(refused("1;2\n", false), ":1: \"1;2\" is not a number");
+  EXPECT_EQ(refused("1\nx 2\n", false), "line 2: \"x\" is not a number");
+  EXPECT_EQ(refused("1;2\n", false), "line 1: \"1;2\" is not a number");
   EXPECT_EQ(refused("1 1e999,2\n", false),
-            ":1: \"1e999\" is not a number; it is too large: numbers end at 1.8e308");
+            "line 1: \"1e999\" is not a number; it is too large: numbers end at 1.8e308");
   EXPECT_EQ(refused("1\r\n2\t3\n", false), "read");
 }
 
@@ -119,7 +121,7 @@ TEST(VernierFormat, NamesAndUnitsMayBeShort) {
               ElementsAre("1 Time (s)", "1 column 2", "1 x (m)"));
   EXPECT_EQ(refusal(vernier + "Run 1\nTime\tx\nt\tx\ns\tm"), "lab.txt: the file holds no set of rows");
   EXPECT_EQ(refusal(vernier + "Run 1\nTime\tx\nt\tx"), "lab.txt: the file holds no set of rows");
-  EXPECT_THAT(read(vernier + "Run 1\nTime\tx\nt\tx\ns\tm\n0\t1\n1\t2").warnings, IsEmpty());
+  EXPECT_THAT(in_words(read(vernier + "Run 1\nTime\tx\nt\tx\ns\tm\n0\t1\n1\t2").notices), IsEmpty());
 }
 
 TEST(VernierFormat, ARowWithABadCellBelongsToItsSet) {
@@ -133,7 +135,8 @@ TEST(VernierFormat, ARowWithABadCellBelongsToItsSet) {
   EXPECT_THAT(runs(two), ElementsAre(1, 2));
   std::string cut = vernier + "Run 1\n" + names;
   for (int i = 0; i < 9; ++i) cut += "0.5\t1.25\n";
-  EXPECT_THAT(read(cut + "0.5\t1.2").warnings, ElementsAre(HasSubstr("the last line, 16, seems cut within")));
+  EXPECT_THAT(in_words(read(cut + "0.5\t1.2").notices),
+              ElementsAre(HasSubstr("the last line, 16, seems cut within")));
 }
 
 std::string dialect(const std::string& text) { return read(text).dialect.name; }
@@ -173,9 +176,9 @@ TEST(Tracker, TracksAreNamedAboveTheirColumns) {
     return all;
   };
   EXPECT_THAT(run("\ta\t\tb\n"), ElementsAre(1, 1, 1, 2, 2));
-  EXPECT_THAT(read("\ta\t\t\nt\tx\ty\n0\t1\t2\n1\t2\t3\n").warnings, IsEmpty());
-  EXPECT_THAT(read("c\ta\tb\nt\tx\ty\n0\t1\t2\n1\t2\t3\n").warnings, IsEmpty());
-  EXPECT_THAT(read("\ta\tb\nt\tx\ty\n0\t1\t2\n1\t2\t3\n").warnings,
+  EXPECT_THAT(in_words(read("\ta\t\t\nt\tx\ty\n0\t1\t2\n1\t2\t3\n").notices), IsEmpty());
+  EXPECT_THAT(in_words(read("c\ta\tb\nt\tx\ty\n0\t1\t2\n1\t2\t3\n").notices), IsEmpty());
+  EXPECT_THAT(in_words(read("\ta\tb\nt\tx\ty\n0\t1\t2\n1\t2\t3\n").notices),
               ElementsAre("run 1 is called \"a\" in the file", "run 2 is called \"b\" in the file"));
 }
 

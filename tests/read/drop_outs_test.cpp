@@ -1,5 +1,6 @@
 // Stretches that a motion sensor did not see, told from what motions do.
 #include "cromer/read/drop_outs.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -50,7 +51,7 @@ TEST(DropOuts, ShortExcursionsAreListed) {
     return i >= 700 && i < 702 ? x - 0.3 : i >= 1500 && i < 1505 ? 1.9 : x;
   });
   EXPECT_EQ(outlier_lines(s), (std::vector<long>{702, 703, 1502, 1503, 1504, 1505, 1506}));
-  EXPECT_THAT(s.warnings, Contains("7 samples in 2 drop-outs of the sensor, the first in line 702"));
+  EXPECT_THAT(in_words(s.notices), Contains("7 samples in 2 drop-outs of the sensor, the first in line 702"));
   EXPECT_EQ(s.t.size(), static_cast<std::size_t>(samples));  // listed, and left where they are
   EXPECT_EQ(s.y[1500], 1.9);
 }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
 
 namespace cromer::core {
@@ -31,7 +32,7 @@ std::string utf16(std::u16string_view text, const Form& form) {
 
 std::string refusal(const std::string& bytes) {
   const auto recording = read_recording(bytes, "lab.csv", {});
-  return recording ? "read" : recording.error().message;
+  return recording ? "read" : in_words(recording.error());
 }
 
 class Utf16 : public testing::TestWithParam<Form> {};
@@ -41,7 +42,7 @@ TEST_P(Utf16, IsReadAsUtf8Is) {
   const auto r = read_recording(
       utf16(u"Übung \U0001D703\r\nZeit (s);Auslenkung (µm)\r\n0;1,5\r\n0,5;\u22122\r\n1;2\r\n", GetParam()),
       "lab.csv", {});
-  ASSERT_TRUE(r.ok()) << r.error().message;
+  ASSERT_TRUE(r.ok()) << in_words(r.error());
   EXPECT_EQ(r->dialect.encoding, GetParam().name);
   ASSERT_EQ(r->table.columns.size(), 2u);
   EXPECT_EQ(r->table.columns[1].name, "Auslenkung");
@@ -78,7 +79,7 @@ TEST(Encoding, WhatIsNoTextOfTwoBytes) {
 
 std::string encoding_of(const std::string& bytes) {
   const auto recording = read_recording(bytes, "lab.csv", {});
-  return recording ? recording->dialect.encoding : recording.error().message;
+  return recording ? recording->dialect.encoding : in_words(recording.error());
 }
 
 TEST(Encoding, TwoBytesWithoutAMarkAreToldByTheirZeros) {

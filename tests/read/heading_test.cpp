@@ -1,4 +1,5 @@
 // Names and units as loggers write them above their columns.
+#include "cromer/documents/words/words.h"
 #include "cromer/read/header.h"
 
 #include <gmock/gmock.h>
@@ -27,12 +28,12 @@ class TimeUnit : public testing::TestWithParam<Spelling> {};
 TEST_P(TimeUnit, IsTakenFromTheHeader) {
   const std::string text = concat({"\"", GetParam().time, "\",\"Position (m)\"\n0,1\n1,2\n2,1\n3,0\n"});
   const auto recording = read_recording(text, "lab.csv", {});
-  ASSERT_TRUE(recording.ok()) << recording.error().message;
+  ASSERT_TRUE(recording.ok()) << in_words(recording.error());
   const auto series = take_series(*recording, "", 1, {});
-  ASSERT_TRUE(series.ok()) << series.error().message;
+  ASSERT_TRUE(series.ok()) << in_words(series.error());
   EXPECT_NEAR(series->t.at(1) / GetParam().step, 1, 1e-14);
   EXPECT_NEAR(series->rate * GetParam().step, 1, 1e-11);
-  EXPECT_THAT(series->warnings, Not(Contains(HasSubstr("has no unit"))));
+  EXPECT_THAT(in_words(series->notices), Not(Contains(HasSubstr("has no unit"))));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -72,7 +73,7 @@ TEST(Heading, UnitsOfOtherColumns) {
 TEST(Heading, ATimesUnitIsNeverGuessed) {
   const auto refusal = [](const char* time, const ReadOptions& options = {}) {
     const auto recording = read_recording(concat({time, ",x (m)\n0,1\n1,2\n2,1\n"}), "lab.csv", options);
-    return recording ? "read" : recording.error().message;
+    return recording ? "read" : in_words(recording.error());
   };
   EXPECT_THAT(refusal("Time (fortnights)"),
               HasSubstr("column \"Time (fortnights)\": the unit \"fortnights\" is not known"));

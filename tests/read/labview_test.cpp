@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/base/concat.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 #include "tests/read/reading.h"
@@ -78,7 +79,7 @@ TEST(LabViewFile, TimesAreComputed) {
 
 TEST(LabViewFile, ContradictionsAreSaid) {
   const auto said = [](const std::string& tags, const std::string& x_columns = "One") {
-    return read(head(x_columns) + tags + end + "X_Value\ta\tb\n" + rows).warnings;
+    return in_words(read(head(x_columns) + tags + end + "X_Value\ta\tb\n" + rows).notices);
   };
   EXPECT_THAT(said("Samples\t3\nDelta_X\t1\n"), IsEmpty());
   EXPECT_THAT(said("Samples\t4\t3\n"),
@@ -88,7 +89,8 @@ TEST(LabViewFile, ContradictionsAreSaid) {
               ElementsAre("the header says Delta_X 1.011, X_Value goes by steps of 1: X_Value is taken"));
   EXPECT_THAT(said("Delta_X\t0.989\n").size(), 1u);
   EXPECT_THAT(
-      read(head("One") + "Delta_X\t1\n" + end + "X_Value\ta\n0\t1\n0.33333333\t1\n0.66666667\t2\n").warnings,
+      in_words(read(head("One") + "Delta_X\t1\n" + end + "X_Value\ta\n0\t1\n0.33333333\t1\n0.66666667\t2\n")
+                   .notices),
       ElementsAre("the header says Delta_X 1, X_Value goes by steps of 0.333333: X_Value is taken"));
   EXPECT_THAT(said("Delta_X\t0.5\n", "No"), IsEmpty());
   // Ten of them suffice, each once.
@@ -96,7 +98,7 @@ TEST(LabViewFile, ContradictionsAreSaid) {
   for (int k = 0; k < 14; ++k)
     segments += concat({"Channels\t1\nSamples\t", std::to_string(k < 2 ? 7 : k + 20), "\n", end,
                         "X_Value\ta\n", std::to_string(k), "\t5\n"});
-  EXPECT_EQ(read(segments).warnings.size(), 10u);
+  EXPECT_EQ(in_words(read(segments).notices).size(), 10u);
 }
 
 TEST(LabViewFile, SegmentsBeginARunUnlessTheyGoOn) {
@@ -133,7 +135,7 @@ TEST(LabViewFile, WhatIsMissingIsNamedWithItsLine) {
 TEST(LabViewFile, ALastLineThatIsCutIsSaid) {
   std::string text = head("One") + end + "X_Value\ta\n";
   for (int i = 0; i < 9; ++i) text += concat({std::to_string(i), "\t1.25\n"});
-  EXPECT_THAT(read(text + "9\t1.2").warnings,
+  EXPECT_THAT(in_words(read(text + "9\t1.2").notices),
               ElementsAre(HasSubstr("the last line, 16, seems cut within a number")));
 }
 

@@ -1,5 +1,6 @@
 // Which separator and decimal mark rows have.
 #include "cromer/read/layout.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -77,7 +78,7 @@ TEST(Layout, TwoThousandColumnsAreRead) {
   EXPECT_EQ(columns_of(wide), 2000u);
   const auto wider = layout_of(wide + ";1");
   ASSERT_FALSE(wider.ok());
-  EXPECT_EQ(wider.error().message, "there are more than 2000 columns");
+  EXPECT_EQ(in_words(wider.error()), "there are more than 2000 columns");
 }
 
 TEST(Layout, OptionsAreKnownByWordsAndMarks) {
@@ -99,11 +100,11 @@ TEST(Layout, OptionsAreKnownByWordsAndMarks) {
   for (const char* given : {"comma", ","}) EXPECT_EQ(decimal(given), ',') << given;
   ReadOptions wrong;
   wrong.delimiter = "|";
-  EXPECT_EQ(layout_of("1;2\n", wrong).error().message,
+  EXPECT_EQ(in_words(layout_of("1;2\n", wrong).error()),
             "--delimiter \"|\" is not known: comma, semicolon, tab or blank is expected");
   wrong = {};
   wrong.decimal = "'";
-  EXPECT_EQ(layout_of("1;2\n", wrong).error().message,
+  EXPECT_EQ(in_words(layout_of("1;2\n", wrong).error()),
             "--decimal \"'\" is not known: point or comma is expected");
 }
 
@@ -173,7 +174,7 @@ TEST(Commas, TheNamesAboveSettleThem) {
 TEST(Commas, TheMessageShowsTheFirstRow) {
   const auto refused = settle_commas(split_lines("by me\n1,2,3,4\n5,6,7,8\n"), Layout{',', '.', 4}, {});
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().message,
+  EXPECT_EQ(in_words(refused.error()),
             "the rows can be read in two ways: \"1,2,3,4\" as 4 whole numbers or as 2 with a decimal comma; "
             "--delimiter comma says the one, --decimal comma the other");
 }

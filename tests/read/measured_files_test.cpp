@@ -11,6 +11,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 #include "tests/read/measured_files.h"
@@ -68,21 +69,21 @@ TEST_P(MeasuredFile, IsReadRightly) {
   ReadOptions options;
   options.rate = known.rate;
   const auto recording = read_recording(bytes_of(folder / known.file), known.file, options);
-  ASSERT_TRUE(recording.ok()) << recording.error().message;
+  ASSERT_TRUE(recording.ok()) << in_words(recording.error());
   EXPECT_EQ(dialect_of(*recording), known.dialect);
   EXPECT_EQ(columns_of(*recording), known.columns);
-  std::vector<std::string> all, warnings = recording->warnings;
+  std::vector<std::string> all, notices = in_words(recording->notices);
   for (const int run : runs(*recording)) {
     const auto series = take_series(*recording, known.column, run, options);
-    ASSERT_TRUE(series.ok()) << series.error().message;
+    ASSERT_TRUE(series.ok()) << in_words(series.error());
     all.push_back(series_of(*series));
     if (run > 1) continue;
     EXPECT_DOUBLE_EQ(series->y.front(), known.first);
     EXPECT_DOUBLE_EQ(series->y.back(), known.last);
-    warnings.insert(warnings.end(), series->warnings.begin(), series->warnings.end());
+    for (const std::string& said : in_words(series->notices)) notices.push_back(said);
   }
   EXPECT_EQ(all, known.series);
-  EXPECT_EQ(warnings, known.warnings);
+  EXPECT_EQ(notices, known.notices);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, MeasuredFile, testing::ValuesIn(measured_files()), test_name);
@@ -92,7 +93,7 @@ TEST(MeasuredFiles, ATableOfWordsIsRefused) {
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   const auto recording = read_recording(bytes_of(path), "published.csv", {});
   ASSERT_FALSE(recording.ok());
-  EXPECT_THAT(recording.error().message, HasSubstr("no rows of numbers are found"));
+  EXPECT_THAT(in_words(recording.error()), HasSubstr("no rows of numbers are found"));
 }
 
 TEST(MeasuredFiles, TrackerNeedsAChoiceOfColumn) {
@@ -102,7 +103,7 @@ TEST(MeasuredFiles, TrackerNeedsAChoiceOfColumn) {
   ASSERT_TRUE(recording.ok());
   const auto series = take_series(*recording, "", 1, {});
   ASSERT_FALSE(series.ok());
-  EXPECT_THAT(series.error().message, HasSubstr("\"x\", \"y\""));
+  EXPECT_THAT(in_words(series.error()), HasSubstr("\"x\", \"y\""));
 }
 
 TEST(MeasuredFiles, TheLongRunsHaveNoOutliersButRoundingSteps) {
@@ -114,7 +115,7 @@ TEST(MeasuredFiles, TheLongRunsHaveNoOutliersButRoundingSteps) {
   ASSERT_TRUE(series.ok());
   EXPECT_TRUE(series->outliers.empty());
   EXPECT_DOUBLE_EQ(series->resolution, 1e-4);
-  EXPECT_THAT(series->warnings, Contains(HasSubstr("\"position\" has no unit: m is assumed")));
+  EXPECT_THAT(in_words(series->notices), Contains(HasSubstr("\"position\" has no unit: m is assumed")));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
@@ -39,7 +40,7 @@ TEST(LabView, TimesAreComputedWhereRowsHaveNone) {
   EXPECT_THAT(values(r, 0), ElementsAre(0.5, 0.75, 1));
   EXPECT_THAT(values(r, 1), ElementsAre(1.5, -2.5, 3.5));
   EXPECT_THAT(r.lines, ElementsAre(18, 19, 20));
-  EXPECT_THAT(r.warnings, ElementsAre());
+  EXPECT_THAT(in_words(r.notices), ElementsAre());
 }
 
 TEST(LabView, XValueWinsOverDeltaX) {
@@ -47,7 +48,7 @@ TEST(LabView, XValueWinsOverDeltaX) {
                            "X_Value\tPos\tU\r\n0\t1,5\t2\r\n0,1\t2,5\t3\r\n0,2\t3,5\t4\r\n");
   EXPECT_EQ(r.dialect.decimal, "comma");  // whatever the header says
   EXPECT_THAT(values(r, 0), ElementsAre(0, 0.1, 0.2));
-  EXPECT_THAT(r.warnings,
+  EXPECT_THAT(in_words(r.notices),
               ElementsAre("the header says Delta_X 0.25, X_Value goes by steps of 0.1: X_Value is taken"));
 }
 
@@ -95,7 +96,7 @@ TEST(Peer, ReadsBothHeadersAndStopsAtItsCount) {
     EXPECT_THAT(values(r, 0), ElementsAre(0, 0.5, 1, 1.5, 2));
     EXPECT_THAT(values(r, 1), ElementsAre(0.015, -0.025, 3, -1.234, -5.678));
     EXPECT_THAT(r.lines, ElementsAre(5, 5, 5, 6, 6));
-    EXPECT_THAT(r.warnings, ElementsAre("2 values behind the 5 of NPTS left out"));
+    EXPECT_THAT(in_words(r.notices), ElementsAre("2 values behind the 5 of NPTS left out"));
     const auto series = take_series(r, "", 1, {});
     ASSERT_TRUE(series.ok());
     EXPECT_DOUBLE_EQ(series->y[0], 0.015 * 9.80665);
@@ -127,7 +128,7 @@ TEST(Peer, VelocitiesAndDisplacements) {
 }
 
 TEST(Peer, WhatIsMissingIsSaid) {
-  EXPECT_THAT(read("a\nb\nc\nNPTS= 9, DT= 0.1 SEC\n1 2\n").warnings,
+  EXPECT_THAT(in_words(read("a\nb\nc\nNPTS= 9, DT= 0.1 SEC\n1 2\n").notices),
               Contains("NPTS says 9 values, the file holds 2"));
   EXPECT_THAT(refusal("a\nb\nc\nNPTS= 9, DT= 0 SEC\n1 2\n"),
               HasSubstr("lab.txt:4: DT is not a step above 0"));
@@ -145,8 +146,8 @@ TEST(VernierFormat, SetsFollowEachOther) {
   EXPECT_THAT(titles(r), ElementsAre("1 Time (s)", "1 Position (cm)", "2 Time (s)", "2 Position (cm)"));
   EXPECT_THAT(values(r, 3), ElementsAre(7.5, 8, testing::IsNan()));
   EXPECT_EQ(line_of(r, 3, 0), 17);
-  EXPECT_THAT(r.warnings, AllOf(Contains("run 2 is called \"Best\" in the file"),
-                                Contains(HasSubstr("1 missing value, the first in line 9"))));
+  EXPECT_THAT(in_words(r.notices), AllOf(Contains("run 2 is called \"Best\" in the file"),
+                                         Contains(HasSubstr("1 missing value, the first in line 9"))));
   EXPECT_THAT(refusal(head + "Run 1\r\n" + names + "0\t1\r\n1\tabc\r\n"),
               HasSubstr("lab.txt:9: column \"Position (cm)\""));
 }
@@ -164,9 +165,9 @@ TEST(VernierFormat, WhatIsMissingIsNamedWithItsLine) {
   EXPECT_THAT(refusal(head + "Run 1\r\n" + wide + "\ta\r\nt\r\ns\r\n\r\n" + rows),
               HasSubstr("lab.txt:4: there are more than 2000 columns"));
   EXPECT_THAT(refusal(head + "Run 1\r\n" + names), HasSubstr("lab.txt: the file holds no set of rows"));
-  EXPECT_THAT(read(head + "Empty\r\n" + names + "\r\nRun 2\r\n" + names + rows).warnings,
+  EXPECT_THAT(in_words(read(head + "Empty\r\n" + names + "\r\nRun 2\r\n" + names + rows).notices),
               Contains("set \"Empty\" has no rows"));
-  EXPECT_THAT(read(head + "Run 1\r\n" + names + rows + "\r\nLast\r\n" + names).warnings,
+  EXPECT_THAT(in_words(read(head + "Run 1\r\n" + names + rows + "\r\nLast\r\n" + names).notices),
               Contains("set \"Last\" has no rows"));
 }
 

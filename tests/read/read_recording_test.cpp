@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cromer/base/concat.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
 
 namespace cromer::core {
@@ -15,13 +16,13 @@ using testing::HasSubstr;
 
 Recording read(std::string_view text, const ReadOptions& options = {}) {
   auto recording = read_recording(text, "lab.csv", options);
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
+  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
   return recording ? *recording : Recording{};
 }
 
 std::string refusal(std::string_view text, const ReadOptions& options = {}) {
   const auto recording = read_recording(text, "lab.csv", options);
-  return recording ? "read" : recording.error().message;
+  return recording ? "read" : in_words(recording.error());
 }
 
 const Column& column(const Recording& recording, std::size_t j) { return recording.table.columns.at(j); }
@@ -37,7 +38,8 @@ TEST(LastLine, CutWithinItsNumberIsLeftOut) {
   for (const char* cut : {"0,35;0", "0,35;0,", "0,35;0,3", "0,35;-0,3", "0,"}) {
     const Recording r = read(rows_of(20, "-0,34") + cut);
     EXPECT_EQ(r.table.rows(), 20u) << cut;
-    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("the last line, 22, seems cut within a number")))
+    EXPECT_THAT(in_words(r.notices),
+                testing::Contains(HasSubstr("the last line, 22, seems cut within a number")))
         << cut;
   }
   EXPECT_EQ(read(rows_of(20, "1,25E-03") + "0,35;1,25E-0").table.rows(), 20u);
@@ -49,7 +51,7 @@ TEST(LastLine, WholeWithoutItsEndIsARowLikeAnyOther) {
     const Recording r = read(text);
     EXPECT_EQ(r.lines.size(), static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) -
                                   (text.back() == '\n' ? 1 : 0));
-    EXPECT_THAT(r.warnings, testing::Each(testing::Not(HasSubstr("last line"))));
+    EXPECT_THAT(in_words(r.notices), testing::Each(testing::Not(HasSubstr("last line"))));
   }
 }
 
@@ -59,8 +61,8 @@ TEST(LastLine, ThatMayBeCutIsKeptAndSaid) {
        {rows_of(20, "1234") + "0,35;12", rows_of(10, "0,34") + rows_of(9, "0,345").substr(22) + "0,35;0"}) {
     const Recording r = read(text);
     EXPECT_EQ(r.table.columns[1].values.back(), text.back() == '2' ? 12 : 0);
-    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("the last line, ")));
-    EXPECT_THAT(r.warnings, testing::Contains(HasSubstr("it is kept")));
+    EXPECT_THAT(in_words(r.notices), testing::Contains(HasSubstr("the last line, ")));
+    EXPECT_THAT(in_words(r.notices), testing::Contains(HasSubstr("it is kept")));
   }
 }
 
@@ -77,7 +79,7 @@ TEST(ReadRecording, HeadedComma) {
   EXPECT_EQ(column(r, 1).quantity, "position");
   EXPECT_THAT(column(r, 1).values, ElementsAre(0.5, -0.25, 1e-3));
   EXPECT_THAT(r.lines, ElementsAre(2, 3, 4));
-  EXPECT_THAT(r.warnings, ElementsAre());
+  EXPECT_THAT(in_words(r.notices), ElementsAre());
 }
 
 struct Written {
@@ -140,7 +142,7 @@ TEST(ReadRecording, RunsSideBySide) {
   EXPECT_EQ(column(r, 1).run, 2);
   EXPECT_EQ(column(r, 1).name, "Position");
   EXPECT_TRUE(std::isnan(column(r, 1).values[1]));
-  EXPECT_THAT(r.warnings, ElementsAre());  // a shorter run misses nothing
+  EXPECT_THAT(in_words(r.notices), ElementsAre());  // a shorter run misses nothing
 }
 
 TEST(ReadRecording, RepeatedNamesBeginARun) {
@@ -171,8 +173,8 @@ TEST(ReadRecording, DialectsByTheirHeaders) {
 TEST(ReadRecording, MissingValuesAreCounted) {
   const Recording r = read("t,x,v\n0,1,\n1,NaN,2\n2,null,3\n3,4,5\n");
   EXPECT_TRUE(std::isnan(column(r, 1).values[1]));
-  EXPECT_THAT(r.warnings, ElementsAre("column \"x\": 2 missing values, the first in line 3",
-                                      "column \"v\": 1 missing value, the first in line 2"));
+  EXPECT_THAT(in_words(r.notices), ElementsAre("column \"x\": 2 missing values, the first in line 3",
+                                               "column \"v\": 1 missing value, the first in line 2"));
 }
 
 TEST(ReadRecording, AWordNamesLineColumnAndCure) {
@@ -183,7 +185,7 @@ TEST(ReadRecording, AWordNamesLineColumnAndCure) {
       read(text, {.delimiter = {}, .decimal = {}, .time_column = {}, .rate = 0, .skip_bad_rows = true});
   EXPECT_THAT(column(r, 1).values, ElementsAre(1, 3));
   EXPECT_THAT(r.lines, ElementsAre(2, 4));
-  EXPECT_THAT(r.warnings, ElementsAre("1 bad row left out, the first in line 3"));
+  EXPECT_THAT(in_words(r.notices), ElementsAre("1 bad row left out, the first in line 3"));
   EXPECT_THAT(refusal("t,x\n0.1,abc\n0.2,2\n0.3,3\n"),
               HasSubstr("lab.csv:2: column \"x\""));  // the first row too
   EXPECT_THAT(refusal("t,x\n0.1,1\n0.2,1e999\n0.3,3\n"),
@@ -233,7 +235,7 @@ TEST(ReadRecording, TimeIsFoundWithoutAName) {
   const Recording r = read("0.0 0.7 0.2\n0.05 0.6 0.1\n0.1 0.5 0.0\n0.15 0.4 -0.1\n");
   EXPECT_EQ(column(r, 0).quantity, "time");
   EXPECT_EQ(column(r, 1).name, "column 2");
-  EXPECT_THAT(r.warnings, ElementsAre(HasSubstr("taken as the time")));
+  EXPECT_THAT(in_words(r.notices), ElementsAre(HasSubstr("taken as the time")));
   // Falling values are no time.
   EXPECT_EQ(column(read("3.5 0.7\n2.5 0.6\n1.5 0.5\n"), 0).quantity, "");
 }
@@ -249,7 +251,7 @@ TEST(ReadRecording, RunsBelowEachOtherAreSplit) {
   EXPECT_THAT(column(r, 3).values, ElementsAre(4, 5, testing::IsNan()));
   EXPECT_EQ(line_of(r, 1, 2), 5);
   EXPECT_EQ(line_of(r, 3, 1), 7);
-  EXPECT_THAT(r.warnings, ElementsAre());
+  EXPECT_THAT(in_words(r.notices), ElementsAre());
 }
 
 TEST(ReadRecording, ALineOfNumbersNamesNothing) {
@@ -260,7 +262,7 @@ TEST(ReadRecording, ALineOfNumbersNamesNothing) {
   const Recording counted = read("A title\n3 0.5\n0.5\n0.25\n-0.5\n");
   EXPECT_EQ(column(counted, 0).quantity, "time");
   EXPECT_THAT(column(counted, 0).values, ElementsAre(0, 0.5, 1));
-  EXPECT_THAT(counted.warnings, ElementsAre(HasSubstr("0.5 s is taken as their step")));
+  EXPECT_THAT(in_words(counted.notices), ElementsAre(HasSubstr("0.5 s is taken as their step")));
 }
 
 TEST(ReadRecording, ManyShortRowsCostNoMemory) {

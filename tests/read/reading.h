@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cromer/base/concat.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 
@@ -17,7 +18,7 @@ namespace cromer::core {
 inline Recording read(std::string_view text, std::string_view file = "lab.txt",
                       const ReadOptions& options = {}) {
   auto recording = read_recording(text, file, options);
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
+  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
   return recording ? *recording : Recording{};
 }
 
@@ -25,7 +26,7 @@ inline Recording read(std::string_view text, std::string_view file = "lab.txt",
 inline std::string refusal(std::string_view text, std::string_view file = "lab.txt",
                            const ReadOptions& options = {}) {
   const auto recording = read_recording(text, file, options);
-  return recording ? "read" : recording.error().message;
+  return recording ? "read" : in_words(recording.error());
 }
 
 /// "1 x (m)": run and title of each column.

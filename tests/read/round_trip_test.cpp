@@ -10,6 +10,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/clean_table.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
@@ -62,7 +63,7 @@ TEST_P(RoundTrip, GivesTheSameNumbers) {
   const auto clean = clean_table(*recording, {});
   ASSERT_TRUE(clean.ok());
   const auto again = read_recording(as_csv(*clean), "clean.csv", {});
-  ASSERT_TRUE(again.ok()) << again.error().message;
+  ASSERT_TRUE(again.ok()) << in_words(again.error());
   ASSERT_EQ(again->table.columns.size(), clean->columns.size());
   for (std::size_t j = 0; j < clean->columns.size(); ++j) {
     const Column &a = again->table.columns[j], &b = clean->columns[j];

@@ -1,12 +1,12 @@
 // Rows of numbers, those that are none, and a last line that may be cut.
 #include "cromer/read/rows.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "cromer/base/concat.h"
 #include "cromer/read/lines.h"
 
 namespace cromer::core::dialects {
@@ -29,7 +29,9 @@ std::string repeated(std::size_t count, const std::string& row) {
 }
 
 /// What is said of the last line below some rows.
-std::string said(const std::string& rows, const std::string& last) { return rows_of(rows + last)->last_line; }
+std::string said(const std::string& rows, const std::string& last) {
+  return in_words(rows_of(rows + last)->last_line);
+}
 
 TEST(Rows, BadOnesAreCountedAndTheFirstIsRemembered) {
   RowRules rules;
@@ -43,15 +45,15 @@ TEST(Rows, BadOnesAreCountedAndTheFirstIsRemembered) {
   EXPECT_TRUE(std::isnan(rows->columns[1][2]));
   EXPECT_EQ(rows->bad_rows, 2u);
   EXPECT_EQ(rows->first_bad_line, 13);
-  EXPECT_EQ(rows->first_complaint, "column \"x\": \"abc\" is not a number");
-  EXPECT_EQ(rows->last_line, "");
+  EXPECT_EQ(in_words(rows->first_complaint), "column \"x\": \"abc\" is not a number");
+  EXPECT_EQ(in_words(rows->last_line), "");
 }
 
 TEST(Rows, ABadOneIsAnErrorWithItsLine) {
-  EXPECT_EQ(rows_of("0;1\n1;abc\n").error().message,
-            ":2: column \"x\": \"abc\" is not a number; --skip-bad-rows drops such rows");
-  EXPECT_EQ(rows_of("0;1\n1;2;3\n").error().message,
-            ":2: there are more values than the 2 columns; --skip-bad-rows drops such rows");
+  EXPECT_EQ(in_words(rows_of("0;1\n1;abc\n").error()),
+            "line 2: column \"x\": \"abc\" is not a number; --skip-bad-rows drops such rows");
+  EXPECT_EQ(in_words(rows_of("0;1\n1;2;3\n").error()),
+            "line 2: there are more values than the 2 columns; --skip-bad-rows drops such rows");
   RowRules remarks;
   remarks.ignore_beyond = true;
   EXPECT_TRUE(rows_of("0;1;said\n1;2;;3\n", remarks).ok());
@@ -66,7 +68,7 @@ TEST(Rows, FarShorterOnesThanTheTableIsWideAreRefused) {
   };
   EXPECT_TRUE(read(128).ok());
   ASSERT_FALSE(read(129).ok());
-  EXPECT_EQ(read(129).error().message, ": most rows are far shorter than the widest of 64 columns");
+  EXPECT_EQ(in_words(read(129).error()), "most rows are far shorter than the widest of 64 columns");
 }
 
 TEST(LastLine, EightRowsShowHowNumbersAreWritten) {
@@ -121,19 +123,20 @@ TEST(LastLine, WhatIsShorterThanAllOthersIsKeptAndSaid) {
 TEST(LastLine, ARemarkBehindTheRowsIsNone) {
   const auto rows = rows_of(repeated(9, "0;1.25\n") + "#;1.2");
   EXPECT_EQ(rows->lines.size(), 9u);
-  EXPECT_EQ(rows->last_line, "");
+  EXPECT_EQ(in_words(rows->last_line), "");
   // Nor is a last row above other lines of the file.
   const std::string text = repeated(8, "0;1.25\n") + "0;1.2\nThe end";
   const auto lines = split_lines(text);
   const auto above = read_rows(lines, Layout{';', '.', 2}, {"t", "x"}, {0, lines.size() - 1});
   EXPECT_EQ(above->lines.size(), 9u);
-  EXPECT_EQ(above->last_line, "");
+  EXPECT_EQ(in_words(above->last_line), "");
 }
 
 TEST(LastLine, ThatIsNoNumberAndBeginsAsOneIsLeftOut) {
   const auto rows = rows_of("0;1\n1;1.5e");
   ASSERT_TRUE(rows.ok());
-  EXPECT_EQ(rows->last_line, "the last line, 2, seems cut within a number, \"1;1.5e\": it is left out");
+  EXPECT_EQ(in_words(rows->last_line),
+            "the last line, 2, seems cut within a number, \"1;1.5e\": it is left out");
   EXPECT_EQ(rows->lines.size(), 1u);
   EXPECT_EQ(rows_of("0;1\n1;1.5e-")->lines.size(), 1u);
   for (const char* text : {"0;1\n1;1.5e\n", "0;1\n1;abc", "0;1\nabe;e", "1;1.5e", "0;1\n12 done", "0;1\n1;E"})
@@ -141,15 +144,19 @@ TEST(LastLine, ThatIsNoNumberAndBeginsAsOneIsLeftOut) {
 }
 
 TEST(NoRows, TheShortestBadCellIsNamed) {
-  const std::string_view reason = "no rows of numbers are found";
-  const auto message = [&](const std::string& text) { return no_rows(split_lines(text), reason, 10); };
-  EXPECT_EQ(message("\nTime;x\n12:00:00;1\n13:00;1"),
-            ":13: no rows of numbers are found: \"12:00:00\" is not a number; it is a clock time: write the "
-            "seconds since the start");
-  EXPECT_THAT(message("2 12:00:00 13:00:00"), HasSubstr(":11: no rows of numbers are found: \"12:00:00\""));
+  const Error reason{"no_rows_of_numbers"}, option{"unknown_delimiter", {{"given", "x"}}};
+  const auto message = [&](const std::string& text) {
+    return in_words(no_rows(split_lines(text), reason, 10));
+  };
+  EXPECT_EQ(
+      message("\nTime;x\n12:00:00;1\n13:00;1"),
+      "line 13: no rows of numbers are found: \"12:00:00\" is not a number; it is a clock time: write the "
+      "seconds since the start");
+  EXPECT_THAT(message("2 12:00:00 13:00:00"),
+              HasSubstr("line 11: no rows of numbers are found: \"12:00:00\""));
   EXPECT_THAT(message("1.5D3"), HasSubstr("write 1.5E3"));
-  EXPECT_EQ(message("a 12:00:00"), concat({": ", reason}));
-  EXPECT_EQ(no_rows(split_lines("12:00:00"), "--delimiter is wrong", 0), ": --delimiter is wrong");
+  EXPECT_EQ(message("a 12:00:00"), in_words(reason));
+  EXPECT_EQ(no_rows(split_lines("12:00:00"), option, 0).notice, option.notice);
 }
 
 }  // namespace

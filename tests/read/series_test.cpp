@@ -6,6 +6,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
 
 namespace cromer::core {
@@ -19,21 +20,21 @@ using testing::Not;
 
 Recording read(std::string_view text, const ReadOptions& options = {}) {
   auto recording = read_recording(text, "lab.csv", options);
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
+  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
   return recording ? *recording : Recording{};
 }
 
 Series series(std::string_view text, std::string_view column = "", const ReadOptions& options = {},
               int run = 1) {
   auto taken = take_series(read(text, options), column, run, options);
-  EXPECT_TRUE(taken.ok()) << taken.error().message;
+  EXPECT_TRUE(taken.ok()) << in_words(taken.error());
   return taken ? *taken : Series{};
 }
 
 std::string refusal(std::string_view text, std::string_view column = "", const ReadOptions& options = {},
                     int run = 1) {
   const auto taken = take_series(read(text, options), column, run, options);
-  return taken ? "taken" : taken.error().message;
+  return taken ? "taken" : in_words(taken.error());
 }
 
 const ReadOptions ten{.delimiter = {}, .decimal = {}, .time_column = {}, .rate = 10};
@@ -56,22 +57,22 @@ TEST(Series, WithoutAMotionItSaysSo) {
   EXPECT_THAT(refusal("t (s),f (Hz)\n0,1\n1,2\n2,4\n"), HasSubstr("\"f (Hz)\" holds a frequency; to fit"));
   EXPECT_EQ(refusal("t (s)\n0\n1\n2\n"), "lab.csv: there is no column beside the time");
   EXPECT_EQ(refusal("t (s),n\n0,5\n1,5\n2,6\n"), "lab.csv: there is no column beside the time");
-  EXPECT_THAT(series("t (s),q\n0,5\n1,6\n2,5\n").warnings,
+  EXPECT_THAT(in_words(series("t (s),q\n0,5\n1,6\n2,5\n").notices),
               Contains("no column is known to be a position, angle or velocity: \"q\" is taken"));
   EXPECT_THAT(
-      series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n").warnings,
+      in_words(series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n").notices),
       Contains(
           "no column is known to be a position, angle or velocity: \"column 2\" is taken of \"column 2\", "
           "\"column 3\"; --column says another"));
 }
 
 TEST(Series, MissingAndUnknownUnitsAreSaid) {
-  EXPECT_THAT(series("t (s),q\n0,5\n1,6\n2,5\n", "q").warnings,
+  EXPECT_THAT(in_words(series("t (s),q\n0,5\n1,6\n2,5\n", "q").notices),
               ElementsAre("column \"q\" has no unit: its values are taken as they are"));
-  EXPECT_THAT(series("t,x (px)\n0,5\n1,6\n2,5\n").warnings,
+  EXPECT_THAT(in_words(series("t,x (px)\n0,5\n1,6\n2,5\n").notices),
               ElementsAre("unit \"px\" of column \"x\" is not known: its values are taken as they are",
                           "column \"t\" has no unit: s is assumed"));
-  EXPECT_THAT(series("t (s),x (m)\n0,5\n1,6\n2,5\n").warnings, IsEmpty());
+  EXPECT_THAT(in_words(series("t (s),x (m)\n0,5\n1,6\n2,5\n").notices), IsEmpty());
   EXPECT_EQ(unit_of(series("t (s),x (px)\n0,5\n1,6\n2,5\n")), "px");
   EXPECT_EQ(unit_of(series("t (s),q (kg)\n0,5\n1,6\n2,5\n")), "kg");
   EXPECT_EQ(unit_of(series("t (s),q (mA)\n0,5\n1,6\n2,5\n")), "");
@@ -82,13 +83,13 @@ TEST(Series, MissingAndUnknownUnitsAreSaid) {
 
 TEST(Series, ARateIsNotUsedBesideTimes) {
   const Series s = series("t (s),x (m)\n0,5\n1,6\n2,5\n", "", ten);
-  EXPECT_THAT(s.warnings, ElementsAre("--rate is not used: the times stand in \"t (s)\""));
+  EXPECT_THAT(in_words(s.notices), ElementsAre("--rate is not used: the times stand in \"t (s)\""));
   EXPECT_EQ(s.rate, 1);
   const Series rated = series("x (m)\n5\n6\n5\n", "", ten);
   EXPECT_EQ(rated.rate, 10);
   EXPECT_EQ(rated.time_column, "");
   EXPECT_THAT(rated.t, ElementsAre(0, 0.1, 0.2));
-  EXPECT_THAT(rated.warnings, IsEmpty());
+  EXPECT_THAT(in_words(rated.notices), IsEmpty());
   EXPECT_EQ(series("x (m)\n5\n", "", ten).rate, 0);
   EXPECT_EQ(
       refusal("x (m)\n5\n6\n"),
@@ -97,7 +98,7 @@ TEST(Series, ARateIsNotUsedBesideTimes) {
   for (const double wrong : {-1.0, HUGE_VAL, std::nan("")}) {
     ReadOptions options;
     options.rate = wrong;
-    EXPECT_EQ(read_recording("1 2\n", "lab.csv", options).error().message,
+    EXPECT_EQ(in_words(read_recording("1 2\n", "lab.csv", options).error()),
               "--rate is not a number of samples per second above 0");
   }
 }
@@ -114,11 +115,12 @@ TEST(Series, OneSampleIsTaken) {
   const Series one = series("t (s),x (m)\n7,5\n");
   EXPECT_THAT(one.t, ElementsAre(7));
   EXPECT_EQ(one.rate, 0);
-  EXPECT_THAT(one.warnings, ElementsAre("column \"x (m)\" never changes"));
+  EXPECT_THAT(in_words(one.notices), ElementsAre("column \"x (m)\" never changes"));
   const Series two = series("t (s),x (m)\n7,5\n7.5,6\n");
   EXPECT_EQ(two.rate, 2);
-  EXPECT_THAT(two.warnings, IsEmpty());
-  EXPECT_THAT(series("t (s),x (m)\n0,5\n1,5\n").warnings, ElementsAre("column \"x (m)\" never changes"));
+  EXPECT_THAT(in_words(two.notices), IsEmpty());
+  EXPECT_THAT(in_words(series("t (s),x (m)\n0,5\n1,5\n").notices),
+              ElementsAre("column \"x (m)\" never changes"));
 }
 
 TEST(Series, GapsAreCountedAndTheLongestIsNamed) {
@@ -126,7 +128,7 @@ TEST(Series, GapsAreCountedAndTheLongestIsNamed) {
   for (int i = 0; i < 60; ++i)
     if (i != 20 && (i < 40 || i > 42)) text += concat({std::to_string(i), ",", std::to_string(i % 7), "\n"});
   const Series s = series(text);
-  EXPECT_THAT(s.warnings, ElementsAre("2 gaps in the times, the longest 4.00 s at 39.0000 s"));
+  EXPECT_THAT(in_words(s.notices), ElementsAre("2 gaps in the times, the longest 4.00 s at 39.0000 s"));
   EXPECT_EQ(s.gaps.size(), 2u);
 }
 
@@ -136,8 +138,8 @@ TEST(Series, OneSampleSticksOutAlone) {
     const std::string row = concat({std::to_string(i), ",", shortest(i == 30 ? 9 : 0.01 * i), "\n"});
     text += row, force += row;
   }
-  EXPECT_THAT(series(text).warnings, ElementsAre("1 sample sticks out alone, the first in line 32"));
-  EXPECT_THAT(series(force).warnings, Contains("1 sample sticks out alone, the first in line 32"));
+  EXPECT_THAT(in_words(series(text).notices), ElementsAre("1 sample sticks out alone, the first in line 32"));
+  EXPECT_THAT(in_words(series(force).notices), Contains("1 sample sticks out alone, the first in line 32"));
   ASSERT_EQ(series(text).outliers.size(), 1u);
   EXPECT_EQ(series(text).outliers[0].value, 9);
   EXPECT_EQ(series(text).outliers[0].t, 30);
@@ -150,7 +152,7 @@ TEST(Series, TheResolutionIsInSI) {
 }
 
 TEST(CountedStep, ANumberOfRowsAndAStepMakeATime) {
-  EXPECT_THAT(read("3 0.5\n5\n6\n5\n").warnings,
+  EXPECT_THAT(in_words(read("3 0.5\n5\n6\n5\n").notices),
               ElementsAre("the line \"3 0.5\" counts the rows: 0.5 s is taken as their step"));
   EXPECT_EQ(read("3 0.5\n5\n6\n5\n").table.columns.size(), 2u);
   EXPECT_EQ(read("a\n4 9\n 3 0.5\n5\n6\n5\n").table.columns.size(), 2u);

@@ -1,4 +1,5 @@
 // Tables that stand beside or below each other become runs.
+#include "cromer/documents/words/words.h"
 #include "cromer/read/set.h"
 
 #include <gmock/gmock.h>
@@ -28,7 +29,7 @@ Column column(const char* name, std::vector<double> values, const char* unit = "
 std::vector<std::string> laid(std::vector<Set> sets) {
   Recording recording;
   const auto good = lay_side_by_side(std::move(sets), recording);
-  if (!good) return {good.error().message};
+  if (!good) return {in_words(good.error())};
   std::vector<std::string> all;
   for (const Column& each : recording.table.columns) {
     const auto known = std::count_if(each.values.begin(), each.values.end(), [](double v) { return v == v; });
@@ -80,9 +81,9 @@ TEST(Sets, LinesAreOfTheSet) {
 
 TEST(Sets, LabelsAreSaidWhereTheyAreNotTheNumber) {
   const auto said = [](const std::vector<std::string>& labels) {
-    std::vector<std::string> warnings;
-    say_labels(labels, warnings);
-    return warnings;
+    std::vector<Notice> notices;
+    say_labels(labels, notices);
+    return in_words(notices);
   };
   EXPECT_THAT(said({"Run #1", "Run #2"}), IsEmpty());
   EXPECT_THAT(said({"Run #1", "Run #12"}), ElementsAre("run 2 is called \"Run #12\" in the file"));
@@ -95,23 +96,22 @@ TEST(Sets, LabelsAreSaidWhereTheyAreNotTheNumber) {
 TEST(Sets, TooManyOrTooUnequalOnesAreRefused) {
   const auto many = [](std::size_t count) { return laid(std::vector<Set>(count, set_of("", {}, {}))); };
   EXPECT_THAT(many(10000), IsEmpty());
-  EXPECT_THAT(many(10001), ElementsAre(": the file holds 10001 tables: 10000 at most are read"));
+  EXPECT_THAT(many(10001), ElementsAre("the file holds 10001 tables: 10000 at most are read"));
   const auto wide = [](std::size_t count) {
     return laid({set_of("", std::vector<Column>(count, column("x", {})), {})}).size();
   };
   EXPECT_EQ(wide(100000), 100000u);
   EXPECT_THAT(laid({set_of("", std::vector<Column>(60000, column("x", {})), {}),
                     set_of("", std::vector<Column>(40001, column("x", {})), {})}),
-              ElementsAre(": the tables of the file have 100001 columns: 100000 at most are read"));
+              ElementsAre("the tables of the file have 100001 columns: 100000 at most are read"));
   // 99 columns of one row beside one that is long: 100 n cells out of n + 99.
   const auto unequal = [](std::size_t rows) {
     return laid({set_of("a", {column("x", std::vector<double>(rows))}, std::vector<long>(rows)),
                  set_of("b", std::vector<Column>(99, column("y", {1})), {1})});
   };
   EXPECT_EQ(unequal(1209).size(), 100u);
-  EXPECT_THAT(unequal(1210),
-              ElementsAre(": the 2 tables of the file are too unequal in length to be laid side "
-                          "by side"));
+  EXPECT_THAT(unequal(1210), ElementsAre("the 2 tables of the file are too unequal in length to be laid side "
+                                         "by side"));
 }
 
 std::vector<std::size_t> tables(const std::string& text) { return find_tables(split_lines(text)); }
@@ -140,7 +140,7 @@ TEST(SetsBelow, TwoHundredAreRead) {
 TEST(SetsBelow, TitlesNameTheRun) {
   const auto read = [](const std::string& text) {
     const auto recording = read_recording(text, "lab.txt", {});
-    EXPECT_TRUE(recording.ok()) << recording.error().message;
+    EXPECT_TRUE(recording.ok()) << in_words(recording.error());
     return *recording;
   };
   const std::string rows = "0\t1\n1\t2\n2\t4\n";
@@ -152,13 +152,13 @@ TEST(SetsBelow, TitlesNameTheRun) {
   EXPECT_THAT(runs(read(twice("U, Run #3", "F, Run #31"))), ElementsAre(1, 2));
   EXPECT_THAT(runs(read(twice("U", "F"))), ElementsAre(1, 2));
   EXPECT_THAT(
-      read(twice("U, Run #3", "F, Run #31")).warnings,
+      in_words(read(twice("U, Run #3", "F, Run #31")).notices),
       ElementsAre("run 1 is called \"Run #3\" in the file", "run 2 is called \"Run #31\" in the file"));
   EXPECT_TRUE(read(twice("U", "F")).named);
   EXPECT_EQ(read(twice("U", "F")).dialect.separator, "tab");
   EXPECT_EQ(line_of(read(twice("U", "F")), 3, 2), 10);
   const auto refused = read_recording(twice("U", "F") + "x\ty\n", "lab.txt", {});
-  EXPECT_EQ(refused.error().message,
+  EXPECT_EQ(in_words(refused.error()),
             "lab.txt:11: column \"Time (s)\": \"x\" is not a number; --skip-bad-rows drops such rows");
 }
 

@@ -1,5 +1,6 @@
 // Runs below each other in one table.
 #include "cromer/read/stacked_runs.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -83,7 +84,7 @@ TEST(StackedRuns, OneLongRunAmongManyShortOnesIsNotSplit) {
 /// What is said of times that start again; nothing where they are left as they are.
 std::vector<std::string> said(Recording& recording) {
   split_at_restarts(recording);
-  return recording.warnings;
+  return in_words(recording.notices);
 }
 
 Recording restarted(int times) {

@@ -7,6 +7,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/clean_table.h"
 #include "cromer/read/recording.h"
 
@@ -31,14 +32,14 @@ Result<Series> take(std::string_view text, std::string_view column = "", int run
 Series series(std::string_view text, std::string_view column = "", int run = 1,
               const ReadOptions& options = {}) {
   auto taken = take(text, column, run, options);
-  EXPECT_TRUE(taken.ok()) << taken.error().message;
+  EXPECT_TRUE(taken.ok()) << in_words(taken.error());
   return taken ? *taken : Series{};
 }
 
 std::string refusal(std::string_view text, std::string_view column = "", int run = 1,
                     const ReadOptions& options = {}) {
   const auto taken = take(text, column, run, options);
-  return taken ? "taken" : taken.error().message;
+  return taken ? "taken" : in_words(taken.error());
 }
 
 /// A damped swing as text; `spoil` may change a value.
@@ -73,12 +74,12 @@ TEST(TakeSeries, PrefersPositionsThenAngles) {
 }
 
 TEST(TakeSeries, UnknownUnitsAndNamesAreSaid) {
-  EXPECT_THAT(series("t,x\n0,1.5\n1,2\n2,1\n").warnings,
+  EXPECT_THAT(in_words(series("t,x\n0,1.5\n1,2\n2,1\n").notices),
               Contains(HasSubstr("\"x\" has no unit: m is assumed")));
-  EXPECT_THAT(series("t,x (au)\n0,1.5\n1,2\n2,1\n").warnings, Contains(HasSubstr("unit \"au\"")));
+  EXPECT_THAT(in_words(series("t,x (au)\n0,1.5\n1,2\n2,1\n").notices), Contains(HasSubstr("unit \"au\"")));
   const Series s = series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n");
   EXPECT_EQ(s.column, "column 2");
-  EXPECT_THAT(s.warnings, Contains(HasSubstr("no column is known to be a position")));
+  EXPECT_THAT(in_words(s.notices), Contains(HasSubstr("no column is known to be a position")));
 }
 
 TEST(TakeSeries, AFrequencyIsNoMotion) {
@@ -93,7 +94,7 @@ TEST(TakeSeries, AFrequencyIsNoMotion) {
   EXPECT_THAT(named.y,
               ElementsAre(testing::DoubleEq(5000), testing::DoubleEq(6000), testing::DoubleEq(5000)));
   EXPECT_EQ(unit_of(named), "Hz");
-  EXPECT_THAT(named.warnings, Contains(HasSubstr("holds a frequency, which is no motion")));
+  EXPECT_THAT(in_words(named.notices), Contains(HasSubstr("holds a frequency, which is no motion")));
   EXPECT_THAT(series("Time (s),Frequency (rad/s)\n0,6.283185307179586\n1,0\n2,0\n", "Frequency").y[0],
               testing::DoubleEq(1));
 }
@@ -125,7 +126,8 @@ TEST(TakeSeries, NamesAloneAreNoChoice) {
   EXPECT_EQ(series("Tempo,Pendolo\n0,1.5\n1,2\n2,1\n").column, "Pendolo");  // there is but one
   const Series s = series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n");
   EXPECT_EQ(s.column, "column 2");
-  EXPECT_THAT(s.warnings, Contains(HasSubstr("\"column 2\" is taken of \"column 2\", \"column 3\"")));
+  EXPECT_THAT(in_words(s.notices),
+              Contains(HasSubstr("\"column 2\" is taken of \"column 2\", \"column 3\"")));
 }
 
 TEST(TakeSeries, EachSensorKeepsTheTimeBeforeIt) {
@@ -173,8 +175,8 @@ TEST(TakeSeries, RepeatedAndBackwardTimesAreLeftOut) {
   EXPECT_THAT(s.t, ElementsAre(0, 1, 2, 3, 4));
   EXPECT_THAT(s.y, ElementsAre(1, 2, 4, 6, 7));
   EXPECT_THAT(s.lines, ElementsAre(2, 3, 5, 7, 8));
-  EXPECT_THAT(s.warnings, Contains("1 row with a repeated time left out, the first in line 4"));
-  EXPECT_THAT(s.warnings, Contains("1 row with a backward time left out, the first in line 6"));
+  EXPECT_THAT(in_words(s.notices), Contains("1 row with a repeated time left out, the first in line 4"));
+  EXPECT_THAT(in_words(s.notices), Contains("1 row with a backward time left out, the first in line 6"));
 }
 
 TEST(TakeSeries, ATimeThatNeverRisesIsRefused) {
@@ -194,7 +196,7 @@ TEST(TakeSeries, ARestartBeginsTheNextRun) {
   const auto recording = read_recording(text, "lab.csv", none);
   ASSERT_TRUE(recording.ok());
   EXPECT_THAT(runs(*recording), ElementsAre(1, 2));
-  EXPECT_THAT(recording->warnings,
+  EXPECT_THAT(in_words(recording->notices),
               ElementsAre("the time starts again in line 22: the file is read as 2 runs"));
   EXPECT_EQ(series(text).t.size(), 20u);
   const Series second = series(text, "", 2);
@@ -205,7 +207,8 @@ TEST(TakeSeries, ARestartBeginsTheNextRun) {
   std::string glitch = "t,x\n";
   for (int i = 0; i < 40; ++i)
     glitch += concat({i == 30 ? "0" : shortest(0.1 * i), ",", std::to_string(i), "\n"});
-  EXPECT_THAT(series(glitch).warnings, Contains("1 row with a backward time left out, the first in line 32"));
+  EXPECT_THAT(in_words(series(glitch).notices),
+              Contains("1 row with a backward time left out, the first in line 32"));
   EXPECT_EQ(series(glitch).t.size(), 39u);
 }
 
@@ -242,8 +245,8 @@ TEST(TakeSeries, StepsAndReleasesAreNoOutliers) {
 
 TEST(TakeSeries, TopsThatAreCutOffAreSaid) {
   const auto says = [](const Series& s) {
-    return std::any_of(s.warnings.begin(), s.warnings.end(),
-                       [](const std::string& w) { return w.find("cut off") != std::string::npos; });
+    return std::any_of(s.notices.begin(), s.notices.end(),
+                       [](const Notice& notice) { return notice.code == "column_tops_cut_off"; });
   };
   for (const int decimals : {2, 3, 4, 6})
     EXPECT_FALSE(says(series(swing(4000, 100, decimals, unspoiled)))) << decimals;
@@ -266,7 +269,7 @@ TEST(TakeSeries, SpikesAreListedAndStay) {
   EXPECT_EQ(s.outliers[0].line, 702);
   EXPECT_NEAR(s.outliers[0].t, 7.0, 1e-12);
   EXPECT_EQ(s.y[700], s.outliers[0].value);
-  EXPECT_THAT(s.warnings, Contains("2 samples stick out alone, the first in line 702"));
+  EXPECT_THAT(in_words(s.notices), Contains("2 samples stick out alone, the first in line 702"));
 }
 
 TEST(TakeSeries, RoundedTimesAreMadeEvenWhereTheyWere) {
@@ -277,7 +280,7 @@ TEST(TakeSeries, RoundedTimesAreMadeEvenWhereTheyWere) {
   EXPECT_EQ(s.rate, 60);
   EXPECT_TRUE(s.gaps.empty());
   for (std::size_t i = 0; i < 600; ++i) ASSERT_NEAR(s.t[i], static_cast<double>(i) / 60, 1e-3) << i;
-  EXPECT_THAT(s.warnings, ElementsAre(HasSubstr("the times are rounded to 0.01 s")));
+  EXPECT_THAT(in_words(s.notices), ElementsAre(HasSubstr("the times are rounded to 0.01 s")));
 }
 
 TEST(TakeSeries, RoundingToTwoLevelsIsNotClipping) {
@@ -285,7 +288,7 @@ TEST(TakeSeries, RoundingToTwoLevelsIsNotClipping) {
     const auto steps = [&](int i, double) { return 0.01 * std::nearbyint(size * std::cos(0.1 * i) + 0.3); };
     const Series s = series(swing(3000, 60, 2, steps));
     EXPECT_DOUBLE_EQ(s.resolution, 0.01) << size;
-    EXPECT_THAT(s.warnings, Not(Contains(HasSubstr("out of its range")))) << size;
+    EXPECT_THAT(in_words(s.notices), Not(Contains(HasSubstr("out of its range")))) << size;
   }
 }
 
@@ -329,7 +332,7 @@ TEST(CleanTable, ReadsBackAsItself) {
     }
   }
   const auto again = read_recording(text, "clean.csv", none);
-  ASSERT_TRUE(again.ok()) << again.error().message;
+  ASSERT_TRUE(again.ok()) << in_words(again.error());
   ASSERT_EQ(again->table.columns.size(), clean->columns.size());
   for (std::size_t j = 0; j < clean->columns.size(); ++j) {
     EXPECT_EQ(again->table.columns[j].run, clean->columns[j].run);

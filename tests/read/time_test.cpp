@@ -1,5 +1,6 @@
 // Times that repeat, run backward or start again.
 #include "cromer/read/time.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,34 +69,36 @@ TEST(Restart, GoesOnForFiveRowsOrToTheEnd) {
 TEST(Rising, TwoRowsSuffice) {
   EXPECT_THAT(rising({0, 1})->kept, ElementsAre(0, 1));
   EXPECT_THAT(rising({5})->kept, ElementsAre(0));
-  EXPECT_EQ(rising({1, 0}).error().message, "the time runs backward from the first row to the last");
-  EXPECT_EQ(rising({1, 1}).error().message, "the time stands still: all its values are equal");
-  EXPECT_EQ(rising({2, 2, 1}).error().message, "the time runs backward from the first row to the last");
+  EXPECT_EQ(in_words(rising({1, 0}).error()), "the time runs backward from the first row to the last");
+  EXPECT_EQ(in_words(rising({1, 1}).error()), "the time stands still: all its values are equal");
+  EXPECT_EQ(in_words(rising({2, 2, 1}).error()), "the time runs backward from the first row to the last");
 }
 
 TEST(Rising, AsManyBackwardAsForwardStepsAreEndured) {
   EXPECT_THAT(rising({0, 2, 1})->kept, ElementsAre(0, 1));
-  EXPECT_EQ(rising({0, 3, 2, 1}).error().message, "the time runs backward in most rows");
+  EXPECT_EQ(in_words(rising({0, 3, 2, 1}).error()), "the time runs backward in most rows");
   EXPECT_THAT(rising({0, 0, 0, 2, 1})->kept, ElementsAre(0, 3));
 }
 
 TEST(Rising, WhatIsLeftOutIsCountedFromItsFirstLine) {
   const auto kept = rising({0, 1, 1, 2, 1.5, 2, 3, 1, 4, 5});
   EXPECT_THAT(kept->kept, ElementsAre(0, 1, 3, 6, 8, 9));
-  EXPECT_THAT(kept->warnings, ElementsAre("2 rows with a repeated time left out, the first in line 13",
-                                          "2 rows with a backward time left out, the first in line 15"));
-  EXPECT_THAT(rising({0, 1, 2})->warnings, IsEmpty());
+  EXPECT_THAT(in_words(kept->notices),
+              ElementsAre("2 rows with a repeated time left out, the first in line 13",
+                          "2 rows with a backward time left out, the first in line 15"));
+  EXPECT_THAT(in_words(rising({0, 1, 2})->notices), IsEmpty());
 }
 
 TEST(Rising, ARestartEndsIt) {
   const auto kept = rising(joined(counted_from(5, 21), {25, 5, 6, 7}));
   EXPECT_EQ(kept->kept.size(), 21u);
-  EXPECT_THAT(kept->warnings,
+  EXPECT_THAT(in_words(kept->notices),
               ElementsAre("the time starts again in line 33: the 3 rows from there on are left out",
                           "1 row with a repeated time left out, the first in line 32"));
   const auto glitch = rising(joined(counted_from(5, 10), {5, 6, 15, 16}));
   EXPECT_EQ(glitch->kept.size(), 12u);
-  EXPECT_THAT(glitch->warnings, ElementsAre("2 rows with a backward time left out, the first in line 21"));
+  EXPECT_THAT(in_words(glitch->notices),
+              ElementsAre("2 rows with a backward time left out, the first in line 21"));
 }
 
 TEST(TimeColumn, IsTheNearestBeforeElseOfTheRunElseOfAll) {

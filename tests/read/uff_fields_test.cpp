@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/base/concat.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/formats/uff.h"
 #include "cromer/read/formats/uff_function.h"
@@ -55,42 +56,43 @@ std::string dataset(const std::string& values,
 
 Recording read(const std::string& text) {
   auto recording = read_recording(text, "beam.uff", {});
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
+  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
   return recording ? *recording : Recording{};
 }
 
 std::string refusal(const std::string& text) {
   const auto recording = read_recording(text, "beam.uff", {});
-  return recording ? "read" : recording.error().message;
+  return recording ? "read" : in_words(recording.error());
 }
 
 TEST(UffFields, ASetIsReadToItsPoints) {
-  EXPECT_THAT(read(dataset(" 1 2 3\n")).warnings, IsEmpty());
+  EXPECT_THAT(in_words(read(dataset(" 1 2 3\n")).notices), IsEmpty());
   const Recording fewer = read(dataset(" 1 2\n"));
-  EXPECT_THAT(fewer.warnings, ElementsAre("the dataset in line 2 announces 3 points and holds 2"));
+  EXPECT_THAT(in_words(fewer.notices), ElementsAre("the dataset in line 2 announces 3 points and holds 2"));
   const Recording more = read(dataset(" 1 2 3 4\n"));
-  EXPECT_THAT(more.warnings, IsEmpty());
+  EXPECT_THAT(in_words(more.notices), IsEmpty());
   EXPECT_THAT(more.table.columns.at(1).values, ElementsAre(1, 2, 3));
-  EXPECT_THAT(read(dataset(" 1 2\n", "         2         0         1")).warnings,
+  EXPECT_THAT(in_words(read(dataset(" 1 2\n", "         2         0         1")).notices),
               ElementsAre("the dataset in line 2 announces 0 points and holds 2"));
 }
 
 TEST(UffFields, WhatIsLeftOutIsCounted) {
   const std::string good = dataset(" 1 2 3\n"),
                     complex = dataset(" 1 2 3\n", "         5         3         1");
-  EXPECT_THAT(read(good + complex).warnings,
+  EXPECT_THAT(in_words(read(good + complex).notices),
               ElementsAre("1 dataset left out: its values are complex, in line 17"));
-  EXPECT_THAT(read(complex + good + complex).warnings,
+  EXPECT_THAT(in_words(read(complex + good + complex).notices),
               ElementsAre("2 datasets left out: its values are complex, the first in line 2"));
   EXPECT_EQ(refusal(complex),
             "beam.uff: the universal file holds no time response of a dataset 58; 1 dataset left "
             "out: its values are complex, in line 2");
   EXPECT_EQ(refusal("    -1\n    58\n"), refusal("    -1\n    58\n    -1\n"));
-  EXPECT_THAT(read(good + dataset("")).warnings,
+  EXPECT_THAT(in_words(read(good + dataset("")).notices),
               ElementsAre("1 dataset left out: it has no values, in line 17"));
   for (const char* other : {"   151", "   164"})
-    EXPECT_THAT(read(concat({"    -1\n", other, "\nx\n    -1\n", good})).warnings, IsEmpty()) << other;
-  EXPECT_THAT(read(concat({good, "    -1\n    55\nx\n    -1\n"})).warnings,
+    EXPECT_THAT(in_words(read(concat({"    -1\n", other, "\nx\n    -1\n", good})).notices), IsEmpty())
+        << other;
+  EXPECT_THAT(in_words(read(concat({good, "    -1\n    55\nx\n    -1\n"})).notices),
               ElementsAre("1 dataset left out: its kind \"55\" is not 58, in line 17"));
   EXPECT_EQ(refusal(dataset(" 1 x 3\n")), "beam.uff:14: \"x\" is not a number");
   EXPECT_EQ(refusal(good + dataset(" 1 x 3\n")), "beam.uff:29: \"x\" is not a number");
@@ -160,7 +162,7 @@ TEST(UffFields, LoadCasesAreRuns) {
   std::string second = dataset(" 4 5 6\n");
   const std::size_t line = second.find("    1                             0");
   second.replace(line + 20, 10, "         2");
-  EXPECT_THAT(read(dataset(" 1 2 3\n") + second).warnings,
+  EXPECT_THAT(in_words(read(dataset(" 1 2 3\n") + second).notices),
               ElementsAre("run 1 is called \"no load case\" in the file"));
 }
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "cromer/base/concat.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
 
@@ -70,7 +71,7 @@ std::string binary_set(const Response& r, const std::string& values, bool little
 
 Recording read(const std::string& bytes) {
   auto recording = read_recording(bytes, "beam.uff", {});
-  EXPECT_TRUE(recording.ok()) << recording.error().message;
+  EXPECT_TRUE(recording.ok()) << in_words(recording.error());
   return recording ? *recording : Recording{};
 }
 
@@ -91,7 +92,7 @@ TEST(Uff, TextInSinglesAndDoubles) {
   EXPECT_THAT(r.table.columns[1].values, ElementsAre(1.5, -2.5, -3.75e-5));
   EXPECT_THAT(r.table.columns[2].values, ElementsAre(1.25, -2.5, 3));
   EXPECT_EQ(r.table.columns[2].quantity, "position");
-  EXPECT_THAT(r.warnings, ElementsAre());
+  EXPECT_THAT(in_words(r.notices), ElementsAre());
   EXPECT_EQ(line_of(r, 1, 0), 18);
 }
 
@@ -129,13 +130,13 @@ TEST(Uff, WhatIsNoTimeResponseIsLeftOut) {
       read(text_set({.type = 5}, " 1 2 3 4 5 6\n") + text_set({.function = 4, .abscissa = 18}, " 1 2 3\n") +
            good + text_set({.node = 7, .points = 9}, " 1 2 3\n"));
   EXPECT_EQ(r.table.columns.size(), 3u);
-  EXPECT_THAT(r.warnings,
+  EXPECT_THAT(in_words(r.notices),
               testing::UnorderedElementsAre(HasSubstr("1 dataset left out: its values are complex"),
                                             HasSubstr("1 dataset left out: it is no time response"),
                                             HasSubstr("announces 9 points and holds 3")));
   const auto refused = read_recording(text_set({.type = 5}, " 1 2\n"), "beam.uff", {});
   ASSERT_FALSE(refused.ok());
-  EXPECT_THAT(refused.error().message, HasSubstr("holds no time response"));
+  EXPECT_THAT(in_words(refused.error()), HasSubstr("holds no time response"));
   // A single column of numbers is none.
   EXPECT_EQ(read("-1\n58\n1.5\n2\n").table.columns.size(), 1u);
 }
@@ -144,8 +145,8 @@ TEST(Uff, AWordAmongTheNumbersIsNoEndOfThem) {
   const auto recording =
       read_recording(text_set({}, "  1.00000E+00  2.00000E+00\n  three\n"), "beam.uff", {});
   ASSERT_FALSE(recording);
-  EXPECT_THAT(recording.error().message, HasSubstr("beam.uff:15"));
-  EXPECT_THAT(recording.error().message, HasSubstr("three"));
+  EXPECT_THAT(in_words(recording.error()), HasSubstr("beam.uff:15"));
+  EXPECT_THAT(in_words(recording.error()), HasSubstr("three"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The directory of a ZIP archive and its files: what is damaged, and where the limits are.
 #include "cromer/read/formats/zip.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,7 +14,7 @@ using testing::HasSubstr;
 
 std::string names_of(const std::string& bytes) {
   const auto entries = zip_directory(bytes);
-  if (!entries) return entries.error().message;
+  if (!entries) return in_words(entries.error());
   std::string all;
   for (const ZipEntry& entry : *entries) all += entry.name + ";";
   return all;
@@ -22,9 +23,9 @@ std::string names_of(const std::string& bytes) {
 /// What comes of the first file.
 std::string content_of(const std::string& bytes) {
   const auto entries = zip_directory(bytes);
-  if (!entries) return entries.error().message;
+  if (!entries) return in_words(entries.error());
   const auto content = unzip(bytes, entries->front());
-  return content ? *content : content.error().message;
+  return content ? *content : in_words(content.error());
 }
 
 std::size_t directory_of(const std::string& bytes) { return bytes.find("PK\x01\x02"); }
@@ -130,7 +131,7 @@ TEST(Zip, AFileEndsWithinTheArchive) {
     entry.offset = offset;
     entry.checksum = static_cast<unsigned>(crc32(0, reinterpret_cast<const Bytef*>("12345"), 5));
     const auto content = unzip(bytes, entry);
-    return content ? *content : content.error().message;
+    return content ? *content : in_words(content.error());
   };
   EXPECT_EQ(read(5), "12345");
   EXPECT_EQ(read(6), damaged);
@@ -155,7 +156,7 @@ TEST(Zip, FiftyTimesItsPackedSizeAndTenKilobytesAreUnpacked) {
     entry.checksum =
         static_cast<unsigned>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(size)));
     const auto content = unzip(bytes, entry);
-    return content ? std::to_string(content->size()) : content.error().message;
+    return content ? std::to_string(content->size()) : in_words(content.error());
   };
   EXPECT_EQ(claims(12000), "12000");
   EXPECT_EQ(claims(12001), "the ZIP archive claims to hold far more than its size: unpack it by hand");

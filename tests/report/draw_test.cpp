@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/report/figure.h"
 #include "cromer/report/installed_font.h"
 #include "cromer/report/layout.h"
@@ -60,7 +61,7 @@ TEST(Draw, TheCurvePassesWhereTheDataAre) {
 TEST(Draw, EveryExampleIsASmallSvgThatCanStandInAPage) {
   for (const Figure& figure : examples()) {
     const auto svg = draw(figure, FigureFormat::svg);
-    ASSERT_TRUE(svg.ok()) << svg.error().message;
+    ASSERT_TRUE(svg.ok()) << in_words(svg.error());
     EXPECT_EQ(test::xml_fault(*svg), "");
     EXPECT_LT(svg->size(), 150000u);
     EXPECT_THAT(*svg, HasSubstr("aria-label=\"What is seen: x &amp; more\""));
@@ -87,7 +88,7 @@ TEST(Draw, IsWellFormedWhateverTheNames) {
          {&figure.panels[0].curves[0].name, &figure.panels[0].x.name, &figure.panels[0].title})
       *text = name;
     const auto svg = draw(figure, FigureFormat::svg);
-    ASSERT_TRUE(svg.ok()) << svg.error().message;
+    ASSERT_TRUE(svg.ok()) << in_words(svg.error());
     EXPECT_EQ(test::xml_fault(*svg), "") << name;
   }
 }
@@ -100,13 +101,13 @@ unsigned png_number(const std::string& png, std::size_t at) {
 }
 
 bool is_missing(const Result<std::string>& picture) {
-  return !picture && picture.error().message.find("apt install librsvg2-2") != std::string::npos;
+  return !picture && in_words(picture.error()).find("apt install librsvg2-2") != std::string::npos;
 }
 
 TEST(Draw, APngHasTwoPxForEachOfTheFigures) {
   const auto png = draw(examples()[2], FigureFormat::png);
-  if (is_missing(png)) GTEST_SKIP() << png.error().message;
-  ASSERT_TRUE(png.ok()) << png.error().message;
+  if (is_missing(png)) GTEST_SKIP() << in_words(png.error());
+  ASSERT_TRUE(png.ok()) << in_words(png.error());
   EXPECT_THAT(*png, StartsWith("\x89PNG\r\n"));
   EXPECT_EQ(png_number(*png, 16), 960u);
   EXPECT_EQ(png_number(*png, 20), 880u);
@@ -115,8 +116,8 @@ TEST(Draw, APngHasTwoPxForEachOfTheFigures) {
 
 TEST(Draw, APdfHasThreeQuartersOfAPointForEachPx) {
   const auto pdf = draw(examples()[0], FigureFormat::pdf);
-  if (is_missing(pdf)) GTEST_SKIP() << pdf.error().message;
-  ASSERT_TRUE(pdf.ok()) << pdf.error().message;
+  if (is_missing(pdf)) GTEST_SKIP() << in_words(pdf.error());
+  ASSERT_TRUE(pdf.ok()) << in_words(pdf.error());
   EXPECT_THAT(*pdf, StartsWith("%PDF-"));
   EXPECT_THAT(*pdf, HasSubstr("/MediaBox [ 0 0 570 330 ]"));
   EXPECT_THAT(*pdf, HasSubstr(is_installed("Lato") ? "+Lato" : "+DejaVu"));
@@ -153,7 +154,7 @@ TEST(FigureFormat, IsTheEndingOfTheName) {
 TEST(FigureFormat, NeedsANameBeforeAKnownEnding) {
   for (const char* path : {"x.jpg", ".svg", ".pdf", "svg", "a.svgz"})
     EXPECT_FALSE(figure_format(path).ok()) << path;
-  EXPECT_EQ(figure_format("x.jpg").error().message,
+  EXPECT_EQ(in_words(figure_format("x.jpg").error()),
             "\"x.jpg\" names no figure: end it with .svg, .png or .pdf");
 }
 

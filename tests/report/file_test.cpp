@@ -15,6 +15,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -74,11 +76,11 @@ TEST_F(WriteFile, AFolderAndAMissingFolderAreNamed) {
                             +[](const std::string& p) { return check_writable(p); }}) {
     const auto folder = write(folder_.string());
     ASSERT_FALSE(folder.ok());
-    EXPECT_NE(folder.error().message.find(folder_.string()), std::string::npos);
-    EXPECT_NE(folder.error().message.find("folder"), std::string::npos);
+    EXPECT_NE(in_words(folder.error()).find(folder_.string()), std::string::npos);
+    EXPECT_NE(in_words(folder.error()).find("folder"), std::string::npos);
     const auto missing = write(path("no/such/file.csv"));
     ASSERT_FALSE(missing.ok());
-    EXPECT_NE(missing.error().message.find("no/such/file.csv"), std::string::npos);
+    EXPECT_NE(in_words(missing.error()).find("no/such/file.csv"), std::string::npos);
     EXPECT_FALSE(write("").ok());
   }
   EXPECT_EQ(entries(), 0u);
@@ -102,7 +104,7 @@ TEST_F(WriteFile, AFullDiskLeavesTheOldFileAndNothingElse) {
   ::setrlimit(RLIMIT_FSIZE, &limit);
   std::signal(SIGXFSZ, handler);
   ASSERT_FALSE(written.ok());
-  EXPECT_NE(written.error().message.find("old.csv"), std::string::npos);
+  EXPECT_NE(in_words(written.error()).find("old.csv"), std::string::npos);
   EXPECT_EQ(content(path("old.csv")), "old");
   EXPECT_EQ(entries(), 1u);
 }
@@ -177,10 +179,10 @@ TEST_F(WriteFile, WhatKilledProgramsLeftLongAgoGoes) {
 TEST_F(WriteFile, AFileIsNoFolder) {
   ASSERT_TRUE(write_file(path("a"), "1").ok());
   for (const std::string& below : {path("a/b"), path("a/b/c")}) {
-    EXPECT_EQ(check_writable(below).error().message, "cannot write " + below + ": Not a directory");
+    EXPECT_EQ(in_words(check_writable(below).error()), "cannot write " + below + ": Not a directory");
     EXPECT_FALSE(write_file(below, "x").ok());
   }
-  EXPECT_EQ(check_writable(path("no/b")).error().message,
+  EXPECT_EQ(in_words(check_writable(path("no/b")).error()),
             "cannot write " + path("no/b") + ": there is no folder " + path("no"));
   EXPECT_TRUE(check_writable("-").ok());
   EXPECT_TRUE(check_writable(path("a")).ok());
@@ -194,7 +196,7 @@ TEST_F(WriteFile, AnErrorOfTheMakersLeavesTheOldFile) {
     return Error{"no more"};
   });
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().message, "no more");
+  EXPECT_EQ(in_words(written.error()), "no more");
   EXPECT_EQ(content(path("a")), "old");
   EXPECT_EQ(entries(), 1u);
 }
@@ -203,7 +205,7 @@ TEST_F(WriteFile, APipeThatNobodyReadsFromIsNotWaitedFor) {
   ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
   const auto written = write_file(path("pipe"), "one");
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().message, "cannot write " + path("pipe") + ": nobody reads from this pipe");
+  EXPECT_EQ(in_words(written.error()), "cannot write " + path("pipe") + ": nobody reads from this pipe");
 }
 
 TEST_F(WriteFile, ASocketIsNoPipe) {
@@ -216,7 +218,7 @@ TEST_F(WriteFile, ASocketIsNoPipe) {
   ASSERT_EQ(::bind(socket, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
   const auto written = write_file(name, "one");
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().message, "cannot write " + name + ": No such device or address");
+  EXPECT_EQ(in_words(written.error()), "cannot write " + name + ": No such device or address");
   ::close(socket);
 }
 

@@ -7,6 +7,8 @@
 
 #include <cstdlib>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -25,8 +27,8 @@ class Librsvg : public testing::Test {
  protected:
   void SetUp() override {
     const auto picture = png_of(blue_ground, 40, 20);
-    if (!picture && picture.error().message.find("apt install librsvg2-2") != std::string::npos)
-      GTEST_SKIP() << picture.error().message;
+    if (!picture && in_words(picture.error()).find("apt install librsvg2-2") != std::string::npos)
+      GTEST_SKIP() << in_words(picture.error());
   }
 };
 
@@ -68,7 +70,7 @@ std::string pixels(const std::string& png, std::size_t width, std::size_t height
 
 TEST_F(Librsvg, FillsAPngOfTwiceThePx) {
   const auto png = png_of(blue_ground, 40, 20);
-  ASSERT_TRUE(png.ok()) << png.error().message;
+  ASSERT_TRUE(png.ok()) << in_words(png.error());
   EXPECT_EQ(png->substr(16, 10), std::string("\0\0\0\x50\0\0\0\x28\x08\x02", 10));  // 80 x 40, 8 bits, RGB
   std::string blue;
   for (int i = 0; i < 80 * 40; ++i) blue += std::string("\0\0\xFF", 3);
@@ -77,7 +79,7 @@ TEST_F(Librsvg, FillsAPngOfTwiceThePx) {
 
 TEST_F(Librsvg, FillsAPdfOfThreeQuartersOfAPointForEachPx) {
   const auto pdf = pdf_of(blue("x=\"4\" y=\"4\" width=\"20\" height=\"8\""), 40, 20);
-  ASSERT_TRUE(pdf.ok()) << pdf.error().message;
+  ASSERT_TRUE(pdf.ok()) << in_words(pdf.error());
   EXPECT_THAT(*pdf, HasSubstr("/MediaBox [ 0 0 30 15 ]"));
   EXPECT_THAT(inflated(pdf->substr(pdf->find("stream\n") + 7)),
               testing::ContainsRegex("0 0 1 rg .*\n3 3 15 6 re f"));
@@ -86,14 +88,14 @@ TEST_F(Librsvg, FillsAPdfOfThreeQuartersOfAPointForEachPx) {
 TEST_F(Librsvg, SaysWhyItCannotDraw) {
   for (const auto& picture : {png_of("no svg", 40, 20), pdf_of("no svg", 40, 20)}) {
     ASSERT_FALSE(picture.ok());
-    EXPECT_THAT(picture.error().message, StartsWith("librsvg could not draw the figure: "));
+    EXPECT_THAT(in_words(picture.error()), StartsWith("librsvg could not draw the figure: "));
   }
 }
 
 TEST_F(Librsvg, APictureTooLargeForCairoIsAnError) {
   const auto png = png_of(blue_ground, 40000, 20);
   ASSERT_FALSE(png.ok());
-  EXPECT_THAT(png.error().message, HasSubstr("too big"));
+  EXPECT_THAT(in_words(png.error()), HasSubstr("too big"));
 }
 
 }  // namespace

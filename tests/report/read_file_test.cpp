@@ -10,6 +10,8 @@
 #include <fstream>
 #include <thread>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -31,7 +33,7 @@ TEST_F(ReadFile, DevicesAreRefused) {
   for (const char* device : {"/dev/zero", "/dev/urandom", "/dev/null"}) {
     const auto bytes = read_file(device);
     ASSERT_FALSE(bytes.ok()) << device;
-    EXPECT_THAT(bytes.error().message, HasSubstr("is a device"));
+    EXPECT_THAT(in_words(bytes.error()), HasSubstr("is a device"));
   }
 }
 
@@ -39,7 +41,7 @@ TEST_F(ReadFile, ZerosStopEarly) {
   std::ofstream(path("zeros"), std::ios::binary) << std::string(100000, '\0');
   const auto bytes = read_file(path("zeros"));
   ASSERT_FALSE(bytes.ok());
-  EXPECT_THAT(bytes.error().message, HasSubstr("zero bytes"));
+  EXPECT_THAT(in_words(bytes.error()), HasSubstr("zero bytes"));
 }
 
 TEST_F(ReadFile, APipeIsReadToItsEnd) {
@@ -69,9 +71,9 @@ TEST_F(ReadFile, OfAnySizeIsReadWhole) {
 }
 
 TEST_F(ReadFile, WhatIsNoFileIsNamed) {
-  EXPECT_EQ(read_file(path("none")).error().message,
+  EXPECT_EQ(in_words(read_file(path("none")).error()),
             path("none") + ": cannot be read: No such file or directory");
-  EXPECT_EQ(read_file(folder_.string()).error().message,
+  EXPECT_EQ(in_words(read_file(folder_.string()).error()),
             folder_.string() + ": is a folder; name a file in it");
 }
 

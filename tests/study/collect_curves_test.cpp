@@ -26,7 +26,7 @@ TEST(CollectResonance, NamesThePeakOfEachColumn) {
   second.method = "rk4";
   second.amplitude = {6, 6, 5};
   second.transmitted = {1, 9, 2};
-  ResonanceResult all{.of_motion = false, .curves = {first, second}, .warnings = {}};
+  ResonanceResult all{.of_motion = false, .curves = {first, second}, .notices = {}};
   Results results;
   collect("r", all, results);
   EXPECT_EQ(fact(results, "r.points"), "3");

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -31,7 +33,7 @@ class MakeFigure : public testing::Test {
 
 TEST_F(MakeFigure, converts_columns_and_names_axes) {
   const auto figure = make_figure(spec_, results_);
-  ASSERT_TRUE(figure) << figure.error().message;
+  ASSERT_TRUE(figure) << in_words(figure.error());
   const Panel& panel = figure->panels.at(0);
   EXPECT_EQ(panel.x.name, "time {/:Italic t} (s)");
   EXPECT_EQ(panel.y.name, "position {/:Italic x} (cm)");
@@ -42,25 +44,25 @@ TEST_F(MakeFigure, converts_columns_and_names_axes) {
 TEST_F(MakeFigure, cuts_by_time) {
   spec_.panels[0].curves[0].from = 1;
   const auto figure = make_figure(spec_, results_);
-  ASSERT_TRUE(figure) << figure.error().message;
+  ASSERT_TRUE(figure) << in_words(figure.error());
   EXPECT_EQ(figure->panels.at(0).curves.at(0).x, (std::vector<double>{1, 2}));
 }
 
 TEST_F(MakeFigure, subtracts_another_result) {
   spec_.panels[0].curves[0].minus = "b";
   const auto figure = make_figure(spec_, results_);
-  ASSERT_TRUE(figure) << figure.error().message;
+  ASSERT_TRUE(figure) << in_words(figure.error());
   EXPECT_DOUBLE_EQ(figure->panels.at(0).curves.at(0).y[2], 2);
   spec_.panels[0].curves[0].minus = "short";
-  EXPECT_NE(make_figure(spec_, results_).error().message.find("cannot be subtracted"), std::string::npos);
+  EXPECT_NE(in_words(make_figure(spec_, results_).error()).find("cannot be subtracted"), std::string::npos);
 }
 
 TEST_F(MakeFigure, names_the_place_of_what_is_missing) {
   spec_.panels[0].curves[0].of = "c";
-  EXPECT_EQ(make_figure(spec_, results_).error().message.rfind("lab.toml:7:1: \"c.t\" is no column", 0), 0u);
+  EXPECT_EQ(in_words(make_figure(spec_, results_).error()).rfind("lab.toml:7:1: \"c.t\" is no column", 0), 0u);
   spec_.panels[0].curves[0].of = "a";
   spec_.panels[0].y_unit = "kg";
-  EXPECT_NE(make_figure(spec_, results_).error().message.find("cannot be drawn in \"kg\""),
+  EXPECT_NE(in_words(make_figure(spec_, results_).error()).find("cannot be drawn in \"kg\""),
             std::string::npos);
 }
 
@@ -86,7 +88,7 @@ TEST_F(MakeFigure, a_range_needs_as_many_times_as_rows) {
   spec_.panels[0].curves[0].of = "odd";
   EXPECT_TRUE(make_figure(spec_, results_));
   spec_.panels[0].curves[0].from = 0;
-  EXPECT_EQ(make_figure(spec_, results_).error().message,
+  EXPECT_EQ(in_words(make_figure(spec_, results_).error()),
             "lab.toml:7:1: \"odd\": from and to need a column t as long as the ones drawn");
 }
 
@@ -99,7 +101,7 @@ TEST_F(MakeFigure, a_curves_own_columns_come_first) {
   spec_.panels[0].curves[1].x = "t";
   spec_.panels[0].curves[1].y = "x";
   const auto figure = make_figure(spec_, results_);
-  ASSERT_TRUE(figure) << figure.error().message;
+  ASSERT_TRUE(figure) << in_words(figure.error());
   const Panel& panel = figure->panels.at(0);
   EXPECT_EQ(panel.x.name, "position {/:Italic x} (m)");
   EXPECT_EQ(panel.y.name, "speed");
@@ -121,7 +123,7 @@ TEST_F(MakeFigure, fills_every_text) {
   panel.curves[0].look.name = "*k* {n}";
   panel.curves[0].look.remark = "*r* {n}";
   const auto figure = make_figure(spec_, results_);
-  ASSERT_TRUE(figure) << figure.error().message;
+  ASSERT_TRUE(figure) << in_words(figure.error());
   EXPECT_EQ(figure->title, "*t* 3\u00a0m");
   EXPECT_EQ(figure->caption, "*c* 3\u00a0m");
   EXPECT_EQ(figure->panels[0].title, "{/:Italic p} 3\u00a0m");
@@ -138,7 +140,7 @@ TEST_F(MakeFigure, says_what_cannot_be_filled) {
     text = "{missing}";
     const auto figure = make_figure(spec_, results_);
     text.clear();
-    return figure ? "" : figure.error().message;
+    return figure ? "" : in_words(figure.error());
   };
   EXPECT_EQ(said(spec_.look.caption), "lab.toml:7:1: \"missing\" is no result of this study");
   EXPECT_EQ(said(spec_.panels[0].look.y.name), "lab.toml:5:2: \"missing\" is no result of this study");
@@ -149,7 +151,7 @@ TEST_F(MakeFigure, says_what_cannot_be_filled) {
   EXPECT_EQ(said(spec_.panels[0].curves[0].minus),
             "lab.toml:7:1: \"{missing}.x\" is no column of this study");
   spec_.panels[0].curves[0].minus = "short";
-  EXPECT_EQ(make_figure(spec_, results_).error().message,
+  EXPECT_EQ(in_words(make_figure(spec_, results_).error()),
             "lab.toml:7:1: \"short\" has 1 rows, \"a\" has 3: they cannot be subtracted");
 }
 

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -30,12 +32,12 @@ class MakePage : public testing::Test {
   Page page() {
     const auto made =
         make_page(study_, results_, {{"second", {"<svg/>", "title", "caption", 0.5}}}, "footer");
-    EXPECT_TRUE(made) << (made ? "" : made.error().message);
+    EXPECT_TRUE(made) << (made ? "" : in_words(made.error()));
     return made ? *made : Page{};
   }
   std::string refusal() {
     const auto made = make_page(study_, results_, {}, "");
-    return made ? "" : made.error().message;
+    return made ? "" : in_words(made.error());
   }
 
   Study study_;

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/study/study_json.h"
 
 namespace cromer::core {
@@ -32,13 +33,14 @@ TEST(Results, SuggestTheNearestOfTheirKind) {
   Results results;
   results.set("lab.stiffness", 2, "N/m");
   results.set_column("lab.t", {1}, "s", "time");
-  EXPECT_EQ(results.fact("lab.stifness").error().message,
+  EXPECT_EQ(in_words(results.fact("lab.stifness").error()),
             "\"lab.stifness\" is no result of this study; did you mean \"lab.stiffness\"?");
-  EXPECT_EQ(results.fact("entirely different").error().message,
+  EXPECT_EQ(in_words(results.fact("entirely different").error()),
             "\"entirely different\" is no result of this study");
-  EXPECT_EQ(results.column("lab.x").error().message,
+  EXPECT_EQ(in_words(results.column("lab.x").error()),
             "\"lab.x\" is no column of this study; did you mean \"lab.t\"?");
-  EXPECT_EQ(results.column("lab.stiffness").error().message, "\"lab.stiffness\" is no column of this study");
+  EXPECT_EQ(in_words(results.column("lab.stiffness").error()),
+            "\"lab.stiffness\" is no column of this study");
 }
 
 TEST(Results, AreADocument) {
@@ -50,16 +52,20 @@ TEST(Results, AreADocument) {
   EXPECT_EQ(document, nlohmann::json::parse(
                           R"({"a.label": "rk4", "a.k": {"value": 4.0, "standard_error": 0.5, "unit": "N/m"},
                               "a.x": {"value": 2.0, "unit": "m"}})"));
-  WrittenReport report{"", {"f.svg"}, {"careful"}, {"as it should"}, ""};
-  EXPECT_EQ(
-      nlohmann::json::parse(to_json(report)),
-      nlohmann::json::parse(
-          R"({"index": null, "figures": ["f.svg"], "warnings": ["careful"], "shown": ["as it should"]})"));
+  const Notice careful{"points_not_settled", {{"points", 1}, {"all", 4}}};
+  const Notice interrupted{"task_interrupted"};
+  WrittenReport report{"", {"f.svg"}, {careful}, {interrupted}, {}};
+  EXPECT_EQ(nlohmann::json::parse(to_json(report)),
+            nlohmann::json::parse(
+                R"({"index": null, "figures": ["f.svg"], "warnings": ["1 of 4 points never settled"],
+              "notices": [{"code": "points_not_settled", "severity": "worth_knowing",
+                           "text": "1 of 4 points never settled", "values": {"points": 1, "all": 4}}],
+              "shown": ["interrupted"]})"));
   report.index = "index.html";
-  report.failure = "diverged";
+  report.failure = interrupted;
   const auto failed = nlohmann::json::parse(to_json(report));
   EXPECT_EQ(failed["index"], "index.html");
-  EXPECT_EQ(failed["message"], "diverged");
+  EXPECT_EQ(failed["message"], "interrupted");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "tests/study/collected.h"
 
 namespace cromer::core {
@@ -14,31 +15,30 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::SizeIs;
 
 const std::string files = std::string(CROMER_SOURCE_DIR) + "/tests/cli/transcripts/files/";
 
 Study study_of(const std::string& toml) {
   const auto study = read_study(toml, files + "lab.toml");
-  EXPECT_TRUE(study) << (study ? "" : study.error().message);
+  EXPECT_TRUE(study) << (study ? "" : in_words(study.error()));
   return study ? *study : Study{};
 }
 
 StudyRun done(const std::string& toml, const Watch& watch = {}) {
   const auto run = run_study(study_of(toml), watch);
-  EXPECT_TRUE(run) << (run ? "" : run.error().message);
+  EXPECT_TRUE(run) << (run ? "" : in_words(run.error()));
   return run ? *run : StudyRun{};
 }
 
 /// What is wrong, without the file before it; "" where nothing is.
 std::string refusal(const std::string& toml) {
   const auto run = run_study(study_of(toml));
-  return run ? "" : run.error().message.substr(files.size());
+  return run ? "" : in_words(run.error()).substr(files.size());
 }
 
 /// How it failed, without the file before it.
 std::string failure(const std::string& toml) {
-  const std::string said = done(toml).failure;
+  const std::string said = in_words(done(toml).failure);
   return said.empty() ? "" : said.substr(files.size());
 }
 
@@ -53,9 +53,9 @@ TEST(RunStudy, SaysWhichTaskItIsAtAndHowFar) {
   ASSERT_TRUE(run);
   EXPECT_THAT(
       said, ElementsAre("simulate a 0", "simulate b 0.3333333333333333", "difference d 0.6666666666666666"));
-  EXPECT_EQ(run->failure, "");
-  EXPECT_THAT(run->warnings, IsEmpty());
-  EXPECT_THAT(run->shown, IsEmpty());
+  EXPECT_TRUE(run->failure.empty());
+  EXPECT_THAT(in_words(run->notices), IsEmpty());
+  EXPECT_THAT(in_words(run->shown), IsEmpty());
   EXPECT_EQ(fact(run->results, "d.peak"), "0 m");
 }
 
@@ -76,26 +76,24 @@ TEST(RunStudy, TheLargestDifferenceIsLookedForInAllRows) {
   EXPECT_EQ(refusal(difference("a.1", "e.1")).substr(0, 23), "lab.toml:15:1: \"e.1.x\" ");
 }
 
-TEST(RunStudy, WarningsAreNamedAndThoseToBeShownAreNoWarnings) {
+TEST(RunStudy, NoticesAreNamedAndThoseToBeShownAreNoNotices) {
   const std::string grows = "[[task]]\nsimulate = \"grows\"\nmethod = \"rk4\"\nuntil = 1\ntolerance = 1e-9\n";
-  std::vector<std::string> early;
-  Watch watch;
-  watch.warn = [&](const std::vector<std::string>& said) {
-    early.insert(early.end(), said.begin(), said.end());
-  };
-  EXPECT_THAT(done(grows, watch).warnings, ElementsAre("grows: --tolerance has no effect on rk4"));
-  EXPECT_THAT(early, ElementsAre("grows: --tolerance has no effect on rk4"));
-  early.clear();
-  const StudyRun shows = done(grows + "shows = \"no effect on rk4\"\n", watch);
-  EXPECT_THAT(shows.warnings, IsEmpty());
-  EXPECT_THAT(shows.shown, ElementsAre("grows: --tolerance has no effect on rk4"));
-  EXPECT_THAT(early, IsEmpty());
-  const StudyRun other = done(grows + "shows = \"unstable\"\n", watch);
-  EXPECT_THAT(other.warnings,
+  EXPECT_THAT(in_words(done(grows).notices), ElementsAre("grows: --tolerance has no effect on rk4"));
+  const StudyRun shows = done(grows + "shows = \"no effect on rk4\"\n");
+  EXPECT_THAT(in_words(shows.notices), IsEmpty());
+  EXPECT_THAT(in_words(shows.shown), ElementsAre("grows: --tolerance has no effect on rk4"));
+  const StudyRun other = done(grows + "shows = \"unstable\"\n");
+  EXPECT_THAT(in_words(other.notices),
               ElementsAre("grows: --tolerance has no effect on rk4",
                           files + "lab.toml:1:1: simulate grows is to show \"unstable\", and does not"));
-  EXPECT_THAT(other.shown, IsEmpty());
-  EXPECT_THAT(early, SizeIs(1));
+  EXPECT_THAT(in_words(other.shown), IsEmpty());
+}
+
+TEST(RunStudy, NoticesStayAsGraveAsTheyWere) {
+  const auto how = [](const std::string& toml) { return severity(done(toml).notices.at(0)); };
+  EXPECT_EQ(how("[[task]]\nsweep = \"a\"\nstep = 0.1\nmethod = \"rk4\"\ndrive_amplitude = 1\n"
+                "damping = 1\ndrive_frequency = [1, 20]\n"),
+            Severity::wrong_if_ignored);
 }
 
 TEST(RunStudy, EndsWhereATaskFails) {
@@ -103,13 +101,13 @@ TEST(RunStudy, EndsWhereATaskFails) {
       "[[task]]\nsimulate = \"away\"\nmethod = [\"exact\", \"forward-euler\"]\nstep = 1\nuntil = 2000\n"
       "[[task]]\nsimulate = \"b\"\nuntil = 1\n";
   const StudyRun ended = done(away);
-  EXPECT_THAT(ended.failure,
+  EXPECT_THAT(in_words(ended.failure),
               testing::StartsWith(files + "lab.toml:1:1: simulate away: forward-euler: diverged"));
   EXPECT_EQ(fact(ended.results, "away.1.label"), "none");
   EXPECT_EQ(fact(ended.results, "b.1.label"), "none");
   const std::atomic<bool> stop{true};
   const StudyRun stopped = done("[[task]]\nmethod_map = \"m\"\n[[task]]\nmethod_map = \"n\"\n", {&stop, {}});
-  EXPECT_EQ(stopped.failure, files + "lab.toml:1:1: method-map m: interrupted");
+  EXPECT_EQ(in_words(stopped.failure), files + "lab.toml:1:1: method-map m: interrupted");
   EXPECT_EQ(fact(stopped.results, "n.natural_frequency"), "none");
 }
 
@@ -165,13 +163,13 @@ TEST(RunStudy, SweepsTakeListsAsGrids) {
   EXPECT_EQ(fact(run.results, "grid.points"), "6");
   EXPECT_EQ(fact(run.results, "grid.2.label"), "damping ratio 0.5");
   EXPECT_THAT(column(run.results, "grid.1.drive_frequency").values, ElementsAre(1, 2, 3));
-  EXPECT_THAT(run.warnings, IsEmpty());
+  EXPECT_THAT(in_words(run.notices), IsEmpty());
   EXPECT_EQ(failure(sweep + "drive_frequency = [0.5, 2]\n"), "lab.toml:1:1: sweep grid: no point settled");
-  EXPECT_THAT(done(sweep + "drive_frequency = [0.5, 2]\n").warnings,
+  EXPECT_THAT(in_words(done(sweep + "drive_frequency = [0.5, 2]\n").notices),
               testing::Contains("grid: 2 of 2 points never settled"));
   const StudyRun half = done(sweep + "damping = [0, 1]\ndrive_frequency = [0.5, 2]\n");
-  EXPECT_EQ(half.failure, "");
-  EXPECT_THAT(half.warnings, testing::Contains("grid: 2 of 4 points never settled"));
+  EXPECT_TRUE(half.failure.empty());
+  EXPECT_THAT(in_words(half.notices), testing::Contains("grid: 2 of 4 points never settled"));
   EXPECT_EQ(fact(half.results, "grid.not_settled"), "2");
 }
 

@@ -4,12 +4,14 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
 std::string message(std::string_view toml) {
   const auto study = read_study(toml, "lab.toml");
-  return study ? "read" : study.error().message;
+  return study ? "read" : in_words(study.error());
 }
 
 TEST(StudyFile, reads_tasks_figures_and_blocks_in_order) {
@@ -36,7 +38,7 @@ header = ["a", "b"]
 rows = [["one", 1]]
 )",
                                 "folder/lab.toml");
-  ASSERT_TRUE(study) << study.error().message;
+  ASSERT_TRUE(study) << in_words(study.error());
   EXPECT_EQ(study->folder, "folder");
   ASSERT_EQ(study->tasks.size(), 1u);
   EXPECT_EQ(study->tasks[0].command, "simulate");
@@ -77,7 +79,7 @@ TEST(StudyFile, names_the_place_of_what_is_wrong) {
 
 Study read(std::string_view toml) {
   const auto study = read_study(toml, "lab.toml");
-  EXPECT_TRUE(study) << (study ? "" : study.error().message);
+  EXPECT_TRUE(study) << (study ? "" : in_words(study.error()));
   return study ? *study : Study{};
 }
 

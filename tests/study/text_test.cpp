@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -21,7 +23,7 @@ class Text : public testing::Test {
 
   std::string filled(std::string_view text, std::string_view scope = "") {
     const auto result = fill(text, results_, scope);
-    return result ? *result : "error: " + result.error().message;
+    return result ? *result : "error: " + in_words(result.error());
   }
 
   Results results_;

@@ -6,13 +6,14 @@
 #include <string>
 #include <utility>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
 
 inline SimulateResult simulated(const SimulateOptions& options) {
   auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result ? "" : in_words(result.error()));
   return result ? *std::move(result) : SimulateResult{};
 }
 
@@ -25,7 +26,7 @@ inline SimulatedRun run(const SimulateOptions& options) {
 /// Why it refuses; "" where it does not.
 inline std::string refusal(const SimulateOptions& options) {
   const auto result = simulate(options);
-  return result ? "" : result.error().message;
+  return result ? "" : in_words(result.error());
 }
 
 }  // namespace cromer::core

@@ -1,4 +1,5 @@
 #include "cromer/tasks/simulate/accuracy.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -25,13 +26,13 @@ SimulateOptions lightly_damped(const char* method, double accuracy) {
 
 SimulatedRun run_of(const SimulateOptions& options) {
   auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : in_words(result.error()));
   return result.ok() ? std::move(result->runs.front()) : SimulatedRun{};
 }
 
 std::string refusal(const SimulateOptions& options) {
   const auto result = simulate(options);
-  return result.ok() ? "simulated" : result.error().message;
+  return result.ok() ? "simulated" : in_words(result.error());
 }
 
 TEST(Accuracy, ForwardEulersStepIsItsClosedForm) {

@@ -1,4 +1,5 @@
 #include "cromer/tasks/compare/compare.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +22,7 @@ CompareResult compared(const Series& series, const CompareOptions& options) {
   const Result<FittedRecording> fit = fit_series(series, "recording2.csv", options.fit);
   EXPECT_TRUE(fit.ok());
   Result<CompareResult> result = compare_fitted(*fit, options);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : in_words(result.error()));
   return result.ok() ? *result : CompareResult{};
 }
 
@@ -30,20 +31,20 @@ TEST(CompareTask, ExplainsTheMisfitInASentence) {
   options.fit.segment = 30;
   options.fit.segments = 3;
   options.method = "rk4";
-  const std::string drag = explanation(compared(disc_recording(), options));
+  const std::string drag = in_words(explanation(compared(disc_recording(), options)));
   EXPECT_THAT(drag, HasSubstr("One decay rate is not enough. It falls from 0.014"));
   EXPECT_THAT(drag, HasSubstr("% too small, with viscous+drag 0.00030"));
   options.fit.goal = "drag 1 %";  // not of the constant rate beside it
-  EXPECT_EQ(explanation(compared(disc_recording(), options)), drag);
+  EXPECT_EQ(in_words(explanation(compared(disc_recording(), options))), drag);
   options.fit = FitOptions{};
   options.fit.law = "viscous";
-  EXPECT_THAT(explanation(compared(disc_recording(), options)),
+  EXPECT_THAT(in_words(explanation(compared(disc_recording(), options))),
               HasSubstr("No other law was tried: with one"));
   options.fit.law = "auto";
-  EXPECT_THAT(explanation(compared(
-                  disc_recording(2, 60, {.mass = 0.2176, .stiffness = 17.04, .damping = 0.01}), options)),
+  EXPECT_THAT(in_words(explanation(compared(
+                  disc_recording(2, 60, {.mass = 0.2176, .stiffness = 17.04, .damping = 0.01}), options))),
               HasSubstr("One decay rate is enough: with one"));
-  EXPECT_EQ(explanation(CompareResult{}), "");
+  EXPECT_TRUE(explanation(CompareResult{}).empty());
 }
 
 TEST(CompareTask, OneRateLeavesWhatTheViscousFitLeaves) {
@@ -138,7 +139,7 @@ TEST(CompareTask, SaysWhatItCannotDo) {
   ASSERT_TRUE(fit.ok());
   const auto message = [&](const CompareOptions& options) {
     const Result<CompareResult> result = compare_fitted(*fit, options);
-    return result.ok() ? std::string("compared") : result.error().message;
+    return result.ok() ? std::string("compared") : in_words(result.error());
   };
   EXPECT_THAT(message(by_method("euler-kromer")), HasSubstr("did you mean euler-cromer"));
   EXPECT_THAT(message(by_method("exact")), HasSubstr("no closed form with drag"));
@@ -153,7 +154,7 @@ TEST(CompareTask, SaysWhatItCannotDo) {
     ASSERT_TRUE(fitted.ok()) << quantity;
     const Result<CompareResult> result = compare_fitted(*fitted, {});
     ASSERT_FALSE(result.ok()) << quantity;
-    EXPECT_THAT(result.error().message, HasSubstr("compare needs a position or an angle"));
+    EXPECT_THAT(in_words(result.error()), HasSubstr("compare needs a position or an angle"));
   }
 }
 
@@ -166,7 +167,7 @@ TEST(CompareTask, ARunThatDivergesIsAWarning) {
   const CompareResult result = compared(series, options);
   ASSERT_EQ(result.curves.size(), 2u);
   EXPECT_TRUE(std::isnan(result.curves[1].rms));
-  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("not_finite")));
+  EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("not_finite")));
 }
 
 // A motion of one law, sampled 100 times a second with noise.
@@ -197,7 +198,7 @@ TEST(CompareTask, SamplesThatFitSetsAsideCountNowhere) {
   EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
   EXPECT_GT(result.curves[1].r_squared, 0.999);
   EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
-  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("set aside")));
+  EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("set aside")));
   EXPECT_EQ(result.curves[1].trajectory.size(), series.t.size());
 }
 
@@ -218,7 +219,7 @@ TEST(CompareTask, SaysWhatTheMethodAddsToTheLaw) {
   const double shrunk = std::exp(-g * 120) / (1 + q * 0.036 / g * (1 - std::exp(-g * 120)));
   const double b = -std::log(shrunk) / 120;
   EXPECT_NEAR(law.method_phase, w * (w * w * h * h / 24 + b * h / 2) * 120 + w * h / 2, 5e-4);
-  const std::string sentence = explanation(result);
+  const std::string sentence = in_words(explanation(result));
   EXPECT_THAT(sentence, HasSubstr("with viscous+drag 0.00030"));
   EXPECT_THAT(sentence, HasSubstr("Simulated by euler-cromer in steps of 0.00333"));
   EXPECT_THAT(sentence, HasSubstr("the method adds a phase of 0.069"));
@@ -231,7 +232,7 @@ TEST(CompareTask, AStepTooLongForTheMethodIsNoWordOnTheLaw) {
   const CompareResult result = compared(disc_recording(4, 20), options);
   ASSERT_EQ(result.curves.size(), 2u);
   EXPECT_TRUE(result.curves[0].diverged);
-  EXPECT_THAT(explanation(result), HasSubstr("the motion runs away"));
+  EXPECT_THAT(in_words(explanation(result)), HasSubstr("the motion runs away"));
 }
 
 TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
@@ -252,18 +253,17 @@ TEST(CompareTask, AMotionThatHasStoppedHasNoRatioAndNoPhase) {
     }
     EXPECT_TRUE(result.curves[1].at_rest);
     EXPECT_NEAR(result.curves[1].rms, 3e-4, 0.2e-4);
-    EXPECT_THAT(explanation(result), HasSubstr("swings where the measured motion has died down"));
+    EXPECT_THAT(in_words(explanation(result)), HasSubstr("swings where the measured motion has died down"));
   }
 }
 
 TEST(CompareTask, APendulumIsSimulatedAsOne) {
-  const FreeSwing pendulum{
-      .angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
+  const FreeSwing pendulum{.angular_frequency = 3, .decay_rate = 0.02, .position = 1.5, .pendulum = true};
   CompareOptions options;
   options.fit.law = "viscous+pendulum";
   options.method = "rk4";
   const CompareResult result = compared(recording_of(pendulum, 60, 0.005, "angle"), options);
-  ASSERT_EQ(result.curves.size(), 2u) << result.recording.fit.message;
+  ASSERT_EQ(result.curves.size(), 2u) << in_words(result.recording.fit.message);
   EXPECT_EQ(result.curves[1].label, "viscous+pendulum");
   EXPECT_NEAR(result.curves[1].rms, 0.005, 0.0003);
   EXPECT_NEAR(result.curves[1].amplitude_ratio_end, 1, 0.01);
@@ -286,7 +286,7 @@ TEST(CompareTask, ProgressNeverGoesBack) {
                       furthest = std::max(furthest, fraction);
                     }};
   const auto result = compare(file, "two.csv", options, watch);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   EXPECT_FALSE(back);
   EXPECT_NEAR(furthest, 1, 1e-9);
 }
@@ -295,9 +295,9 @@ TEST(CompareTask, WhatFitDoubtsIsNoVerdict) {
   Series series = disc_recording(4, 30);
   for (std::size_t i = 0; i < series.t.size(); ++i) series.y[i] += 0.002 * series.t[i];
   const CompareResult result = compared(series, by_method("rk4"));
-  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("the zero drifts, by 0.0599 m")));
-  EXPECT_THAT(explanation(result), HasSubstr("No verdict on the damping"));
-  EXPECT_THAT(explanation(result), testing::Not(HasSubstr("enough")));
+  EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("the zero drifts, by 0.0599 m")));
+  EXPECT_THAT(in_words(explanation(result)), HasSubstr("No verdict on the damping"));
+  EXPECT_THAT(in_words(explanation(result)), testing::Not(HasSubstr("enough")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The decay rate part by part, and masses at rest: of handmade records.
 #include "cromer/tasks/fit/decay_segments.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST(DecaySegments, AreOfALengthOrSoMany) {
   EXPECT_FALSE(segments({}, {}).mean);
   for (const DecaySegments& two : {segments(6, {}), segments({}, 2), segments(6, 2)}) {
     ASSERT_EQ(two.segments.size(), 2u);
-    EXPECT_THAT(two.warnings, IsEmpty());
+    EXPECT_THAT(in_words(two.notices), IsEmpty());
     EXPECT_EQ(two.segments[0].from, 10);
     EXPECT_EQ(two.segments[0].to, 16);
     EXPECT_EQ(two.segments[1].from, 16);
@@ -58,10 +59,11 @@ TEST(DecaySegments, AreOfALengthOrSoMany) {
   const DecaySegments one = segments(6, 1);
   ASSERT_EQ(one.segments.size(), 1u);
   EXPECT_EQ(one.segments[0].to, 16);
-  EXPECT_THAT(one.warnings, IsEmpty());
-  EXPECT_THAT(segments(6, 3).warnings, ElementsAre("the record of 12 s holds 2 of the 3 segments of 6 s"));
+  EXPECT_THAT(in_words(one.notices), IsEmpty());
+  EXPECT_THAT(in_words(segments(6, 3).notices),
+              ElementsAre("the record of 12 s holds 2 of the 3 segments of 6 s"));
   EXPECT_EQ(segments(6, 3).segments.size(), 2u);
-  EXPECT_THAT(segments(13, {}).warnings,
+  EXPECT_THAT(in_words(segments(13, {}).notices),
               ElementsAre("the record of 12 s is shorter than one segment of 13 s"));
   EXPECT_THAT(segments(13, {}).segments, IsEmpty());
   // The last sample stands for one step more.
@@ -71,19 +73,19 @@ TEST(DecaySegments, AreOfALengthOrSoMany) {
 TEST(DecaySegments, HoldAPeriodAndAHalfAndEightSamples) {
   const Swing swing;
   EXPECT_EQ(fit_segments(swing.record(), 1, 1.55, {}).segments.size(), 7u);
-  EXPECT_THAT(fit_segments(swing.record(), 1, 1.5, {}).warnings,
+  EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 1.5, {}).notices),
               testing::Each(testing::Not(testing::StartsWith("no decay rates"))));
   EXPECT_THAT(
-      fit_segments(swing.record(), 1, 1.49, {}).warnings,
+      in_words(fit_segments(swing.record(), 1, 1.49, {}).notices),
       ElementsAre(
           "no decay rates by segment: those of --segment 1.49 would be 1.49 s long, and a segment must "
           "hold 1.5 periods and 8 samples, 1.5 s here"));
   EXPECT_THAT(
-      fit_segments(swing.record(), 1, {}, 9).warnings,
+      in_words(fit_segments(swing.record(), 1, {}, 9).notices),
       ElementsAre("no decay rates by segment: those of --segments 9 would be 1.33 s long, and a segment must "
                   "hold 1.5 periods and 8 samples, 1.5 s here"));
   EXPECT_THAT(
-      fit_segments(swing.record(), 0.1, 0.19, {}).warnings,
+      in_words(fit_segments(swing.record(), 0.1, 0.19, {}).notices),
       ElementsAre(
           "no decay rates by segment: those of --segment 0.19 would be 0.19 s long, and a segment must "
           "hold 1.5 periods and 8 samples, 0.2 s here"));
@@ -95,18 +97,18 @@ TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
     if (swing.t[i] > 13 && swing.t[i] < 16) swing.y[i] = 0.25;
   const DecaySegments one = fit_segments(swing.record(), 1, 3, {});
   EXPECT_EQ(one.segments.size(), 3u);
-  ASSERT_EQ(one.warnings.size(), 1u);
-  EXPECT_THAT(one.warnings[0], testing::StartsWith("the segment from 13 to 16 s is left out: "));
+  ASSERT_EQ(in_words(one.notices).size(), 1u);
+  EXPECT_THAT(in_words(one.notices)[0], testing::StartsWith("the segment from 13 to 16 s is left out: "));
   for (std::size_t i = 0; i < swing.t.size(); ++i)
     if (swing.t[i] > 13) swing.y[i] = 0.25;
   const DecaySegments three = fit_segments(swing.record(), 1, 3, {});
   EXPECT_EQ(three.segments.size(), 1u);
-  ASSERT_EQ(three.warnings.size(), 1u);
+  ASSERT_EQ(in_words(three.notices).size(), 1u);
   EXPECT_THAT(
-      three.warnings[0],
+      in_words(three.notices)[0],
       testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s is left out: "));
   const std::atomic<bool> stop{true};
-  EXPECT_THAT(fit_segments(swing.record(), 1, 3, {}, {&stop, {}}).warnings,
+  EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 3, {}, {&stop, {}}).notices),
               ElementsAre("interrupted after 0 of the 4 segments"));
 }
 
@@ -125,7 +127,7 @@ Series hold(double level, int samples, int run = 1) {
 
 std::string refusal(const std::vector<Series>& runs, const std::vector<Quantity>& masses) {
   const auto holds = find_holds(runs, "f.csv", masses);
-  return holds ? "" : holds.error().message;
+  return holds ? "" : in_words(holds.error());
 }
 
 TEST(Holds, AreTheMeansOfTheirRuns) {
@@ -178,7 +180,7 @@ TEST(Holds, ThatSwingAreSaid) {
   EXPECT_FALSE((*holds)[1].moves);
   const auto result = static_stiffness(*holds, {10, 0});
   ASSERT_TRUE(result);
-  EXPECT_THAT(result->warnings,
+  EXPECT_THAT(in_words(result->notices),
               Contains(testing::StartsWith("f.csv, run 1, 0 to 29.5 s is not at rest: it moves by")));
 }
 
@@ -196,7 +198,7 @@ TEST(StaticLine, IsGravityOverItsSlope) {
     ASSERT_TRUE(result);
     EXPECT_NEAR(result->stiffness.value, 5, 1e-12);
     EXPECT_NEAR(result->stiffness.standard_error, 5 * std::hypot(1e-3 / M_SQRT2 / 2, 0.01), 1e-9);
-    EXPECT_THAT(result->warnings, IsEmpty());
+    EXPECT_THAT(in_words(result->notices), IsEmpty());
     EXPECT_EQ(result->holds.size(), 3u);
   }
 }
@@ -204,17 +206,17 @@ TEST(StaticLine, IsGravityOverItsSlope) {
 TEST(StaticLine, SaysWhatIsDoubtfulOfIt) {
   const std::string order =
       "the position does not go one way with the mass: are --masses in the order of the holds?";
-  EXPECT_THAT(static_stiffness({at(1, 2), at(2, 4)}, {10, 0})->warnings,
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4)}, {10, 0})->notices),
               ElementsAre("two masses give a line whatever they are: nothing shows whether it is one"));
-  EXPECT_THAT(static_stiffness({at(1, 2), at(2, 6), at(3, 4)}, {10, 0})->warnings, Contains(order));
-  EXPECT_THAT(static_stiffness({at(1, 2), at(3, 6.01), at(2, 4)}, {10, 0})->warnings,
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 6), at(3, 4)}, {10, 0})->notices), Contains(order));
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(3, 6.01), at(2, 4)}, {10, 0})->notices),
               testing::Not(Contains(order)));
-  EXPECT_THAT(static_stiffness({at(1, 2), at(2, 4.5), at(3, 6)}, {10, 0})->warnings,
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4.5), at(3, 6)}, {10, 0})->notices),
               ElementsAre(testing::EndsWith(" and the interval is that of 1 degree of freedom")));
-  EXPECT_THAT(static_stiffness({at(1, 2), at(2, 4.5), at(3, 6), at(4, 8)}, {10, 0})->warnings,
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4.5), at(3, 6), at(4, 8)}, {10, 0})->notices),
               ElementsAre(testing::EndsWith(" and the interval is that of 2 degrees of freedom")));
   EXPECT_EQ(
-      static_stiffness({at(1, 2), at(1, 3)}, {10, 0}).error().message,
+      in_words(static_stiffness({at(1, 2), at(1, 3)}, {10, 0}).error()),
       "--masses: a line needs at least two holds of different masses, and three where their errors are not "
       "known");
 }

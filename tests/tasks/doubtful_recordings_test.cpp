@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 
 namespace cromer::core {
@@ -37,25 +38,25 @@ TEST(DoubtfulRecordings, ValuesWhoseSquareOverflowsAreRefused) {
   const auto result = response_spectrum({&file, 1}, one_period());
   ASSERT_FALSE(result);
   for (const char* part : {"huge.csv", "1e+300", "sample 6"})
-    EXPECT_THAT(result.error().message, HasSubstr(part));
+    EXPECT_THAT(in_words(result.error()), HasSubstr(part));
 }
 
 TEST(DoubtfulRecordings, OneSampleIsSaidToBeOne) {
   const SpectrumFile file{"one.csv", "time (s),a (m/s^2)\n0,1\n"};
   const auto result = response_spectrum({&file, 1}, one_period());
   ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, HasSubstr("one.csv: column \"a (m/s^2)\" has one sample"));
+  EXPECT_THAT(in_words(result.error()), HasSubstr("one.csv: column \"a (m/s^2)\" has one sample"));
 }
 
 TEST(DoubtfulRecordings, TheSameComponentTwiceIsSaid) {
   const SpectrumFile same[] = {shake("a.csv", 1), shake("b.csv", 1)};
   const auto result = response_spectrum(same, one_period());
   ASSERT_TRUE(result);
-  EXPECT_THAT(result->warnings,
+  EXPECT_THAT(in_words(result->notices),
               ElementsAre(AllOf(HasSubstr("a.csv"), HasSubstr("b.csv"), HasSubstr("the same samples"))));
   EXPECT_NEAR(result->spectra[0].rotd100[0] / result->spectra[0].displacement[0][0], std::sqrt(2.0), 1e-12);
   const SpectrumFile other[] = {shake("a.csv", 1), shake("b.csv", 2)};
-  EXPECT_THAT(response_spectrum(other, one_period())->warnings, IsEmpty());
+  EXPECT_THAT(in_words(response_spectrum(other, one_period())->notices), IsEmpty());
 }
 
 TEST(DoubtfulRecordings, ComponentsOfTwoMotionsAreSaid) {
@@ -68,7 +69,7 @@ TEST(DoubtfulRecordings, ComponentsOfTwoMotionsAreSaid) {
     const SpectrumFile files[] = {peer("a.AT2", first, "0 .1 0 -.1 0"),
                                   peer("b.AT2", second, "0 .1 .2 .1 0")};
     const auto result = response_spectrum(files, one_period());
-    return result ? result->warnings : std::vector<std::string>{result.error().message};
+    return result ? in_words(result->notices) : std::vector<std::string>{in_words(result.error())};
   };
   EXPECT_THAT(warnings("Loma Prieta, 10/18/1989, Corralitos, 0", "Loma Prieta, 10/18/1989, Corralitos, 90"),
               Not(Contains(HasSubstr("two motions"))));

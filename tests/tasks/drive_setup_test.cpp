@@ -1,5 +1,6 @@
 // From options to the drive of a run: what each drive needs, takes and has no use for.
 #include "cromer/tasks/simulate/drive_setup.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ using testing::IsEmpty;
 
 std::string refused(const SimulateOptions& options) {
   const auto checked = check_drive(options);
-  return checked ? "" : checked.error().message;
+  return checked ? "" : in_words(checked.error());
 }
 
 /// Gives the option of that name its value of 1.
@@ -159,9 +160,9 @@ TEST(DriveSetup, AForceIsThatOfItsKind) {
   SimulateOptions heavy{.drive = "unbalance", .unbalance_mass = 1, .eccentricity = 1};
   EXPECT_TRUE(set_drive(heavy, 1, run));
   heavy.unbalance_mass = 1.5;
-  EXPECT_EQ(set_drive(heavy, 1, run).error().message,
+  EXPECT_EQ(in_words(set_drive(heavy, 1, run).error()),
             "--unbalance-mass: it is part of --mass (1 kg), and cannot be 1.5 kg");
-  EXPECT_EQ(set_drive({.drive = "base", .base_displacement = 1}, 1e200, run).error().message,
+  EXPECT_EQ(in_words(set_drive({.drive = "base", .base_displacement = 1}, 1e200, run).error()),
             "--drive base: the force at 1e+200 rad/s is beyond the largest number");
 }
 
@@ -212,7 +213,7 @@ TEST(DriveSetup, AChirpEndsWithItsRun) {
   ASSERT_TRUE(set_drive(chirp, 2, run));
   run.method = "rk4";
   run.until = 3;
-  EXPECT_EQ(end_drive(chirp, run).error().message,
+  EXPECT_EQ(in_words(end_drive(chirp, run).error()),
             "--drive-start: the chirp begins at 3 s, and the run ends at 3 s; give --until");
   run.until = 5;
   ASSERT_TRUE(end_drive(chirp, run));
@@ -222,7 +223,7 @@ TEST(DriveSetup, AChirpEndsWithItsRun) {
   ASSERT_TRUE(end_drive(chirp, run));
   EXPECT_EQ(drive_end(run), 4);
   run.method = "exact";
-  EXPECT_EQ(end_drive(chirp, run).error().message,
+  EXPECT_EQ(in_words(end_drive(chirp, run).error()),
             "--method exact: there is no closed form for --drive chirp; choose another method, for instance "
             "dormand-prince or rk4 with a short step");
 }
@@ -236,7 +237,7 @@ TEST(DriveSetup, ExactTakesNoDriveWithFriction) {
   EXPECT_TRUE(end_drive(step, run));
   run.method = "exact";
   EXPECT_EQ(
-      end_drive(step, run).error().message,
+      in_words(end_drive(step, run).error()),
       "--method exact: with friction there is no closed form under a drive (step); leave one out or choose "
       "another method");
   run.oscillator.friction = 0;
@@ -252,7 +253,7 @@ TEST(DriveSetup, ARecordingPushesTheMassAgainstItsGround) {
   run.until = 1 + 1e-12;
   EXPECT_TRUE(end_drive(options, run));
   run.until = 1.25;
-  EXPECT_EQ(end_drive(options, run).error().message,
+  EXPECT_EQ(in_words(end_drive(options, run).error()),
             "--base-motion: the recording ends at 1 s, before the run does (1.25 s); shorten --until");
   options.base_motion = "";
   options.drive_file = "force.csv";
@@ -277,7 +278,7 @@ Result<DriveRecord> record_of(const std::string& bytes, const DriveRequest& requ
 
 std::string record_refusal(const std::string& bytes, const DriveRequest& request = {.quantity = "force"}) {
   const auto record = record_of(bytes, request);
-  return record ? "" : record.error().message;
+  return record ? "" : in_words(record.error());
 }
 
 TEST(DriveFile, EvenTimesMayBeOffByAFiftieth) {
@@ -301,7 +302,7 @@ TEST(DriveFile, SaysWhichColumnItCouldBe) {
       "f.csv: column \"Position (m)\" holds position, not a force (N); choose another with --drive-column");
   EXPECT_EQ(
       record_refusal("Time (s),Position (m)\n0,1\n1,2\n2,3\n",
-                     {.quantity = "acceleration", .column_option = "--column", .use = "spectrum"}),
+                     {.quantity = "acceleration", .column_option = "column", .use = "spectrum"}),
       "f.csv: column \"Position (m)\" holds position, not an acceleration (m/s^2 or g); choose another with "
       "--column");
   EXPECT_EQ(record_refusal("Time (s),Force (N)\n0,1\n"),
@@ -313,13 +314,13 @@ TEST(DriveFile, SaysWhichColumnItCouldBe) {
 
 TEST(DriveFile, SaysThatItBeginsLate) {
   const std::string late = "Time (s),Force (N)\n5,1\n6,2\n7,3\n";
-  EXPECT_THAT(record_of(late, {.quantity = "force"})->warnings,
+  EXPECT_THAT(in_words(record_of(late, {.quantity = "force"})->notices),
               ElementsAre("f.csv: its first sample, at 5 s, acts at the run's start, t = 0"));
-  EXPECT_THAT(record_of(late, {.quantity = "force", .use = "spectrum"})->warnings, IsEmpty());
+  EXPECT_THAT(in_words(record_of(late, {.quantity = "force", .use = "spectrum"})->notices), IsEmpty());
   EXPECT_TRUE(record_of(late, {.quantity = "force"})->unit_known);
   EXPECT_EQ(record_of(late, {.quantity = "force"})->column, "Force (N)");
   EXPECT_FALSE(record_of("Time (s),Force\n0,1\n1,2\n", {.quantity = "force"})->unit_known);
-  EXPECT_THAT(record_of("Time (s),Force (N)\n0.019,1\n1.019,2\n", {.quantity = "force"})->warnings,
+  EXPECT_THAT(in_words(record_of("Time (s),Force (N)\n0.019,1\n1.019,2\n", {.quantity = "force"})->notices),
               IsEmpty());
 }
 

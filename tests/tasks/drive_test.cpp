@@ -9,6 +9,7 @@
 
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/steady_state.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "tests/support/simulated.h"
@@ -78,10 +79,10 @@ TEST(Drive, MeetsChoprasTheoreticalHalfSine) {
 TEST(Drive, TwoRowsAreARamp) {
   const auto two =
       read_drive_record("Time (s),Force (N)\n0,0\n0.5,3\n", "two.csv", {.quantity = "force"}, {});
-  ASSERT_TRUE(two.ok()) << two.error().message;
+  ASSERT_TRUE(two.ok()) << in_words(two.error());
   EXPECT_EQ(two->values, (std::vector<double>{0, 3}));
   EXPECT_EQ(two->spacing, 0.5);
-  EXPECT_TRUE(two->warnings.empty());
+  EXPECT_TRUE(in_words(two->notices).empty());
   SimulateOptions options = recorded({}, 0);
   options.drive_record = *two;
   options.mass = 2;
@@ -99,10 +100,10 @@ TEST(Drive, TwoRowsAreARamp) {
     EXPECT_NEAR(only.trajectory.x[i], slope / (w * w) * (t - std::sin(w * t) / w), 1e-15) << i;
   }
   options.until = 0.51;
-  EXPECT_THAT(simulate(options).error().message, HasSubstr("the recording ends at 0.5 s"));
+  EXPECT_THAT(in_words(simulate(options).error()), HasSubstr("the recording ends at 0.5 s"));
   const auto one = read_drive_record("Time (s),Force (N)\n0,1\n", "one.csv", {.quantity = "force"}, {});
   ASSERT_FALSE(one.ok());
-  EXPECT_EQ(one.error().message,
+  EXPECT_EQ(in_words(one.error()),
             "one.csv: column \"Force (N)\" has one sample, and a drive needs at least two samples");
 }
 
@@ -110,7 +111,7 @@ TEST(Drive, MeetsChoprasPeaksOfElCentro) {
   const std::string bytes = measured("ground-motion/elcentro_chopra.csv");
   if (bytes.empty()) GTEST_SKIP() << "no ../shared/data";
   const auto record = read_drive_record(bytes, "elcentro_chopra.csv", {.quantity = "acceleration"}, {});
-  ASSERT_TRUE(record.ok()) << record.error().message;
+  ASSERT_TRUE(record.ok()) << in_words(record.error());
   EXPECT_EQ(record->values.size(), 1560u);
   EXPECT_NEAR(record->spacing, 0.02, 1e-12);
   EXPECT_NEAR(record->values[1], 0.0063 * 9.80665, 1e-12);
@@ -241,7 +242,7 @@ TEST(Drive, OneThatBeginsAfterTheEndIsWarnedOf) {
   late.until = 10;
   const auto result = simulate(late);
   ASSERT_TRUE(result.ok());
-  EXPECT_THAT(result->warnings,
+  EXPECT_THAT(in_words(result->notices),
               testing::Contains(HasSubstr("the drive begins at 30 s, and the run ends at 10 s")));
 }
 
@@ -303,7 +304,7 @@ TEST(Drive, RefusesARecordingShorterThanTheRun) {
 std::string file_refusal(const std::string& bytes, const std::string& quantity = "force",
                          const ReadOptions& read = {}) {
   const auto record = read_drive_record(bytes, "drive.csv", {.quantity = quantity}, read);
-  return record ? "" : record.error().message;
+  return record ? "" : in_words(record.error());
 }
 
 /// A file of 40 samples at 100 a second; row 20 replaced where one is given.
@@ -335,13 +336,13 @@ TEST(Drive, AFileMustBeEvenAndWhole) {
 TEST(Drive, AFileInItsUnits) {
   const auto record =
       read_drive_record("Time (ms),Force (kN)\n0,1\n10,2\n20,-1\n", "drive.csv", {.quantity = "force"}, {});
-  ASSERT_TRUE(record.ok()) << record.error().message;
+  ASSERT_TRUE(record.ok()) << in_words(record.error());
   EXPECT_THAT(record->values, ::testing::ElementsAre(1000, 2000, -1000));
   EXPECT_DOUBLE_EQ(record->spacing, 0.01);
   ReadOptions rate;
   rate.rate = 50;
   const auto bare = read_drive_record("Force (N)\n1\n2\n3\n", "drive.csv", {.quantity = "force"}, rate);
-  ASSERT_TRUE(bare.ok()) << bare.error().message;
+  ASSERT_TRUE(bare.ok()) << in_words(bare.error());
   EXPECT_DOUBLE_EQ(bare->spacing, 0.02);
 }
 
@@ -349,7 +350,7 @@ TEST(Drive, SeveralColumnsAreAsked) {
   const std::string bytes = "Time (s),Force x (N),Force y (N)\n0,1,4\n1,2,5\n2,3,6\n";
   EXPECT_THAT(file_refusal(bytes), HasSubstr("--drive-column"));
   const auto record = read_drive_record(bytes, "drive.csv", {.quantity = "force", .column = "Force y"}, {});
-  ASSERT_TRUE(record.ok()) << record.error().message;
+  ASSERT_TRUE(record.ok()) << in_words(record.error());
   EXPECT_EQ(record->values.front(), 4);
 }
 

@@ -1,4 +1,5 @@
 #include "cromer/tasks/simulate/event_option.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +28,7 @@ TEST(EventOption, IsAThresholdADirectionAndAStop) {
 TEST(EventOption, RefusesWhatItCannotWatch) {
   const auto refusal = [](const char* text) {
     const auto event = parse_event(text);
-    return event.ok() ? std::string() : event.error().message;
+    return event.ok() ? std::string() : in_words(event.error());
   };
   EXPECT_THAT(refusal(""), HasSubstr("--event"));
   EXPECT_THAT(refusal("speed=1"), HasSubstr("\"speed\""));
@@ -49,7 +50,7 @@ TEST(EventOption, ARunReportsItsEventsAndStopsWhenAsked) {
   EXPECT_TRUE(result->ok()) << "a stop that was asked for is a success";
   for (const SimulatedRun& run : result->runs) {
     EXPECT_EQ(run.outcome.status, Status::stopped_by_event);
-    EXPECT_EQ(run.message, "");
+    EXPECT_TRUE(run.message.empty());
     EXPECT_NEAR(run.outcome.t, 1.0471975511965976, 1e-7) << run.method;
     ASSERT_EQ(run.events.found.size(), 2u);
     EXPECT_EQ(run.events.found[0].event, 0u);
@@ -60,7 +61,7 @@ TEST(EventOption, ARunReportsItsEventsAndStopsWhenAsked) {
 TEST(EventOption, FrictionNeedsNoSmallerStaticFriction) {
   const auto refused = simulate({.law = {.friction = 0.2}, .static_friction = 0.1});
   ASSERT_FALSE(refused.ok());
-  EXPECT_THAT(refused.error().message,
+  EXPECT_THAT(in_words(refused.error()),
               HasSubstr("--static-friction: it must be at least --friction (0.2 N)"));
   const auto held = simulate({.law = {.friction = 0.1}, .static_friction = 1.1, .method = {"rk4", "exact"}});
   ASSERT_TRUE(held.ok());
@@ -68,8 +69,8 @@ TEST(EventOption, FrictionNeedsNoSmallerStaticFriction) {
   const auto driven =
       simulate({.law = {.friction = 0.1}, .drive_amplitude = 1, .drive_frequency = {2}, .method = {"exact"}});
   ASSERT_FALSE(driven.ok());
-  EXPECT_THAT(driven.error().message, HasSubstr("friction"));
-  EXPECT_THAT(driven.error().message, HasSubstr("drive"));
+  EXPECT_THAT(in_words(driven.error()), HasSubstr("friction"));
+  EXPECT_THAT(in_words(driven.error()), HasSubstr("drive"));
 }
 
 }  // namespace

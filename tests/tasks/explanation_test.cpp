@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/simulate.h"
@@ -33,34 +34,34 @@ TEST(Explanation, SaysHowTheRateChangesWithTheSwing) {
   CompareResult both = compared();
   const std::string left = "with one rate 0.0200\u00a0m (rms) are left and the amplitude at the end is ";
   const std::string end = ", with viscous+drag 0.0100\u00a0m. Quote the law instead.";
-  EXPECT_EQ(explanation(both),
+  EXPECT_EQ(in_words(explanation(both)),
             "One decay rate is not enough. It falls from 0.400 to 0.200\u00a01/s as the swing dies down from "
             "0.500\u00a0m to 0.250\u00a0m; " +
                 left + "10\u00a0% too small" + end);
   both.curves[0].law_amplitude_ratio_end = 1.1;
   std::swap(both.recording.decay_by_amplitude[0], both.recording.decay_by_amplitude[1]);
-  EXPECT_EQ(explanation(both),
+  EXPECT_EQ(in_words(explanation(both)),
             "One decay rate is not enough. It rises from 0.200 to 0.400\u00a01/s as the swing grows from "
             "0.250\u00a0m to 0.500\u00a0m; " +
                 left + "10\u00a0% too large" + end);
   both.curves[0].law_amplitude_ratio_end = 1.0004;
-  EXPECT_THAT(explanation(both), testing::HasSubstr(left + "right to 0.05\u00a0%"));
+  EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "right to 0.05\u00a0%"));
   both.curves[0].law_amplitude_ratio_end = 0.999;
-  EXPECT_THAT(explanation(both), testing::HasSubstr(left + "0.10\u00a0% too small"));
+  EXPECT_THAT(in_words(explanation(both)), testing::HasSubstr(left + "0.10\u00a0% too small"));
 }
 
 TEST(Explanation, SaysWhereOneRateIsEnough) {
   CompareResult both = compared();
   both.curves[1].law = law_of("viscous");
   EXPECT_EQ(
-      explanation(both),
+      in_words(explanation(both)),
       "One decay rate is enough: with one rate 0.0200\u00a0m (rms) are left, and the amplitude at the end is "
       "10\u00a0% too small.");
   both.curves[0].measured_at_rest = true;
-  EXPECT_THAT(explanation(both),
+  EXPECT_THAT(in_words(explanation(both)),
               testing::EndsWith(", and it still swings where the measured motion has died down."));
   both.curves[0].at_rest = true;
-  EXPECT_THAT(explanation(both),
+  EXPECT_THAT(in_words(explanation(both)),
               testing::EndsWith(", and the swing has died down where the measured one has."));
 }
 
@@ -68,53 +69,55 @@ TEST(Explanation, AConstantRateLeavesTheFrequency) {
   CompareResult both = compared();
   const std::string numbers = "with one rate 0.0200\u00a0m (rms) are left, with viscous+drag 0.0100\u00a0m.";
   both.recording.decay_by_amplitude[1].law_rate = 0.393;
-  EXPECT_EQ(explanation(both), "One decay rate describes the amplitude, but not the motion: " + numbers +
-                                   " The frequency changes as the swing dies down.");
+  EXPECT_EQ(in_words(explanation(both)), "One decay rate describes the amplitude, but not the motion: " +
+                                             numbers + " The frequency changes as the swing dies down.");
   both.recording.decay_by_amplitude[1].law_rate = 0.391;
-  EXPECT_THAT(explanation(both), testing::StartsWith("One decay rate is not enough. It falls from"));
+  EXPECT_THAT(in_words(explanation(both)),
+              testing::StartsWith("One decay rate is not enough. It falls from"));
   both.recording.decay_by_amplitude.clear();
-  EXPECT_EQ(explanation(both), "One decay rate is not enough: " + numbers);
+  EXPECT_EQ(in_words(explanation(both)), "One decay rate is not enough: " + numbers);
 }
 
 TEST(Explanation, ADoubtIsNoVerdict) {
   CompareResult both = compared();
-  both.doubts = {"the sensor is coarse", "another"};
+  both.doubts = {Notice{"the sensor is coarse"}, Notice{"another"}};
   EXPECT_EQ(
-      explanation(both),
+      in_words(explanation(both)),
       "The sensor is coarse. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left, with "
       "viscous+drag 0.0100\u00a0m.");
-  both.doubts = {"äon"};
+  both.doubts = {Notice{"äon"}};
   both.curves[1].law = law_of("viscous");
-  EXPECT_EQ(explanation(both), "äon. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left.");
+  EXPECT_EQ(in_words(explanation(both)),
+            "äon. No verdict on the damping: with one rate 0.0200\u00a0m (rms) are left.");
 }
 
 TEST(Explanation, ThereIsNoneOfWhatDidNotEnd) {
   CompareResult both = compared();
   both.curves[0].diverged = true;
-  EXPECT_EQ(explanation(both),
+  EXPECT_EQ(in_words(explanation(both)),
             "Simulated by rk4 in steps of 0.0100\u00a0s the motion runs away: that step is too long for the "
             "method, "
             "and nothing follows about the law. Take a smaller --step or another --method.");
   both = compared();
   both.curves[1].complete = false;
-  EXPECT_EQ(explanation(both), "");
+  EXPECT_EQ(in_words(explanation(both)), "");
   both = compared();
   both.curves[0].complete = false;
-  EXPECT_EQ(explanation(both), "");
+  EXPECT_EQ(in_words(explanation(both)), "");
   both = compared();
   both.curves.pop_back();
-  EXPECT_EQ(explanation(both), "");
+  EXPECT_EQ(in_words(explanation(both)), "");
 }
 
 TEST(Explanation, SaysWhatTheMethodAddsToTheLaw) {
   CompareResult both = compared();
   both.recording.decay_by_amplitude.clear();
-  const std::string before = explanation(both);
+  const std::string before = in_words(explanation(both));
   const auto added = [&](double phase, double ratio, double rms = 0.01) {
     both.curves[1].method_phase = phase;
     both.curves[1].method_amplitude_ratio = ratio;
     both.curves[1].rms = rms;
-    return explanation(both).substr(before.size());
+    return in_words(explanation(both)).substr(before.size());
   };
   const std::string leaves = " Simulated by rk4 in steps of 0.0100\u00a0s the same law leaves ";
   EXPECT_EQ(added(0.0099, 1.0049, 0.0102), "");
@@ -139,11 +142,11 @@ SimulatedRun run_of(const char* method) {
 
 TEST(RunInWords, SaysHowItSwung) {
   SimulatedRun run = run_of("rk4");
-  EXPECT_EQ(run_in_words(run), "");
+  EXPECT_EQ(in_words(run_notice(run)), "");
   const auto swung = [&](double first, double last) {
     run.measured =
         MeasuredOscillator{.angular_frequency = 3, .first_amplitude = first, .last_amplitude = last};
-    return run_in_words(run);
+    return in_words(run_notice(run));
   };
   EXPECT_EQ(swung(1, 0.5), "rk4 swung at 3 rad/s on average, from 1 m down to 0.5 m");
   EXPECT_EQ(swung(0.5, 1), "rk4 swung at 3 rad/s on average, from 0.5 m up to 1 m");
@@ -158,7 +161,7 @@ TEST(RunInWords, SaysWhoGaveAndTookTheEnergy) {
     balance.taken.of<Drag>() = drag;
     balance.taken.of<Viscous>() = damping;
     run.energy_balance = balance;
-    return run_in_words(run);
+    return in_words(run_notice(run));
   };
   EXPECT_EQ(energy({.start = 8, .end = 2}, 6),
             "rk4 had 8 J, of which drag took 75 %, the method itself nothing");
@@ -184,7 +187,7 @@ TEST(RunInWords, SaysWhetherALawThatKeepsItsEnergyDid) {
     run.oscillator.drag = 0;
     run.oscillator.cubic = 1;
     run.energy_balance = EnergyBalance{.start = 2, .end = end};
-    return run_in_words(run);
+    return in_words(run_notice(run));
   };
   EXPECT_EQ(kept(2, "rk4"), "rk4 kept its 2 J");
   EXPECT_EQ(kept(2.0000019, "rk4"), "rk4 kept its 2 J");

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "tests/tasks/disc_recording.h"
@@ -22,23 +23,23 @@ const Series& disc() {
 FittedRecording fitted(const Series& series, FitOptions options) {
   options.law = "viscous";
   const Result<FittedRecording> result = fit_series(series, "f", options);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : in_words(result.error()));
   return result.ok() ? *result : FittedRecording{};
 }
 
 std::string message(const FitOptions& options) {
   const Result<FittedRecording> result = fit_series(disc(), "f", options);
-  return result.ok() ? std::string("fitted") : result.error().message;
+  return result.ok() ? std::string("fitted") : in_words(result.error());
 }
 
 TEST(FitEdges, SegmentsTooShortForAPeriodAreRefusedAtOnce) {
   for (const double segment : {1e-300, 1e-9, 1e-3, 0.7}) {
     const FittedRecording result = fitted(disc(), {.segment = segment});
     EXPECT_THAT(result.segments, IsEmpty());
-    EXPECT_THAT(result.warnings, Contains(HasSubstr("must hold 1.5 periods"))) << segment;
+    EXPECT_THAT(in_words(result.notices), Contains(HasSubstr("must hold 1.5 periods"))) << segment;
   }
   const FittedRecording many = fitted(disc(), {.segments = 1'000'000'000});
-  EXPECT_THAT(many.warnings, Contains(HasSubstr("those of --segments 1000000000")));
+  EXPECT_THAT(in_words(many.notices), Contains(HasSubstr("those of --segments 1000000000")));
   EXPECT_EQ(fitted(disc(), {.segment = 2, .segments = 1'000'000'000}).segments.size(), 45u);
 }
 
@@ -46,7 +47,7 @@ TEST(FitEdges, SegmentsThatFailShareOneWarning) {
   Series still = disc();
   for (std::size_t i = 3000; i < still.y.size(); ++i) still.y[i] = 0.2;
   const FittedRecording result = fitted(still, {.to = 90, .segment = 15});
-  EXPECT_THAT(result.warnings,
+  EXPECT_THAT(in_words(result.notices),
               Contains(HasSubstr("4 of the 6 segments are left out; the first, from 30 to 45 s")));
 }
 
@@ -69,7 +70,7 @@ TEST(FitEdges, AnEndThatIsInNoSegmentIsSaid) {
   const auto said = [](double to, double segment) {
     const FittedRecording result = fitted(disc(), {.to = to, .segment = segment});
     EXPECT_EQ(result.segments.size(), 2u);
-    for (const std::string& warning : result.warnings)
+    for (const std::string& warning : in_words(result.notices))
       if (warning.starts_with("the last ")) return warning;
     return std::string();
   };
@@ -77,7 +78,7 @@ TEST(FitEdges, AnEndThatIsInNoSegmentIsSaid) {
   EXPECT_EQ(said(60.9, 30), "");  // under 2 % of the record
   EXPECT_EQ(said(61.5, 30), "the last 1.5 s are shorter than a segment of 30 s, and in none");
   const FittedRecording first_two = fitted(disc(), {.segment = 30, .segments = 2});
-  EXPECT_THAT(first_two.warnings, Not(Contains(HasSubstr("the last "))));
+  EXPECT_THAT(in_words(first_two.notices), Not(Contains(HasSubstr("the last "))));
 }
 
 TEST(FitEdges, AnInterruptedFitHasNotConverged) {
@@ -87,7 +88,7 @@ TEST(FitEdges, AnInterruptedFitHasNotConverged) {
     const Result<FittedRecording> result = fit_series(disc(), "f", {.law = law, .segment = 30}, watch);
     ASSERT_TRUE(result.ok());
     EXPECT_EQ(result->fit.status, FitStatus::iteration_limit) << law;
-    EXPECT_THAT(result->fit.message, testing::StartsWith("interrupted"));
+    EXPECT_THAT(in_words(result->fit.message), testing::StartsWith("interrupted"));
     EXPECT_THAT(result->parameters, IsEmpty());
     EXPECT_EQ(result->simulate, "");
   }
@@ -100,8 +101,8 @@ TEST(FitEdges, AnInterruptedComparisonIsNotComplete) {
   const Result<CompareResult> result = compare_fitted(*fit, {}, Watch{&stop, {}});
   ASSERT_TRUE(result.ok());
   EXPECT_FALSE(result->complete);
-  EXPECT_THAT(result->warnings, Contains(HasSubstr("interrupted")));
-  EXPECT_THAT(result->warnings, Not(Contains(HasSubstr("smaller --step"))));
+  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("interrupted")));
+  EXPECT_THAT(in_words(result->notices), Not(Contains(HasSubstr("smaller --step"))));
 }
 
 TEST(FitEdges, AnUnstableStepIsSaid) {
@@ -111,7 +112,7 @@ TEST(FitEdges, AnUnstableStepIsSaid) {
   options.step = 0.23;  // w h = 2.04
   const Result<CompareResult> result = compare_fitted(*fit, options);
   ASSERT_TRUE(result.ok());
-  EXPECT_THAT(result->warnings, Contains(HasSubstr("unstable")));
+  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("unstable")));
 }
 
 TEST(FitEdges, RunsOfZerosAreDropOutsAndNotClipping) {
@@ -119,9 +120,10 @@ TEST(FitEdges, RunsOfZerosAreDropOutsAndNotClipping) {
   for (const std::size_t first : {900u, 4000u})
     for (std::size_t i = first; i < first + 10; ++i) series.y[i] = 0;
   const FittedRecording result = fitted(series, {});
-  EXPECT_EQ(result.fit.status, FitStatus::converged) << result.fit.message;
+  EXPECT_EQ(result.fit.status, FitStatus::converged) << in_words(result.fit.message);
   EXPECT_EQ(result.series.outliers.size(), 20u);
-  EXPECT_THAT(result.warnings, Contains(HasSubstr("20 samples in flat runs far outside the motion")));
+  EXPECT_THAT(in_words(result.notices),
+              Contains(HasSubstr("20 samples in flat runs far outside the motion")));
   EXPECT_NEAR(result.find("equilibrium")->value, 0.2, 1e-4);
 }
 
@@ -148,7 +150,7 @@ TEST(FitEdges, ErrorsOfAnOptionBeginWithTheOption) {
   const std::string bytes = "t (s),x (m)\n0,1\n1,2\n2,1\n3,2\n4,1\n5,2\n6,1\n7,2\n8,1\n9,2\n";
   const auto result = fit(bytes, "lab.csv", {.law = "pendulum"});
   ASSERT_FALSE(result.ok());
-  EXPECT_THAT(result.error().message, testing::StartsWith("--law pendulum"));
+  EXPECT_THAT(in_words(result.error()), testing::StartsWith("--law pendulum"));
 }
 
 }  // namespace

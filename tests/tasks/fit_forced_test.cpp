@@ -1,4 +1,5 @@
 #include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 
 #include <gmock/gmock.h>
@@ -40,12 +41,12 @@ FitOptions forced_options() {
 
 std::string message(const std::string& bytes, const FitOptions& options) {
   const auto result = fit(bytes, "rig.csv", options);
-  return result.ok() ? "fitted" : result.error().message;
+  return result.ok() ? "fitted" : in_words(result.error());
 }
 
 FittedRecording fitted(const std::string& bytes, const FitOptions& options) {
   const auto result = fit(bytes, "rig.csv", options);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : in_words(result.error()));
   return result.ok() ? result->front() : FittedRecording{};
 }
 
@@ -54,7 +55,7 @@ TEST(FitForced, NamesFollowTheContract) {
   options.law = "viscous+cubic+quadratic";
   options.mass = Quantity{0.25, 0.001};
   const FittedRecording result = fitted(rig(), options);
-  ASSERT_EQ(result.fit.status, FitStatus::converged) << result.fit.message;
+  ASSERT_EQ(result.fit.status, FitStatus::converged) << in_words(result.fit.message);
   std::vector<std::string> names;
   for (const Parameter& number : result.parameters) names.push_back(number.name + " " + number.unit);
   EXPECT_THAT(names,
@@ -163,7 +164,7 @@ TEST(FitForced, SaysWhatIsWrongWithTheOptions) {
 TEST(FitForced, AShortRecordIsAStatus) {
   const FittedRecording result = fitted(rig(20), forced_options());
   EXPECT_EQ(result.fit.status, FitStatus::too_short);
-  EXPECT_THAT(result.fit.message, HasSubstr("too few"));
+  EXPECT_THAT(in_words(result.fit.message), HasSubstr("too few"));
   EXPECT_TRUE(result.parameters.empty());
 }
 
@@ -192,7 +193,7 @@ TEST(FitDriven, SaysTheDrive) {
   options.drive_frequency = "1.206 Hz";
   options.mass = Quantity{0.25, 0};
   const FittedRecording result = fitted(beats(0.3), options);
-  ASSERT_EQ(result.fit.status, FitStatus::converged) << result.fit.message;
+  ASSERT_EQ(result.fit.status, FitStatus::converged) << in_words(result.fit.message);
   const auto near = [&](const char* name, double truth) {
     ASSERT_NE(result.find(name), nullptr) << name;
     EXPECT_NEAR(result.find(name)->value, truth, 4 * result.find(name)->standard_error) << name;
@@ -229,7 +230,8 @@ TEST(FitDriven, AGyroscopesRecordIsOneOfAngularVelocities) {
   EXPECT_NEAR(result.find("angular_frequency")->value, 7.2, 1e-2);
   EXPECT_NEAR(result.find("drive_amplitude")->value, 0.3, 0.01);
   EXPECT_NEAR(result.find("equilibrium")->value, 0.01, 2e-3);
-  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("holds angular velocity: it is fitted as that")));
+  EXPECT_THAT(in_words(result.notices),
+              testing::Contains(HasSubstr("holds angular velocity: it is fitted as that")));
 }
 
 TEST(FitDriven, WritesTheMotionUnderTheDrive) {
@@ -258,7 +260,7 @@ TEST(FitDriven, IsRecognisedUnlessTheMotionIsFree) {
   const FittedRecording driven = fitted(beats(0.3), {});
   ASSERT_NE(driven.find("drive_frequency"), nullptr);
   EXPECT_NEAR(driven.find("drive_frequency")->value, 7.58, 1e-3);
-  EXPECT_THAT(driven.warnings, testing::Contains(HasSubstr("the motion is driven, at 1.2063")));
+  EXPECT_THAT(in_words(driven.notices), testing::Contains(HasSubstr("the motion is driven, at 1.2063")));
   EXPECT_EQ(fitted(beats(0), {}).find("drive_frequency"), nullptr);
   EXPECT_EQ(fitted(beats(0.3), {.law = "viscous"}).find("drive_frequency"), nullptr);
 }
@@ -273,7 +275,7 @@ TEST(FitForced, ForetellsTheSilverbox) {
   options.law = "viscous+cubic+quadratic";
   options.hold_out = 0.25;
   const auto result = fit(bytes_of(path), path, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   EXPECT_EQ(result->front().between_samples, "band-limited");
   ASSERT_TRUE(result->front().held_out.has_value());
   EXPECT_LT(result->front().held_out->rms, 0.33e-3);
@@ -292,7 +294,7 @@ TEST(FitDriven, FindsTheGeneratorOfTheBeats) {
     options.column = "position";
     options.drive_frequency = drive;
     const auto result = fit(bytes_of(path), path, options);
-    ASSERT_TRUE(result.ok()) << result.error().message;
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
     EXPECT_NEAR(result->front().find("drive_frequency")->value / (2 * std::numbers::pi), 1.207, 5e-4);
     EXPECT_LT(result->front().fit.residual.rms, 0.01 / std::sqrt(12.0));  // rounding alone
   }

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/model/terms.h"
+#include "cromer/read/in_file.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/masses.h"
@@ -20,7 +22,7 @@ using testing::IsEmpty;
 
 std::string said(const FitOptions& options) {
   const auto checked = check_fit_options(options);
-  return checked ? "" : checked.error().message;
+  return checked ? "" : in_words(checked.error());
 }
 
 const Quantity kilogram{1, 0};
@@ -148,7 +150,7 @@ TEST(FitOptions, SomeAreOfAFreeDecayAlone) {
   EXPECT_EQ(said({.force_column = "F", .goal = "decay_rate 1 %"}), "--goal" + why);
   EXPECT_EQ(said({.force_column = "F", .textbook = true}), "--textbook" + why);
   EXPECT_THAT(unused_if_driven({.segment = 1, .segments = 2, .goal = "g", .textbook = true}),
-              ElementsAre("--segment", "--segments", "--goal", "--textbook"));
+              ElementsAre("segment", "segments", "goal", "textbook"));
   EXPECT_THAT(unused_if_driven({}), IsEmpty());
 }
 
@@ -156,7 +158,7 @@ TEST(FitOptions, AGoalIsAQuantityAndItsUncertainty) {
   const auto goal = [](std::string_view text) {
     const auto parsed = parse_goal(text);
     return parsed ? parsed->quantity + "|" + parsed->text + (parsed->relative ? "|relative" : "")
-                  : parsed.error().message;
+                  : in_words(parsed.error());
   };
   EXPECT_EQ(goal("decay_rate 0.5 %"), "decay_rate|0.5 %|relative");
   EXPECT_EQ(goal("period 0.1 ms"), "period|0.1 ms");
@@ -178,16 +180,19 @@ TEST(FitOptions, AGoalIsAQuantityAndItsUncertainty) {
 }
 
 TEST(NotFitted, KeepsWhatIsWrongWithoutTheFile) {
-  const FittedRecording row = not_fitted("lab.csv", 3, "lab.csv: nothing is there");
-  EXPECT_EQ(row.fit.message, "nothing is there");
+  const Notice nothing{"column_has_no_values", {{"column", "x"}}};
+  const FittedRecording row = not_fitted("lab.csv", 3, in_file("lab.csv", nothing));
+  EXPECT_EQ(row.fit.message, nothing);
   EXPECT_EQ(row.file, "lab.csv");
   EXPECT_EQ(row.series.run, 3);
   EXPECT_TRUE(row.wrong_input);
   EXPECT_FALSE(row.succeeded());
   EXPECT_EQ(row.status(), "wrong_input");
   EXPECT_EQ(row.find("stiffness"), nullptr);
-  EXPECT_EQ(not_fitted("lab.csv", 1, "lab.csv, a file: none").fit.message, "lab.csv, a file: none");
-  EXPECT_EQ(not_fitted("lab.csv", 1, "--law: none").fit.message, "--law: none");
+  for (const Notice& other :
+       {in_file("lab.csv, a file", nothing), in_file("lab.csv", in_line(7, nothing).notice),
+        Notice{"law_term_twice", {{"term", "drag"}}}})
+    EXPECT_EQ(not_fitted("lab.csv", 1, other).fit.message, other);
 }
 
 TEST(PartOfWork, GoesFromItsBeginningToItsEnd) {
@@ -201,7 +206,7 @@ TEST(PartOfWork, GoesFromItsBeginningToItsEnd) {
 
 std::string masses(std::string_view text) {
   const auto parsed = parse_masses(text);
-  if (!parsed) return parsed.error().message;
+  if (!parsed) return in_words(parsed.error());
   std::string list;
   for (const Quantity& mass : *parsed) list += shortest(mass.value) + ";";
   return list;
@@ -259,7 +264,7 @@ TEST(UsedPart, HasBothItsEndsAndTheMarksBetweenThem) {
 TEST(UsedPart, SaysThatNothingIsLeft) {
   const auto refusal = [](const Series& series, const FitOptions& options) {
     const auto part = used_part(series, options);
-    return part ? "" : part.error().message;
+    return part ? "" : in_words(part.error());
   };
   EXPECT_EQ(refusal(ten(), {.from = 10}), "--from 10: no sample is left, the recording goes from 0 to 9 s");
   EXPECT_EQ(refusal(ten(), {.to = -1}), "--to -1: no sample is left, the recording goes from 0 to 9 s");
@@ -294,10 +299,10 @@ TEST(UsedSamples, LeaveOutTheOutliersAndNoOthers) {
 TEST(UsedSamples, AreListedInTimeWhereTheFitSetThemAside) {
   Series series = ten();
   const FittedSamples samples = without_outliers(series);
-  std::vector<std::string> warnings;
-  list_outliers(series, samples, {}, warnings);
-  EXPECT_THAT(warnings, IsEmpty());
-  list_outliers(series, samples, {1, 3}, warnings);  // at 2 and 4 s
+  std::vector<Notice> notices;
+  list_outliers(series, samples, {}, notices);
+  EXPECT_THAT(notices, IsEmpty());
+  list_outliers(series, samples, {1, 3}, notices);  // at 2 and 4 s
   ASSERT_EQ(series.outliers.size(), 4u);
   const double times[] = {1, 2, 4, 5};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -305,14 +310,14 @@ TEST(UsedSamples, AreListedInTimeWhereTheFitSetThemAside) {
     EXPECT_EQ(series.outliers[i].value, times[i] * times[i]);
     EXPECT_EQ(series.outliers[i].line, static_cast<long>(times[i]) + 2);
   }
-  EXPECT_THAT(warnings,
+  EXPECT_THAT(in_words(notices),
               ElementsAre("2 samples lie far from the fitted motion and from their neighbours, the first "
                           "at 2 s, and are set aside"));
   Series one = ten();
   one.lines.resize(3);
-  warnings.clear();
-  list_outliers(one, samples, {3}, warnings);
-  EXPECT_THAT(warnings,
+  notices.clear();
+  list_outliers(one, samples, {3}, notices);
+  EXPECT_THAT(in_words(notices),
               ElementsAre("one sample lies far from the fitted motion and from its neighbours, the first "
                           "at 4 s, and is set aside"));
   EXPECT_EQ(one.outliers[1].line, 0);
@@ -326,10 +331,10 @@ TEST(Quantities, HaveTheirOrderOfDerivative) {
   for (const char* name : {"", "position", "velocity", "acceleration"}) EXPECT_TRUE(is_linear_quantity(name));
   for (const char* name : {"angle", "angular velocity", "force"}) EXPECT_FALSE(is_linear_quantity(name));
   EXPECT_EQ(
-      fitted_as_it_is("velocity", "v"),
+      in_words(fitted_as_it_is("velocity", "v")),
       "column \"v\" holds velocity: it is fitted as that, and all but the equilibrium, which is the sensor's "
       "offset, is said of the displacement");
-  EXPECT_THAT(fitted_as_it_is("angular velocity", "w"), testing::EndsWith("is said of the angle"));
+  EXPECT_THAT(in_words(fitted_as_it_is("angular velocity", "w")), testing::EndsWith("is said of the angle"));
 }
 
 }  // namespace

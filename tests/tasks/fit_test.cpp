@@ -1,4 +1,5 @@
 #include "cromer/tasks/fit/fit.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ FitOptions disc_options() {
 
 FittedRecording fitted(const Series& series, const FitOptions& options) {
   const Result<FittedRecording> result = fit_series(series, "recording2.csv", options);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : in_words(result.error()));
   return result.ok() ? *result : FittedRecording{};
 }
 
@@ -150,7 +151,7 @@ TEST(FitTask, UsesThePartAskedFor) {
   options.to = std::nullopt;
   const Result<FittedRecording> none = fit_series(disc(), "f", options);
   ASSERT_FALSE(none.ok());
-  EXPECT_THAT(none.error().message, HasSubstr("from 0 to 120 s"));
+  EXPECT_THAT(in_words(none.error()), HasSubstr("from 0 to 120 s"));
 }
 
 TEST(FitTask, LeavesOutliersOutOfTheFit) {
@@ -190,13 +191,13 @@ TEST(FitTask, EqualPartsAndSegmentsThatDoNotFit) {
   options.segments = 5;
   const FittedRecording few = fitted(disc(), options);
   EXPECT_EQ(few.segments.size(), 2u);
-  EXPECT_THAT(few.warnings, testing::Contains(HasSubstr("holds 2 of the 5 segments")));
+  EXPECT_THAT(in_words(few.notices), testing::Contains(HasSubstr("holds 2 of the 5 segments")));
 }
 
 TEST(FitTask, RefusesWhatCannotBeFitted) {
   const auto message = [&](FitOptions options) {
     const Result<FittedRecording> result = fit_series(disc(), "f", options);
-    return result.ok() ? std::string("fitted") : result.error().message;
+    return result.ok() ? std::string("fitted") : in_words(result.error());
   };
   EXPECT_THAT(message({.law = "viscous+pendulum"}), HasSubstr("--law viscous+pendulum: a pendulum's law"));
   EXPECT_THAT(message({.law = "viscos"}), HasSubstr("did you mean viscous"));
@@ -224,7 +225,7 @@ TEST(FitTask, AVelocityIsFittedByTheViscousLaw) {
   EXPECT_NEAR(result.find("angular_frequency")->value, w0, 1e-8);
   const std::size_t at = result.simulate.find("--position ") + 11;
   EXPECT_NEAR(std::stod(result.simulate.substr(at)), 0.1, 1e-8);
-  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("holds velocity: it is fitted as that")));
+  EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("holds velocity: it is fitted as that")));
   EXPECT_NEAR(result.find("position")->value, 0.1, 1e-8);
 }
 
@@ -240,7 +241,7 @@ TEST(FitTask, AgreesWithTheAuthorsOfTheCompactDisc) {
     options.mass = Quantity{masses[run - 1], 0};
     options.spring_mass = Quantity{0.01543, 0};
     const auto result = fit(bytes_of(path), path, options);
-    ASSERT_TRUE(result.ok()) << result.error().message;
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
     const FittedRecording& one = result->front();
     EXPECT_NEAR(one.find("decay_rate")->value, rates[run - 1], 1e-3 * rates[run - 1]);
     EXPECT_NEAR(2 * std::numbers::pi * one.find("frequency")->value, frequencies[run - 1],
@@ -257,7 +258,7 @@ TEST(FitTask, TheFullDiscNeedsDragAndASofteningSpring) {
   FitOptions options;
   options.column = "position";
   const auto result = fit(bytes_of(path), path, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   EXPECT_EQ(to_text(result->front().fit.law), "viscous+drag+odd-quadratic");
   const std::map<std::string, double> rms{
       {"viscous", 2.76e-3}, {"viscous+drag", 2.38e-3}, {"viscous+drag+cubic", 0.88e-3}};
@@ -277,7 +278,7 @@ TEST(FitTask, APendulumOnFilmDecaysAsItsAuthorsSay) {
   options.column = "x";
   options.law = "viscous";
   const auto result = fit(bytes_of(path), path, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   EXPECT_NEAR(1 / result->front().find("decay_rate")->value, 163, 4);
   EXPECT_NEAR(result->front().find("period")->value, 2.421, 0.003);
 }
@@ -286,7 +287,7 @@ TEST(FitTask, ARecordingWithoutOscillationIsRefused) {
   const std::string path = data("seismometer-datastudio/train2.txt");
   SKIP_WITHOUT(path);
   const auto result = fit(bytes_of(path), path, {});
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   EXPECT_EQ(result->front().fit.status, FitStatus::no_oscillation);
   EXPECT_FALSE(result->front().fit.message.empty());
 }

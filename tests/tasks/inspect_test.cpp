@@ -1,4 +1,5 @@
 #include "cromer/tasks/inspect/inspect.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ TEST(Inspect, ListsWhatSticksOutOfTheOtherColumnsToo) {
   const auto found = inspect(text, "lab.csv", {});
   ASSERT_TRUE(found.ok());
   EXPECT_EQ(found->column, "Position (m)");
-  EXPECT_THAT(found->warnings,
+  EXPECT_THAT(in_words(found->notices),
               Contains("column \"Velocity (m/s)\": 1 outlier, the first in line 122: 1e+30"));
 }
 
@@ -102,7 +103,7 @@ TEST(Inspect, DescribesTheColumnAskedFor) {
   const auto none = inspect(file, "lab.txt", {}, "z");
   ASSERT_TRUE(none.ok());
   EXPECT_TRUE(none->series.empty());
-  EXPECT_THAT(none->warnings, Contains(HasSubstr("\"z\"")));
+  EXPECT_THAT(in_words(none->notices), Contains(HasSubstr("\"z\"")));
 }
 
 TEST(Inspect, NamesItsColumnWithoutTimesToo) {
@@ -116,17 +117,17 @@ TEST(Inspect, WithoutTimesSaysWhatIsMissing) {
   EXPECT_EQ(found->rate, 0);
   EXPECT_EQ(found->duration, 0);
   EXPECT_EQ(found->samples, 3u);
-  EXPECT_THAT(found->warnings, ElementsAre(HasSubstr("--rate")));
+  EXPECT_THAT(in_words(found->notices), ElementsAre(HasSubstr("--rate")));
 }
 
 TEST(Inspect, BackwardTimeIsAWarningHere) {
   const auto found = inspect("t,x\n3,1\n2,2\n1,3\n0,4\n", "lab.csv", {});
   ASSERT_TRUE(found.ok());
-  EXPECT_THAT(found->warnings, Contains(HasSubstr("the time runs backward")));
+  EXPECT_THAT(in_words(found->notices), Contains(HasSubstr("the time runs backward")));
 }
 
 TEST(Inspect, BadFilesAreErrors) {
-  EXPECT_EQ(inspect("", "lab.csv", {}).error().message, "lab.csv: the file is empty");
+  EXPECT_EQ(in_words(inspect("", "lab.csv", {}).error()), "lab.csv: the file is empty");
 }
 
 // The seeds of the fuzzer, and whatever it once found, through the same calls; see tests/fuzz.
@@ -148,7 +149,7 @@ TEST(Inspect, TheFuzzersCorpusEndsInAnswers) {
     const auto found = inspect(std::string_view(bytes).substr(1), "seed", options);
     ++files;
     if (!found) {
-      EXPECT_THAT(found.error().message, testing::StartsWith("seed:"));
+      EXPECT_THAT(in_words(found.error()), testing::StartsWith("seed:"));
       continue;
     }
     ++read;

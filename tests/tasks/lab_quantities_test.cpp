@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cromer/analysis/air.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "tests/tasks/disc_recording.h"
 
@@ -22,7 +23,7 @@ FitOptions disc_options() {
 
 FittedRecording fitted(const FitOptions& options, const Series& series) {
   const Result<FittedRecording> result = fit_series(series, "disc.csv", options);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : in_words(result.error()));
   return result.ok() ? *result : FittedRecording{};
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -37,8 +39,8 @@ TEST(LiveFit, TakesTheColumnThatSwingsUnlessOneIsNamed) {
 TEST(LiveFit, AfterTenCyclesItIsWhatTheWholeRecordingSays) {
   const auto early = live_fit(swing(10), headings, ""), whole = live_fit(swing(90), headings, "");
   ASSERT_TRUE(early && whole);
-  ASSERT_TRUE(early->succeeded()) << early->fit.message;
-  ASSERT_TRUE(whole->succeeded()) << whole->fit.message;
+  ASSERT_TRUE(early->succeeded()) << in_words(early->fit.message);
+  ASSERT_TRUE(whole->succeeded()) << in_words(whole->fit.message);
   EXPECT_EQ(early->series.column, "Position (m)");
   const double live = early->find("frequency")->value, final = whole->find("frequency")->value;
   EXPECT_NEAR(live, final, 1e-3 * final);

@@ -1,4 +1,5 @@
 #include "cromer/tasks/curves/local_error.h"
+#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ LocalErrorOptions spring(std::vector<std::string> methods) {
 
 TEST(LocalErrors, of_first_order_methods_have_slope_two_and_the_missing_taylor_terms) {
   const auto result = local_errors(spring({"forward-euler", "euler-cromer"}));
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << in_words(result.error());
   for (const LocalErrorCurve& curve : result->curves) {
     EXPECT_NEAR(curve.x_slope, 2, 0.1) << curve.method;
     EXPECT_NEAR(curve.v_slope, 2, 0.1) << curve.method;
@@ -29,7 +30,7 @@ TEST(LocalErrors, of_first_order_methods_have_slope_two_and_the_missing_taylor_t
 
 TEST(LocalErrors, of_higher_order_methods_are_steeper) {
   const auto result = local_errors(spring({"verlet"}));
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << in_words(result.error());
   EXPECT_NEAR(result->curves[0].x_slope, 3, 0.1);
   EXPECT_LT(result->curves[0].x_over_predicted, 0.01);
 }
@@ -37,12 +38,12 @@ TEST(LocalErrors, of_higher_order_methods_are_steeper) {
 TEST(LocalErrors, need_a_closed_form_and_a_period) {
   auto dragged = spring({"euler-cromer"});
   dragged.simulate.law.drag = 0.02;
-  EXPECT_NE(local_errors(dragged).error().message.find("--drag"), std::string::npos);
+  EXPECT_NE(in_words(local_errors(dragged).error()).find("--drag"), std::string::npos);
   auto free = spring({"euler-cromer"});
   free.simulate.stiffness = 0;
   free.simulate.step = 0.01;
   free.simulate.until = 1;
-  EXPECT_NE(local_errors(free).error().message.find("--stiffness"), std::string::npos);
+  EXPECT_NE(in_words(local_errors(free).error()).find("--stiffness"), std::string::npos);
 }
 
 }  // namespace

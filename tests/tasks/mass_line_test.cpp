@@ -1,4 +1,5 @@
 #include "cromer/tasks/fit/mass_line.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ TEST(MassLine, FindsTheSpringAndItsOwnMass) {
     masses.push_back({m, 1e-5});
   }
   const auto line = mass_line(fits, masses);
-  ASSERT_TRUE(line.ok()) << line.error().message;
+  ASSERT_TRUE(line.ok()) << in_words(line.error());
   EXPECT_NEAR(line->stiffness.value, k, 4 * line->stiffness.standard_error);
   EXPECT_LT(line->stiffness.standard_error, 1e-3 * k);
   EXPECT_NEAR(line->spring_mass.value, spring, 4 * line->spring_mass.standard_error);
@@ -42,14 +43,14 @@ TEST(MassLine, FindsTheSpringAndItsOwnMass) {
 TEST(MassLine, LeavesOutWhatFailedAndRefusesTheRest) {
   std::vector<FittedRecording> fits{fitted(10, 0.01), fitted(9, 0.01), fitted(8, 0.01)};
   fits[1].fit.status = FitStatus::too_noisy;
-  fits[1].fit.message = "too noisy";
+  fits[1].fit.message = Notice{"too noisy"};
   const std::vector<Quantity> masses{{0.1, 0}, {0.12, 0}, {0.16, 0}};
   const auto line = mass_line(fits, masses);
   ASSERT_TRUE(line.ok());
   EXPECT_EQ(line->points.size(), 2u);
-  EXPECT_THAT(line->warnings.front(), HasSubstr("left out of the line: too noisy"));
-  EXPECT_THAT(mass_line(fits, {{0.1, 0}}).error().message, HasSubstr("1 masses are given for 3"));
-  EXPECT_THAT(mass_line(fits, {{0.2, 0}, {0.15, 0}, {0.1, 0}}).error().message, HasSubstr("in the order"));
+  EXPECT_THAT(in_words(line->notices).front(), HasSubstr("left out of the line: too noisy"));
+  EXPECT_THAT(in_words(mass_line(fits, {{0.1, 0}}).error()), HasSubstr("1 masses are given for 3"));
+  EXPECT_THAT(in_words(mass_line(fits, {{0.2, 0}, {0.15, 0}, {0.1, 0}}).error()), HasSubstr("in the order"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <optional>
 #include <sstream>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
 #include "tests/support/shared_data.h"
 
@@ -21,9 +22,9 @@ std::optional<FittedRecording> fitted(const char* name, const FitOptions& option
   const std::string path = data(name);
   if (!std::filesystem::exists(path)) return std::nullopt;
   auto fits = fit(bytes_of(path), path, options);
-  EXPECT_TRUE(fits.ok()) << fits.error().message;
+  EXPECT_TRUE(fits.ok()) << in_words(fits.error());
   if (!fits.ok()) return std::nullopt;
-  EXPECT_EQ(fits->front().fit.status, FitStatus::converged) << fits->front().fit.message;
+  EXPECT_EQ(fits->front().fit.status, FitStatus::converged) << in_words(fits->front().fit.message);
   return std::move(fits->front());
 }
 
@@ -68,11 +69,12 @@ TEST(MeasuredLaws, TheReleaseOfADrivenPendulumIsFound) {
   SKIP_WITHOUT_FIT(result);
   EXPECT_NEAR(result->series.t.front(), 210.06, 2);  // where its drive's own column ends
   EXPECT_GE(result->series.t.front(), 210.06);
-  EXPECT_THAT(result->warnings, Contains(HasSubstr("as where a drive stops")));
+  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("as where a drive stops")));
   // --from overrides.
   const auto own = fitted("torsion-50hz/0.96500.1.csv", {.column = "Pendolo", .from = 220});
   EXPECT_NEAR(own->series.t.front(), 220, 0.02);
-  EXPECT_NEAR(own->fit.decay_rate().value, result->fit.decay_rate().value, 0.05 * result->fit.decay_rate().value);
+  EXPECT_NEAR(own->fit.decay_rate().value, result->fit.decay_rate().value,
+              0.05 * result->fit.decay_rate().value);
 }
 
 TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {
@@ -91,7 +93,7 @@ TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {
       EXPECT_EQ(parameter.unit, "rad/s");
     }
   }
-  EXPECT_THAT(result->warnings, Contains(HasSubstr("is fitted as that")));
+  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("is fitted as that")));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/curves/local_error.h"
 #include "cromer/tasks/curves/method_map.h"
 #include "cromer/tasks/curves/resonance.h"
@@ -26,7 +27,7 @@ ResonanceOptions driven() {
 
 std::string refused(const ResonanceOptions& options) {
   const auto curves = resonance(options);
-  return curves ? "" : curves.error().message;
+  return curves ? "" : in_words(curves.error());
 }
 
 TEST(ResonanceCurves, GoFromEndToEnd) {
@@ -40,7 +41,7 @@ TEST(ResonanceCurves, GoFromEndToEnd) {
   EXPECT_THAT(curve.frequency, ElementsAre(1, 1.25, 1.5, 1.75, 2));
   EXPECT_EQ(curve.method, "exact");
   EXPECT_DOUBLE_EQ(curve.damping_ratio, 0.25);
-  EXPECT_THAT(resonance(options)->warnings, IsEmpty());
+  EXPECT_THAT(in_words(resonance(options)->notices), IsEmpty());
   EXPECT_EQ(resonance(driven())->curves.at(0).frequency.size(), 200u);
 }
 
@@ -54,7 +55,7 @@ TEST(ResonanceCurves, SayHowFarTheyAre) {
   ASSERT_TRUE(resonance(options, {nullptr, [&](double share) { shares.push_back(share); }}));
   EXPECT_THAT(shares, ElementsAre(0, 0.125, 0.25, 0.25, 0.375, 0.5, 0.5, 0.625, 0.75, 0.75, 0.875, 1));
   const std::atomic<bool> stop{true};
-  EXPECT_EQ(resonance(options, {&stop, {}}).error().message, "interrupted");
+  EXPECT_EQ(in_words(resonance(options, {&stop, {}}).error()), "interrupted");
 }
 
 TEST(ResonanceCurves, RefuseWordForWord) {
@@ -136,7 +137,7 @@ TEST(MethodMaps, GoFromEndToEndInEvenRatios) {
 TEST(MethodMaps, RefuseWordForWord) {
   const auto refusal = [](const MethodMapOptions& options) {
     const auto map = method_map(options);
-    return map ? "" : map.error().message;
+    return map ? "" : in_words(map.error());
   };
   MethodMapOptions options;
   options.from = 0;
@@ -179,7 +180,7 @@ TEST(LocalErrorCurves, RefuseWordForWord) {
     LocalErrorOptions options;
     options.simulate = simulate;
     const auto errors = local_errors(options);
-    return errors ? "" : errors.error().message;
+    return errors ? "" : in_words(errors.error());
   };
   EXPECT_EQ(refusal({.drive = "step", .drive_amplitude = 1}),
             "--drive: the error of a step is measured on a smooth motion, free or under a harmonic drive");
@@ -203,7 +204,7 @@ TEST(WorkPrecisionCurves, HalveTheStepAndSayHowFarTheyAre) {
   EXPECT_THAT(work->curves.at(1).evaluations, ElementsAre(80, 160, 320));
   EXPECT_EQ(work->curves.at(0).method, "verlet");
   const std::atomic<bool> stop{true};
-  EXPECT_EQ(work_precision(options, {&stop, {}}).error().message, "interrupted");
+  EXPECT_EQ(in_words(work_precision(options, {&stop, {}}).error()), "interrupted");
 }
 
 TEST(WorkPrecisionCurves, RefuseWordForWord) {
@@ -214,7 +215,7 @@ TEST(WorkPrecisionCurves, RefuseWordForWord) {
     options.simulate.until = 0.25;
     options.simulate.method = {"exact"};
     const auto work = work_precision(options);
-    return work ? "" : work.error().message;
+    return work ? "" : in_words(work.error());
   };
   EXPECT_EQ(refusal(0, 1), "--longest: it must be positive");
   EXPECT_EQ(refusal(0.1, 0), "--halvings: 1 to 30");

@@ -1,4 +1,5 @@
 #include "cromer/tasks/methods/methods.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,10 +59,11 @@ TEST(ListMethods, SayWhatTheyReallySimulate) {
   EXPECT_FALSE(growing.effect->stable);
   EXPECT_NEAR(*growing.effect->stability_limit, 2 * 0.15 / 36, 1e-12);
   EXPECT_GT(*growing.effect->effective.energy_factor(), 1);
-  EXPECT_THAT(growing.words, testing::HasSubstr("turns your damping of 0.15 1/s into growth of 0.02999 1/s"));
-  EXPECT_THAT(row_of("euler-cromer", theory).words,
+  EXPECT_THAT(in_words(growing.words),
+              testing::HasSubstr("turns your damping of 0.15 1/s into growth of 0.02999 1/s"));
+  EXPECT_THAT(in_words(row_of("euler-cromer", theory).words),
               testing::HasSubstr("keeps your damping of 0.15 1/s nearly (0.1502)"));
-  EXPECT_THAT(row_of("rk4", theory).words, "keeps your damping of 0.15 1/s and your 5.99812 rad/s");
+  EXPECT_THAT(in_words(row_of("rk4", theory).words), "keeps your damping of 0.15 1/s and your 5.99812 rad/s");
   EXPECT_FALSE(row_of("implicit-euler", theory).effect->stability_limit);
   EXPECT_FALSE(row_of("dormand-prince", theory).effect);
 }
@@ -83,23 +85,25 @@ TEST(ListMethods, WhatDoesNotSwingHasNoRates) {
   for (const auto& row : rows) {
     if (row.name != "exact" && row.name != "verlet") continue;
     EXPECT_FALSE(row.effect->effective.decay_rate || row.effect->effective.energy_factor()) << row.name;
-    EXPECT_EQ(row.words, "creeps back without swinging, as your law does") << row.name;
+    EXPECT_EQ(in_words(row.words), "creeps back without swinging, as your law does") << row.name;
   }
 }
 
 TEST(ListMethods, SayWhatAStepTooLongDoesToAStiffLaw) {
   // Overdamped: of the trapezoidal rule the fast part changes its sign each step.
   const MethodsOptions stiff{.natural_frequency = 6, .damping_ratio = 1.5, .step = 1};
-  EXPECT_EQ(row_of("newmark", stiff).words, "dies down with another sign each step, which your law does not");
+  EXPECT_EQ(in_words(row_of("newmark", stiff).words),
+            "dies down with another sign each step, which your law does not");
   // Yoshida's long step back grows at 0.0626 s already, and no more at 0.1 s.
   const MethodsOptions between{.natural_frequency = 6, .damping_ratio = 1.5, .step = 0.1};
   const MethodRow yoshida = row_of("yoshida4", between);
   EXPECT_TRUE(yoshida.effect->stable);
   EXPECT_LT(*yoshida.effect->stability_limit, 0.1);
-  EXPECT_THAT(yoshida.words, testing::HasSubstr("at some shorter steps it grows"));
+  EXPECT_THAT(in_words(yoshida.words), testing::HasSubstr("at some shorter steps it grows"));
   const MethodsOptions undamped{.natural_frequency = 6, .step = 0.01};
-  EXPECT_THAT(row_of("implicit-euler", undamped).words, testing::HasSubstr("adds damping of 0.1797 1/s"));
-  EXPECT_THAT(row_of("implicit-euler", undamped).words, testing::HasSubstr("0.12 % too slow"));
+  EXPECT_THAT(in_words(row_of("implicit-euler", undamped).words),
+              testing::HasSubstr("adds damping of 0.1797 1/s"));
+  EXPECT_THAT(in_words(row_of("implicit-euler", undamped).words), testing::HasSubstr("0.12 % too slow"));
 }
 
 // Without damping: what keeps the energy says so, what feeds it or takes it says how fast. By the closed
@@ -137,7 +141,8 @@ TEST(ListMethods, SayWhatTheyDoToAnUndampedLaw) {
       {0.4, "exact", "adds no damping and keeps your 6 rad/s"},
   };
   for (const auto& [step, method, words] : all)
-    EXPECT_EQ(row_of(method, {.natural_frequency = 6, .step = step}).words, words) << method << ' ' << step;
+    EXPECT_EQ(in_words(row_of(method, {.natural_frequency = 6, .step = step}).words), words)
+        << method << ' ' << step;
 }
 
 TEST(ListMethods, OptionsReachTheMethods) {
@@ -152,7 +157,7 @@ TEST(ListMethods, OptionsReachTheMethods) {
 TEST(ListMethods, RefusesWhatItCannotUse) {
   const auto message = [](const MethodsOptions& options) {
     const auto rows = list_methods(options);
-    return rows ? "" : rows.error().message;
+    return rows ? "" : in_words(rows.error());
   };
   EXPECT_THAT(message({.natural_frequency = 6}),
               testing::StartsWith("--natural-frequency: it needs a --step"));

@@ -1,4 +1,5 @@
 #include "cromer/tasks/option/option.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -33,7 +34,7 @@ class SimulateTable : public ::testing::Test {
   Result<void> set(std::string_view name, std::string_view text) { return assign(find(table, name), text); }
   std::string refusal(std::string_view name, std::string_view text) {
     const auto result = set(name, text);
-    return result ? "" : result.error().message;
+    return result ? "" : in_words(result.error());
   }
   SimulateOptions options;
   std::vector<Option> table = options_of(options);
@@ -145,7 +146,7 @@ TEST(Range, IsKeptToTheLastValue) {
        "lie between 100 K and 1900 K (for instance \"20 °C\")"},
   };
   for (const auto& [range, good, bad, said] : all) {
-    EXPECT_EQ(constraint(range), said);
+    EXPECT_EQ(in_words(constraint(range)), said);
     double target = 0;
     const Option option{"limit", &target, "", range, "", "", ""};
     for (const double value : good) {
@@ -155,7 +156,7 @@ TEST(Range, IsKeptToTheLastValue) {
     for (const double value : bad) {
       target = value;
       ASSERT_FALSE(check(option).ok()) << said << ' ' << value;
-      EXPECT_THAT(check(option).error().message,
+      EXPECT_THAT(in_words(check(option).error()),
                   StartsWith("--limit: it must " + std::string(said) + ", not "));
     }
     for (const double value : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
@@ -164,7 +165,7 @@ TEST(Range, IsKeptToTheLastValue) {
     }
   }
   double target = NAN;
-  EXPECT_EQ(check({"any", &target, "m", Range::any, "", "", ""}).error().message,
+  EXPECT_EQ(in_words(check({"any", &target, "m", Range::any, "", "", ""}).error()),
             "--any: it must be a finite number, not nan m");
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/tasks/ground_motion.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
@@ -28,7 +29,7 @@ TEST(PublishedSpectra, ChopraElCentro) {
     options.damping_ratio = {std::to_string(row[1])};
     options.peaks = "samples";
     const auto at_samples = response_spectrum({&file, 1}, options);
-    ASSERT_TRUE(at_samples.ok()) << at_samples.error().message;
+    ASSERT_TRUE(at_samples.ok()) << in_words(at_samples.error());
     const double found = at_samples->spectra[0].displacement[0][0] * g / inch;
     EXPECT_NEAR(found / row[3], 1, 2e-4) << row[0] << " " << row[1];
     EXPECT_NEAR(found, row[2], 0.011) << row[0] << " " << row[1];
@@ -48,7 +49,7 @@ TEST(PublishedSpectra, Peer) {
   options.periods = list_of(rows, 0);
   options.peaks = "peer";
   const auto result = response_spectrum(files, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   const ResponseSpectrum& spectrum = result->spectra[0];
   double off = 0, off_rotated = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -81,7 +82,7 @@ TEST(PublishedSpectra, Eqsig) {
   options.peaks = "samples";
   options.periods = list_of(rows, 0);
   const auto result = response_spectrum({&file, 1}, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   std::printf("eqsig, per period (s) the difference in %%:\n");
   double worst = 0, between = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {

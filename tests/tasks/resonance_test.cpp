@@ -1,4 +1,5 @@
 #include "cromer/tasks/curves/resonance.h"
+#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 
@@ -40,9 +41,9 @@ Complex implicit_euler_response(double w0, double b, double w, double h) {
 
 TEST(Resonance, each_method_settles_where_its_difference_equation_says) {
   const auto result = resonance(options({"exact", "euler-cromer", "implicit-euler"}));
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << in_words(result.error());
   ASSERT_EQ(result->curves.size(), 3u);
-  EXPECT_TRUE(result->warnings.empty());
+  EXPECT_TRUE(in_words(result->notices).empty());
   const Oscillator<double> law{.mass = 1, .stiffness = 9, .damping = 0.2};
   for (std::size_t i = 0; i < 21; ++i) {
     const double w = result->curves[0].frequency[i];
@@ -71,7 +72,7 @@ TEST(Resonance, what_gets_through_is_the_closed_form_of_law_and_method) {
       asked.simulate.base_displacement = 0.04;
     }
     const auto result = resonance(asked);
-    ASSERT_TRUE(result) << result.error().message;
+    ASSERT_TRUE(result) << in_words(result.error());
     ASSERT_EQ(result->curves.size(), 4u);
     EXPECT_EQ(result->of_motion, drive == "base");
     for (std::size_t c = 0; c < 4; ++c) {
@@ -102,28 +103,28 @@ TEST(Resonance, a_method_that_grows_has_no_steady_amplitude) {
   growing.simulate.step = 0.03;
   growing.points = 2;
   const auto result = resonance(growing);
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << in_words(result.error());
   EXPECT_TRUE(std::isnan(result->curves[0].amplitude[0]));
-  ASSERT_EQ(result->warnings.size(), 1u);
-  EXPECT_NE(result->warnings[0].find("forward-euler did not settle at 2 of 2"), std::string::npos);
+  ASSERT_EQ(in_words(result->notices).size(), 1u);
+  EXPECT_NE(in_words(result->notices)[0].find("forward-euler did not settle at 2 of 2"), std::string::npos);
 }
 
 TEST(Resonance, says_what_prevents_it) {
   auto undamped = options({"euler-cromer"});
   undamped.simulate.damping = 0;
-  EXPECT_NE(resonance(undamped).error().message.find("--damping"), std::string::npos);
+  EXPECT_NE(in_words(resonance(undamped).error()).find("--damping"), std::string::npos);
   auto dragged = options({"euler-cromer"});
   dragged.simulate.law.drag = 0.1;
-  EXPECT_NE(resonance(dragged).error().message.find("--drag"), std::string::npos);
+  EXPECT_NE(in_words(resonance(dragged).error()).find("--drag"), std::string::npos);
   auto pulsed = options({"euler-cromer"});
   pulsed.simulate.drive = "step";
   EXPECT_FALSE(resonance(pulsed).ok());
   auto twice = options({"euler-cromer"});
   twice.damping_ratio = {0.1};
-  EXPECT_NE(resonance(twice).error().message.find("--damping-ratios"), std::string::npos);
+  EXPECT_NE(in_words(resonance(twice).error()).find("--damping-ratios"), std::string::npos);
   auto backward = options({"euler-cromer"});
   backward.frequency_to = 0.1;
-  EXPECT_NE(resonance(backward).error().message.find("--frequency-to"), std::string::npos);
+  EXPECT_NE(in_words(resonance(backward).error()).find("--frequency-to"), std::string::npos);
 }
 
 }  // namespace

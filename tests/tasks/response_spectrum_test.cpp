@@ -11,6 +11,8 @@
 #include <numbers>
 #include <string>
 
+#include "cromer/documents/words/words.h"
+
 namespace cromer::core {
 namespace {
 
@@ -39,7 +41,7 @@ Result<SpectrumResult> spectrum_of(const SpectrumFile& file, const SpectrumOptio
 
 std::string message(const SpectrumFile& file, const SpectrumOptions& options) {
   const auto result = spectrum_of(file, options);
-  return result ? "accepted" : result.error().message;
+  return result ? "accepted" : in_words(result.error());
 }
 
 // A half-sine pulse of 10 ms on an undamped oscillator: during it the mass follows
@@ -56,7 +58,7 @@ TEST(ShockSpectrum, OfAHalfSineIsTheAnalyticOne) {
   options.damping_ratio = {"0"};
   options.frequencies = "10:1000:97:log Hz";
   const auto result = spectrum_of(file, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   const double p = pi / duration;
   for (std::size_t i = 0; i < result->periods.size(); ++i) {
     const double w = 2 * pi / result->periods[i], r = w / p;
@@ -90,7 +92,7 @@ TEST(ResponseSpectrum, OfAStepIsTwiceTheStaticOne) {
   options.damping_ratio = {"0", "0.05"};
   options.periods = "0.03,0.5,2";
   const auto result = spectrum_of(file, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   for (std::size_t i = 0; i < 3; ++i) {
     const double t = result->periods[i];
     EXPECT_NEAR(pseudo_acceleration(result->spectra[0].displacement[0][i], t), 4, 1e-12);
@@ -109,7 +111,7 @@ TEST(ResponseSpectrum, OfLongPeriodsIsTheGroundsDisplacement) {
   options.damping_ratio = {"0"};
   options.peaks = "samples";
   const auto result = spectrum_of(file, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   EXPECT_NEAR(result->spectra[0].displacement[0][0] * w * w / (2 * pi), 1, 1e-6);
 }
 
@@ -119,7 +121,7 @@ TEST(ResponseSpectrum, IntensityAndDuration) {
   SpectrumOptions options;
   options.periods = "1";
   const auto result = spectrum_of(file, options);
-  ASSERT_TRUE(result.ok()) << result.error().message;
+  ASSERT_TRUE(result.ok()) << in_words(result.error());
   const Intensity& found = result->components[0].intensity;
   EXPECT_NEAR(found.arias, pi / (2 * standard_gravity) * 10, 1e-12);
   EXPECT_NEAR(found.from, 0.5, 1e-9);
@@ -136,7 +138,7 @@ TEST(ResponseSpectrum, OfOneDirectionRotatedIsItsProjection) {
     options.periods = "0.02,0.3,0.31,5";
     options.peaks = peaks;
     const auto result = response_spectrum(files, options);
-    ASSERT_TRUE(result.ok()) << result.error().message;
+    ASSERT_TRUE(result.ok()) << in_words(result.error());
     const ResponseSpectrum& spectrum = result->spectra[0];
     for (std::size_t i = 0; i < 4; ++i) {
       const double along = 1.25 * spectrum.displacement[0][i];
@@ -227,11 +229,11 @@ TEST(ResponseSpectrum, FilesOfOtherDialectsAreRead) {
   SpectrumOptions options;
   options.periods = "0.1,1";
   const auto reference = spectrum_of({"a.csv", csv}, options);
-  ASSERT_TRUE(reference.ok()) << reference.error().message;
+  ASSERT_TRUE(reference.ok()) << in_words(reference.error());
   for (const SpectrumFile& file : {SpectrumFile{"a.AT2", at2}, SpectrumFile{"a.uff", uff}}) {
     const auto found = spectrum_of(file, options);
-    ASSERT_TRUE(found.ok()) << found.error().message;
-    EXPECT_THAT(found->warnings, ElementsAre()) << file.name;
+    ASSERT_TRUE(found.ok()) << in_words(found.error());
+    EXPECT_THAT(in_words(found->notices), ElementsAre()) << file.name;
     EXPECT_EQ(found->components[0].acceleration, reference->components[0].acceleration) << file.name;
     for (std::size_t i = 0; i < 2; ++i)
       EXPECT_NEAR(found->spectra[0].displacement[0][i] / reference->spectra[0].displacement[0][i], 1, 1e-12);
@@ -303,7 +305,7 @@ TEST(ResponseSpectrum, OfHystereticDampingIsNearThatOfADamper) {
   options.damping_ratio = {};
   options.loss_factor = {"0.02"};
   const auto hysteretic = spectrum_of(file, options);
-  ASSERT_TRUE(hysteretic.ok()) << hysteretic.error().message;
+  ASSERT_TRUE(hysteretic.ok()) << in_words(hysteretic.error());
   EXPECT_TRUE(hysteretic->hysteretic());
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(hysteretic->spectra[0].displacement[0][i] / viscous->spectra[0].displacement[0][i], 1, 0.02)
@@ -345,12 +347,12 @@ TEST(ResponseSpectrum, TwoComponentsMustMatch) {
   const SpectrumFile unlike[] = {fast, slow}, unequal[] = {fast, cut}, three[] = {fast, fast, fast};
   const auto refused = response_spectrum(unlike, {});
   ASSERT_FALSE(refused.ok());
-  EXPECT_THAT(refused.error().message, HasSubstr("has a sample each 0.01 s"));
-  EXPECT_THAT(refused.error().message, HasSubstr("one each 0.02 s"));
+  EXPECT_THAT(in_words(refused.error()), HasSubstr("has a sample each 0.01 s"));
+  EXPECT_THAT(in_words(refused.error()), HasSubstr("one each 0.02 s"));
   const auto shortened = response_spectrum(unequal, {});
   ASSERT_TRUE(shortened.ok());
   EXPECT_EQ(shortened->components[0].acceleration.size(), 250u);
-  EXPECT_THAT(shortened->warnings, ::testing::Contains(HasSubstr("its last 50 samples are left out")));
+  EXPECT_THAT(in_words(shortened->notices), ::testing::Contains(HasSubstr("its last 50 samples are left out")));
   EXPECT_FALSE(response_spectrum(three, {}).ok());
   SpectrumOptions shock;
   shock.shock = true;
@@ -365,20 +367,20 @@ TEST(ResponseSpectrum, DoubtfulPeriodsAreSaid) {
   const auto result = spectrum_of(recording(300, 0.01, ripple), options);
   ASSERT_TRUE(result.ok());
   EXPECT_THAT(
-      result->warnings,
+      in_words(result->notices),
       ElementsAre(HasSubstr("--periods: one period is below 0.02 s, twice the sampling step of 0.01 s: the "
                             "recording holds nothing that fast"),
                   HasSubstr("--peaks samples: the recording (2.99 s) is shorter than the longest period")));
   options.periods = "0.02,1";
   options.peaks = "continuous";
-  EXPECT_THAT(spectrum_of(recording(300, 0.01, ripple), options)->warnings, ElementsAre());
+  EXPECT_THAT(in_words(spectrum_of(recording(300, 0.01, ripple), options)->notices), ElementsAre());
   // A ground that ends at speed goes on: the softest springs are stretched later.
   options.periods = "0.5,50,200";
   EXPECT_THAT(
-      spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->warnings,
+      in_words(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->notices),
       ElementsAre(HasSubstr("from a period of 50 s on there are peaks that come after the recording's end")));
   options.peaks = "samples";
-  EXPECT_THAT(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->warnings,
+  EXPECT_THAT(in_words(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->notices),
               ElementsAre(HasSubstr("is shorter than the longest period")));
 }
 

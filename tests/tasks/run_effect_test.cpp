@@ -1,4 +1,5 @@
 #include "cromer/tasks/simulate/run_effect.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -28,7 +29,8 @@ TEST(RunEffect, EveryLinearRunSaysWhatItReallySimulates) {
                                  .step = 0.01,
                                  .until = 1});
   EXPECT_NEAR(*result.runs[0].effect->effective.decay_rate, -0.030, 5e-4);
-  EXPECT_THAT(effect_in_words(result.runs[0]), HasSubstr("turns your damping of 0.15 1/s into growth"));
+  EXPECT_THAT(in_words(effect_notice(result.runs[0])),
+              HasSubstr("turns your damping of 0.15 1/s into growth"));
   EXPECT_NEAR(*result.runs[1].effect->effective.decay_rate, 0.1502, 5e-5);
   EXPECT_EQ(*result.runs[2].effect->effective.decay_rate, 0.15);
   EXPECT_FALSE(result.runs[3].effect) << "it chooses its own steps";
@@ -45,38 +47,29 @@ TEST(RunEffect, ADrivenRunSettlesWhereItIsSaidTo) {
   const auto& steady = *result.runs[0].effect->effective.steady_state;
   EXPECT_NEAR(result.runs[0].outcome.y.x,
               steady.amplitude * std::cos(4 * result.runs[0].outcome.t - steady.phase_lag), 1e-12);
-  EXPECT_THAT(steady_in_words(result.runs[0]), HasSubstr("settles at "));
-  EXPECT_THAT(steady_in_words(result.runs[0]), HasSubstr("(your law: "));
-  EXPECT_EQ(run_in_words(result.runs[0]).find("euler-cromer turns your damping"), 0u);
+  EXPECT_THAT(in_words(steady_notice(result.runs[0])), HasSubstr("settles at "));
+  EXPECT_THAT(in_words(steady_notice(result.runs[0])), HasSubstr("(your law: "));
+  EXPECT_EQ(in_words(run_notice(result.runs[0])).find("euler-cromer turns your damping"), 0u);
 }
 
-TEST(RunEffect, AStepBeyondTheLimitIsWarnedOfBeforeTheRun) {
-  std::vector<std::string> said;
-  bool finished = false;
-  Watch watch;
-  watch.warn = [&](const std::vector<std::string>& warnings) {
-    EXPECT_FALSE(finished);
-    said = warnings;
-  };
-  watch.progress = [&](double) { finished = true; };
-  const auto result =
-      simulate({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.34, .until = 3.4}, watch);
-  ASSERT_TRUE(result.ok());
-  EXPECT_TRUE(finished);
-  EXPECT_THAT(said,
-              Contains(HasSubstr("--step: 0.34 s is beyond the stability limit of euler-cromer for this law, "
-                                 "0.333333 s")));
-  EXPECT_THAT(simulated({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.33, .until = 3.3}).warnings,
-              testing::IsEmpty());
-  EXPECT_THAT(simulated({.stiffness = 36, .method = {"forward-euler"}, .step = 0.01, .until = 1}).warnings,
-              Contains(HasSubstr("forward-euler is unstable for this law whatever the step")));
+TEST(RunEffect, AStepBeyondTheLimitIsSpokenOf) {
+  EXPECT_THAT(
+      in_words(simulated({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.34, .until = 3.4}).notices),
+      Contains(HasSubstr("--step: 0.34 s is beyond the stability limit of euler-cromer for this law, "
+                         "0.333333 s")));
+  EXPECT_THAT(
+      in_words(simulated({.stiffness = 36, .method = {"euler-cromer"}, .step = 0.33, .until = 3.3}).notices),
+      testing::IsEmpty());
+  EXPECT_THAT(
+      in_words(simulated({.stiffness = 36, .method = {"forward-euler"}, .step = 0.01, .until = 1}).notices),
+      Contains(HasSubstr("forward-euler is unstable for this law whatever the step")));
 }
 
 /// What is said before a run up to three steps.
 std::vector<std::string> warnings(SimulateOptions options, double step) {
   options.step = step;
   options.until = 3 * step;
-  return simulated(std::move(options)).warnings;
+  return in_words(simulated(std::move(options)).notices);
 }
 
 TEST(RunEffect, AHardeningSpringIsWarnedOfWhereTheMotionBegins) {
@@ -148,7 +141,8 @@ TEST(RunEffect, NonlinearLawsHaveNone) {
 TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   const auto result = simulated(
       {.law = {.drag = 0.2}, .method = {"implicit-euler", "dormand-prince"}, .step = 0.03, .until = 120});
-  const std::string lossy = effect_in_words(result.runs[0]), exact = effect_in_words(result.runs[1]);
+  const std::string lossy = in_words(effect_notice(result.runs[0])),
+                    exact = in_words(effect_notice(result.runs[1]));
   EXPECT_THAT(exact, HasSubstr("swung at 0.9994"));
   EXPECT_THAT(exact, HasSubstr("the method itself nothing"));
   EXPECT_THAT(exact, HasSubstr("had 0.5 J, of which drag took 99."));
@@ -158,8 +152,8 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   EXPECT_THAT(lossy, HasSubstr("the method itself 2"));
   const auto spring =
       simulated({.law = {.cubic = 1}, .method = {"euler-cromer", "rk4"}, .step = 0.02, .until = 60});
-  EXPECT_THAT(effect_in_words(spring.runs[1]), HasSubstr("m to each side; kept its 0.75 J"));
-  EXPECT_THAT(effect_in_words(spring.runs[0]), HasSubstr("which comes and goes"));
+  EXPECT_THAT(in_words(effect_notice(spring.runs[1])), HasSubstr("m to each side; kept its 0.75 J"));
+  EXPECT_THAT(in_words(effect_notice(spring.runs[0])), HasSubstr("which comes and goes"));
   const auto driven = simulated({.damping = 0.1,
                                  .law = {.cubic = 1},
                                  .drive_amplitude = 1,
@@ -167,8 +161,9 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
                                  .method = {"implicit-euler"},
                                  .step = 0.02,
                                  .until = 60});
-  EXPECT_EQ(effect_in_words(driven.runs[0]).find("had "), 0u);
-  EXPECT_THAT(effect_in_words(driven.runs[0]), HasSubstr("with what the drive gave, of which damping took "));
+  EXPECT_EQ(in_words(effect_notice(driven.runs[0])).find("had "), 0u);
+  EXPECT_THAT(in_words(effect_notice(driven.runs[0])),
+              HasSubstr("with what the drive gave, of which damping took "));
 }
 
 TEST(RunEffect, ASwingThatIsFedSaysWhatItGot) {
@@ -178,8 +173,8 @@ TEST(RunEffect, ASwingThatIsFedSaysWhatItGot) {
                                  .method = {"rk4"},
                                  .step = 0.01,
                                  .until = 120});
-  EXPECT_THAT(result.warnings, testing::IsEmpty());
-  const std::string words = effect_in_words(result.runs[0]);
+  EXPECT_THAT(in_words(result.notices), testing::IsEmpty());
+  const std::string words = in_words(effect_notice(result.runs[0]));
   EXPECT_THAT(words, HasSubstr("with what the damping gave, of which van-der-pol took 9"));
   EXPECT_NEAR(result.runs[0].outcome.y.x * result.runs[0].outcome.y.x +
                   result.runs[0].outcome.y.v * result.runs[0].outcome.y.v,
@@ -191,14 +186,14 @@ TEST(RunEffect, OptionsOfTheMethodReachIt) {
   const auto result =
       simulated({.stiffness = 36, .method = {"newmark", "verlet"}, .step = 0.1, .until = 1, .beta = 0.0});
   EXPECT_NEAR(result.runs[0].outcome.y.x, result.runs[1].outcome.y.x, 1e-13);
-  EXPECT_THAT(result.warnings, Contains("--beta has no effect on verlet"));
+  EXPECT_THAT(in_words(result.notices), Contains("--beta has no effect on verlet"));
   const auto damped = simulated(
       {.stiffness = 36, .method = {"generalized-alpha"}, .step = 1000, .until = 2000, .rho_inf = 0.3});
   EXPECT_NEAR(damped.runs[0].effect->effective.spectral_radius, 0.3, 0.02);
 
   const auto refused = simulate({.method = {"generalized-alpha"}, .rho_inf = 1.2});
   ASSERT_FALSE(refused.ok());
-  EXPECT_THAT(refused.error().message, HasSubstr("--rho-inf: it must lie between 0 and 1, not 1.2"));
+  EXPECT_THAT(in_words(refused.error()), HasSubstr("--rho-inf: it must lie between 0 and 1, not 1.2"));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "cromer/tasks/simulate/run_energy.h"
+#include "cromer/documents/words/words.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace {
 
 SimulatedRun run_of(const SimulateOptions& options) {
   auto result = simulate(options);
-  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+  EXPECT_TRUE(result.ok()) << (result.ok() ? "" : in_words(result.error()));
   return result.ok() ? std::move(result->runs.front()) : SimulatedRun{};
 }
 

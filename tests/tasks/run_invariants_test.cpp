@@ -79,14 +79,14 @@ TEST(ModifiedEnergy, IsSaidOnlyWhereItIsConserved) {
 }
 
 TEST(ModifiedEnergy, IsSaidInWords) {
-  EXPECT_THAT(modified_energy_in_words(run(spring)),
+  EXPECT_THAT(in_words(modified_energy_notice(run(spring))),
               AllOf(StartsWith("euler-cromer conserves a modified energy"), HasSubstr("= 9.82 J"),
                     HasSubstr("10001 kept states;"), HasSubstr("swings by 3 %")));
   SimulateOptions options = spring;
   options.compensated = true;
-  EXPECT_THAT(modified_energy_in_words(run(options)), HasSubstr("kept states (compensated sums)"));
+  EXPECT_THAT(in_words(modified_energy_notice(run(options))), HasSubstr("kept states (compensated sums)"));
   options.method = {"rk4"};
-  EXPECT_EQ(modified_energy_in_words(run(options)), "");
+  EXPECT_EQ(in_words(modified_energy_notice(run(options))), "");
 }
 
 }  // namespace

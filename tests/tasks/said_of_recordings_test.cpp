@@ -9,6 +9,7 @@
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core {
@@ -43,7 +44,7 @@ std::string recorded(const Sensor& sensor, const std::function<double(double)>& 
 
 FittedRecording fitted(const std::string& bytes, const FitOptions& options = {}) {
   const auto fits = fit(bytes, "lab.csv", options);
-  EXPECT_TRUE(fits.ok()) << fits.error().message;
+  EXPECT_TRUE(fits.ok()) << in_words(fits.error());
   return fits ? fits->front() : FittedRecording{};
 }
 
@@ -61,15 +62,16 @@ TEST(SaidOfRecordings, AnAmplitudeThatHardlyFallsMayBeADrives) {
       const double w = 6, fall = periods * std::numbers::pi / quality;
       const auto bytes = recorded({.duration = periods * two_pi / w, .noise = 2e-5},
                                   [&](double t) { return 0.05 * swing(t, w, w / (2 * quality)); });
-      EXPECT_THAT(fitted(bytes).warnings,
+      EXPECT_THAT(in_words(fitted(bytes).notices),
                   Contains(HasSubstr("If something drives it, the frequency is the drive's")))
           << quality << ' ' << fall;
     }
   // Good swings in air are not doubted.
   for (const double quality : {30.0, 300.0, 1500.0})
-    EXPECT_THAT(fitted(recorded({.duration = 60}, [&](double t) { return 0.05 * swing(t, 6, 3 / quality); }))
-                    .warnings,
-                Not(Contains(HasSubstr("drives it"))))
+    EXPECT_THAT(
+        in_words(fitted(recorded({.duration = 60}, [&](double t) { return 0.05 * swing(t, 6, 3 / quality); }))
+                     .notices),
+        Not(Contains(HasSubstr("drives it"))))
         << quality;
 }
 
@@ -92,8 +94,8 @@ TEST(SaidOfRecordings, ASensorThatLosesTheMotionIsNamed) {
         ASSERT_EQ(fit.fit.status, FitStatus::converged) << seed << ' ' << level << ' ' << spikes;
         EXPECT_NEAR(fit.find("angular_frequency")->value, 6, 1e-3);
         EXPECT_NEAR(fit.series.t.back(), lost, 0.06) << seed << ' ' << level << ' ' << spikes;
-        EXPECT_THAT(fit.warnings, Contains(HasSubstr("the sensor loses the motion at")));
-        EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("set going"))));
+        EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("the sensor loses the motion at")));
+        EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("set going"))));
       }
 }
 
@@ -107,11 +109,11 @@ TEST(SaidOfRecordings, AMotionThatComesToRestIsNotLost) {
     if (amplitude <= shift) return (std::fmod(last, 2) == 0 ? -1 : 1) * (0.05 - 2 * (last + 1) * shift);
     return side * shift + amplitude * std::cos(w * t);
   });
-  EXPECT_THAT(fitted(friction).warnings, Not(Contains(HasSubstr("loses the motion"))));
+  EXPECT_THAT(in_words(fitted(friction).notices), Not(Contains(HasSubstr("loses the motion"))));
   for (const double resolution : {1e-4, 1e-3, 5e-3}) {
     const auto damped = recorded({.duration = 80, .noise = 0, .resolution = resolution},
                                  [&](double t) { return 0.2 + 0.05 * swing(t, w, 0.15); });
-    EXPECT_THAT(fitted(damped).warnings, Not(Contains(HasSubstr("loses the motion")))) << resolution;
+    EXPECT_THAT(in_words(fitted(damped).notices), Not(Contains(HasSubstr("loses the motion")))) << resolution;
   }
 }
 
@@ -123,11 +125,13 @@ TEST(SaidOfRecordings, CoarseRoundingIsCalledThat) {
           fitted(recorded({.noise = 1e-3, .resolution = 0.01, .seed = seed},
                           [&](double t) { return offset + 0.01 * size * swing(t, 6, 0.01, seed); }));
       EXPECT_NE(fit.fit.status, FitStatus::clipped) << seed << ' ' << size;
-      EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("out of its range"))));
+      EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("out of its range"))));
       if (fit.succeeded())
-        EXPECT_THAT(fit.warnings, Contains(AllOf(HasSubstr("levels only"), HasSubstr("0.01 m apart"))));
+        EXPECT_THAT(in_words(fit.notices),
+                    Contains(AllOf(HasSubstr("levels only"), HasSubstr("0.01 m apart"))));
       else
-        EXPECT_THAT(fit.fit.message, HasSubstr("the resolution is too coarse")) << seed << ' ' << size;
+        EXPECT_THAT(in_words(fit.fit.message), HasSubstr("the resolution is too coarse"))
+            << seed << ' ' << size;
     }
 }
 
@@ -143,7 +147,7 @@ TEST(SaidOfRecordings, TimesRoundedToHalfTheirSpacingMakeNoGapsAndNoModes) {
     const FittedRecording fit = fitted(text);
     EXPECT_THAT(fit.series.gaps, IsEmpty()) << rate << ' ' << to;
     EXPECT_THAT(fit.modes, IsEmpty());
-    EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("mode")))) << rate << ' ' << to;
+    EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("mode")))) << rate << ' ' << to;
     EXPECT_LT(fit.fit.residual.rms, 1.1e-4) << rate << ' ' << to;
     EXPECT_NEAR(fit.find("angular_frequency")->value, 8,
                 4 * fit.find("angular_frequency")->standard_error + 1e-4);
@@ -160,8 +164,10 @@ TEST(SaidOfRecordings, HarmonicsAreNoModes) {
             return 0.2 + 0.05 * (u + second * u * u + third * u * u * u);
           }));
       EXPECT_THAT(fit.modes, IsEmpty()) << g << ' ' << second << ' ' << third;
-      EXPECT_THAT(fit.warnings, Not(Contains(HasSubstr("two modes")))) << g << ' ' << second << ' ' << third;
-      EXPECT_THAT(fit.warnings, Contains(HasSubstr("harmonic"))) << g << ' ' << second << ' ' << third;
+      EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("two modes"))))
+          << g << ' ' << second << ' ' << third;
+      EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("harmonic")))
+          << g << ' ' << second << ' ' << third;
     }
 }
 
@@ -174,13 +180,14 @@ TEST(SaidOfRecordings, BeatsAreNamed) {
             fitted(recorded({.duration = duration, .rate = 20, .seed = seed}, [&, g = g](double t) {
               return 0.2 + 0.05 * (swing(t, two_pi * 0.7085, g) + part * swing(t, two_pi * 0.73, g, seed));
             }));
-        ASSERT_EQ(fit.modes.size(), 2u) << seed << ' ' << part << ' ' << g << ": " << fit.fit.message;
+        ASSERT_EQ(fit.modes.size(), 2u)
+            << seed << ' ' << part << ' ' << g << ": " << in_words(fit.fit.message);
         double low = fit.modes[0].angular_frequency.value, high = fit.modes[1].angular_frequency.value;
         if (low > high) std::swap(low, high);
         EXPECT_NEAR(low / two_pi, 0.7085, 5e-4);
         EXPECT_NEAR(high / two_pi, 0.73, 5e-4);
-        std::vector<std::string> said = fit.warnings;
-        said.push_back(fit.fit.message);
+        std::vector<std::string> said = in_words(fit.notices);
+        said.push_back(in_words(fit.fit.message));
         EXPECT_THAT(said, Contains(AllOf(HasSubstr("two modes swing here"), HasSubstr("beat every 46"))))
             << seed << ' ' << part << ' ' << g;
       }
@@ -207,8 +214,8 @@ TEST(SaidOfRecordings, ASecondSteadyLineHasTwoReadings) {
           return std::cos(a * t) / (36 - a * a) + part * std::cos(b * t + 1) / (36 - b * b);
         });
         const FittedRecording fit = fitted(bytes, {.drive_frequency = driven_at(named)});
-        EXPECT_THAT(fit.warnings, Contains(AllOf(HasSubstr("another drive, or an undamped body"),
-                                                 HasSubstr(shortest(second / two_pi).substr(0, 5)))))
+        EXPECT_THAT(in_words(fit.notices), Contains(AllOf(HasSubstr("another drive, or an undamped body"),
+                                                          HasSubstr(shortest(second / two_pi).substr(0, 5)))))
             << named << ' ' << second << ' ' << part;
       }
 }
@@ -217,7 +224,7 @@ TEST(SaidOfRecordings, ADrivenBodyThatRingsDownHasOneReading) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const auto bytes = recorded({.noise = 1e-4, .seed = seed},
                                 [](double t) { return 0.05 * std::cos(5 * t) - 0.05 * swing(t, 6, 0.05); });
-    EXPECT_THAT(fitted(bytes, {.drive_frequency = driven_at(5)}).warnings,
+    EXPECT_THAT(in_words(fitted(bytes, {.drive_frequency = driven_at(5)}).notices),
                 Not(Contains(HasSubstr("another drive"))));
   }
 }
@@ -229,7 +236,8 @@ TEST(SaidOfRecordings, UncertaintiesKeepTheirSecondDigit) {
   const FittedRecording fit = fitted(bytes);
   ASSERT_EQ(fit.modes.size(), 2u);
   const Estimate& g = fit.modes[0].decay_rate;
-  EXPECT_THAT(fit.warnings, Contains(HasSubstr(format_quantity({g.value, g.standard_error}, "1/s"))));
+  EXPECT_THAT(in_words(fit.notices),
+              Contains(HasSubstr(format_quantity({g.value, g.standard_error}, "1/s"))));
 }
 
 TEST(SaidOfRecordings, UsedAreTheSamplesThatTheFitSaw) {

@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "tests/identify/free_swing.h"
 
@@ -41,7 +42,7 @@ TEST(SelfSustainedTask, SegmentsMayGrow) {
   // -b + e A²/8 at about 0.06 m.
   EXPECT_NEAR(fit->segments[0].rate.value, -0.08, 0.01);
   EXPECT_LT(fit->segments[0].rate.high, 0);
-  EXPECT_THAT(fit->warnings, Not(Contains(HasSubstr("rises"))));
+  EXPECT_THAT(in_words(fit->notices), Not(Contains(HasSubstr("rises"))));
 }
 
 TEST(SelfSustainedTask, GrowsInWords) {
@@ -51,15 +52,15 @@ TEST(SelfSustainedTask, GrowsInWords) {
   ASSERT_TRUE(fit.ok());
   const Result<CompareResult> comparison = compare_fitted(*fit, options);
   ASSERT_TRUE(comparison.ok());
-  EXPECT_THAT(explanation(*comparison), HasSubstr("1/s as the swing grows from 0.0"));
+  EXPECT_THAT(in_words(explanation(*comparison)), HasSubstr("1/s as the swing grows from 0.0"));
 }
 
 TEST(SelfSustainedTask, NeverDiesDown) {
   const Result<FittedRecording> fit = fit_series(growing(), "growing.csv", {.goal = "decay_rate 0.01 %"});
   ASSERT_TRUE(fit.ok());
   ASSERT_TRUE(fit->plan);
-  EXPECT_THAT(fit->plan->text, HasSubstr("not even a record of"));
-  EXPECT_THAT(fit->plan->text, Not(HasSubstr("died down")));
+  EXPECT_THAT(in_words(fit->plan->text), HasSubstr("not even a record of"));
+  EXPECT_THAT(in_words(fit->plan->text), Not(HasSubstr("died down")));
 }
 
 }  // namespace

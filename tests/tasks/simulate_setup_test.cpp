@@ -1,5 +1,6 @@
 // From options to runs: defaults, limits, and every refusal and warning word for word.
 #include "cromer/tasks/simulate/simulate_setup.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -23,13 +24,13 @@ constexpr double two_pi = 2 * std::numbers::pi;
 /// Why no runs are set up; "" where they are.
 std::string refused(const SimulateOptions& options) {
   const auto runs = set_up_runs(options);
-  return runs ? "" : runs.error().message;
+  return runs ? "" : in_words(runs.error());
 }
 
 std::vector<std::string> warned(const SimulateOptions& options) {
   const auto runs = set_up_runs(options);
-  EXPECT_TRUE(runs) << (runs ? "" : runs.error().message);
-  return runs ? setup_warnings(options, *runs) : std::vector<std::string>{};
+  EXPECT_TRUE(runs) << (runs ? "" : in_words(runs.error()));
+  return runs ? in_words(setup_notices(options, *runs)) : std::vector<std::string>{};
 }
 
 TEST(SetUp, StepAndEndComeFromThePeriods) {
@@ -246,7 +247,8 @@ TEST(SetUp, WarnsOfWhatHasNoEffectWordForWord) {
 
 TEST(SetUp, ARecordedDriveDividesItsSpacing) {
   SimulateOptions options{.drive_file = "f.csv"};
-  options.drive_record = DriveRecord{{0, 1, 0, 0, 0}, 0.5, {"careful", "careful", "twice"}};
+  options.drive_record =
+      DriveRecord{{0, 1, 0, 0, 0}, 0.5, {Notice{"careful"}, Notice{"careful"}, Notice{"twice"}}};
   // 2 pi/200 into 0.5 s: 16 steps.
   SimulatedRun run = set_up_runs(options)->front();
   EXPECT_DOUBLE_EQ(run.step, 0.5 / 16);

@@ -1,4 +1,5 @@
 #include "cromer/tasks/simulate/simulate.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -117,14 +118,14 @@ TEST(Simulate, SaysWhenARunDivergedAndEndsFinite) {
   EXPECT_EQ(only.outcome.status, Status::not_finite);
   // The energy doubles each step, E = 2^(n-1); doubles end below 2^1024.
   EXPECT_EQ(only.outcome.step, 1024);
-  EXPECT_THAT(only.message, HasSubstr("diverged: not finite after t = 1024 s (step 1024)"));
+  EXPECT_THAT(in_words(only.message), HasSubstr("diverged: not finite after t = 1024 s (step 1024)"));
   EXPECT_EQ(only.trajectory.t.back(), only.outcome.t);
 }
 
 TEST(Simulate, WarnsOfWhatHasNoEffect) {
   const auto warnings = [](const SimulateOptions& options) {
     std::string all;
-    for (const auto& warning : simulated(options).warnings) all += warning + "\n";
+    for (const auto& warning : in_words(simulated(options).notices)) all += warning + "\n";
     return all;
   };
   EXPECT_EQ(warnings({}), "");
@@ -141,7 +142,7 @@ TEST(Simulate, AnInterruptKeepsWhatIsThere) {
   ASSERT_TRUE(result.ok());
   EXPECT_FALSE(result->ok());
   EXPECT_TRUE(result->runs.front().outcome.interrupted);
-  EXPECT_THAT(result->runs.front().message, HasSubstr("interrupted after t = "));
+  EXPECT_THAT(in_words(result->runs.front().message), HasSubstr("interrupted after t = "));
   EXPECT_GE(result->runs.front().trajectory.size(), 1u);
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "cromer/base/quantity.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
@@ -18,7 +19,7 @@ using testing::StartsWith;
 
 template <class T>
 std::string said(const Result<T>& result) {
-  return result ? "" : result.error().message;
+  return result ? "" : in_words(result.error());
 }
 
 TEST(SpectrumSetup, WordsAreKnownOrTheNearestIsNamed) {
@@ -110,21 +111,21 @@ TEST(SpectrumSetup, PeriodsSuitTheRecording) {
 }
 
 TEST(SpectrumSetup, DoubtfulPeriodsAreSaidWordForWord) {
-  const auto warnings = [](std::vector<double> periods, Peaks peaks, const SpectrumOptions& options) {
-    return period_warnings(options, periods, second(), peaks);
+  const auto notices = [](std::vector<double> periods, Peaks peaks, const SpectrumOptions& options) {
+    return in_words(period_notices(options, periods, second(), peaks));
   };
   const SpectrumOptions options{.periods = "given", .peaks = "peer"};
-  EXPECT_THAT(warnings({0.02, 1}, Peaks::peer, options), IsEmpty());
+  EXPECT_THAT(notices({0.02, 1}, Peaks::peer, options), IsEmpty());
   const std::string end =
       " below 0.02 s, twice the sampling step of 0.01 s: the recording holds nothing that fast, and what is "
       "shown "
       "there comes from how its samples were joined";
-  EXPECT_THAT(warnings({1, 0.019}, Peaks::peer, options), ElementsAre("--periods: one period is" + end));
-  EXPECT_THAT(warnings({0.01, 0.019, 1}, Peaks::peer, {.frequencies = "given"}),
+  EXPECT_THAT(notices({1, 0.019}, Peaks::peer, options), ElementsAre("--periods: one period is" + end));
+  EXPECT_THAT(notices({0.01, 0.019, 1}, Peaks::peer, {.frequencies = "given"}),
               ElementsAre("--frequencies: 2 periods are" + end));
-  EXPECT_THAT(warnings({2, 1}, Peaks::continuous, options), IsEmpty());
+  EXPECT_THAT(notices({2, 1}, Peaks::continuous, options), IsEmpty());
   EXPECT_THAT(
-      warnings({2, 1}, Peaks::peer, options),
+      notices({2, 1}, Peaks::peer, options),
       ElementsAre(
           "--peaks peer: the recording (1 s) is shorter than the longest period (2 s), whose peak may "
           "come after its end; continuous counts that too"));
@@ -138,14 +139,14 @@ SpectrumFile file_of(const char* name, const char* heading, const char* unit, in
 }
 
 struct Read {
-  std::vector<Component> components;
-  std::vector<std::string> warnings;
-  std::string refusal;
+  std::vector<Component> components{};
+  std::vector<Notice> notices{};
+  std::string refusal{};
 };
 
 Read read(const std::vector<SpectrumFile>& files, const SpectrumOptions& options = {}) {
   Read all;
-  auto components = read_components(files, options, all.warnings);
+  auto components = read_components(files, options, all.notices);
   all.refusal = said(components);
   if (components) all.components = *std::move(components);
   return all;
@@ -154,14 +155,14 @@ Read read(const std::vector<SpectrumFile>& files, const SpectrumOptions& options
 TEST(SpectrumSetup, AnAccelerationHasItsUnitOrIsGivenOne) {
   const SpectrumFile bare = file_of("a.csv", "acceleration", "", 9),
                      g = file_of("b.csv", "acceleration", "g", 9);
-  EXPECT_THAT(read({g}).warnings, IsEmpty());
+  EXPECT_THAT(in_words(read({g}).notices), IsEmpty());
   EXPECT_DOUBLE_EQ(read({g}).components.at(0).acceleration[1], 2 * 9.80665);
   EXPECT_THAT(
-      read({bare}).warnings,
+      in_words(read({bare}).notices),
       ElementsAre("a.csv: column \"acceleration\" has no unit and is taken as m/s^2; --unit says another"));
   EXPECT_EQ(read({bare}).components.at(0).acceleration[1], 2);
   const Read said_so = read({bare}, {.unit = "g"});
-  EXPECT_THAT(said_so.warnings, IsEmpty());
+  EXPECT_THAT(in_words(said_so.notices), IsEmpty());
   EXPECT_DOUBLE_EQ(said_so.components.at(0).acceleration[1], 2 * 9.80665);
   EXPECT_EQ(read({g}, {.unit = "g"}).refusal,
             "--unit: b.csv: column \"acceleration (g)\" has its unit already; leave --unit out");
@@ -177,13 +178,13 @@ TEST(SpectrumSetup, AnAccelerationHasItsUnitOrIsGivenOne) {
 TEST(SpectrumSetup, TwoComponentsAreCutToTheShorter) {
   const SpectrumFile long_one = file_of("a.csv", "acceleration", "g", 12, 2),
                      short_one = file_of("b.csv", "acceleration", "g", 9);
-  EXPECT_THAT(read({long_one, short_one}).warnings,
+  EXPECT_THAT(in_words(read({long_one, short_one}).notices),
               ElementsAre("a.csv is longer than b.csv: its last 3 samples are left out"));
-  EXPECT_THAT(read({short_one, long_one}).warnings,
+  EXPECT_THAT(in_words(read({short_one, long_one}).notices),
               ElementsAre("a.csv is longer than b.csv: its last 3 samples are left out"));
   EXPECT_EQ(read({short_one, long_one}).components.at(1).acceleration.size(), 9u);
   EXPECT_THAT(
-      read({short_one, short_one}).warnings,
+      in_words(read({short_one, short_one}).notices),
       ElementsAre("b.csv \"acceleration (g)\" and b.csv \"acceleration (g)\" hold the same samples: one "
                   "component given twice, so RotD50 is its own spectrum and RotD100 sqrt(2) times that"));
   EXPECT_EQ(read({short_one, short_one, short_one}).refusal,

@@ -1,4 +1,5 @@
 #include "cromer/tasks/fit/static_stiffness.h"
+#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,9 +45,9 @@ TEST(Masses, AreReadWithOneUnitOrManyOrNone) {
 }
 
 TEST(Masses, ThatAreNoneAreRefused) {
-  EXPECT_THAT(parse_masses("48.4 g,,50 g").error().message, HasSubstr("between two commas"));
-  EXPECT_THAT(parse_masses("48.4 m").error().message, HasSubstr("--masses"));
-  EXPECT_THAT(parse_masses("-48.4 g").error().message, HasSubstr("negative"));
+  EXPECT_THAT(in_words(parse_masses("48.4 g,,50 g").error()), HasSubstr("between two commas"));
+  EXPECT_THAT(in_words(parse_masses("48.4 m").error()), HasSubstr("--masses"));
+  EXPECT_THAT(in_words(parse_masses("-48.4 g").error()), HasSubstr("negative"));
 }
 
 TEST(StaticStiffness, IsFoundFromThePlateausOfOneRun) {
@@ -55,7 +56,7 @@ TEST(StaticStiffness, IsFoundFromThePlateausOfOneRun) {
   const auto masses = *parse_masses("40, 60, 80, 100 g");
   for (const Quantity& mass : masses) levels.push_back(0.5 - mass.value * g / k);
   const auto holds = find_holds({held(levels, 20, 1e-4)}, "hold.csv", masses);
-  ASSERT_TRUE(holds.ok()) << holds.error().message;
+  ASSERT_TRUE(holds.ok()) << in_words(holds.error());
   ASSERT_EQ(holds->size(), 4u);
   const auto result = static_stiffness(*holds, {g, 0});
   ASSERT_TRUE(result.ok());
@@ -87,12 +88,12 @@ TEST(StaticStiffness, ItsIntervalHoldsTheTruthAsOftenAsItSays) {
 TEST(StaticStiffness, SaysWhatIsWrong) {
   const auto masses = *parse_masses("40, 60, 80 g");
   const auto two = find_holds({held({0.1, 0.2}, 20, 1e-4)}, "hold.csv", masses);
-  EXPECT_THAT(two.error().message, HasSubstr("3 masses are given, and 2 plateaus are found"));
+  EXPECT_THAT(in_words(two.error()), HasSubstr("3 masses are given, and 2 plateaus are found"));
   Series angle = held({0.1}, 5, 1e-4);
   angle.quantity = "angle";
-  EXPECT_THAT(find_holds({angle}, "hold.csv", masses).error().message, HasSubstr("needs positions"));
+  EXPECT_THAT(in_words(find_holds({angle}, "hold.csv", masses).error()), HasSubstr("needs positions"));
   const Series one = held({0.1}, 5, 1e-4);
-  EXPECT_THAT(find_holds({one, one}, "hold.csv", masses).error().message, HasSubstr("for 2 runs"));
+  EXPECT_THAT(in_words(find_holds({one, one}, "hold.csv", masses).error()), HasSubstr("for 2 runs"));
   std::vector<Hold> alike(3);
   for (Hold& hold : alike) hold.mass = {0.05, 0};
   EXPECT_FALSE(static_stiffness(alike, {9.8, 0}).ok());

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <set>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/sweep/sweep.h"
 #include "sweep_options.h"
@@ -143,7 +144,7 @@ TEST(SweepGrids, GridsThatRunDownKeepTheirOrder) {
 }
 
 TEST(SweepGrids, TheEndsOfAGridAreItsLowestAndHighestValues) {
-  // Rising, falling, or with the end in the middle: what is driven, refused and warned of is the same.
+  // Rising, falling, or with the end in the middle: what is driven, refused and said is the same.
   for (const char* amplitudes : {"0:1:3", "1:0:3", "1,0,2"})
     EXPECT_THAT(refusal(options_with(with(driven, {{"drive-amplitude", amplitudes}}))),
                 HasSubstr("--drive-amplitude: at 0 nothing swings"))
@@ -153,12 +154,13 @@ TEST(SweepGrids, TheEndsOfAGridAreItsLowestAndHighestValues) {
                 HasSubstr("--drive-frequency: at 0 nothing swings"))
         << frequencies;
   for (const char* frequencies : {"1:50:3", "50:1:3", "1,50,2"})
-    EXPECT_THAT(swept(options_with(with(driven, {{"drive-frequency", frequencies}, {"step", "0.05"}}), "rk4"))
-                    .plan.warnings,
+    EXPECT_THAT(in_words(swept(options_with(
+                                   with(driven, {{"drive-frequency", frequencies}, {"step", "0.05"}}), "rk4"))
+                             .plan.notices),
                 Contains(HasSubstr("has 2.5 steps only")))
         << frequencies;
   for (const char* steps : {"0.01,0.5", "0.5,0.01", "0.01,0.5,0.02"})
-    EXPECT_THAT(swept(options_with(with(driven, {{"step", steps}}), "forward-euler")).plan.warnings,
+    EXPECT_THAT(in_words(swept(options_with(with(driven, {{"step", steps}}), "forward-euler")).plan.notices),
                 Contains(HasSubstr("--step: 0.5 s is beyond the stability limit")))
         << steps;
 }
@@ -192,7 +194,7 @@ TEST(SweepGrids, ARunToItsEndMayHaveNoDrive) {
         with(driven, {{"drive-amplitude", amplitudes}, {"drive-frequency", "1"}, {"until", "3"}}));
     options.measure = {"final"};
     EXPECT_EQ(refusal(options), "not refused") << amplitudes;
-    EXPECT_THAT(swept(options).plan.warnings, IsEmpty()) << amplitudes;
+    EXPECT_THAT(in_words(swept(options).plan.notices), IsEmpty()) << amplitudes;
     options.simulate.law.friction = 0.1;
     EXPECT_EQ(refusal(options), "not refused") << amplitudes << ", rubbing";
   }
@@ -216,8 +218,8 @@ TEST(SweepGrids, SaysWhatItCannotCheck) {
     const SweepResult result = swept(options);
     EXPECT_FALSE(result.check && result.check->points > 0);
     std::string all;
-    for (const auto& warning : result.plan.warnings) all += warning + "\n";
-    return all + (result.check ? result.check->why : "");
+    for (const auto& notice : in_words(result.plan.notices)) all += notice + "\n";
+    return all + (result.check ? in_words(result.check->why) : "");
   };
   const Values two = with(driven, {{"drive-frequency", "0.5,2"}});
   EXPECT_THAT(said(options_with(two, "exact")), HasSubstr("exact is the closed form"));

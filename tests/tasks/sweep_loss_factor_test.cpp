@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
@@ -23,16 +24,16 @@ SweepOptions options_with(std::map<std::string_view, std::string> values) {
 
 std::string refusal(const SweepOptions& options) {
   const auto result = sweep(options);
-  return result ? "not refused" : result.error().message;
+  return result ? "not refused" : in_words(result.error());
 }
 
 TEST(SweepLossFactor, MeetsTheComplexStiffness) {
   const auto result = sweep(options_with({{"loss-factor", "0.02,0.1,0.5"}}));
-  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result) << in_words(result.error());
   ASSERT_EQ(result->plan.rows.rows, 51u);
   EXPECT_EQ(result->plan.way, "closed form");
   EXPECT_EQ(result->plan.method, "exact");
-  EXPECT_TRUE(result->plan.warnings.empty());
+  EXPECT_TRUE(in_words(result->plan.notices).empty());
   for (std::size_t row = 0; row < 51; ++row) {
     const double* r = result->rows.data() + 4 * row;  // loss factor, frequency, amplitude, phase lag
     const std::complex<double> stiffness = 50.0 * std::complex<double>(1, r[0]) - 2.0 * r[1] * r[1];

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
@@ -21,13 +22,13 @@ inline SweepOptions options_with(Values values, std::string method = "") {
 
 inline SweepResult swept(const SweepOptions& options) {
   auto result = sweep(options);
-  if (!result) throw std::runtime_error(result.error().message);
+  if (!result) throw std::runtime_error(in_words(result.error()));
   return *std::move(result);
 }
 
 inline std::string refusal(const SweepOptions& options) {
   const auto result = sweep(options);
-  return result ? "not refused" : result.error().message;
+  return result ? "not refused" : in_words(result.error());
 }
 
 inline std::size_t width(const SweepResult& result) { return result.plan.rows.columns.size() - 1; }

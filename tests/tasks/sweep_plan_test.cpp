@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/sweep/sweep_description.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
@@ -21,12 +22,12 @@ using testing::StartsWith;
 /// Why it is not planned; "" where it is.
 std::string refused(const SweepOptions& options) {
   const auto plan = plan_sweep(options);
-  return plan ? "" : plan.error().message;
+  return plan ? "" : in_words(plan.error());
 }
 
 SweepPlan planned(const SweepOptions& options) {
   auto plan = plan_sweep(options);
-  EXPECT_TRUE(plan) << (plan ? "" : plan.error().message);
+  EXPECT_TRUE(plan) << (plan ? "" : in_words(plan.error()));
   return plan ? *std::move(plan) : SweepPlan{};
 }
 
@@ -233,8 +234,8 @@ TEST(SweepPlan, SaysWhyThereIsNothingToCheck) {
   const auto none = [](SweepOptions options) {
     options.check = true;
     std::string said;
-    for (const std::string& warning : planned(options).warnings)
-      if (warning.starts_with("--check: ")) said = warning.substr(9);
+    for (const std::string& notice : in_words(planned(options).notices))
+      if (notice.starts_with("--check: ")) said = notice.substr(9);
     return said;
   };
   const std::string no_form = "there is no closed form to check at any point: ";
@@ -257,21 +258,23 @@ TEST(SweepPlan, SaysWhyThereIsNothingToCheck) {
 }
 
 TEST(SweepPlan, WarnsOfADriveThatTheStepsHardlySee) {
-  const auto warnings = [](const char* frequencies, const char* method) {
-    return planned(options_with(with(harmonic, {{"drive-frequency", frequencies}, {"step", "0.1"}}), method))
-        .warnings;
+  const auto notices = [](const char* frequencies, const char* method) {
+    return in_words(
+        planned(options_with(with(harmonic, {{"drive-frequency", frequencies}, {"step", "0.1"}}), method))
+            .notices);
   };
   // 2 pi/w over 0.1 s is ten at 6.283 rad/s.
-  EXPECT_THAT(warnings("1,6.28", "rk4"), IsEmpty());
+  EXPECT_THAT(notices("1,6.28", "rk4"), IsEmpty());
   EXPECT_THAT(
-      warnings("6.3,1", "rk4"),
+      notices("6.3,1", "rk4"),
       ElementsAre("--step: at an end of the grid a cycle of the drive has 10 steps only: what is found there "
                   "is the method's doing, not the law's"));
-  EXPECT_THAT(warnings("1,20,3", "rk4"), Contains(HasSubstr("has 3.1 steps only")));
-  EXPECT_THAT(warnings("1,20", "exact"), IsEmpty());
+  EXPECT_THAT(notices("1,20,3", "rk4"), Contains(HasSubstr("has 3.1 steps only")));
+  EXPECT_THAT(notices("1,20", "exact"), IsEmpty());
   // Steps that do not fill a run are cut at its end in any sweep.
-  EXPECT_THAT(planned(options_with({{"position", "1,2"}, {"until", "1"}, {"step", "0.3"}}, "rk4")).warnings,
-              IsEmpty());
+  EXPECT_THAT(
+      in_words(planned(options_with({{"position", "1,2"}, {"until", "1"}, {"step", "0.3"}}, "rk4")).notices),
+      IsEmpty());
 }
 
 TEST(SweepPlan, MeasuresAreKnownOnceAndFitTheMotion) {
@@ -332,39 +335,42 @@ TEST(SweepPlan, ALossFactorIsOfSettledLinearMotion) {
 }
 
 TEST(SweepRefusal, SaysWhatASweepDoesNotTake) {
+  const auto said = [](std::string_view option, std::string_view text = "") {
+    return in_words(sweep_refusal(option, text));
+  };
   const std::string ends =
       "a sweep takes drives that go on (harmonic, unbalance, base); run pulses and chirps with simulate";
   for (const std::string option : {"drive-to", "drive-start", "drive-duration"})
-    EXPECT_EQ(sweep_refusal(option, ""), "--" + option + ": " + ends);
+    EXPECT_EQ(said(option), "--" + option + ": " + ends);
   for (const std::string option : {"drive-file", "base-motion", "drive-column", "between-samples"})
     EXPECT_EQ(
-        sweep_refusal(option, ""),
+        said(option),
         "--" + option +
             ": a sweep takes drives that go on (harmonic, unbalance, base); run recorded ones with simulate");
   for (const std::string option : {"sensor-noise", "sensor-resolution", "sensor-offset", "seed"})
     EXPECT_EQ(
-        sweep_refusal(option, ""),
+        said(option),
         "--" + option +
             ": a sweep measures the motion itself, not a sensor's samples; leave it out, or take simulate");
   for (const std::string option :
        {"hysteresis-stiffness", "hysteresis-beta", "hysteresis-gamma", "hysteresis-exponent"})
-    EXPECT_EQ(sweep_refusal(option, ""), "--" + option +
-                                             ": a sweep steps position and velocity alone, not a force with "
-                                             "memory; run it with simulate, once "
-                                             "for each value");
+    EXPECT_EQ(said(option), "--" + option +
+                                ": a sweep steps position and velocity alone, not a force with "
+                                "memory; run it with simulate, once "
+                                "for each value");
   EXPECT_EQ(
-      sweep_refusal("settle", "1:2:3"),
+      said("settle", "1:2:3"),
       "--settle: \"1:2:3\" looks like a grid, and this is one number for all points; it says how they are "
       "found, not what they are");
-  EXPECT_EQ(sweep_refusal("threads", "1,2"),
+  EXPECT_EQ(said("threads", "1,2"),
             "--threads: \"1,2\" looks like a grid, and this is one number for all points");
-  EXPECT_EQ(sweep_refusal("threads", "12"), "");
-  EXPECT_EQ(sweep_refusal("measure", "peak,final"), "");
-  EXPECT_EQ(sweep_refusal("mass", "1,2"), "");
+  EXPECT_EQ(said("threads", "12"), "");
+  EXPECT_EQ(said("measure", "peak,final"), "");
+  EXPECT_EQ(said("mass", "1,2"), "");
   SweepOptions options;
   std::vector<std::string> taken;
   for (const Option& option : options_of(options)) {
-    EXPECT_EQ(sweep_refusal(option.name, ""), "") << option.name;
+    EXPECT_EQ(said(option.name), "") << option.name;
     if (!option.is_text() || option.name == "drive") taken.emplace_back(option.name);
   }
   EXPECT_THAT(taken, ElementsAre("drive", "settle", "threads", "check"));

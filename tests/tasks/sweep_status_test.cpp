@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
@@ -27,7 +28,7 @@ SweepResult swept(Values values, std::string method, std::optional<double> settl
   options.settle = settle;
   options.measure = std::move(measure);
   auto result = sweep(options);
-  if (!result) throw std::runtime_error(result.error().message);
+  if (!result) throw std::runtime_error(in_words(result.error()));
   return *std::move(result);
 }
 
@@ -95,7 +96,7 @@ TEST(SweepStatus, UndampedNothingSettlesButByTheMethodsOwnDamping) {
   // |R(i y)|^2 = 1 - y^6/72 + y^8/576 (Hairer & Wanner II, IV.2): the decay rate is -ln |R| / h.
   const double h = 0.1, y6 = std::pow(h, 6);
   const double rate = -std::log1p(-y6 / 72 + y6 * h * h / 576) / (2 * h);
-  const auto said = warnings_of(own);
+  const auto said = in_words(notices_of(own));
   ASSERT_EQ(said.size(), 1u);
   char number[100];
   std::snprintf(number, sizeof number, "decay rate %.2g 1/s at drive-frequency 0.5", rate);
@@ -110,7 +111,7 @@ TEST(SweepStatus, UndampedNothingSettlesButByTheMethodsOwnDamping) {
   EXPECT_THAT(words(swept(with(drive, {{"step", "0.1"}}), "implicit-euler", {}, with_end)),
               ElementsAre("settled_by_own_damping", "settled_by_own_damping"));
   // With damping there is nothing to say.
-  EXPECT_THAT(warnings_of(swept(with(drive, {{"damping", "0.1"}}), "rk4")), IsEmpty());
+  EXPECT_THAT(in_words(notices_of(swept(with(drive, {{"damping", "0.1"}}), "rk4"))), IsEmpty());
 }
 
 TEST(SweepStatus, LagsOutsideZeroToPiAreKeptAndCounted) {
@@ -134,8 +135,8 @@ TEST(SweepStatus, LagsOutsideZeroToPiAreKeptAndCounted) {
   EXPECT_GT(most, 0.3);
   EXPECT_EQ(result.counts.phase_outside, outside);
   EXPECT_NEAR(result.counts.phase_excess, most, 1e-11);
-  EXPECT_THAT(warnings_of(result).back(), HasSubstr("of 3 points lies outside 0 to pi"));
-  EXPECT_THAT(warnings_of(result).back(), HasSubstr("at drive-frequency 40"));
+  EXPECT_THAT(in_words(notices_of(result).back()), HasSubstr("of 3 points lies outside 0 to pi"));
+  EXPECT_THAT(in_words(notices_of(result).back()), HasSubstr("at drive-frequency 40"));
   // Stepped, the same branch.
   const SweepResult stepped = swept(law, "forward-euler", 200);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(stepped.rows[3 * i + 2], result.rows[3 * i + 2], 1e-6);
@@ -145,7 +146,8 @@ TEST(SweepStatus, LagsOutsideZeroToPiAreKeptAndCounted) {
       {{"damping", "0.01"}, {"drive-amplitude", "1"}, {"drive-frequency", "0.8:0.99:20"}, {"velocity", "1"}},
       "rk4", 1);
   ASSERT_GT(early.counts.phase_outside, 0u);
-  EXPECT_THAT(warnings_of(early).back(), HasSubstr("after 1 cycles the free motion may still be there"));
+  EXPECT_THAT(in_words(notices_of(early).back()),
+              HasSubstr("after 1 cycles the free motion may still be there"));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law.h"
 #include "cromer/model/terms/coefficient_unit.h"
@@ -25,7 +26,7 @@ using ::testing::HasSubstr;
 
 std::string refused(const SimulateOptions& options) {
   const auto result = simulate(options);
-  return result ? "" : result.error().message;
+  return result ? "" : in_words(result.error());
 }
 
 const SimulateOptions yielding{
@@ -44,7 +45,8 @@ TEST(TermsInTasks, AreOptionsOfSimulate) {
         const auto oscillator = oscillator_of(options);
         ASSERT_TRUE(oscillator);
         EXPECT_EQ((*oscillator).*T::template members<double>[i], 0.25) << option.name;
-        EXPECT_EQ(bool(assign(option, "-0.25")), T::coefficients[i].sign != Sign::not_negative) << option.name;
+        EXPECT_EQ(bool(assign(option, "-0.25")), T::coefficients[i].sign != Sign::not_negative)
+            << option.name;
       }
       EXPECT_TRUE(found) << T::coefficients[i].option;
     }
@@ -108,7 +110,7 @@ TEST(TermsInTasks, HysteresisSaysWhatItIsNotRunWith) {
 TEST(TermsInTasks, HysteresisWithoutItsStiffnessIsNone) {
   SimulateOptions options = yielding;
   options.law.hysteresis_stiffness = 0;
-  EXPECT_THAT(simulated(options).warnings,
+  EXPECT_THAT(in_words(simulated(options).notices),
               testing::Contains("--hysteresis-beta has no effect without --hysteresis-stiffness"));
 }
 
@@ -168,8 +170,8 @@ TEST(TermsInTasks, AreSweptAsTheyAreRun) {
       }
     }
   });
-  EXPECT_THAT(sweep_refusal("hysteresis-stiffness", "1,2"), HasSubstr("run it with simulate"));
-  EXPECT_THAT(sweep_refusal("hysteresis-exponent", "2"), HasSubstr("run it with simulate"));
+  EXPECT_THAT(in_words(sweep_refusal("hysteresis-stiffness", "1,2")), HasSubstr("run it with simulate"));
+  EXPECT_THAT(in_words(sweep_refusal("hysteresis-exponent", "2")), HasSubstr("run it with simulate"));
 }
 
 }  // namespace

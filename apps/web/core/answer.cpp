@@ -14,6 +14,7 @@
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/json/effect.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 #include "cromer/documents/json/recording.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/motion_units.h"
@@ -26,7 +27,7 @@ namespace cromer::core::page {
 namespace {
 
 Answer bad_input(const Error& error) {
-  return {Status::bad_input, to_text(Json{{"message", error.message}}), {}};
+  return {Status::bad_input, to_text(Json{{"message", said(error.notice, {})}}), {}};
 }
 
 Answer found(const std::string& document, bool ok) {
@@ -39,12 +40,11 @@ Result<SimulateOptions> simulate_options(const Request& request) {
   if (auto good = assign(request, options_of(options)); !good) return good.error();
   if (!options.drive.empty() && options.drive != "harmonic" && options.drive != "unbalance" &&
       options.drive != "base")
-    return Error{"--drive " + options.drive + ": the page drives by a sine; run the others with the program"};
-  if (!options.drive_file.empty() || !options.base_motion.empty())
-    return Error{"the page drives by a sine; run recorded drives with the program"};
-  if (!options.event.empty()) return Error{"--event: run it with the program"};
+    return Error{"page_drives_by_sine", {{"drive", options.drive}}};
+  if (!options.drive_file.empty() || !options.base_motion.empty()) return Error{"page_has_no_recorded_drive"};
+  if (!options.event.empty()) return Error{"program_only", {{"option", "event"}}};
   options.memory = 512e6;  // of the 2 GB that a module may have
-  if (options.compensated) return Error{"--compensated: run it with the program"};
+  if (options.compensated) return Error{"program_only", {{"option", "compensated"}}};
   return options;
 }
 
@@ -98,7 +98,7 @@ Answer inspect_task(const Request& asked, std::string_view file) {
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
   const auto seen = inspect(file, request.file_name, options, column);
   if (!seen) return bad_input(seen.error());
-  Json document = inspection_object(*seen, false);
+  Json document = inspection_object(*seen, false, {});
   Json& list = document["series"] = Json::array();
   for (const Series& series : seen->series)
     list.push_back({{"run", series.run},
@@ -155,7 +155,7 @@ Answer fit_task(const Request& request, std::string_view file) {
   Json& list = document["fits"] = Json::array();
   for (const FittedRecording& fitted : *fits) {
     ok = ok && fitted.succeeded();
-    list.push_back(fit_object(fitted));
+    list.push_back(fit_object(fitted, {}));
     list.back()["units"] = units_of(fitted);
     list.back()["displacement_rms"] = displacement_rms(fitted);
     list.back()["curves"] = curves_of(fitted);
@@ -173,7 +173,7 @@ Answer compare_task(const Request& request, std::string_view file) {
   Json& list = document["comparisons"] = Json::array();
   for (const CompareResult& each : *compared) {
     ok = ok && each.complete;
-    list.push_back(comparison_object(each));
+    list.push_back(comparison_object(each, {}));
     Json& states = list.back()["states"] = Json::array();
     for (const ComparedCurve& curve : each.curves)
       states.push_back({{"t", curve.trajectory.t},
@@ -242,7 +242,7 @@ Answer answer(std::string_view text, std::string_view file) {
   json_blocks().clear();
   for (const Task& task : tasks)
     if (task.name == request->task) return task.run(*request, file);
-  return bad_input(Error{"there is no task \"" + request->task + "\""});
+  return bad_input(Error{"page_task", {{"task", request->task}}});
 }
 
 }  // namespace cromer::core::page

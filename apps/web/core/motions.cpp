@@ -6,6 +6,7 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/documents/json/effect.h"
+#include "cromer/documents/json/notices.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/run/outcome.h"
 #include "cromer/tasks/simulate/run_effect.h"
@@ -101,7 +102,7 @@ Json motions_of(const SimulateResult& result) {
     list.push_back(motion(run, begins_with(times, t) ? block(first, t.size()) : kept(t)));
   }
   document["linear_part"] = linear_part(runs.front().oscillator);
-  document["warnings"] = result.warnings;
+  add_notices(document, result.notices, {});
   return document;
 }
 

@@ -15,7 +15,7 @@ Result<Request> read_request(std::string_view text) {
     if (request.task.empty())
       request.task = line;
     else if (equals == std::string_view::npos)
-      return Error{"\"" + std::string(line) + "\" is not option=value"};
+      return Error{"page_setting", {{"line", line}}};
     else
       request.settings.emplace_back(line.substr(0, equals), line.substr(equals + 1));
   }

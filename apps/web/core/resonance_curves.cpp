@@ -30,7 +30,7 @@ Result<std::vector<MethodResonance>> resonance_curves(const SimulateOptions& opt
   one_step.until = options.step;
   const auto runs = set_up_runs(one_step);
   if (!runs) return runs.error();
-  if (!(runs->front().drive.amplitude > 0)) return Error{"--drive-amplitude: nothing drives it"};
+  if (!(runs->front().drive.amplitude > 0)) return Error{"nothing_drives_it"};
   std::vector<MethodResonance> curves;
   for (const SimulatedRun& run : *runs) {
     if (effect_of(run)) {

@@ -49,9 +49,8 @@ std::size_t evenly_spaced(const Trajectory& y) {
 
 Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
                                                  const HarmonicDrive<double>& drive, int cycles) {
-  if (!(drive.amplitude != 0 && drive.frequency > 0))
-    return Error{"no steady oscillation: there is no harmonic drive"};
-  if (trajectory.size() < 8) return Error{"no steady oscillation: the run kept fewer than eight states"};
+  if (!(drive.amplitude != 0 && drive.frequency > 0)) return Error{"no_harmonic_drive"};
+  if (trajectory.size() < 8) return Error{"too_few_states_for_steady"};
   const double period = 2 * std::numbers::pi / drive.frequency;
   const std::size_t last = evenly_spaced(trajectory);
   const double end = trajectory.t[last - 1];
@@ -64,10 +63,9 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
   const int available =
       static_cast<int>(std::min(1e6, std::floor((end - trajectory.t.front()) / period + 1e-9)));
   const int used = std::min(std::max(cycles, 2), available) / 2 * 2;
-  if (used < 2) return Error{"no steady oscillation: the run is shorter than two periods of the drive"};
+  if (used < 2) return Error{"run_shorter_than_two_periods"};
   const std::size_t first = since(end - used * period);
-  if (last - first < 4 * static_cast<std::size_t>(used))
-    return Error{"no steady oscillation: the run kept fewer than four states a period of the drive"};
+  if (last - first < 4 * static_cast<std::size_t>(used)) return Error{"too_few_states_a_period"};
 
   const Sinusoid whole = fit_sinusoid(trajectory, drive, first, last);
   const std::size_t middle = since(end - used / 2 * period);

@@ -1,7 +1,5 @@
 #include "cromer/base/grid.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -35,19 +33,15 @@ std::string_view after_number(std::string_view piece) {
 Result<double> value_of(std::string_view piece, std::string_view unit_of_all, std::string_view si_unit) {
   const auto number = leading_number(piece);
   std::string whole(piece);
-  if (number && number->length == piece.size() && !unit_of_all.empty())
-    whole += fmt::format(" {}", unit_of_all);
+  if (number && number->length == piece.size() && !unit_of_all.empty()) whole.append(" ").append(unit_of_all);
   const auto quantity = parse_quantity(whole, si_unit);
   if (!quantity) return quantity.error();
-  if (quantity->uncertainty != 0)
-    return Error{
-        fmt::format("\"{}\" has an uncertainty, which is not used here; give the value alone", piece)};
+  if (quantity->uncertainty != 0) return Error{"uncertainty_not_used", {{"text", piece}}};
   return quantity->value;
 }
 
-Error no_grid(std::string_view text, std::string_view what) {
-  return {fmt::format("\"{}\" {}; a grid is low:high:points, low:high:points:log, or a list with commas",
-                      text, what)};
+Error no_grid(std::string_view text, Notice what) {
+  return Error{"no_grid", {{"text", text}, {"what", std::move(what)}}};
 }
 
 /// "0.5-2", "0.5..2": written as ranges are in prose.
@@ -59,11 +53,11 @@ bool is_range_in_prose(std::string_view text) {
 }
 
 Result<Grid> parse_list(std::string_view text, std::string_view si_unit) {
-  if (is_range_in_prose(text)) return no_grid(text, "has no number of points");
+  if (is_range_in_prose(text)) return no_grid(text, Notice{"grid_without_points"});
   const auto pieces = split(text, ',');
   std::vector<double> values;
   for (const auto piece : pieces) {
-    if (piece.empty()) return Error{fmt::format("\"{}\" has an empty value between its commas", text)};
+    if (piece.empty()) return Error{"grid_value_empty", {{"text", text}}};
     const auto value = value_of(piece, after_number(pieces.back()), si_unit);
     if (!value) return value.error();
     values.push_back(*value);
@@ -73,29 +67,29 @@ Result<Grid> parse_list(std::string_view text, std::string_view si_unit) {
 
 Result<Grid> parse_range(std::string_view text, std::string_view si_unit) {
   const auto pieces = split(text, ':');
-  const auto wrong = [&](const std::string& what) { return no_grid(text, what); };
-  if (pieces.size() != 3 && pieces.size() != 4) return wrong(fmt::format("has {} pieces", pieces.size()));
+  const auto wrong = [&](Notice what) { return no_grid(text, std::move(what)); };
+  if (pieces.size() != 3 && pieces.size() != 4)
+    return wrong(Notice{"grid_of_pieces", {{"pieces", pieces.size()}}});
   const bool logarithmic = pieces.size() == 4;
   if (logarithmic && !pieces[3].starts_with("log"))
-    return wrong(fmt::format("ends with \"{}\", where only log can stand", pieces[3]));
+    return wrong(Notice{"grid_ends_with", {{"end", pieces[3]}}});
 
   const auto count = leading_number(pieces[2]);
   if (!count || count->value != std::floor(count->value) || !(count->value >= 0))
-    return wrong(fmt::format("asks for \"{}\" points, which is no whole number", pieces[2]));
-  if (count->value == 0) return wrong("asks for no points");
-  if (count->value > most_points) return wrong("asks for more points than can be told apart");
+    return wrong(Notice{"grid_points_not_whole", {{"points", pieces[2]}}});
+  if (count->value == 0) return wrong(Notice{"grid_of_no_points"});
+  if (count->value > most_points) return wrong(Notice{"grid_points_not_told_apart"});
   const std::string_view unit =
       logarithmic ? trimmed(pieces[3].substr(3)) : trimmed(pieces[2].substr(count->length));
   if (logarithmic && count->length != pieces[2].size())
-    return wrong(fmt::format("asks for \"{}\" points; the unit stands at the end", pieces[2]));
+    return wrong(Notice{"grid_points_with_unit", {{"points", pieces[2]}}});
 
   const auto low = value_of(pieces[0], unit.empty() ? after_number(pieces[1]) : unit, si_unit);
   if (!low) return low.error();
   const auto high = value_of(pieces[1], unit, si_unit);
   if (!high) return high.error();
-  if (count->value == 1 && *low != *high)
-    return wrong("asks for one point, but both ends are included: give at least 2");
-  if (logarithmic && !(*low > 0 && *high > 0)) return wrong("is logarithmic, so both ends must be positive");
+  if (count->value == 1 && *low != *high) return wrong(Notice{"grid_of_one_point"});
+  if (logarithmic && !(*low > 0 && *high > 0)) return wrong(Notice{"grid_ends_not_positive"});
   return Grid(*low, *high, static_cast<std::uint64_t>(count->value), logarithmic);
 }
 
@@ -121,7 +115,7 @@ double Grid::highest() const {
 
 Result<Grid> parse_grid(std::string_view text, std::string_view si_unit) {
   const std::string_view grid = trimmed(text);
-  if (grid.empty()) return Error{"the grid is empty; give a value, a list with commas, or low:high:points"};
+  if (grid.empty()) return Error{"grid_empty"};
   return grid.find(':') == std::string_view::npos ? parse_list(grid, si_unit) : parse_range(grid, si_unit);
 }
 
@@ -142,9 +136,10 @@ GridUnit unit_of_grid(std::string_view text, std::string_view si_unit) {
 Result<void> fits_in_memory(double points, double bytes_per_point, double memory) {
   const double bytes = points * bytes_per_point;
   if (bytes <= (memory > 0 ? memory : 1e18)) return {};  // no vector can be longer
-  const std::string there = memory > 0 ? fmt::format(", and there are {}", bytes_in_words(memory)) : "";
-  return Error{
-      fmt::format("{:.6g} points need {} of memory{}; ask for fewer", points, bytes_in_words(bytes), there)};
+  if (memory > 0)
+    return Error{"points_beyond_memory",
+                 {{"points", points}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
+  return Error{"points_too_many", {{"points", points}, {"needed", bytes_in_words(bytes)}}};
 }
 
 Result<std::vector<double>> values_of(const Grid& grid, double bytes_per_point, double memory) {

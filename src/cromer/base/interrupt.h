@@ -4,8 +4,6 @@
 #include <atomic>
 #include <functional>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace cromer::core {
 
@@ -15,9 +13,6 @@ struct Watch {
       nullptr;  ///< set by the caller (a signal, a button); looked at every few hundred steps
   std::function<void(double fraction)>
       progress{};  ///< called now and then with 0 to 1, from the working thread
-  std::function<void(const std::vector<std::string>&)>
-      warn{};  ///< called once, before long work, with what is wrong about it
-
   std::shared_ptr<std::atomic<double>>
       steps_left{};  ///< of integrations, before the work ends; empty: no bound
 

@@ -74,12 +74,9 @@ std::string nearest(std::string_view typed, std::span<const std::string_view> na
   return std::string(first_nearest(typed, candidates(typed, names)));
 }
 
-std::string nearest_names(std::string_view typed, std::span<const std::string_view> names) {
+std::vector<std::string> nearest_names(std::string_view typed, std::span<const std::string_view> names) {
   const std::vector<std::string_view> near = candidates(typed, names);
-  std::string text;
-  for (std::size_t i = 0; i < near.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == near.size() ? " or " : ", ") + std::string(near[i]);
-  return text;
+  return {near.begin(), near.end()};
 }
 
 }  // namespace cromer::core

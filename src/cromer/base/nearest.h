@@ -15,8 +15,8 @@ namespace cromer::core {
 /// single slip away: "euler" means forward-euler or euler-cromer rather than verlet.
 std::string nearest(std::string_view typed, std::span<const std::string_view> names);
 
-/// "verlet", or "forward-euler, euler-cromer or implicit-euler": the nearest name, or all that contain what
-/// was typed, in their order; empty where nothing is near.
-std::string nearest_names(std::string_view typed, std::span<const std::string_view> names);
+/// The nearest name, or all that contain what was typed, in their order: "euler" may mean forward-euler,
+/// euler-cromer and implicit-euler. Empty where nothing is near.
+std::vector<std::string> nearest_names(std::string_view typed, std::span<const std::string_view> names);
 
 }  // namespace cromer::core

@@ -1,8 +1,6 @@
 // Reading a quantity: number, uncertainty, unit.
 #include "cromer/base/quantity.h"
 
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <optional>
@@ -12,50 +10,56 @@
 namespace cromer::core {
 namespace {
 
-/// What an SI unit measures, in words, with an example to follow.
+/// What an SI unit measures, as a notice, with examples to follow.
 struct Kind {
-  std::string_view si_unit, name, example;
+  std::string_view si_unit;
+  const char* code;
+  std::string_view example, other{};
 };
 
 constexpr std::array kinds{
-    Kind{"", "a plain number", "0.05 or 5 %"},
-    Kind{"kg", "a mass", "217.6 g"},
-    Kind{"N/m", "a stiffness", "16.6 N/m"},
-    Kind{"kg/s", "a damping", "0.02 kg/s"},
-    Kind{"kg/m", "a drag", "0.02 kg/m"},
-    Kind{"N", "a force", "1.5 N"},
-    Kind{"N/m^3", "a cubic stiffness", "20 N/m^3"},
-    Kind{"N/m^2", "a quadratic stiffness", "20 N/m^2"},
-    Kind{"N/m^5", "a quintic stiffness", "20 N/m^5"},
-    Kind{"kg/(m^2 s)", "a damping that grows with the displacement", "2 kg/(m^2 s)"},
-    Kind{"m", "a length", "12 cm"},
-    Kind{"m/s", "a velocity", "0.3 m/s"},
-    Kind{"m/s^2", "an acceleration", "9.81 m/s^2"},
-    Kind{"s", "a time", "20 ms"},
-    Kind{"rad", "an angle", "30 deg"},
-    Kind{"rad/s", "a frequency", "3 rad/s or 0.5 Hz"},
-    Kind{"1/s", "a rate", "0.01 1/s"},
-    Kind{"K", "a temperature", "20 °C"},
-    Kind{"J", "an energy", "5 mJ"},
-    Kind{"V", "a voltage", "5 mV"},
-    Kind{"Pa", "a pressure", "1013 hPa"},
+    Kind{"", "a_plain_number", "0.05", "5 %"},
+    Kind{"kg", "a_mass", "217.6 g"},
+    Kind{"N/m", "a_stiffness", "16.6 N/m"},
+    Kind{"kg/s", "a_damping", "0.02 kg/s"},
+    Kind{"kg/m", "a_drag", "0.02 kg/m"},
+    Kind{"N", "a_force", "1.5 N"},
+    Kind{"N/m^3", "a_cubic_stiffness", "20 N/m^3"},
+    Kind{"N/m^2", "a_quadratic_stiffness", "20 N/m^2"},
+    Kind{"N/m^5", "a_quintic_stiffness", "20 N/m^5"},
+    Kind{"kg/(m^2 s)", "a_growing_damping", "2 kg/(m^2 s)"},
+    Kind{"m", "a_length", "12 cm"},
+    Kind{"m/s", "a_velocity", "0.3 m/s"},
+    Kind{"m/s^2", "an_acceleration", "9.81 m/s^2"},
+    Kind{"s", "a_time", "20 ms"},
+    Kind{"rad", "an_angle", "30 deg"},
+    Kind{"rad/s", "a_frequency", "3 rad/s", "0.5 Hz"},
+    Kind{"1/s", "a_rate", "0.01 1/s"},
+    Kind{"K", "a_temperature", "20 °C"},
+    Kind{"J", "an_energy", "5 mJ"},
+    Kind{"V", "a_voltage", "5 mV"},
+    Kind{"Pa", "a_pressure", "1013 hPa"},
 };
 
 constexpr Dimension per_second{.second = -1};
 
-std::string expectation(std::string_view si_unit) {
-  if (si_unit == "Hz") return "expected a number of samples per second, for instance 100 Hz";
-  for (const Kind& kind : kinds)
-    if (kind.si_unit == si_unit) return fmt::format("expected {}, for instance {}", kind.name, kind.example);
-  return fmt::format("expected a number in {}", si_unit);
+Notice expectation(std::string_view si_unit) {
+  if (si_unit == "Hz") return Notice{"expected_rate"};
+  for (const Kind& kind : kinds) {
+    if (kind.si_unit != si_unit) continue;
+    std::vector<std::string> examples{std::string(kind.example)};
+    if (!kind.other.empty()) examples.emplace_back(kind.other);
+    return Notice{"expected_kind", {{"kind", Notice(kind.code)}, {"examples", std::move(examples)}}};
+  }
+  return Notice{"expected_in_unit", {{"unit", si_unit}}};
 }
 
-std::string kind_of(const Dimension& dimension, std::string_view unit) {
+Notice kind_of(const Dimension& dimension, std::string_view unit) {
   for (const Kind& kind : kinds) {
     const auto known = parse_unit(kind.si_unit);
-    if (known && known->dimension == dimension) return std::string(kind.name);
+    if (known && known->dimension == dimension) return Notice(kind.code);
   }
-  return fmt::format("in {}", unit);
+  return Notice{"in_unit", {{"unit", unit}}};
 }
 
 /// Reads from the front of a text, blanks skipped before every token.
@@ -142,19 +146,18 @@ std::optional<int> take_power_of_ten(Reader& reader, bool bracketed) {
 }
 
 Result<double> take_number(Reader& reader, std::string_view whole) {
-  const std::string quoted = fmt::format("\"{}\"", whole);
   reader.skip_blanks();
   const auto number = leading_number(reader.rest);
-  if (!number) return Error{quoted + " is not a number"};
+  if (!number) return Error{"not_a_number", {{"text", whole}}};
   const std::string_view written = reader.rest.substr(0, number->length);
   reader.rest.remove_prefix(number->length);
-  if (!std::isfinite(number->value)) return Error{quoted + " is too large"};
+  if (!std::isfinite(number->value)) return Error{"too_large", {{"text", whole}}};
   if (reader.rest.size() > 1 && reader.rest[0] == ',' && reader.rest[1] >= '0' && reader.rest[1] <= '9') {
     std::string cure(written);
     cure += '.';
     for (std::size_t i = 1; i < reader.rest.size() && reader.rest[i] >= '0' && reader.rest[i] <= '9'; ++i)
       cure += reader.rest[i];
-    return Error{quoted + " has a decimal comma: write " + cure};
+    return Error{"has_decimal_comma", {{"text", whole}, {"cure", cure}}};
   }
   return number->value;
 }
@@ -179,7 +182,7 @@ Result<Written> read(std::string_view text) {
     const std::size_t end = reader.rest.find(')');
     const auto uncertainty = concise_uncertainty(digits, reader.rest.substr(0, end));
     if (end == std::string_view::npos || !uncertainty)
-      return Error{fmt::format("\"{}\" is not a number with its uncertainty, as 0.2176(3) is", text)};
+      return Error{"bad_concise_uncertainty", {{"text", text}}};
     written.uncertainty = *uncertainty;
     reader.rest.remove_prefix(end + 1);
     concise = true;
@@ -187,7 +190,7 @@ Result<Written> read(std::string_view text) {
   auto read_uncertainty = [&]() -> Result<void> {
     auto uncertainty = take_number(reader, text);
     if (!uncertainty) return uncertainty.error();
-    if (*uncertainty < 0) return Error{fmt::format("\"{}\" has a negative uncertainty", text)};
+    if (*uncertainty < 0) return Error{"negative_uncertainty", {{"text", text}}};
     written.uncertainty = *uncertainty;
     return {};
   };
@@ -196,10 +199,9 @@ Result<Written> read(std::string_view text) {
     if (auto done = read_uncertainty(); !done) return done.error();
     stated = true;
   }
-  if (bracketed && !reader.take(")")) return Error{fmt::format("\"{}\" lacks a closing bracket", text)};
+  if (bracketed && !reader.take(")")) return Error{"no_closing_bracket", {{"text", text}}};
   const auto power = take_power_of_ten(reader, bracketed || concise);
-  if (!power || std::abs(*power) > 400)
-    return Error{fmt::format("\"{}\" has no power of ten after the 10", text)};
+  if (!power || std::abs(*power) > 400) return Error{"no_power_of_ten", {{"text", text}}};
   written.value = times_power_of_ten(written.value, *power);
   written.uncertainty = times_power_of_ten(written.uncertainty, *power);
 
@@ -233,10 +235,12 @@ using namespace core;
 Result<Quantity> parse_quantity(std::string_view text, std::string_view si_unit) {
   const auto target = parse_unit(si_unit);
   if (!target) return target.error();
-  auto refuse = [&](const std::string& reason) { return Error{reason + "; " + expectation(si_unit)}; };
+  auto refuse = [&](Notice reason) {
+    return Error{"quantity_refused", {{"what", std::move(reason)}, {"expected", expectation(si_unit)}}};
+  };
 
   auto written = read(text);
-  if (!written) return refuse(written.error().message);
+  if (!written) return refuse(written.error().notice);
   const auto trimmed = [](std::string_view unit) {
     Reader reader{unit};
     reader.skip_blanks();
@@ -244,12 +248,12 @@ Result<Quantity> parse_quantity(std::string_view text, std::string_view si_unit)
   };
   auto unit_of = [&](std::string_view spelled) -> Result<Unit> {
     auto unit = parse_unit(spelled, &target->dimension);
-    if (!unit) return refuse(fmt::format("\"{}\": {}", text, unit.error().message));
+    if (!unit) return refuse(Notice{"in_text", {{"text", text}, {"what", unit.error().notice}}});
     const bool samples =
         si_unit == "Hz" && unit->dimension == per_second;  // 1/s counts samples as well as Hz does
     if (samples) return Unit{target->factor * unit->factor, 0, target->dimension};
     if (unit->dimension != target->dimension)
-      return refuse(fmt::format("\"{}\" is {}", text, kind_of(unit->dimension, spelled)));
+      return refuse(Notice{"of_other_kind", {{"text", text}, {"kind", kind_of(unit->dimension, spelled)}}});
     return unit;
   };
 
@@ -270,7 +274,7 @@ Result<Quantity> parse_quantity(std::string_view text, std::string_view si_unit)
   const Quantity quantity{scaled(written->value, unit.factor / target->factor) + unit.offset,
                           scaled(written->uncertainty, uncertainty_factor / target->factor)};
   if (!std::isfinite(quantity.value) || !std::isfinite(quantity.uncertainty))
-    return refuse(fmt::format("\"{}\" is too large", text));
+    return refuse(Notice{"too_large", {{"text", text}}});
   return quantity;
 }
 

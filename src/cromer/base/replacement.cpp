@@ -64,8 +64,8 @@ std::string place_of(int descriptor) { return fmt::format("/proc/self/fd/{}", de
 Error cannot_write(const std::string& path, int number) {
   std::error_code failed;
   const bool unread = number == ENXIO && fs::is_fifo(path, failed);
-  const char* reason = unread ? "nobody reads from this pipe" : std::strerror(number);
-  return {fmt::format("cannot write {}: {}", path, reason)};
+  if (unread) return Error{"cannot_write", {{"path", path}, {"why", Notice{"no_reader_of_pipe"}}}};
+  return Error{"cannot_write", {{"path", path}, {"why", std::strerror(number)}}};
 }
 
 int open_to_write(const std::string& path, bool at_end) {

@@ -11,7 +11,7 @@ namespace cromer::core {
 /// not, so that a link stays one.
 std::string target_of(const std::string& path);
 
-/// "cannot write PATH: REASON", by the number of the system's error.
+/// "cannot_write" with path and reason, by the number of the system's error.
 Error cannot_write(const std::string& path, int number);
 
 /// A file that is there, opened to be written from where it stands, or added to at its end; -1, with the

@@ -1,6 +1,4 @@
 // The units Cromer knows and the grammar that joins them.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -196,9 +194,7 @@ bool multiply(Dimension& dimension, const Dimension& other, int power) {
 }  // namespace
 
 Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
-  const auto unknown = [](std::string_view spelled) {
-    return Error{fmt::format("unknown unit \"{}\"", spelled)};
-  };
+  const auto unknown = [](std::string_view spelled) { return Error{"unknown_unit", {{"unit", spelled}}}; };
   Reader reader{text};
   reader.skip_blanks();
   while (!reader.rest.empty() && reader.rest.back() == ' ') reader.rest.remove_suffix(1);

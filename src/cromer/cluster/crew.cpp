@@ -6,6 +6,20 @@
 
 namespace cromer::core {
 
+Notice notice_of(const Trouble& trouble) {
+  switch (trouble.kind) {
+    case Trouble::Kind::none:
+      break;
+    case Trouble::Kind::not_made:
+      return Notice{"chunk_not_made"};
+    case Trouble::Kind::no_memory:
+      return Notice{"no_memory_for_chunk"};
+    case Trouble::Kind::in_words:
+      return Notice{"said_in_words", {{"words", trouble.words}}};
+  }
+  return {};
+}
+
 Crew::Crew(const ChunkedRows& work, int threads) : thread_([this, &work, threads] { run(work, threads); }) {}
 
 void Crew::run(const ChunkedRows& work, int threads) {
@@ -28,17 +42,17 @@ void Crew::run(const ChunkedRows& work, int threads) {
     made_or_gone_.notify_one();
     return {};
   };
-  std::string problem;
+  Trouble trouble;
   try {
     const auto end = make_chunks(work, source, threads, sink, {&stop_, {}, {}});
-    if (end && *end == ChunksEnd::interrupted && !stop_) problem = "a chunk could not be made";
+    if (end && *end == ChunksEnd::interrupted && !stop_) trouble.kind = Trouble::Kind::not_made;
   } catch (const std::bad_alloc&) {
-    problem = "not enough memory for this";
+    trouble.kind = Trouble::Kind::no_memory;
   } catch (const std::exception& thrown) {
-    problem = thrown.what();
+    trouble = {Trouble::Kind::in_words, thrown.what()};
   }
   const std::lock_guard lock(mutex_);
-  problem_ = problem;
+  trouble_ = trouble;
   gone_ = true;
   made_or_gone_.notify_one();
 }
@@ -73,9 +87,9 @@ void Crew::wait(std::chrono::microseconds patience) {
   made_or_gone_.wait_for(lock, patience, [&] { return !made_.empty(); });
 }
 
-std::string Crew::problem() {
+Trouble Crew::trouble() {
   const std::lock_guard lock(mutex_);
-  return problem_;
+  return trouble_;
 }
 
 }  // namespace cromer::core

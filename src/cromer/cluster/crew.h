@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cromer/ensemble/chunks.h"
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
@@ -22,6 +23,14 @@ struct MadeChunk {
   std::uint64_t chunk() const { return words.front(); }
   const double* rows() const { return reinterpret_cast<const double*>(words.data() + 1); }
 };
+
+/// What went wrong in making chunks, as it is told to another rank.
+struct Trouble {
+  enum class Kind : std::uint64_t { none, not_made, no_memory, in_words } kind = Kind::none;
+  std::string words{};  ///< of those who said it so
+  bool empty() const { return kind == Kind::none; }
+};
+Notice notice_of(const Trouble& trouble);
 
 class Crew {
  public:
@@ -45,8 +54,8 @@ class Crew {
   /// Waits until a chunk is made, but not longer.
   void wait(std::chrono::microseconds patience);
 
-  /// What went wrong in making chunks, or "".
-  std::string problem();
+  /// What went wrong in making chunks, if anything did.
+  Trouble trouble();
 
  private:
   void run(const ChunkedRows& work, int threads);
@@ -57,7 +66,7 @@ class Crew {
   std::deque<MadeChunk> made_{};
   std::atomic<bool> stop_{false};
   bool gone_ = false;
-  std::string problem_{};
+  Trouble trouble_{};
   std::thread thread_;
 };
 

@@ -23,26 +23,28 @@ std::string shortened(const Json& value) {
 
 }  // namespace
 
-std::string differences(const std::string& there, const std::string& here) {
-  if (there == here) return "";
+std::vector<Notice> differences(const std::string& there, const std::string& here) {
+  if (there == here) return {};
   const Json a = Json::parse(there, nullptr, false), b = Json::parse(here, nullptr, false);
-  if (a.is_discarded() || b.is_discarded() || a == b) return "it is described otherwise";
+  if (a.is_discarded() || b.is_discarded() || a == b) return {Notice{"described_otherwise"}};
   constexpr std::size_t most = 4;
   const Json changes = Json::diff(a, b);
-  std::string text;
+  std::vector<Notice> said;
   for (std::size_t i = 0; i < std::min(changes.size(), most); ++i) {
     const std::string path = changes[i]["path"], kind = changes[i]["op"];
-    if (!text.empty()) text += "; ";
-    text += name_of(path);
+    const std::string name = name_of(path);
     if (kind == "add")
-      text += " is missing there";
+      said.push_back(Notice{"missing_there", {{"name", name}}});
     else if (kind == "remove")
-      text += " is missing here";
+      said.push_back(Notice{"missing_here", {{"name", name}}});
     else
-      text += " is " + shortened(a.at(Json::json_pointer(path))) + " there and " +
-              shortened(changes[i]["value"]) + " here";
+      said.push_back(Notice{"differs",
+                            {{"name", name},
+                             {"there", shortened(a.at(Json::json_pointer(path)))},
+                             {"here", shortened(changes[i]["value"])}}});
   }
-  return changes.size() > most ? text + "; and more" : text;
+  if (changes.size() > most) said.push_back(Notice{"and_more"});
+  return said;
 }
 
 }  // namespace cromer::core

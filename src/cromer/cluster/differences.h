@@ -2,10 +2,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
-/// "stiffness is 9 there and 10 here; step is missing there": the first few, or "" where they are the same.
-std::string differences(const std::string& there, const std::string& here);
+/// The first few, as "stiffness is 9 there and 10 here"; none where they are the same.
+std::vector<Notice> differences(const std::string& there, const std::string& here);
 
 }  // namespace cromer::core

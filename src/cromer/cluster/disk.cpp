@@ -1,7 +1,6 @@
 #include "cromer/cluster/disk.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/statvfs.h>
 #include <unistd.h>
 
@@ -15,10 +14,23 @@
 namespace cromer::core {
 namespace {
 
-Error cannot(const char* what, const std::string& path, int number) {
+/// Where there is no room.
+Notice cure(int number) {
   const bool full = number == ENOSPC || number == EDQUOT || number == EFBIG;
-  return {fmt::format("cannot {} {}: {}{}", what, path, std::strerror(number),
-                      full ? "; what is finished is kept: make room and go on with --resume" : "")};
+  return full ? Notice{"finished_is_kept"} : Notice{};
+}
+
+Error not_opened(const std::string& path, int number) {
+  return Error{"cannot_open", {{"path", path}, {"why", std::strerror(number)}, {"cure", cure(number)}}};
+}
+
+Error not_written(const std::string& path, int number) {
+  return Error{"cannot_write_there",
+               {{"path", path}, {"why", std::strerror(number)}, {"cure", cure(number)}}};
+}
+
+Error not_removed(const std::string& path, int number) {
+  return Error{"cannot_remove", {{"path", path}, {"why", std::strerror(number)}, {"cure", cure(number)}}};
 }
 
 void sync_folder(const std::string& path) {
@@ -34,7 +46,7 @@ Result<DiskFile> DiskFile::open(const std::string& path, int flags) {
   DiskFile opened;
   opened.path_ = path;
   opened.file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC | flags, 0666);
-  if (opened.file_ < 0) return cannot("open", path, errno);
+  if (opened.file_ < 0) return not_opened(path, errno);
   return opened;
 }
 
@@ -47,8 +59,8 @@ Result<void> DiskFile::write(const void* bytes, std::size_t size, std::uint64_t 
   while (size > 0) {
     const ssize_t count = ::pwrite(file_, from, size, static_cast<off_t>(offset));
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return cannot("write", path_, errno);
-    if (count == 0) return cannot("write", path_, ENOSPC);
+    if (count < 0) return not_written(path_, errno);
+    if (count == 0) return not_written(path_, ENOSPC);
     from += count;
     size -= static_cast<std::size_t>(count);
     offset += static_cast<std::uint64_t>(count);
@@ -69,7 +81,7 @@ std::size_t DiskFile::read(void* bytes, std::size_t size, std::uint64_t offset) 
 }
 
 Result<void> DiskFile::sync() const {
-  if (::fdatasync(file_) != 0) return cannot("write", path_, errno);
+  if (::fdatasync(file_) != 0) return not_written(path_, errno);
   return {};
 }
 
@@ -78,20 +90,21 @@ Result<void> fits_on_disk(const std::string& path, double bytes) {
   if (::statvfs(folder_of(path).c_str(), &disk) != 0) return {};  // opening will say why
   const double free = static_cast<double>(disk.f_bavail) * static_cast<double>(disk.f_frsize);
   if (bytes <= free) return {};
-  return Error{
-      fmt::format("{} needs {} and there are {} free in {}; ask for fewer points or measures, or name "
-                  "a file on a larger disk",
-                  path, bytes_in_words(bytes), bytes_in_words(free), folder_of(path))};
+  return Error{"disk_too_small",
+               {{"path", path},
+                {"needed", bytes_in_words(bytes)},
+                {"free", bytes_in_words(free)},
+                {"folder", folder_of(path)}}};
 }
 
 Result<void> rename_file(const std::string& from, const std::string& to) {
-  if (std::rename(from.c_str(), to.c_str()) != 0) return cannot("write", to, errno);
+  if (std::rename(from.c_str(), to.c_str()) != 0) return not_written(to, errno);
   sync_folder(to);
   return {};
 }
 
 Result<void> remove_file(const std::string& path) {
-  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return cannot("remove", path, errno);
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) return not_removed(path, errno);
   sync_folder(path);
   return {};
 }

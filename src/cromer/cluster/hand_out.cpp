@@ -1,7 +1,5 @@
 #include "cromer/cluster/hand_out.h"
 
-#include <fmt/format.h>
-
 #include "cromer/cluster/differences.h"
 
 namespace cromer::core {
@@ -44,7 +42,7 @@ bool HandOut::look_around() {
     keep(0, made->chunk(), made->rows());
     happened = true;
   }
-  if (const std::string problem = crew_.problem(); !problem.empty()) fail(problem);
+  if (const Trouble trouble = crew_.trouble(); !trouble.empty()) fail(notice_of(trouble));
   if (watch_.interrupted()) interrupted_ = true;
   post_.empty();
   return happened;
@@ -59,19 +57,20 @@ void HandOut::answer(const Message& message) {
       member.host = text_of(message.words, at);
       threads_ += member.threads;
       const std::string description = text_of(message.words, at);
-      if (const std::string other = differences(work_.description, description); !other.empty())
-        return fail(
-            fmt::format("rank {} on {} would compute something else (there: the first rank, here: it): {}; "
-                        "use the same program, files and CROMER_SIMD everywhere",
-                        message.from, member.host, other));
+      if (const std::vector<Notice> other = differences(work_.description, description); !other.empty())
+        return fail(Notice{"rank_computes_otherwise",
+                           {{"rank", message.from}, {"host", member.host}, {"differences", other}}});
       return supply(message.from);
     }
     case Kind::rows:
       return keep(message.from, message.words.at(0),
                   reinterpret_cast<const double*>(message.words.data() + 1));
-    case Kind::problem:
-      at = 0;
-      return fail(fmt::format("rank {} on {}", message.from, text_of(message.words, at)));
+    case Kind::problem: {
+      const std::string host = text_of(message.words, at);
+      const Trouble trouble{static_cast<Trouble::Kind>(message.words.at(0)), text_of(message.words, at)};
+      return fail(
+          Notice{"rank_in_trouble", {{"rank", message.from}, {"host", host}, {"what", notice_of(trouble)}}});
+    }
     case Kind::interrupted:
       interrupted_ = true;
       return;
@@ -108,8 +107,8 @@ void HandOut::supply(int rank) {
   }
 }
 
-void HandOut::fail(const std::string& message) {
-  if (good_) good_ = Error{message};
+void HandOut::fail(const Notice& why) {
+  if (good_) good_ = Error{why};
 }
 
 void HandOut::end() {

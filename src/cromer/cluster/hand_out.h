@@ -31,7 +31,7 @@ class HandOut {
   void answer(const Message& message);
   void keep(int rank, std::uint64_t chunk, const double* rows);
   void supply(int rank);
-  void fail(const std::string& message);
+  void fail(const Notice& why);
   void end();
 
   const ChunkedRows& work_;

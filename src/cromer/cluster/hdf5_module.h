@@ -30,6 +30,16 @@ struct CromerHdf5Dataset {
   std::uint64_t offset;  ///< of its first number from the file's beginning [bytes]; set by the module
 };
 
+/// How it went; `message` then has HDF5's own words.
+enum CromerHdf5End : int {
+  cromer_hdf5_good,
+  cromer_hdf5_not_made,  ///< the file could not be made
+  cromer_hdf5_part,      ///< nor one of its parts; the message begins with its name
+  cromer_hdf5_not_written,
+  cromer_hdf5_not_opened,  ///< as an HDF5 file
+  cromer_hdf5_not_read,
+};
+
 /// Told what a file holds.
 struct CromerHdf5Reader {
   void* self;
@@ -41,13 +51,13 @@ struct CromerHdf5 {
   int version;
 
   /// Makes the file: attributes, groups, and datasets whose fill value is NaN, with room for all numbers,
-  /// none written. The same bytes whenever and wherever. False: `message` says why, the file is not good.
-  bool (*create)(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
-                 const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
-                 std::size_t dataset_count, char* message, std::size_t room);
+  /// none written. The same bytes whenever and wherever. The file is good only if that is the end.
+  CromerHdf5End (*create)(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
+                          const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
+                          std::size_t dataset_count, char* message, std::size_t room);
 
   /// Tells text attributes and datasets of the file's root.
-  bool (*read)(const char* path, const CromerHdf5Reader* reader, char* message, std::size_t room);
+  CromerHdf5End (*read)(const char* path, const CromerHdf5Reader* reader, char* message, std::size_t room);
 };
 
 const CromerHdf5* cromer_hdf5();
@@ -55,5 +65,5 @@ const CromerHdf5* cromer_hdf5();
 }  // extern "C"
 
 namespace cromer::core {
-constexpr int hdf5_module_version = 2;
+constexpr int hdf5_module_version = 3;
 }

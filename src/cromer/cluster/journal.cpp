@@ -27,7 +27,7 @@ Result<void> Journal::lock() const {
     if (::flock(file_.descriptor(), LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return {};
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
-  return Error{fmt::format("another cromer is writing this file now (it holds {})", path_)};
+  return Error{"another_is_writing", {{"journal", path_}}};
 }
 
 Result<Journal> Journal::create(const std::string& file, std::uint64_t chunks, const std::string& work) {
@@ -37,7 +37,8 @@ Result<Journal> Journal::create(const std::string& file, std::uint64_t chunks, c
   if (!opened) return opened.error();
   journal.file_ = std::move(*opened);
   if (auto good = journal.lock(); !good) return good.error();
-  if (::ftruncate(journal.file_.descriptor(), 0) != 0) return Error{"cannot write " + journal.path_};
+  if (::ftruncate(journal.file_.descriptor(), 0) != 0)
+    return Error{"cannot_write_journal", {{"journal", journal.path_}}};
   const std::string line = first_line(chunks, work);
   journal.begin_ = line.size();
   journal.chunks_ = chunks;
@@ -67,9 +68,7 @@ Result<Journal> Journal::open(const std::string& file, std::uint64_t chunks, con
   there.resize(journal.file_.read(there.data(), there.size(), 0));
   const bool whole = journal.file_.read(&last, 1, journal.begin_ + chunks - 1) == 1;
   if (there.compare(0, line.size(), line) != 0 || !whole)
-    return Error{
-        fmt::format("{} is not the journal of this work, or is damaged; remove {} and it to begin again",
-                    journal.path_, file)};
+    return Error{"not_the_journal", {{"journal", journal.path_}, {"file", file}}};
   return journal;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
 #include <list>
 #include <string>
 #include <utility>
@@ -18,7 +19,7 @@ enum class Kind : int {
   hello,        ///< to the first: threads, then host and description as text
   chunk,        ///< from the first: a chunk to make
   rows,         ///< to the first: a chunk made
-  problem,      ///< to the first: why this rank cannot go on
+  problem,      ///< to the first: why this rank cannot go on: a Trouble's kind, then host and words as text
   interrupted,  ///< to the first: somebody wants this rank to stop
   stop,         ///< from the first: there is nothing more to do
   left,         ///< to the first: the last message of this rank
@@ -34,6 +35,16 @@ inline Words words_of(const std::string& text) {
   Words words(1 + (text.size() + 7) / 8);
   words[0] = text.size();
   std::memcpy(words.data() + 1, text.data(), text.size());
+  return words;
+}
+
+/// A number, then texts.
+inline Words words_of(std::uint64_t number, std::initializer_list<std::string> texts) {
+  Words words = {number};
+  for (const std::string& text : texts) {
+    const Words more = words_of(text);
+    words.insert(words.end(), more.begin(), more.end());
+  }
   return words;
 }
 

@@ -11,7 +11,7 @@ namespace cromer::core {
 struct Module {
   const char* file;     ///< "libcromer_hdf5.so"
   const char* symbol;   ///< the function that gives its interface
-  const char* what;     ///< what it is needed for: "HDF5 files"
+  Notice what;          ///< what it is needed for: HDF5 files
   const char* package;  ///< what the build needs for it: "libhdf5-dev"
 };
 

@@ -1,6 +1,5 @@
 #include "cromer/cluster/ranks.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,12 +32,7 @@ std::string host_name() {
 }
 
 Words hello(const ChunkedRows& work, int threads) {
-  Words words = {static_cast<std::uint64_t>(threads_of(threads))};
-  for (const std::string& text : {host_name(), work.description}) {
-    const Words more = words_of(text);
-    words.insert(words.end(), more.begin(), more.end());
-  }
-  return words;
+  return words_of(static_cast<std::uint64_t>(threads_of(threads)), {host_name(), work.description});
 }
 
 ChunkedRows nothing() {
@@ -74,20 +68,17 @@ int threads_of_rank(int asked) {
 }
 
 Result<Ranks> Ranks::join(const RankPlace& place) {
-  auto found = load_module({"libcromer_mpi.so", "cromer_mpi", "mpirun and srun", "libopenmpi-dev"});
+  auto found = load_module({"libcromer_mpi.so", "cromer_mpi", Notice{"mpirun_and_srun"}, "libopenmpi-dev"});
   if (!found) return found.error();
   const auto* mpi = reinterpret_cast<const CromerMpi* (*)()>(*found)();
   if (mpi->version != mpi_module_version)
-    return Error{"libcromer_mpi.so is not of this version of cromer; install both together"};
+    return Error{"module_of_other_version", {{"module", "libcromer_mpi.so"}}};
   RankPlace seen;
   mpi->start(&seen.rank, &seen.ranks);
   Ranks ranks(mpi, seen);
   if (seen.ranks != place.ranks) {
     ranks.over_ = true;
-    return Error{
-        fmt::format("{} processes were started together, but MPI sees {}: start cromer with the mpirun of "
-                    "its MPI library, or with srun --mpi=pmix",
-                    place.ranks, seen.ranks)};
+    return Error{"mpi_sees_others", {{"started", place.ranks}, {"seen", seen.ranks}}};
   }
   return ranks;
 }
@@ -115,17 +106,19 @@ Result<ChunksEnd> Ranks::make_chunks(const ChunkedRows& work, const std::vector<
 }
 
 void Ranks::help(const ChunkedRows& work, int threads, const Watch& watch) {
-  help_or_tell(work, threads_of_rank(threads), watch, "");
+  help_or_tell(work, threads_of_rank(threads), watch, {});
 }
 
-void Ranks::cannot_help(const std::string& why) { help_or_tell(nothing(), 1, {}, why); }
+void Ranks::cannot_help(const std::string& why) {
+  help_or_tell(nothing(), 1, {}, {Trouble::Kind::in_words, why});
+}
 
-void Ranks::help_or_tell(const ChunkedRows& work, int threads, const Watch& watch, std::string problem) {
+void Ranks::help_or_tell(const ChunkedRows& work, int threads, const Watch& watch, Trouble trouble) {
   using std::chrono::microseconds;
   over_ = true;
   Post post(mpi_);
   Crew crew(work, threads);
-  if (problem.empty()) post.send(0, Kind::hello, hello(work, threads));
+  if (trouble.empty()) post.send(0, Kind::hello, hello(work, threads));
   bool said = false, stopping = false;
   auto patience = microseconds(1000);
   while (!stopping || !crew.gone()) {
@@ -138,10 +131,11 @@ void Ranks::help_or_tell(const ChunkedRows& work, int threads, const Watch& watc
       post.send(0, Kind::rows, std::move(made->words));
       happened = true;
     }
-    if (problem.empty()) problem = crew.problem();
-    if (!problem.empty() && !said) {
+    if (trouble.empty()) trouble = crew.trouble();
+    if (!trouble.empty() && !said) {
       said = true;
-      post.send(0, Kind::problem, words_of(host_name() + ": " + problem));
+      post.send(0, Kind::problem,
+                words_of(static_cast<std::uint64_t>(trouble.kind), {host_name(), trouble.words}));
     }
     if (watch.interrupted() && !said) {
       said = true;

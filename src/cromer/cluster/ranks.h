@@ -13,6 +13,8 @@ struct CromerMpi;
 
 namespace cromer::core {
 
+struct Trouble;
+
 /// Which of how many this process is, as those who started it left it in the environment.
 struct RankPlace {
   int rank = 0, ranks = 1;
@@ -47,13 +49,13 @@ class Ranks {
   /// The other ranks: make what they are handed until the first lets them go.
   void help(const ChunkedRows& work, int threads, const Watch& watch);
 
-  /// The other ranks: tell the first why this one cannot help.
+  /// The other ranks: tell the first, in words, why this one cannot help.
   void cannot_help(const std::string& why);
 
  private:
   Ranks(const CromerMpi* mpi, const RankPlace& place) : mpi_(mpi), place_(place) {}
 
-  void help_or_tell(const ChunkedRows& work, int threads, const Watch& watch, std::string problem);
+  void help_or_tell(const ChunkedRows& work, int threads, const Watch& watch, Trouble trouble);
 
   const CromerMpi* mpi_ = nullptr;
   RankPlace place_{};

@@ -48,14 +48,13 @@ Result<RowsFile> RowsFile::open(const ChunkedRows& work, const RowsFileOptions& 
     if (auto good = find_in_file(work, options, datasets); !good) return good.error();
     if (journal_there) {
       auto journal = Journal::open(path, work.chunks(), fingerprint(work));
-      if (!journal) return Error{"--resume: " + journal.error().message};
+      if (!journal) return Error{"cannot_resume", {{"what", journal.error().notice}}};
       file.journal_ = std::move(*journal);
       file.journaled_ = true;
       file.unfinished_ = file.journal_.unfinished();
     }
   } else {
-    if (file_there && journal_there)
-      return Error{fmt::format("{} is unfinished; go on with --resume, or remove it to begin again", path)};
+    if (file_there && journal_there) return Error{"file_is_unfinished", {{"path", path}}};
     if (auto good = fits_on_disk(path, rows_file_bytes(work, options)); !good) return good.error();
     // Laid out under another name: a file of this name is whole whenever one looks. The journal is there
     // before it, for a file without one is finished.

@@ -1,7 +1,6 @@
 #include "cromer/cluster/rows_file_layout.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +20,7 @@ Result<void> write_numbers(const DiskFile& file, std::uint64_t offset, std::uint
   constexpr std::uint64_t piece = 1 << 17;  // 1 MiB
   std::vector<double> numbers(std::min(piece, count));
   for (std::uint64_t begin = 0; begin < count; begin += piece) {
-    if (watch.interrupted()) return Error{"interrupted before the first point; nothing was begun"};
+    if (watch.interrupted()) return Error{"interrupted_at_first"};
     const std::uint64_t n = std::min(piece, count - begin);
     for (std::uint64_t i = 0; i < n; ++i) numbers[i] = value(begin + i);
     if (auto good = file.write(numbers.data(), n * sizeof(double), offset + begin * sizeof(double)); !good)
@@ -83,9 +82,10 @@ Result<void> make_file(const std::string& path, const ChunkedRows& work, const R
                                     {"program", options.program.c_str()},
                                     {"command", options.command.c_str()}};
   char message[message_room];
-  if (!(*module)->create(path.c_str(), of_file, std::size(of_file), nullptr, 0, made.data(), made.size(),
-                         message, message_room))
-    return Error{fmt::format("cannot write {}: {}", path, message)};
+  const CromerHdf5End end = (*module)->create(path.c_str(), of_file, std::size(of_file), nullptr, 0,
+                                              made.data(), made.size(), message, message_room);
+  if (const Notice trouble = hdf5_trouble(end, message); !trouble.empty())
+    return Error{"cannot_write", {{"path", path}, {"why", trouble}}};
 
   auto file = DiskFile::open(path, 0);
   if (!file) return file.error();
@@ -112,21 +112,18 @@ Result<void> find_in_file(const ChunkedRows& work, const RowsFileOptions& option
         static_cast<Found*>(self)->datasets[name] = {numbers, offset};
       }};
   char message[message_room];
-  if (!(*module)->read(options.path.c_str(), &reader, message, message_room))
-    return Error{fmt::format("--resume: {} {}", options.path, message)};
+  const CromerHdf5End end = (*module)->read(options.path.c_str(), &reader, message, message_room);
+  if (const Notice trouble = hdf5_trouble(end, message); !trouble.empty())
+    return Error{"cannot_resume_file", {{"path", options.path}, {"what", trouble}}};
   const auto described = found.texts.find("description");
-  if (described == found.texts.end())
-    return Error{fmt::format("--resume: {} was not made by cromer: it has no description", options.path)};
-  const std::string other = differences(described->second, work.description);
-  if (!other.empty())
-    return Error{
-        fmt::format("--resume: {} is of another sweep: {}; name another file, or ask for the same again",
-                    options.path, other)};
+  if (described == found.texts.end()) return Error{"resume_without_description", {{"path", options.path}}};
+  const std::vector<Notice> other = differences(described->second, work.description);
+  if (!other.empty()) return Error{"resume_other_sweep", {{"path", options.path}, {"differences", other}}};
   for (LaidOut& dataset : datasets) {
     const auto there = found.datasets.find(dataset.name);
     if (there == found.datasets.end() || there->second.first != dataset.numbers())
-      return Error{fmt::format("--resume: {} has no {} of {} numbers; was it changed?", options.path,
-                               dataset.name, dataset.numbers())};
+      return Error{"resume_changed_file",
+                   {{"path", options.path}, {"dataset", dataset.name}, {"numbers", dataset.numbers()}}};
     dataset.offset = there->second.second;
   }
   return {};

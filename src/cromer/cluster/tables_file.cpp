@@ -1,7 +1,5 @@
 #include "cromer/cluster/tables_file.h"
 
-#include <fmt/format.h>
-
 #include "cromer/base/replacement.h"
 #include "cromer/cluster/disk.h"
 #include "cromer/cluster/load_hdf5.h"
@@ -67,16 +65,20 @@ Result<void> fill(const std::string& path, const std::string& name, const std::v
   for (const Hdf5Table& table : tables)
     if (table.name.empty()) of_file = texts_of(table);
   char message[message_room];
-  if (!(*module)->create(path.c_str(), of_file.data(), of_file.size(), told.groups.data(), told.groups.size(),
-                         told.datasets.data(), told.datasets.size(), message, message_room))
-    return Error{fmt::format("cannot write {}: {}", name, message)};
+  const CromerHdf5End end =
+      (*module)->create(path.c_str(), of_file.data(), of_file.size(), told.groups.data(), told.groups.size(),
+                        told.datasets.data(), told.datasets.size(), message, message_room);
+  const auto cannot_write = [&](const Notice& why) {
+    return Error{"cannot_write", {{"path", name}, {"why", why}}};
+  };
+  if (const Notice trouble = hdf5_trouble(end, message); !trouble.empty()) return cannot_write(trouble);
   auto file = DiskFile::open(path, 0);
-  if (!file) return Error{fmt::format("cannot write {}: {}", name, file.error().message)};
+  if (!file) return cannot_write(file.error().notice);
   for (std::size_t i = 0; i < told.columns.size(); ++i) {
     const auto& values = told.columns[i]->values;
     if (auto good = file->write(values.data(), values.size() * sizeof(double), told.datasets[i].offset);
         !good)
-      return Error{fmt::format("cannot write {}: {}", name, good.error().message)};
+      return cannot_write(good.error().notice);
   }
   return file->sync();
 }

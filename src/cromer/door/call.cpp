@@ -15,6 +15,7 @@
 #include "cromer/base/nearest.h"
 #include "cromer/c.h"
 #include "cromer/documents/json/documents.h"
+#include "cromer/documents/json/notices.h"
 #include "cromer/door/options.h"
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"
@@ -47,30 +48,47 @@ namespace {
 
 using Request = nlohmann::json;
 
+/// A setting that is no option of a task, taken out of the request; "" where it is not there.
+Result<std::string> take_text(Request& request, const char* name) {
+  const auto at = request.find(name);
+  if (at == request.end()) return std::string();
+  if (!at->is_string() && !at->is_null())
+    return Error{Notice{"must_be_text", {{"argument", name}}}, name};
+  const std::string text = at->is_null() ? std::string() : at->get<std::string>();
+  request.erase(at);
+  return text;
+}
+
+/// That of the document's sentences.
+Result<Language> take_language(Request& request) {
+  const auto word = take_text(request, "language");
+  if (!word) return word.error();
+  if (word->empty() || *word == "en") return Language::english;
+  if (*word == "de") return Language::german;
+  const std::vector<std::string> known{"en", "de"};
+  return Error{Notice{"word_not_known", {{"argument", "language"}, {"word", *word}, {"known", known}}},
+               "language"};
+}
+
 /// A call's request, taken apart as the verb asks for it.
 class Call {
  public:
-  Call(std::string_view verb, Request request, std::span<const cromer_array> arrays, const Progress& progress)
-      : verb_(verb), request_(std::move(request)), arrays_(arrays), watching_(progress) {}
+  Call(std::string_view verb, Request request, std::span<const cromer_array> arrays, const Progress& progress,
+       const Voice& voice)
+      : verb_(verb), request_(std::move(request)), arrays_(arrays), watching_(progress), voice_(voice) {}
 
   std::string_view verb() const { return verb_; }
+  const Voice& voice() const { return voice_; }
   const Watch& watch() const { return watching_.watch(); }
 
-  /// A setting that is no option of the task, taken out of the request; "" where it is not there.
-  Result<std::string> take_text(const char* name) {
-    const auto at = request_.find(name);
-    if (at == request_.end() || at->is_null()) return std::string();
-    if (!at->is_string()) return Error{std::string(name) + " must be a text", name};
-    const std::string text = *at;
-    request_.erase(at);
-    return text;
-  }
+  /// Settings that are no options of the task, taken out of the request; "" where one is not there.
+  Result<std::string> take_text(const char* name) { return core::take_text(request_, name); }
   /// Likewise; NaN where it is not there.
   Result<double> take_number(const char* name) {
     const auto at = request_.find(name);
-    if (at == request_.end() || at->is_null()) return std::nan("");
-    if (!at->is_number()) return Error{std::string(name) + " must be a number", name};
-    const double number = *at;
+    if (at == request_.end()) return std::nan("");
+    if (!at->is_number() && !at->is_null()) return Error{Notice{"must_be_number", {{"argument", name}}}, name};
+    const double number = at->is_null() ? std::nan("") : at->get<double>();
     request_.erase(at);
     return number;
   }
@@ -102,7 +120,7 @@ class Call {
           value.is_array() &&
           std::any_of(value.begin(), value.end(), [](const Request& each) { return each.is_structured(); });
       if (value.is_object() || nested)
-        return Error{item.key() + " must be a number, a text or a list of them", item.key()};
+        return Error{Notice{"must_be_value", {{"argument", item.key()}}}, item.key()};
       if (value.is_null()) continue;
       if (!value.is_array()) {
         settings.emplace_back(name, text_of(value));
@@ -126,7 +144,7 @@ class Call {
     for (const Option& option : options_of(read)) names.emplace_back(option.name);
     for (const std::string& option : names)
       if (const std::string name = argument_of(option); request_.contains(name))
-        return Error{name + " is said of a file, and arrays are given; leave it out", name};
+        return Error{Notice{"said_of_a_file", {{"argument", name}}}, name};
     return {};
   }
 
@@ -134,8 +152,7 @@ class Call {
   Result<void> check_arrays() const {
     for (const cromer_array& each : arrays_)
       if (std::find(used_.begin(), used_.end(), &each) == used_.end())
-        return Error{std::string(each.name) + " is no array that " + std::string(verb_) + " takes here",
-                     each.name};
+        return Error{Notice{"not_an_array_here", {{"array", each.name}, {"verb", verb_}}}, each.name};
     return {};
   }
 
@@ -156,8 +173,8 @@ class Call {
       if (names.back() == argument) return &each;
     }
     const std::string near = nearest(argument, std::vector<std::string_view>(names.begin(), names.end()));
-    return Error{'"' + argument + "\" is nothing that " + std::string(verb_) + " takes" +
-                     (near.empty() ? "" : "; did you mean " + near + "?"),
+    return Error{Notice{near.empty() ? "unknown_argument" : "unknown_argument_but",
+                        {{"argument", argument}, {"verb", verb_}, {"near", near}}},
                  argument};
   }
 
@@ -172,6 +189,7 @@ class Call {
   std::span<const cromer_array> arrays_;
   std::vector<const cromer_array*> used_;
   Watching watching_;
+  const Voice& voice_;
 };
 
 /// The recording that fit and compare are about: arrays, or a file.
@@ -183,10 +201,9 @@ struct Motion {
 Result<Motion> motion_of(Call& call, const ReadOptions& read, const std::string& file,
                          const std::string& observed) {
   if (call.has_array("t") || call.has_array("y")) {
-    if (!file.empty())
-      return Error{"file and the arrays t and y both give a record; leave one of them out", "file"};
+    if (!file.empty()) return Error{Notice{"file_and_arrays"}, "file"};
     for (const char* needed : {"t", "y"})
-      if (!call.has_array(needed)) return Error{std::string("the array ") + needed + " is missing", needed};
+      if (!call.has_array(needed)) return Error{Notice{"array_is_missing", {{"array", needed}}}, needed};
     const auto kind = observed_of(observed);
     if (!kind) return kind.error();
     auto recording =
@@ -194,11 +211,8 @@ Result<Motion> motion_of(Call& call, const ReadOptions& read, const std::string&
     if (!recording) return recording.error();
     return Motion{*std::move(recording), true};
   }
-  if (!observed.empty())
-    return Error{"observed is said of the array y; a file's column says it itself", "observed"};
-  if (file.empty())
-    return Error{"there is nothing to " + std::string(call.verb()) + ": give the arrays t and y, or a file",
-                 "t"};
+  if (!observed.empty()) return Error{Notice{"observed_of_file"}, "observed"};
+  if (file.empty()) return Error{Notice{"no_record", {{"verb", call.verb()}}}, "t"};
   const auto bytes = core::read_file(file);
   if (!bytes) return bytes.error();
   auto recording = read_recording(*bytes, file, read);
@@ -244,7 +258,7 @@ Result<void> fit_verb(Call& call, cromer_result& result) {
     result.add(run + "x", std::move(known.x));
     result.add(run + "v", std::move(known.v));
   }
-  result.document = to_json(*fits);
+  result.document = to_json(*fits, false, call.voice());
   return {};
 }
 
@@ -269,21 +283,19 @@ Result<void> compare_verb(Call& call, cromer_result& result) {
     }
     all.push_back(*std::move(compared));
   }
-  result.document = to_json(std::span<const CompareResult>(all));
+  result.document = to_json(std::span<const CompareResult>(all), call.voice());
   return {};
 }
 
 Result<void> take_record(Call& call, SimulateOptions& options, double spacing) {
   const bool force = call.has_array("force"), ground = call.has_array("acceleration");
   if (!force && !ground) {
-    if (!std::isnan(spacing))
-      return Error{"spacing is that of the arrays force or acceleration, and none is given", "spacing"};
+    if (!std::isnan(spacing)) return Error{Notice{"spacing_of_nothing"}, "spacing"};
     return load_drive(options, "");
   }
   const std::string name = force ? "force" : "acceleration";
-  if (force && ground)
-    return Error{"force and acceleration both drive the mass; leave one of them out", "force"};
-  if (std::isnan(spacing)) return Error{name + " needs its spacing as well, in seconds", "spacing"};
+  if (force && ground) return Error{Notice{"force_and_acceleration"}, "force"};
+  if (std::isnan(spacing)) return Error{Notice{"spacing_is_missing", {{"array", name}}}, "spacing"};
   return core::set_record(options, force ? RecordOf::force : RecordOf::ground, call.take_array(name),
                           spacing);
 }
@@ -310,7 +322,7 @@ Result<void> simulate_verb(Call& call, cromer_result& result) {
     result.add(of_run + "energy", energies(run));
     if (!run.sensor.empty()) result.add(of_run + "sensor", run.sensor);
   }
-  result.document = to_json(*simulated, false);
+  result.document = to_json(*simulated, false, call.voice());
   return {};
 }
 
@@ -319,20 +331,20 @@ Result<void> methods_verb(Call& call, cromer_result& result) {
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
   const auto rows = list_methods(options);
   if (!rows) return rows.error();
-  result.document = to_json(std::span<const MethodRow>(*rows));
+  result.document = to_json(std::span<const MethodRow>(*rows), call.voice());
   return {};
 }
 
 Result<SpectrumResult> spectrum_of(Call& call, const SpectrumOptions& options, const std::string& file,
                                    double spacing) {
   if (!call.has_array("acceleration")) {
-    if (file.empty()) return Error{"there is no acceleration: give the array, or a file", "acceleration"};
+    if (file.empty()) return Error{Notice{"no_acceleration"}, "acceleration"};
     const auto bytes = core::read_file(file);
     if (!bytes) return bytes.error();
     const SpectrumFile one{file, *bytes};
     return response_spectrum(std::span(&one, 1), options, call.watch());
   }
-  if (std::isnan(spacing)) return Error{"acceleration needs its spacing as well, in seconds", "spacing"};
+  if (std::isnan(spacing)) return Error{Notice{"spacing_is_missing", {{"array", "acceleration"}}}, "spacing"};
   auto components = components_of(call.take_array("acceleration"), call.take_array("second"), spacing);
   if (!components) return components.error();
   return response_spectrum(*std::move(components), options, call.watch());
@@ -355,7 +367,7 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
   if (!found) return in_arguments(found.error(), file->empty());
   if (auto good = call.check_arrays(); !good) return good;
   if (found->interrupted) result.status = CROMER_NO_SUCCESS;
-  found->warnings = in_arguments(found->warnings, file->empty());
+  found->notices = in_arguments(std::move(found->notices), file->empty());
   result.add("period", found->periods);
   for (std::size_t i = 0; i < found->spectra.size(); ++i) {
     const ResponseSpectrum& spectrum = found->spectra[i];
@@ -364,7 +376,7 @@ Result<void> spectrum_verb(Call& call, cromer_result& result) {
     if (!spectrum.rotd50.empty()) result.add(ratio + "rotd50", spectrum.rotd50);
     if (!spectrum.rotd100.empty()) result.add(ratio + "rotd100", spectrum.rotd100);
   }
-  result.document = to_json(*found, false);
+  result.document = to_json(*found, false, call.voice());
   return {};
 }
 
@@ -376,7 +388,7 @@ Result<void> sweep_verb(Call& call, cromer_result& result) {
   for (const cromer_array* array : call.take_all()) {
     const std::string option = option_of(array->name);
     if (std::none_of(table.begin(), table.end(), [&](const Option& each) { return each.name == option; }))
-      return Error{std::string(array->name) + " is no array that sweep takes", array->name};
+      return Error{Notice{"not_an_array_of", {{"array", array->name}, {"verb", call.verb()}}}, array->name};
     grids.emplace_back(option, list_of({array->values, array->length}));
   }
   if (auto good = assign(grids, table, call.verb()); !good) return good;
@@ -387,7 +399,7 @@ Result<void> sweep_verb(Call& call, cromer_result& result) {
   const auto& columns = swept->plan.rows.columns;
   for (std::size_t j = 0; j + 1 < columns.size(); ++j)
     result.add(std::string(columns[j]), column_of(*swept, j));
-  result.document = to_json(*swept, false);
+  result.document = to_json(*swept, false, call.voice());
   return {};
 }
 
@@ -395,7 +407,7 @@ Result<void> read_verb(Call& call, cromer_result& result) {
   ReadOptions options;
   const auto file = call.take_text("file");
   if (!file) return file.error();
-  if (file->empty()) return Error{"there is nothing to read: give a file", "file"};
+  if (file->empty()) return Error{Notice{"no_file"}, "file"};
   const auto column = call.take_text("column");
   if (!column) return column.error();
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
@@ -403,9 +415,8 @@ Result<void> read_verb(Call& call, cromer_result& result) {
   if (!bytes) return bytes.error();
   auto seen = inspect(*bytes, *file, options, *column);
   if (!seen) return seen.error();
-  seen->warnings = in_arguments(seen->warnings);
   for (const core::Column& each : seen->recording.table.columns) result.add(column_title(each), each.values);
-  result.document = to_json(*seen, false);
+  result.document = to_json(*seen, false, call.voice());
   return {};
 }
 
@@ -418,37 +429,40 @@ constexpr Verb verbs[] = {{"read", read_verb},       {"fit", fit_verb},         
                           {"compare", compare_verb}, {"methods", methods_verb}, {"spectrum", spectrum_verb},
                           {"sweep", sweep_verb}};
 
+/// `voice`: in which language the request wants its answer.
 Result<void> run(std::string_view verb, std::string_view text, std::span<const cromer_array> arrays,
-                 const Progress& progress, cromer_result& result) {
+                 const Progress& progress, Voice& voice, cromer_result& result) {
+  Request request = text.empty() ? Request::object() : Request::parse(text, nullptr, false);
+  const auto language = request.is_object() ? take_language(request) : Language::english;
+  if (language) voice.language = *language;
   const auto found =
       std::find_if(std::begin(verbs), std::end(verbs), [&](const Verb& each) { return each.name == verb; });
   if (found == std::end(verbs)) {
-    std::string known;
-    for (const Verb& each : verbs)
-      known += (known.empty() ? "" : &each == std::end(verbs) - 1 ? " and " : ", ") + std::string(each.name);
-    return Error{"there is no verb \"" + std::string(verb) + "\"; there are " + known, "verb"};
+    std::vector<std::string> known;
+    for (const Verb& each : verbs) known.emplace_back(each.name);
+    return Error{Notice{"no_verb", {{"verb", verb}, {"verbs", known}}}, "verb"};
   }
-  Request request = text.empty() ? Request::object() : Request::parse(text, nullptr, false);
-  if (!request.is_object()) return Error{"the request is no JSON object", "request"};
+  if (!request.is_object()) return Error{Notice{"request_is_no_object"}, "request"};
+  if (!language) return language.error();
   std::set<std::string_view> names;
   for (const cromer_array& each : arrays) {
     if (!each.name || !*each.name || (!each.values && each.length > 0))
-      return Error{"an array needs a name and its values", "arrays"};
+      return Error{Notice{"array_without_name_or_values"}, "arrays"};
     if (!names.insert(each.name).second)
-      return Error{"there are two arrays " + std::string(each.name), each.name};
+      return Error{Notice{"array_given_twice", {{"array", each.name}}}, each.name};
   }
-  Call call(verb, std::move(request), arrays, progress);
+  Call call(verb, std::move(request), arrays, progress, voice);
   if (auto good = found->run(call, result); !good) return good;
   return call.check_arrays();
 }
 
 /// The document of a call that could not be made.
-std::string refusal(const Error& error) {
-  const nlohmann::ordered_json document = {
-      {"message", error.message},
-      {"argument",
-       error.argument.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(error.argument)}};
-  return document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+std::string refusal(const Error& error, const Voice& voice) {
+  const Json said = notice_object(error.notice, voice);
+  return to_text(Json{{"message", said["text"]},
+                      {"argument", or_null(error.argument)},
+                      {"code", said["code"]},
+                      {"values", said["values"]}});
 }
 
 }  // namespace
@@ -459,21 +473,22 @@ cromer_result* cromer_call(const char* verb, const char* request, const cromer_a
   using namespace cromer;
   std::unique_ptr<cromer_result> result(new (std::nothrow) cromer_result);
   if (!result) return nullptr;
+  core::Voice voice{.audience = core::Audience::caller};
   const auto refuse = [&](const Error& error) {
     *result = {};
     result->status = CROMER_BAD_INPUT;
-    result->document = core::refusal(error);
+    result->document = core::refusal(error, voice);
   };
   try {
     const Progress told =
         progress ? Progress([=](double done) { return progress(done, user) != 0; }) : Progress{};
     const auto good = core::run(verb ? verb : "", request ? request : "",
-                                std::span(arrays, arrays ? count : 0), told, *result);
+                                std::span(arrays, arrays ? count : 0), told, voice, *result);
     if (!good) refuse(core::in_arguments(good.error()));
   } catch (const std::bad_alloc&) {
     return nullptr;
   } catch (const std::exception& error) {
-    refuse({error.what()});
+    refuse(Error{"call_failed", {{"what", error.what()}}});
   }
   return result.release();
 }

@@ -11,8 +11,9 @@
 namespace cromer {
 
 Result<Comparison> compare(const LawFit& fit, const CompareOptions& options) {
-  if (!fit.detail) return Error{"the fit is empty: fit() fills one", "fit"};
-  if (!fit.detail->fit.is_usable()) return Error{"the fit has no law to be compared: " + fit.message, "fit"};
+  if (!fit.detail) return Error{Notice{"fit_is_empty"}, "fit"};
+  if (!fit.detail->fit.is_usable())
+    return Error{Notice{"fit_without_law", {{"what", fit.detail->fit.message}}}, "fit"};
   core::CompareOptions asked;
   asked.fit = fit.detail->options;
   asked.method = options.method.name();
@@ -29,10 +30,10 @@ Result<Comparison> compare(const LawFit& fit, const CompareOptions& options) {
     comparison.curves.push_back({each.label, core::to_text(each.law), each.step, each.trajectory,
                                  each.complete, each.rms, each.r_squared, each.amplitude_ratio_end,
                                  each.phase_drift});
-  comparison.explanation = core::in_arguments(core::explanation(*detail), of_arrays);
+  comparison.explanation = core::message_of(core::in_arguments(core::explanation(*detail), of_arrays));
   comparison.complete = detail->complete;
   comparison.interrupted = watching.watch().interrupted();
-  comparison.warnings = detail->warnings;
+  comparison.notices = detail->notices;
   comparison.detail = detail;
   return comparison;
 }

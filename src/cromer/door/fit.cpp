@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "cromer/base/quantity.h"
 #include "cromer/door/options.h"
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"
@@ -21,8 +20,8 @@ const core::FittedRecording* usable(const LawFit& fit) {
 }
 
 Error no_values(const LawFit& fit) {
-  return {"the fit has no values: " + (fit.message.empty() ? std::string(name(fit.status)) : fit.message),
-          "fit"};
+  if (!fit.detail) return {Notice{"fit_is_empty"}, "fit"};
+  return {Notice{"fit_without_values", {{"what", fit.detail->fit.message}}}, "fit"};
 }
 
 Residual residual_of(const core::Residual& residual) {
@@ -34,7 +33,7 @@ LawFit fit_of(core::FittedRecording fitted, bool of_arrays) {
   core::put_in_arguments(fitted, of_arrays);
   LawFit fit;
   fit.status = fitted.fit.status;
-  fit.message = fitted.fit.message;
+  fit.message = core::message_of(fitted.fit.message);
   if (!fitted.wrong_input) fit.law = core::to_text(fitted.fit.law);
   fit.parameters = fitted.parameters;
   fit.derived = fitted.derived;
@@ -58,7 +57,7 @@ LawFit fit_of(core::FittedRecording fitted, bool of_arrays) {
   }
   fit.run = fitted.series.run;
   if (!fitted.series.t.empty()) fit.begin = fitted.series.t.front();
-  fit.warnings = fitted.warnings;
+  fit.notices = fitted.notices;
   fit.detail = std::make_shared<const core::FittedRecording>(std::move(fitted));
   return fit;
 }
@@ -76,19 +75,15 @@ Result<Trajectory> LawFit::at(std::span<const double> t) const {
   const core::FittedRecording* known = usable(*this);
   if (!known) return no_values(*this);
   if (known->fit.drive.kind == core::DriveKind::recorded)
-    return Error{"a recorded force drives this motion, which is known at its samples alone: ask motion()",
-                 "t"};
+    return Error{Notice{"motion_known_at_samples"}, "t"};
   if (auto good = core::check_times(t); !good) return good.error();
   if (t.empty()) return Trajectory{};
   const double first = known->series.t.front();
   if (t.front() < first)
-    return Error{"t begins at " + core::shortest(t.front()) + " s, before the first used sample, " +
-                     core::shortest(first) + " s: the law says nothing of what was before",
-                 "t"};
+    return Error{Notice{"times_before_the_first", {{"begin", t.front()}, {"first", first}}}, "t"};
   constexpr double most_steps = 1e8;
   if ((t.back() - first) / known->fit.step > most_steps)
-    return Error{
-        "t ends at " + core::shortest(t.back()) + " s, more steps from the record than can be followed", "t"};
+    return Error{Notice{"times_too_late", {{"end", t.back()}}}, "t"};
   // The law's motion is known from the first sample on.
   std::vector<double> from_first(t.begin(), t.end());
   const bool begins_later = t.front() > first;
@@ -135,10 +130,8 @@ Result<LawFit> fit(std::span<const double> t, std::span<const double> y, const F
 
 Result<std::vector<LawFit>> fit(const Recording& recording, const FitOptions& options,
                                 const Selection& selection) {
-  if (!recording.detail) return Error{"the recording is empty: read() or read_file() fills one", "recording"};
-  if (!options.force.empty())
-    return Error{"force: the force of a recording is one of its columns, force_column of the selection",
-                 "force"};
+  if (!recording.detail) return Error{Notice{"recording_is_empty"}, "recording"};
+  if (!options.force.empty()) return Error{Notice{"force_is_a_column"}, "force"};
   core::FitOptions asked = core::fit_options(options, selection);
   asked.read = recording.options;
   const core::Watching watching(options.progress);

@@ -1,7 +1,5 @@
 #include "cromer/door/options.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <iterator>
 
@@ -31,9 +29,11 @@ Column column_of(const char* name, std::string_view quantity, std::string_view u
 Result<void> check_length(std::span<const double> values, const char* argument,
                           std::span<const double> others, const char* other) {
   if (values.size() == others.size()) return {};
-  return Error{fmt::format("{} has {} values and {} has {}: they must be as many", argument, values.size(),
-                           other, others.size()),
-               argument};
+  return Error{
+      Notice{
+          "lengths_differ",
+          {{"argument", argument}, {"values", values.size()}, {"other", other}, {"others", others.size()}}},
+      argument};
 }
 
 Component component_of(std::span<const double> acceleration, double spacing, const char* argument) {
@@ -48,7 +48,8 @@ Component component_of(std::span<const double> acceleration, double spacing, con
 Result<void> check_not_infinite(std::span<const double> values, const char* argument) {
   for (std::size_t i = 0; i < values.size(); ++i)
     if (std::isinf(values[i]))
-      return Error{fmt::format("{}[{}] is {}: a missing value is NaN", argument, i, values[i]), argument};
+      return Error{Notice{"value_is_infinite", {{"argument", argument}, {"index", i}, {"value", values[i]}}},
+                   argument};
   return {};
 }
 
@@ -56,9 +57,9 @@ Result<void> check_not_infinite(std::span<const double> values, const char* argu
 
 Result<void> check_times(std::span<const double> t) {
   for (std::size_t i = 0; i < t.size(); ++i) {
-    if (!std::isfinite(t[i])) return Error{fmt::format("t[{}] is {}: times must be finite", i, t[i]), "t"};
+    if (!std::isfinite(t[i])) return Error{Notice{"time_not_finite", {{"index", i}, {"value", t[i]}}}, "t"};
     if (i > 0 && !(t[i] > t[i - 1]))
-      return Error{fmt::format("t must increase strictly: t[{}] = {} s follows {} s", i, t[i], t[i - 1]),
+      return Error{Notice{"times_do_not_increase", {{"index", i}, {"time", t[i]}, {"before", t[i - 1]}}},
                    "t"};
   }
   return {};
@@ -66,17 +67,19 @@ Result<void> check_times(std::span<const double> t) {
 
 Result<void> check_samples(std::span<const double> values, const std::string& argument, std::size_t least) {
   if (values.size() < least)
-    return Error{fmt::format("{} needs at least {} values, not {}", argument, least, values.size()),
-                 argument};
+    return Error{
+        Notice{"too_few_values", {{"argument", argument}, {"least", least}, {"values", values.size()}}},
+        argument};
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!std::isfinite(values[i]))
-      return Error{fmt::format("{}[{}] is {}: all values must be finite", argument, i, values[i]), argument};
+      return Error{Notice{"value_not_finite", {{"argument", argument}, {"index", i}, {"value", values[i]}}},
+                   argument};
   return {};
 }
 
 Result<void> check_spacing(double spacing) {
   if (spacing > 0 && std::isfinite(spacing)) return {};
-  return Error{fmt::format("spacing {}: it must be positive, in seconds", spacing), "spacing"};
+  return Error{Notice{"spacing_not_positive", {{"spacing", spacing}}}, "spacing"};
 }
 
 FitOptions fit_options(const cromer::FitOptions& options, const Selection& selection) {
@@ -108,7 +111,7 @@ Result<Recording> recording_of(std::span<const double> t, std::span<const double
   if (auto good = check_length(y, "y", t, "t"); !good) return good.error();
   if (!force.empty())
     if (auto good = check_length(force, "force", t, "t"); !good) return good.error();
-  if (t.empty()) return Error{"t has no values: a record has samples", "t"};
+  if (t.empty()) return Error{Notice{"no_times"}, "t"};
   if (auto good = check_not_infinite(y, "y"); !good) return good.error();
   if (auto good = check_not_infinite(force, "force"); !good) return good.error();
   Recording recording;
@@ -124,16 +127,13 @@ Result<Recording> recording_of(std::span<const double> t, std::span<const double
 
 Result<Observed> observed_of(std::string_view word) {
   if (word.empty()) return Observed::position;
-  std::string known;
+  std::vector<std::string> known;
   for (const Kind& kind : kinds) {
     if (word == kind.word) return kind.observed;
-    known += fmt::format("{}{}",
-                         known.empty()                  ? ""
-                         : &kind == std::end(kinds) - 1 ? " or "
-                                                        : ", ",
-                         kind.word);
+    known.emplace_back(kind.word);
   }
-  return Error{fmt::format("observed \"{}\" is not known; it takes {}", word, known), "observed"};
+  return Error{Notice{"word_not_known", {{"argument", "observed"}, {"word", word}, {"known", known}}},
+               "observed"};
 }
 
 Result<void> set_record(SimulateOptions& options, RecordOf what, std::span<const double> values,

@@ -26,7 +26,7 @@ Result<void> check_samples(std::span<const double> values, const std::string& ar
 template <class Enum>
 Result<void> check_enumerator(Enum value, int count, const char* argument) {
   if (static_cast<int>(value) >= 0 && static_cast<int>(value) < count) return {};
-  return Error{std::string(argument) + ": there is no enumerator " + std::to_string(static_cast<int>(value)),
+  return Error{Notice{"no_enumerator", {{"argument", argument}, {"number", static_cast<int>(value)}}},
                argument};
 }
 

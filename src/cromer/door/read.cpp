@@ -30,7 +30,7 @@ Result<Recording> read(std::span<const std::byte> bytes, std::string_view file, 
   recording.dialect = detail->dialect.name;
   for (const core::Column& each : detail->table.columns)
     recording.columns.push_back({each.name, each.quantity, each.unit, each.run, each.values});
-  recording.warnings = core::in_arguments(detail->warnings);
+  recording.notices = detail->notices;
   recording.options = options;
   recording.detail = detail;
   return recording;

@@ -2,6 +2,7 @@
 
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "cromer/base/quantity.h"
 #include "cromer/door/words.h"
@@ -9,18 +10,18 @@
 namespace cromer::core {
 
 void put_in_arguments(FittedRecording& fitted, bool of_arrays) {
-  fitted.fit.message = in_arguments(fitted.fit.message, of_arrays);
-  fitted.warnings = in_arguments(fitted.warnings, of_arrays);
+  fitted.fit.message = in_arguments(std::move(fitted.fit.message), of_arrays);
+  fitted.notices = in_arguments(std::move(fitted.notices), of_arrays);
 }
 
 void put_in_arguments(CompareResult& compared, bool of_arrays) {
   put_in_arguments(compared.recording, of_arrays);
-  compared.warnings = in_arguments(compared.warnings, of_arrays);
+  compared.notices = in_arguments(std::move(compared.notices), of_arrays);
 }
 
 void put_in_arguments(SimulateResult& simulated, bool of_arrays) {
-  simulated.warnings = in_arguments(simulated.warnings, of_arrays);
-  for (SimulatedRun& run : simulated.runs) run.message = in_arguments(run.message, of_arrays);
+  simulated.notices = in_arguments(std::move(simulated.notices), of_arrays);
+  for (SimulatedRun& run : simulated.runs) run.message = in_arguments(std::move(run.message), of_arrays);
 }
 
 cromer::MethodEffect effect_of(const MethodEffect& effect) {
@@ -34,11 +35,7 @@ cromer::MethodEffect effect_of(const MethodEffect& effect) {
 }
 
 Result<SweepResult> run_sweep(const SweepOptions& options, const Watch& watch) {
-  const auto too_many = [] {
-    return Error{
-        "a period of the drive takes more steps than can be held: take a longer step, or a higher frequency",
-        "drive_frequency"};
-  };
+  const auto too_many = [] { return Error{Notice{"period_of_too_many_steps"}, "drive_frequency"}; };
   try {
     return sweep(options, watch);
   } catch (const std::length_error&) {

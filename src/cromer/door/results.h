@@ -13,7 +13,7 @@
 
 namespace cromer::core {
 
-/// Puts what a result says into the words of a call (words.h).
+/// Makes what a result says a thing said to callers (words.h).
 void put_in_arguments(FittedRecording& fitted, bool of_arrays);
 void put_in_arguments(CompareResult& compared, bool of_arrays);
 void put_in_arguments(SimulateResult& simulated, bool of_arrays);

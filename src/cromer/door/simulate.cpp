@@ -101,11 +101,11 @@ Simulation simulation_of(std::shared_ptr<const core::SimulateResult> result) {
   simulation.energy = core::energies(run);
   simulation.status = run.outcome.status;
   simulation.interrupted = run.outcome.interrupted;
-  simulation.message = run.message;
+  simulation.message = core::message_of(run.message);
   simulation.counts = run.outcome.counts;
   simulation.step = run.step;
   if (run.effect) simulation.effect = core::effect_of(*run.effect);
-  simulation.warnings = result->warnings;
+  simulation.notices = result->notices;
   simulation.detail = std::move(result);
   return simulation;
 }

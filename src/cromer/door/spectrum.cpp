@@ -19,7 +19,7 @@ ResponseSpectrum spectrum_of(std::shared_ptr<const core::SpectrumResult> result)
   spectrum.arias_intensity = ground.intensity.arias;
   spectrum.duration_5_95 = ground.intensity.duration;
   spectrum.interrupted = result->interrupted;
-  spectrum.warnings = core::in_arguments(result->warnings, true);
+  spectrum.notices = result->notices;
   if (!result->interrupted) {
     const core::ResponseSpectrum& found = result->spectra.front();
     spectrum.period = result->periods;
@@ -56,7 +56,8 @@ Result<ResponseSpectrum> response_spectrum(std::span<const double> acceleration,
   asked.memory = core::memory_for_results;
   const core::Watching watching(options.progress);
   auto result = core::response_spectrum(*std::move(components), asked, watching.watch());
-  if (!result) return core::in_arguments(result.error());
+  if (!result) return core::in_arguments(result.error(), true);
+  result->notices = core::in_arguments(std::move(result->notices), true);
   return spectrum_of(std::make_shared<const core::SpectrumResult>(*std::move(result)));
 }
 

@@ -45,9 +45,9 @@ Result<FrequencyResponse> sweep(const Oscillator& oscillator, std::span<const do
   if (auto good = core::check_enumerator(options.direction, 4, "direction"); !good) return good.error();
   if (auto good = core::check_samples(drive_frequency, "drive_frequency", 1); !good) return good.error();
   if (!(options.drive_amplitude > 0))
-    return Error{"drive_amplitude must be positive, not " + core::shortest(options.drive_amplitude),
+    return Error{Notice{"drive_amplitude_not_positive", {{"amplitude", options.drive_amplitude}}},
                  "drive_amplitude"};
-  if (options.threads < 0) return Error{"threads must be 0 (one for each processor) or more", "threads"};
+  if (options.threads < 0) return Error{Notice{"too_few_threads"}, "threads"};
   core::SweepOptions asked;
   set_law(asked, oscillator);
   asked.values["drive-amplitude"] = core::shortest(options.drive_amplitude);
@@ -72,7 +72,7 @@ Result<FrequencyResponse> sweep(const Oscillator& oscillator, std::span<const do
     response.status.emplace_back(core::status_word(detail->plan, each));
   response.way = detail->plan.way;
   response.interrupted = detail->interrupted;
-  response.warnings = core::in_arguments(core::warnings_of(*detail));
+  response.notices = core::notices_of(*detail);
   response.detail = detail;
   return response;
 }

@@ -1,104 +1,51 @@
 #include "cromer/door/words.h"
 
 #include <algorithm>
-#include <cctype>
-#include <set>
-
-#include "cromer/tasks/compare/compare.h"
-#include "cromer/tasks/fit/fit.h"
-#include "cromer/tasks/methods/methods.h"
-#include "cromer/tasks/option/option.h"
-#include "cromer/tasks/simulate/simulate.h"
-#include "cromer/tasks/spectrum/response_spectrum.h"
-#include "cromer/tasks/sweep/sweep.h"
+#include <utility>
+#include <variant>
 
 namespace cromer::core {
 namespace {
 
-bool is_of_option(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; }
-
-/// Every option that a task has: what else begins with two dashes is somebody's own name.
-const std::set<std::string_view>& all_options() {
-  static const std::set<std::string_view> names = [] {
-    std::set<std::string_view> all;
-    const auto add = [&](auto options) {
-      for (const Option& option : options_of(options)) all.insert(option.name);
-    };
-    add(SimulateOptions{});
-    add(FitOptions{});
-    add(CompareOptions{});
-    add(MethodsOptions{});
-    add(SweepOptions{});
-    add(SpectrumOptions{});
-    return all;
-  }();
-  return names;
-}
-
-/// How long the option's name at the start of the text is, behind its two dashes; 0 where there is none.
-std::size_t option_at(std::string_view text) {
-  if (!text.starts_with("--")) return 0;
-  std::size_t end = 2;
-  while (end < text.size() && is_of_option(text[end])) ++end;
-  while (end > 2 && text[end - 1] == '-') --end;
-  return all_options().count(text.substr(2, end - 2)) > 0 ? end - 2 : 0;
-}
-
-/// `of_arrays`: forces and motions are given as such, not in columns or files.
-std::string as_argument(std::string_view option, bool of_arrays) {
-  if (of_arrays && (option == "force-column" || option == "drive-file")) return "force";
-  if (of_arrays && option == "base-motion") return "acceleration";
-  return argument_of(option);
-}
-
-std::string replaced(std::string_view text, char from, char to) {
-  std::string out(text);
-  std::replace(out.begin(), out.end(), from, to);
-  return out;
+/// That the notice is about a column of that name: of arrays it is one of them.
+bool is_about(const Notice& notice, std::string_view array) {
+  return std::any_of(notice.values.begin(), notice.values.end(), [&](const NoticeValue& each) {
+    if (const auto* parts = std::get_if<std::vector<Notice>>(&each.value))
+      return std::any_of(parts->begin(), parts->end(),
+                         [&](const Notice& part) { return is_about(part, array); });
+    const auto* text = std::get_if<std::string>(&each.value);
+    return text && (each.name == "column" || each.name == "force") && text->starts_with(array);
+  });
 }
 
 }  // namespace
 
-std::string argument_of(std::string_view option) { return replaced(option, '-', '_'); }
-std::string option_of(std::string_view argument) { return replaced(argument, '_', '-'); }
-
-std::string in_arguments(std::string_view text, bool of_arrays) {
-  constexpr std::string_view line = "line ";
-  std::string out;
-  for (std::size_t i = 0; i < text.size();) {
-    const std::string_view rest = text.substr(i);
-    const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(' || text[i - 1] == '"';
-    if (const std::size_t name = begins ? option_at(rest) : 0; name > 0) {
-      out += as_argument(rest.substr(2, name), of_arrays);
-      i += 2 + name;
-    } else if (of_arrays && begins && rest.starts_with(line) && rest.size() > line.size() &&
-               std::isdigit(static_cast<unsigned char>(rest[line.size()]))) {
-      out += "sample ";
-      i += line.size();
-    } else {
-      out += text[i++];
-    }
-  }
-  return out;
+std::string option_of(std::string_view argument) {
+  std::string option(argument);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
 }
 
-std::vector<std::string> in_arguments(const std::vector<std::string>& texts, bool of_arrays) {
-  std::vector<std::string> out;
-  for (const std::string& text : texts) out.push_back(in_arguments(text, of_arrays));
-  return out;
+Notice in_arguments(Notice notice, bool of_arrays) {
+  notice.of_arrays = notice.of_arrays || of_arrays;
+  return notice;
 }
 
-Error in_arguments(const Error& error, bool of_arrays) {
-  const std::string_view message = error.message;
-  std::string argument = error.argument;
-  if (const std::size_t name = option_at(message); argument.empty() && name > 0)
-    argument = as_argument(message.substr(2, name), of_arrays);
-  // Of arrays what is said of a column is said of one of them.
+std::vector<Notice> in_arguments(std::vector<Notice> notices, bool of_arrays) {
+  for (Notice& notice : notices) notice = in_arguments(std::move(notice), of_arrays);
+  return notices;
+}
+
+Error in_arguments(Error error, bool of_arrays) {
+  error.notice = in_arguments(std::move(error.notice), of_arrays);
+  if (!error.argument.empty()) return error;
+  error.argument = argument_of(first_option(error.notice), error.notice.of_arrays);
   for (const std::string_view array : {"force", "y"})
-    if (of_arrays && argument.empty() &&
-        message.find("column \"" + std::string(array)) != std::string_view::npos)
-      argument = array;
-  return {in_arguments(message, of_arrays), argument};
+    if (error.notice.of_arrays && error.argument.empty() && is_about(error.notice, array))
+      error.argument = array;
+  return error;
 }
+
+std::string message_of(const Notice& notice) { return in_words(notice, Voice{.audience = Audience::caller}); }
 
 }  // namespace cromer::core

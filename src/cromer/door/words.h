@@ -1,24 +1,25 @@
-// What the tasks say, in the words of a call: arguments for options, samples for lines.
+// What the tasks say, as said to callers: of arguments instead of options, of samples instead of lines.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
 
-/// "drive-frequency" becomes "drive_frequency", and back.
-std::string argument_of(std::string_view option);
+/// "drive_frequency" becomes "drive-frequency": argument_of() back.
 std::string option_of(std::string_view argument);
 
-/// "--drive-frequency" becomes "drive_frequency"; of arrays "line 7" becomes "sample 7".
-std::string in_arguments(std::string_view text, bool of_arrays = false);
+/// `of_arrays`: that it is said of arrays. The Error's argument is the one that its sentence begins with, or
+/// of arrays the one that it is about.
+Notice in_arguments(Notice notice, bool of_arrays = false);
+std::vector<Notice> in_arguments(std::vector<Notice> notices, bool of_arrays = false);
+Error in_arguments(Error error, bool of_arrays = false);
 
-std::vector<std::string> in_arguments(const std::vector<std::string>& texts, bool of_arrays = false);
-
-/// The same of an Error; its argument is the one that the message begins with.
-Error in_arguments(const Error& error, bool of_arrays = false);
+/// The sentence in English, as fields hold it; "" where there is nothing to say.
+std::string message_of(const Notice& notice);
 
 }  // namespace cromer::core

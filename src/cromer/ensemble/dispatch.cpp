@@ -1,7 +1,6 @@
 #include "cromer/ensemble/dispatch.h"
 
 #include <cstdlib>
-#include <string>
 
 extern "C" {
 bool cromer_advance_baseline(cromer_group::Group& group, const cromer_group::Order& order);
@@ -43,9 +42,8 @@ Result<KernelUnit> choose_unit(std::string_view name) {
   for (const KernelUnit& unit : units)
     if (unit.name == name) return unit;
   for (const std::string_view known : names)
-    if (known == name)
-      return Error{"CROMER_SIMD=" + std::string(name) + ": this machine has no such instructions"};
-  return Error{"CROMER_SIMD=" + std::string(name) + ": baseline, avx2 or avx512 is expected"};
+    if (known == name) return Error{"simd_not_here", {{"name", name}}};
+  return Error{"simd_unknown", {{"name", name}}};
 }
 
 Result<KernelUnit> choose_unit_by_environment() {

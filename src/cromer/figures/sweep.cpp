@@ -223,10 +223,7 @@ Result<Figure> sweep_figure(const SweepResult& result) {
   for (std::size_t i = Drawing::goes_both_ways(result) ? 1 : 0; i < result.plan.swept.size(); ++i)
     if (result.plan.swept[i].points > 1) axes.push_back(i);
   if (axes.empty()) axes.push_back(result.plan.swept.size() - 1);
-  if (axes.size() > 2)
-    return Error{fmt::format(
-        "--plot: {} options are swept, and a figure has room for two; leave --plot out, or sweep fewer",
-        axes.size())};
+  if (axes.size() > 2) return Error{"figure_of_two_axes", {{"options", axes.size()}}};
   return Drawing(result, axes).draw();
 }
 

@@ -1,7 +1,5 @@
 #include "cromer/identify/describe_fit.h"
 
-#include <fmt/format.h>
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -23,7 +21,7 @@ constexpr std::size_t most_filtered = 1'000'000, highest_order = 64;
 struct Inverse {
   SquareMatrix matrix{};
   std::array<bool, max_parameters> unknown{};
-  std::string known;  ///< the combinations that are known instead, for people
+  std::vector<Notice> known;  ///< clauses: the combinations that are known instead
 
   bool determined() const { return std::find(unknown.begin(), unknown.end(), true) == unknown.end(); }
 };
@@ -57,11 +55,13 @@ Inverse inverse_of(const SquareMatrix& normal, const FittedParameters& fitted) {
           result.matrix[i][j] += share * solver.eigenvectors()(j, k) / value * scale[i] * scale[j];
     }
     if (parts.empty()) continue;
-    std::string names;
-    for (const int i : parts) names += (names.empty() ? "" : " and ") + readable(fitted.of[i].name);
-    result.known += (result.known.empty() ? "" : "; ") +
-                    (parts.size() == 1 ? fmt::format("the record does not show {}", names)
-                                       : fmt::format("only a combination of {} is known", names));
+    Notice names;
+    for (const int i : parts) {
+      const Notice name = parameter_named(fitted.of[i].name);
+      names = names.empty() ? name : Notice{"and_also", {{"one", names}, {"other", name}}};
+    }
+    result.known.push_back(Notice{parts.size() == 1 ? "parameter_not_shown" : "only_combination_known",
+                                  {{"parameters", names}}});
   }
   return result;
 }
@@ -150,7 +150,7 @@ EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedM
 }
 
 // Of two parameters that are hardly known, the ratio that is: flat to the noise, not to rounding.
-std::string known_ratio(const LawFit& fit, const FittedParameters& fitted) {
+Notice known_ratio(const LawFit& fit, const FittedParameters& fitted) {
   constexpr double hardly = 0.3, much_better = 0.01;  // relative standard errors
   for (int i = 0; i < fitted.count; ++i)
     for (int j = 0; j < i; ++j) {
@@ -164,45 +164,41 @@ std::string known_ratio(const LawFit& fit, const FittedParameters& fitted) {
           fit.covariance_of(fitted.of[i].name, fitted.of[j].name) / (a->value * b->value);
       const double of_ratio = std::sqrt(std::max(0.0, of_a * of_a + of_b * of_b - 2 * covariance));
       if (of_ratio < much_better * std::min(of_a, of_b))
-        return fmt::format("only the ratio of {} and {} is known, {:.6g} ± {:.2g}",
-                           readable(fitted.of[i].name), readable(fitted.of[j].name), a->value / b->value,
-                           of_ratio * std::abs(a->value / b->value));
+        return Notice{"only_ratio_known",
+                      {{"one", parameter_named(fitted.of[i].name)},
+                       {"other", parameter_named(fitted.of[j].name)},
+                       {"ratio", a->value / b->value},
+                       {"error", of_ratio * std::abs(a->value / b->value)}}};
     }
   return {};
 }
 
 void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& record) {
-  std::string cut;
-  bool any_unsure = false;
+  Notice cut;
   for (int i = 0; i < fitted.count; ++i) {
     if (fitted.of[i].may_be_negative) continue;
     const Estimate& term = *fit.find(fitted.of[i].name);
     if (term.low > 0) continue;
-    any_unsure = true;
-    cut += (cut.empty() ? "" : " and the ") + readable(fitted.of[i].name);
+    const Notice name = parameter_named(fitted.of[i].name);
+    cut = cut.empty() ? name : Notice{"and_the", {{"one", cut}, {"other", name}}};
   }
-  if (!any_unsure) return;
+  if (cut.empty()) return;
   const std::optional<MeanDecay> sum = mean_decay(fit, record);
   if (fit.drive.kind == DriveKind::none && sum && dampings_are_collinear(fit)) {
-    fit.warnings.push_back(fmt::format(
-        "the damping terms of {} cannot be told apart here: their sum is known, {}, its parts are "
-        "not, and the interval of the {} is cut at its bound 0",
-        to_text(fit.law), to_text(*sum), cut));
+    fit.notices.push_back(Notice{"dampings_not_told_apart",
+                                 {{"law", to_text(fit.law)}, {"sum", as_clause(*sum)}, {"parameters", cut}}});
     return;
   }
   for (int i = 0; i < fitted.count; ++i) {
     if (fitted.of[i].may_be_negative) continue;
     const Estimate& term = *fit.find(fitted.of[i].name);
-    const std::string what = readable(fitted.of[i].name);
-    const std::string damping = fitted.of[i].name == "decay_rate" ? "viscous damping"
-                                : fitted.of[i].name == "friction" ? "dry friction"
-                                                                  : what;
-    if (term.value <= 0)
-      fit.warnings.push_back(fmt::format("the {} is on its bound 0: the record shows no {}", what, damping));
-    else if (term.low <= 0)
-      fit.warnings.push_back(fmt::format(
-          "the 95 % interval of the {} is cut at its bound 0: the record does not show that there is any {}",
-          what, damping));
+    if (!(term.value <= 0 || term.low <= 0)) continue;
+    const Notice what = parameter_named(fitted.of[i].name);
+    const Notice damping = fitted.of[i].name == "decay_rate" ? Notice{"viscous_damping"}
+                           : fitted.of[i].name == "friction" ? Notice{"dry_friction"}
+                                                             : what;
+    fit.notices.push_back(Notice{term.value <= 0 ? "parameter_on_bound" : "interval_cut_at_bound",
+                                 {{"parameter", what}, {"damping", damping}}});
   }
 }
 
@@ -275,10 +271,10 @@ void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& min
   }
   if (!inverse.determined()) {
     fit.status = FitStatus::undetermined;
-    fit.message = "the record does not determine this law: " + inverse.known;
-  } else if (const std::string ratio = known_ratio(fit, fitted); !ratio.empty()) {
+    fit.message = Notice{"law_undetermined", {{"what", inverse.known}}};
+  } else if (const Notice ratio = known_ratio(fit, fitted); !ratio.empty()) {
     fit.status = FitStatus::undetermined;
-    fit.message = "the record does not determine this law: " + ratio;
+    fit.message = Notice{"law_undetermined", {{"what", ratio}}};
   }
   say_bounds(fit, fitted, record);
 }

@@ -414,7 +414,7 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
     LawFit& linear = beginning.linear;
     if (linear.status == FitStatus::too_noisy && linear.explained > 0.9 && refuse_frequency(linear)) {
       linear.status = FitStatus::converged;
-      linear.message.clear();
+      linear.message = {};
     }
     if (!beginning.usable() || watch.interrupted()) return beginning;
     beginning.known_motion = linear_motion(record, options, beginning.linear, watch);
@@ -438,10 +438,8 @@ Beginning begin_fit(const Record& record, const LawFitOptions& options, const Wa
                                           : forced_start(record, options.drive.force, linear.law);
   if (!start) {
     beginning.linear =
-        refused({FitStatus::no_oscillation, options.drive.kind == DriveKind::harmonic
-                                                ? "no oscillation found: the spectrum has no line"
-                                                : "no oscillation found: the force explains no "
-                                                  "resonance"},
+        refused({FitStatus::no_oscillation,
+                 Notice{options.drive.kind == DriveKind::harmonic ? "no_line" : "no_resonance"}},
                 options);
     return beginning;
   }

@@ -1,7 +1,5 @@
 #include "cromer/identify/fit_settings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -44,15 +42,14 @@ Watch within_steps(const Watch& watch, const Record& record, DriveKind drive) {
   return bound;
 }
 
-std::string why_ended(const Watch& watch) {
-  return watch.out_of_steps()
-             ? "these laws need more integration steps than a record of this length is worth, as when "
-               "noise looks like a fast swing: stopped"
-             : "interrupted";
+Notice why_ended(const Watch& watch) {
+  return Notice{watch.out_of_steps() ? "too_many_steps" : "interrupted"};
 }
 
 LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch) {
-  return refused({FitStatus::iteration_limit, why_ended(watch) + " before the fit was done"}, options);
+  return refused(
+      {FitStatus::iteration_limit, Notice{"ended_before_fit_was_done", {{"why", why_ended(watch)}}}},
+      options);
 }
 
 Record first_periods(const Record& record, double angular_frequency, double periods) {
@@ -68,13 +65,13 @@ void set_status(LawFit& fit, LeastSquaresReason reason) {
   fit.status = FitStatus::iteration_limit;
   switch (reason) {
     case LeastSquaresReason::iteration_limit:
-      fit.message = fmt::format("the fit has not settled after {} iterations", fit.iterations);
+      fit.message = Notice{"fit_not_settled", {{"iterations", fit.iterations}}};
       break;
     case LeastSquaresReason::not_finite:
-      fit.message = "this law's motion runs away from the recorded one";
+      fit.message = Notice{"motion_runs_away"};
       break;
     default:
-      fit.message = "the record does not determine this law: its terms cannot be told apart";
+      fit.message = Notice{"law_undetermined", {{"what", Notice{"terms_not_told_apart"}}}};
   }
 }
 

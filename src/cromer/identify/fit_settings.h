@@ -37,8 +37,8 @@ Watch within_steps(const Watch& watch, const Record& record, DriveKind drive);
 /// A fit without values: a half-finished minimum would look like a result.
 LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch);
 
-/// Why the work ended early.
-std::string why_ended(const Watch& watch);
+/// Why the work ended early: a clause that another notice goes on.
+Notice why_ended(const Watch& watch);
 
 /// The first so many periods, of at least 32 samples.
 Record first_periods(const Record& record, double angular_frequency, double periods);

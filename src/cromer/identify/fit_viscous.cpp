@@ -1,7 +1,5 @@
 #include "cromer/identify/fit_viscous.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -96,7 +94,7 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   const std::optional<StartValues> start = find_start_values(record);
   if (!start) {
     fit.status = FitStatus::no_oscillation;
-    fit.message = "no oscillation found: the spectrum has no line";
+    fit.message = Notice{"no_line"};
     return fit;
   }
   const Minimum minimum = fit_phasor(record, *start, options, watch);
@@ -144,10 +142,8 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   // Twice the logarithm of the likelihoods' ratio: one in four hundred by chance.
   constexpr double as_good = 12;
   if (start->rival > 0 && start->rival_excess * fit.independent_samples < as_good)
-    fit.warnings.push_back(fmt::format(
-        "{:.5g} rad/s fits nearly as well as {:.5g} rad/s: how many periods passed in the gaps is "
-        "not certain",
-        start->rival, motion.angular_frequency()));
+    fit.notices.push_back(Notice{"periods_in_gaps_unsure",
+                                 {{"rival", start->rival}, {"frequency", motion.angular_frequency()}}});
   if (const auto refusal = refuse_fit(record, fit)) refuse(fit, *refusal);
   return fit;
 }
@@ -175,11 +171,8 @@ LawFit fit_viscous(const Record& record, const LawFitOptions& options, const Wat
   const auto first = fit_first_periods(record, fit.angular_frequency().value, options, watch);
   if (first && first->clear()) {
     fit.status = FitStatus::converged;
-    fit.message.clear();
-    fit.warnings.push_back(
-        fmt::format("the frequency changes along the record: one decaying sinusoid accounts for {:.0f} % "
-                    "of the variance only",
-                    100 * std::max(0.0, fit.explained)));
+    fit.message = {};
+    fit.notices.push_back(Notice{"frequency_changes", {{"percent", 100 * std::max(0.0, fit.explained)}}});
   }
   return fit;
 }

@@ -22,7 +22,7 @@ std::optional<FirstPeriods> fit_first_periods(const Record& record, double angul
                                               const LawFitOptions& options, const Watch& watch);
 
 /// fit_sinusoid; where the first periods alone are a clear oscillation, a record that is out of step with
-/// every sinusoid is none to refuse, and a warning says so.
+/// every sinusoid is none to refuse, and a notice says so.
 LawFit fit_viscous(const Record& record, const LawFitOptions& options, const Watch& watch);
 
 }  // namespace cromer::core

@@ -18,16 +18,15 @@ std::vector<std::string_view> typed_names() {
 }
 
 Error unknown_term(std::string_view term) {
-  if (term == "auto")
-    return Error{
-        "--law: auto chooses the terms itself and stands alone; for a sum name its terms, for instance "
-        "viscous+drag"};
+  if (term == "auto") return Error{"law_auto_in_sum"};
   std::vector<std::string_view> names = typed_names();
   names.push_back("auto");
   const std::string suggestion = nearest(term, names);
-  std::string message = "--law: \"" + std::string(term) + "\" is not a term";
-  message += suggestion.empty() ? "." : "; did you mean " + suggestion + "?";
-  return Error{message + " A law is auto, or a sum of " + law_names()};
+  const std::vector<std::string_view> typed = typed_names();
+  return Error{suggestion.empty() ? "law_term_unknown" : "law_term_unknown_suggestion",
+               {{"term", term},
+                {"suggestion", suggestion},
+                {"terms", std::vector<std::string>(typed.begin(), typed.end())}}};
 }
 
 }  // namespace
@@ -49,7 +48,7 @@ Result<Law> parse_law(std::string_view text) {
     const Law term =
         law_where([&](const TermInfo& info) { return info.name == word && word != Spring::info.name; });
     if (term == Law{}) return unknown_term(word);
-    if (law.shares(term)) return Error{"--law: the term " + std::string(word) + " is named twice"};
+    if (law.shares(term)) return Error{"law_term_twice", {{"term", word}}};
     law = law.with(term);
     if (end == std::string_view::npos) break;
     begin = end + 1;

@@ -38,7 +38,7 @@ namespace cromer::core {
 /// minimum without that bound, and are cut at it.
 struct LawFit {
   FitStatus status = FitStatus::converged;
-  std::string message;  ///< why, when status is not converged
+  Notice message;  ///< why, when status is not converged
   int iterations = 0;
   Law law = law_of("viscous");
   Drive drive;                      ///< what acted on it; a recorded force's samples are the caller's
@@ -54,7 +54,7 @@ struct LawFit {
   double student = 0;              ///< t of the 95 % intervals
   double step = 0;  // [s] longest step at which the law's motion is exact to well below its standard errors
   std::vector<std::size_t> outliers;  ///< samples of the record that were set aside (see outliers.h)
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
 
   /// nullptr where there is none of that name.
   const Estimate* find(std::string_view name) const;

@@ -1,7 +1,5 @@
 #include "cromer/identify/rest_minima.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -224,10 +222,7 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
 
   const double second = *std::max_element(weights.begin() + 1, weights.end());
   if (second > 0.05)
-    fit.warnings.push_back(fmt::format(
-        "the record does not tell after how many half swings the motion came to rest: another count has a "
-        "probability of {:.0f} %, and the intervals are widened for it",
-        100 * second));
+    fit.notices.push_back(Notice{"half_swings_before_rest_unsure", {{"percent", 100 * second}}});
 }
 
 }  // namespace cromer::core

@@ -32,7 +32,7 @@ LeastSquaresSummary end_of_band_minimum(const Record& record, const FittedParame
 /// Spreads intervals, standard errors and covariance of a described fit over several minima: the 95 % in the
 /// middle of Student's distributions about each, weighted by Laplace's approximation of their likelihoods
 /// (L. Tierney & J. B. Kadane, J. Am. Stat. Assoc. 81, 82 (1986)). The fit is the one of minima.front(). A
-/// warning says so where another minimum has a weight of a twentieth or more.
+/// notice says so where another minimum has a weight of a twentieth or more.
 void spread_over(LawFit& fit, const FittedParameters& fitted, const std::vector<LeastSquaresSummary>& minima);
 
 }  // namespace cromer::core

@@ -1,7 +1,5 @@
 #include "cromer/live/arrival_clock.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,8 +23,6 @@ constexpr std::size_t few = 3;             ///< samples that show where the line
 constexpr std::size_t enough = 8;          ///< samples that show that it has bent
 
 double to_microseconds(double t) { return std::round(t * 1e6) / 1e6; }
-
-std::string rate_text(double rate) { return fmt::format("{:.6g}/s", rate); }
 
 }  // namespace
 
@@ -75,7 +71,7 @@ void ArrivalClock::move_line(std::size_t from, double by) {
   line_->begin += by;
 }
 
-void ArrivalClock::follow(double now, std::vector<Notice>& notices) {
+void ArrivalClock::follow(double now, std::vector<Remark>& notices) {
   const double delay = arrivals_[released_] - line_->at(static_cast<double>(released_));
   if (delay <= small_delay) return;
   const std::size_t size = arrivals_.size();
@@ -112,9 +108,9 @@ void ArrivalClock::follow(double now, std::vector<Notice>& notices) {
   move_line(from, by);
   if (by < clear_gap && by > 0.75 * period)
     notices.push_back(
-        {NoticeKind::gap, whole ? fmt::format("{:.0f} {} missing after {:.6g} s", missing,
-                                              missing == 1 ? "sample is" : "samples are", last_t_)
-                                : fmt::format("the device paused for {:.3g} s after {:.6g} s", by, last_t_)});
+        {RemarkKind::gap,
+         whole ? Notice{"samples_missing", {{"samples", static_cast<long long>(missing)}, {"time", last_t_}}}
+               : Notice{"device_paused", {{"duration", by}, {"time", last_t_}}}});
 }
 
 /// Stamps the next one.
@@ -130,7 +126,7 @@ double ArrivalClock::stamp() {
 }
 
 /// Says so where a rate has been found, lost or changed for good.
-void ArrivalClock::tell_changes(double t, std::vector<Notice>& notices) {
+void ArrivalClock::tell_changes(double t, std::vector<Remark>& notices) {
   const double period = line_ ? line_->period : 0;
   if (t < settled) told_period_ = period;
   if (std::abs(period - told_period_) <= 0.01 * std::max(period, told_period_)) {
@@ -140,11 +136,9 @@ void ArrivalClock::tell_changes(double t, std::vector<Notice>& notices) {
   if (!changed_at_) changed_at_ = t;
   if (t - *changed_at_ < settled) return;
   notices.push_back(
-      {NoticeKind::clock,
-       period == 0
-           ? fmt::format("no steady rate from {:.6g} s on: the times are those of arrival", *changed_at_)
-           : fmt::format("a steady rate of {} from {:.6g} s on: the times follow it", rate_text(1 / period),
-                         *changed_at_)});
+      {RemarkKind::clock, period == 0
+                              ? Notice{"no_steady_rate_from", {{"time", *changed_at_}}}
+                              : Notice{"steady_rate_from", {{"rate", 1 / period}, {"time", *changed_at_}}}});
   told_period_ = period;
   changed_at_.reset();
 }
@@ -170,7 +164,7 @@ SampleTimes ArrivalClock::sample_times() const {
   return times;
 }
 
-void ArrivalClock::release(double now, std::vector<double>& times, std::vector<Notice>& notices) {
+void ArrivalClock::release(double now, std::vector<double>& times, std::vector<Remark>& notices) {
   if (held() == 0) return;
   if (!origin_ && arrivals_.front() <= now - hold && arrivals_.front() > now - first_hold) {
     estimate(now);
@@ -179,13 +173,13 @@ void ArrivalClock::release(double now, std::vector<double>& times, std::vector<N
   release_until(now - hold, now, times, notices);
 }
 
-void ArrivalClock::release_all(std::vector<double>& times, std::vector<Notice>& notices) {
+void ArrivalClock::release_all(std::vector<double>& times, std::vector<Remark>& notices) {
   ends_ = true;  // what would come next is not known
   if (held() > 0) release_until(arrivals_.back(), arrivals_.back(), times, notices);
 }
 
 void ArrivalClock::release_until(double latest, double now, std::vector<double>& times,
-                                 std::vector<Notice>& notices) {
+                                 std::vector<Remark>& notices) {
   if (held() == 0 || arrivals_[released_] > latest) return;
   if (now - estimated_at_ >= between_estimates) estimate(now);
   for (; held() > 0 && arrivals_[released_] <= latest; ++released_) {
@@ -193,7 +187,7 @@ void ArrivalClock::release_until(double latest, double now, std::vector<double>&
     const double t = stamp();
     if (t - last_t_ > clear_gap && t - last_t_ > 5 * usual_step_ && done_.by_rate + done_.by_arrival > 3)
       notices.push_back(
-          {NoticeKind::gap, fmt::format("nothing for {:.3g} s from {:.6g} s on", t - last_t_, last_t_)});
+          {RemarkKind::gap, Notice{"nothing_came", {{"duration", t - last_t_}, {"time", last_t_}}}});
     // A running mean of the last steps.
     usual_step_ += (t - last_t_ - usual_step_) /
                    static_cast<double>(std::min<std::size_t>(done_.by_rate + done_.by_arrival, 16));

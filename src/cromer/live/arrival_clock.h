@@ -24,8 +24,8 @@ class ArrivalClock {
   void take(double arrival) { arrivals_.push_back(arrival); }
 
   /// Times of the samples that have waited long enough, or of all, in the order of their arrival.
-  void release(double now, std::vector<double>& times, std::vector<Notice>& notices);
-  void release_all(std::vector<double>& times, std::vector<Notice>& notices);
+  void release(double now, std::vector<double>& times, std::vector<Remark>& notices);
+  void release_all(std::vector<double>& times, std::vector<Remark>& notices);
 
   std::size_t held() const { return arrivals_.size() - released_; }
 
@@ -33,15 +33,15 @@ class ArrivalClock {
   SampleTimes sample_times() const;
 
  private:
-  void release_until(double latest, double now, std::vector<double>& times, std::vector<Notice>& notices);
+  void release_until(double latest, double now, std::vector<double>& times, std::vector<Remark>& notices);
   void estimate(double now);
-  void follow(double now, std::vector<Notice>& notices);
+  void follow(double now, std::vector<Remark>& notices);
   double least_delay(std::size_t from, std::size_t end) const;
   bool is_young() const;
   void begin_anew(double now);
   void move_line(std::size_t from, double by);
   double stamp();
-  void tell_changes(double t, std::vector<Notice>& notices);
+  void tell_changes(double t, std::vector<Remark>& notices);
   void forget();
 
   std::vector<double> arrivals_;  // [s] those of the memory, then those held back

@@ -1,7 +1,6 @@
 #include "cromer/live/descriptor.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
@@ -50,21 +49,19 @@ Result<Descriptor> open_serial(const std::string& device, int baud) {
   const Speed* speed = nullptr;
   for (const Speed& each : speeds)
     if (each.baud == baud) speed = &each;
-  if (!speed)
-    return Error{fmt::format("serial:{}: {} baud is no speed of serial lines; usual are 9600 and 115200",
-                             device, baud)};
+  if (!speed) return Error{"serial_speed_unknown", {{"device", device}, {"baud", baud}}};
   Descriptor line(::open(device.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
-  if (!line.is_open()) return Error{fmt::format("serial:{}: {}", device, std::strerror(errno))};
+  if (!line.is_open()) return Error{"serial_not_opened", {{"device", device}, {"why", std::strerror(errno)}}};
   termios settings{};
   if (::tcgetattr(line.number(), &settings) != 0)
-    return Error{fmt::format("serial:{}: that is no serial line ({})", device, std::strerror(errno))};
+    return Error{"no_serial_line", {{"device", device}, {"why", std::strerror(errno)}}};
   ::cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS);
   ::cfsetispeed(&settings, speed->code);
   ::cfsetospeed(&settings, speed->code);
   if (::tcsetattr(line.number(), TCSANOW, &settings) != 0)
-    return Error{fmt::format("serial:{}: cannot be set to {} baud ({})", device, baud, std::strerror(errno))};
+    return Error{"serial_speed_not_set", {{"device", device}, {"baud", baud}, {"why", std::strerror(errno)}}};
   return line;
 }
 
@@ -74,7 +71,7 @@ Result<Descriptor> open_tcp(const std::string& host, int port, double seconds) {
   addrinfo* found = nullptr;
   const std::string service = std::to_string(port);
   if (const int failed = ::getaddrinfo(host.c_str(), service.c_str(), &wanted, &found); failed != 0)
-    return Error{fmt::format("{}: {}", host, ::gai_strerror(failed))};
+    return Error{"host_not_found", {{"host", host}, {"why", ::gai_strerror(failed)}}};
   int failed = EHOSTUNREACH;
   Descriptor connection;
   for (const addrinfo* each = found; each; each = each->ai_next) {
@@ -84,7 +81,8 @@ Result<Descriptor> open_tcp(const std::string& host, int port, double seconds) {
     if (failed == 0) break;
   }
   ::freeaddrinfo(found);
-  if (failed != 0) return Error{fmt::format("{}:{}: {}", host, port, std::strerror(failed))};
+  if (failed != 0)
+    return Error{"host_not_reached", {{"host", host}, {"port", port}, {"why", std::strerror(failed)}}};
   // A cable that was pulled is to be seen within half a minute.
   const int on = 1, idle = 10, between = 5, probes = 3;
   ::setsockopt(connection.number(), SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);

@@ -37,7 +37,7 @@ Result<std::string> HttpClient::ask(const std::string& target, double deadline, 
   const std::string request = fmt::format(
       "GET {} HTTP/1.1\r\nHost: {}:{}\r\nAccept: application/json\r\nConnection: keep-alive\r\n\r\n", target,
       host_.find(':') == std::string::npos ? host_ : "[" + host_ + "]", port_);
-  if (!send_all(connection_, request)) return Error{"the connection was closed"};
+  if (!send_all(connection_, request)) return Error{"connection_closed"};
   http::response_parser<http::string_body> parser;
   parser.body_limit(largest_body);
   parser.header_limit(64 << 10);
@@ -46,14 +46,14 @@ Result<std::string> HttpClient::ask(const std::string& target, double deadline, 
   char bytes[16384];
   while (!parser.is_done()) {
     const double left = deadline - steady_seconds();
-    if (left <= 0 || !readable(connection_, left)) return stale = false, Error{"no answer in time"};
+    if (left <= 0 || !readable(connection_, left)) return stale = false, Error{"no_answer_in_time"};
     const ssize_t count = ::recv(connection_.number(), bytes, sizeof bytes, 0);
     if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     boost::system::error_code failed;
     if (count <= 0) {
-      if (!parser.got_some()) return Error{"the connection was closed"};
+      if (!parser.got_some()) return Error{"connection_closed"};
       parser.put_eof(failed);
-      if (failed) return Error{"the answer broke off"};
+      if (failed) return Error{"answer_broke_off"};
       break;
     }
     stale = false;
@@ -64,12 +64,12 @@ Result<std::string> HttpClient::ask(const std::string& target, double deadline, 
     if (parser.is_header_done() && parser.content_length().value_or(0) > largest_body)
       failed = http::error::body_limit;
     if (failed && failed != http::error::need_more)
-      return Error{fmt::format("the answer is no HTTP ({})", failed.message())};
+      return Error{"answer_is_no_http", {{"why", failed.message()}}};
   }
   const auto& answer = parser.get();
   if (answer.result() != http::status::ok)
-    return Error{fmt::format("{} is answered with status {}", target.substr(0, target.find('?')),
-                             answer.result_int())};
+    return Error{"answer_of_status",
+                 {{"target", target.substr(0, target.find('?'))}, {"status", answer.result_int()}}};
   if (!answer.keep_alive()) connection_.close();
   return answer.body();
 }
@@ -90,7 +90,7 @@ Result<std::string> HttpClient::get(const std::string& target, double seconds) {
     // A kept connection may have been closed by the other side meanwhile.
     if (again || !kept || !stale) return answer;
   }
-  return Error{"no answer"};
+  return Error{"no_answer"};
 }
 
 }  // namespace cromer::core

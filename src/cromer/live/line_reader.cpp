@@ -75,7 +75,7 @@ void LineReader::connected(double at) {
   surely_whole_ = !may_begin_within_line_;
 }
 
-void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::vector<Notice>& notices) {
+void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::vector<Remark>& notices) {
   constexpr double silence = 0.03;  // [s] more than the bytes of a line wait for each other, on USB too
   if (at_beginning_ && !lost_ && partial_.empty() && arrival - connected_ > silence) surely_whole_ = true;
   while (!bytes.empty()) {
@@ -97,7 +97,7 @@ void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::v
 }
 
 void LineReader::take_any_line(std::string_view text, double arrival, Rows& rows,
-                               std::vector<Notice>& notices) {
+                               std::vector<Remark>& notices) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   ++line_;
   if (at_beginning_ && text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
@@ -108,18 +108,16 @@ void LineReader::take_any_line(std::string_view text, double arrival, Rows& rows
     first_ = FirstLine{std::string(text), arrival};
 }
 
-void LineReader::judge_first(std::string_view next, Rows& rows, std::vector<Notice>& notices) {
+void LineReader::judge_first(std::string_view next, Rows& rows, std::vector<Remark>& notices) {
   const FirstLine first = *std::exchange(first_, std::nullopt);
   if (has_form_of(first.text, next)) {
     take_line(first.text, first.arrival, rows, notices);
   } else {
-    notices.push_back({NoticeKind::connection,
-                       fmt::format("what came first may be the end of a line, and is left out: \"{}\"",
-                                   shown(first.text))});
+    notices.push_back({RemarkKind::connection, Notice{"first_line_left_out", {{"text", shown(first.text)}}}});
   }
 }
 
-void LineReader::end(double arrival, Rows& rows, std::vector<Notice>& notices) {
+void LineReader::end(double arrival, Rows& rows, std::vector<Remark>& notices) {
   if (!partial_.empty()) take_any_line(std::exchange(partial_, ""), arrival, rows, notices);
   release_all(rows, notices);
 }
@@ -130,13 +128,13 @@ void LineReader::let_go(const std::vector<double>& times, Rows& rows) {
   held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(times.size()));
 }
 
-void LineReader::release(double now, Rows& rows, std::vector<Notice>& notices) {
+void LineReader::release(double now, Rows& rows, std::vector<Remark>& notices) {
   std::vector<double> times;
   arrivals_.release(now, times, notices);
   let_go(times, rows);
 }
 
-void LineReader::release_all(Rows& rows, std::vector<Notice>& notices) {
+void LineReader::release_all(Rows& rows, std::vector<Remark>& notices) {
   if (first_) judge_first("", rows, notices);
   std::vector<double> times;
   arrivals_.release_all(times, notices);
@@ -149,16 +147,17 @@ SampleTimes LineReader::times() const {
   return settings_.rate > 0 ? SampleTimes{TimesBy::count} : arrivals_.sample_times();
 }
 
-void LineReader::connection_lost(Rows& rows, std::vector<Notice>& notices) {
+void LineReader::connection_lost(Rows& rows, std::vector<Remark>& notices) {
   if (first_) judge_first("", rows, notices);
   partial_.clear();
   too_long_ = false;
   lost_ = true;
 }
 
-void LineReader::refuse(std::string_view text, long line, std::vector<Notice>& notices) {
+void LineReader::refuse(std::string_view text, long line, std::vector<Remark>& notices) {
   ++garbage_;
-  notices.push_back({NoticeKind::garbage, fmt::format("line {} is no sample: \"{}\"", line, shown(text))});
+  notices.push_back(
+      {RemarkKind::garbage, Notice{"line_is_no_sample", {{"line", line}, {"text", shown(text)}}}});
 }
 
 // 1234 ms are 1.234 s, not 1.2340000000000002.
@@ -190,7 +189,7 @@ void LineReader::begin(std::size_t fields) {
   for (auto& heading : headings_) heading = plain_heading(std::move(heading));
 }
 
-void LineReader::take_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices) {
+void LineReader::take_line(std::string_view text, double arrival, Rows& rows, std::vector<Remark>& notices) {
   Line line = read_line(text);
   if (line.kind == LineKind::blank || line.kind == LineKind::comment) return;
   // A device that begins anew announces its columns again.

@@ -41,17 +41,17 @@ class LineReader {
   void connected(double at);
 
   /// Adds what the bytes complete to `rows` and `notices`; the rest is kept for the next time.
-  void take(std::string_view bytes, double arrival, Rows& rows, std::vector<Notice>& notices);
+  void take(std::string_view bytes, double arrival, Rows& rows, std::vector<Remark>& notices);
 
   /// Adds what has been held back long enough; to be called some times a second, whether anything comes or
   /// not.
-  void release(double now, Rows& rows, std::vector<Notice>& notices);
+  void release(double now, Rows& rows, std::vector<Remark>& notices);
   /// Adds all that is held back: nothing more will come, or be waited for.
-  void release_all(Rows& rows, std::vector<Notice>& notices);
+  void release_all(Rows& rows, std::vector<Remark>& notices);
 
   /// The input has ended: a last line without its end is taken, or after a lost connection dropped.
-  void end(double arrival, Rows& rows, std::vector<Notice>& notices);
-  void connection_lost(Rows& rows, std::vector<Notice>& notices);
+  void end(double arrival, Rows& rows, std::vector<Remark>& notices);
+  void connection_lost(Rows& rows, std::vector<Remark>& notices);
 
   /// Empty until the first row.
   const Headings& headings() const { return headings_; }
@@ -65,12 +65,12 @@ class LineReader {
     double arrival;  // [s]
   };
 
-  void take_any_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices);
-  void take_line(std::string_view text, double arrival, Rows& rows, std::vector<Notice>& notices);
-  void judge_first(std::string_view next, Rows& rows, std::vector<Notice>& notices);
+  void take_any_line(std::string_view text, double arrival, Rows& rows, std::vector<Remark>& notices);
+  void take_line(std::string_view text, double arrival, Rows& rows, std::vector<Remark>& notices);
+  void judge_first(std::string_view next, Rows& rows, std::vector<Remark>& notices);
   double in_seconds(double device) const;
   void begin(std::size_t fields);
-  void refuse(std::string_view text, long line, std::vector<Notice>& notices);
+  void refuse(std::string_view text, long line, std::vector<Remark>& notices);
   void let_go(const std::vector<double>& times, Rows& rows);
 
   LineSettings settings_;

@@ -24,25 +24,26 @@ Result<void> LineSource::open() {
   return {};
 }
 
-bool LineSource::come_back(double seconds, std::vector<Notice>& notices) {
+bool LineSource::come_back(double seconds, std::vector<Remark>& notices) {
   if (auto line = connect_()) {
     line_ = *std::move(line);
     reader_.connected(steady_seconds());
-    notices.push_back({NoticeKind::connection,
-                       fmt::format("{} is back after {:.3g} s", name_, steady_seconds() - lost_at_)});
+    notices.push_back(
+        {RemarkKind::connection,
+         Notice{"source_is_back", {{"source", name_}, {"duration", steady_seconds() - lost_at_}}}});
   } else {
     std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
   }
   return true;
 }
 
-bool LineSource::receive(double seconds, Rows& rows, std::vector<Notice>& notices) {
+bool LineSource::receive(double seconds, Rows& rows, std::vector<Remark>& notices) {
   const bool more = read(seconds, rows, notices);
   reader_.release(steady_seconds(), rows, notices);
   return more;
 }
 
-bool LineSource::read(double seconds, Rows& rows, std::vector<Notice>& notices) {
+bool LineSource::read(double seconds, Rows& rows, std::vector<Remark>& notices) {
   if (!line_.is_open()) return come_back(seconds, notices);
   if (!readable(line_, seconds)) return true;
   char bytes[4096];
@@ -60,8 +61,7 @@ bool LineSource::read(double seconds, Rows& rows, std::vector<Notice>& notices) 
   line_.close();
   lost_at_ = arrival;
   reader_.connection_lost(rows, notices);
-  notices.push_back(
-      {NoticeKind::connection, fmt::format("{} is gone; it is tried again until it is back", name_)});
+  notices.push_back({RemarkKind::connection, Notice{"source_is_gone", {{"source", name_}}}});
   return true;
 }
 

@@ -92,18 +92,14 @@ std::string percent_encoded(std::string_view name) {
 
 Result<PhyphoxSet> read_phyphox_config(std::string_view json) {
   const Json config = parsed(json);
-  if (!config.is_object()) return Error{"the answer to /config is no JSON object; is this phyphox?"};
+  if (!config.is_object()) return Error{"phyphox_config_unreadable"};
   PhyphoxSet found;
   for (const Json& set : list_at(config, "export"))
     if (found.buffers.empty()) found = exported(set);
   for (const Json& input : list_at(config, "inputs"))
     if (found.buffers.empty()) found = sensed(input);
   const std::string title = text_at(config, "title");
-  if (found.buffers.empty())
-    return Error{
-        fmt::format("the phone's experiment \"{}\" has no values with a time; choose one with raw data, "
-                    "such as Acceleration (without g)",
-                    title)};
+  if (found.buffers.empty()) return Error{"phyphox_experiment_without_times", {{"experiment", title}}};
   found.experiment = title;
   for (auto& heading : found.headings) heading = plain_heading(std::move(heading));
   return found;
@@ -123,15 +119,13 @@ std::string phyphox_query(const PhyphoxSet& set, std::optional<double> after) {
 Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSet& set) {
   const Json document = parsed(json);
   if (!document.is_object() || !document.contains("buffer") || !document["buffer"].is_object())
-    return Error{"the answer to /get holds no buffers; is this phyphox?"};
+    return Error{"phyphox_answer_unreadable"};
   const Json& held = document["buffer"];
   std::vector<const Json*> columns;
   std::size_t rows = std::numeric_limits<std::size_t>::max(), longest = 0;
   for (const auto& name : set.buffers) {
     const auto found = held.find(name);
-    if (found == held.end())
-      return Error{
-          fmt::format("the phone has no buffer \"{}\" any more: another experiment was opened", name)};
+    if (found == held.end()) return Error{"phyphox_buffer_gone", {{"buffer", name}}};
     columns.push_back(&list_at(*found, "buffer"));
     rows = std::min(rows, columns.back()->size());
     longest = std::max(longest, columns.back()->size());

@@ -1,7 +1,5 @@
 #include "cromer/live/phyphox_source.h"
 
-#include <fmt/format.h>
-
 #include <chrono>
 #include <thread>
 
@@ -23,7 +21,7 @@ Result<PhyphoxAnswer> PhyphoxSource::ask() {
 
 Result<void> PhyphoxSource::open() {
   const auto failed = [&](const Error& error) {
-    return Error{fmt::format("phyphox:{}: {}", name_, error.message)};
+    return Error{"phyphox_failed", {{"address", name_}, {"what", error.notice}}};
   };
   const auto config = client_.get("/config", patience);
   if (!config) return failed(config.error());
@@ -38,17 +36,14 @@ Result<void> PhyphoxSource::open() {
   if (!before->measuring) {
     if (const auto started = client_.get("/control?cmd=start", patience); !started)
       return failed(started.error());
-    opening_.push_back(
-        {NoticeKind::device, fmt::format("the phone was not measuring; its experiment \"{}\" was started "
-                                         "and is left running",
-                                         set_.experiment)});
+    opening_.push_back({RemarkKind::device, Notice{"phyphox_started", {{"experiment", set_.experiment}}}});
   }
   measuring_ = true;
   new_at_ = steady_seconds();
   return {};
 }
 
-void PhyphoxSource::take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Notice>& notices) {
+void PhyphoxSource::take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Remark>& notices) {
   const double arrival = steady_seconds();
   for (std::size_t i = 0; i < answer.rows.size(); ++i) {
     const double t = answer.rows.t[i];
@@ -72,7 +67,7 @@ bool PhyphoxSource::clock_began_anew() {
   return held && (held->rows.size() == 0 || held->rows.t.back() < *after_);
 }
 
-bool PhyphoxSource::receive(double seconds, Rows& rows, std::vector<Notice>& notices) {
+bool PhyphoxSource::receive(double seconds, Rows& rows, std::vector<Remark>& notices) {
   rows.width = set_.buffers.size() - 1;
   notices.insert(notices.end(), opening_.begin(), opening_.end());
   opening_.clear();
@@ -83,8 +78,8 @@ bool PhyphoxSource::receive(double seconds, Rows& rows, std::vector<Notice>& not
     if (reachable_) {
       lost_at_ = steady_seconds();
       notices.push_back(
-          {NoticeKind::connection, fmt::format("phyphox at {} does not answer: {}; it is asked again", name_,
-                                               answer.error().message)});
+          {RemarkKind::connection,
+           Notice{"phyphox_does_not_answer", {{"address", name_}, {"what", answer.error().notice}}}});
     } else {
       std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
     }
@@ -92,21 +87,20 @@ bool PhyphoxSource::receive(double seconds, Rows& rows, std::vector<Notice>& not
     return true;
   }
   if (!reachable_)
-    notices.push_back({NoticeKind::connection, fmt::format("phyphox at {} is back after {:.3g} s", name_,
-                                                           steady_seconds() - lost_at_)});
+    notices.push_back(
+        {RemarkKind::connection,
+         Notice{"phyphox_is_back", {{"address", name_}, {"duration", steady_seconds() - lost_at_}}}});
   reachable_ = true;
   take(*answer, rows, notices);
   if (answer->measuring != measuring_) {
     measuring_ = answer->measuring;
-    notices.push_back({NoticeKind::device, measuring_
-                                               ? "the phone measures again"
-                                               : "the measurement was stopped on the phone; start it there "
-                                                 "to go on"});
+    notices.push_back(
+        {RemarkKind::device, Notice{measuring_ ? "phyphox_measures_again" : "phyphox_stopped"}});
   }
   if (measuring_ && steady_seconds() - new_at_ > quiet_time) {
     if (clock_began_anew()) {
       after_.reset();  // what follows has times that jump back, which the clock is there for
-      notices.push_back({NoticeKind::device, "the phone's data were cleared; its times begin anew"});
+      notices.push_back({RemarkKind::device, Notice{"phyphox_cleared"}});
     }
     new_at_ = steady_seconds();
   }

@@ -21,18 +21,18 @@ class PhyphoxSource final : public Source {
       : name_(host + ":" + std::to_string(port)), client_(std::move(host), port) {}
 
   Result<void> open() override;
-  bool receive(double seconds, Rows& rows, std::vector<Notice>& notices) override;
+  bool receive(double seconds, Rows& rows, std::vector<Remark>& notices) override;
   const Headings& headings() const override { return set_.headings; }
 
  private:
   Result<PhyphoxAnswer> ask();
-  void take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Notice>& notices);
+  void take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Remark>& notices);
   bool clock_began_anew();
 
   std::string name_;
   HttpClient client_;
   PhyphoxSet set_;
-  std::vector<Notice> opening_;  ///< to be told with the first rows
+  std::vector<Remark> opening_;  ///< to be told with the first rows
   std::optional<double> after_;  ///< [s] the phone's time of the last sample
   Timekeeper clock_;
   bool measuring_ = false, reachable_ = true;

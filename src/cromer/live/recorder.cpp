@@ -1,7 +1,5 @@
 #include "cromer/live/recorder.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <new>
@@ -25,15 +23,14 @@ void make_room(std::vector<double>& values, std::size_t more) {
 }
 
 /// Nothing where there is one, or none was named.
-std::optional<Notice> missing_column(const Headings& headings, const std::string& name) {
-  std::string there;
+std::optional<Remark> missing_column(const Headings& headings, const std::string& name) {
+  std::vector<Notice> there;
   for (std::size_t i = 1; i < headings.size(); ++i) {
     if (name.empty() || is_named(headings[i], name)) return std::nullopt;
-    there += fmt::format("{}\"{}\"", i == 1 ? "" : ", ", headings[i]);
+    there.push_back(Notice{"column_in_quotes", {{"column", headings[i]}}});
   }
-  return Notice{
-      NoticeKind::option,
-      fmt::format("--column \"{}\": there is no such column to be fitted live, only {}", name, there)};
+  return Remark{RemarkKind::option,
+                Notice{"no_such_column_to_fit_live", {{"column", name}, {"columns", there}}}};
 }
 
 }  // namespace
@@ -60,7 +57,7 @@ void Recorder::stop() {
 
 void Recorder::fail(const Error& error) {
   const std::lock_guard lock(mutex_);
-  if (failure_.empty()) failure_ = error.message;
+  if (failure_.empty()) failure_ = error.notice;
   kept_ = file_.rows();
   stop_ = true;
 }
@@ -114,7 +111,7 @@ void Recorder::record() {
   double first_arrival = 0;
   bool whole = false, starved = false;
   Rows rows;
-  std::vector<Notice> notices;
+  std::vector<Remark> notices;
   for (bool more = true; more && !stop_;) {
     // Where memory runs out, what is being read may be lost; what has been read is published later.
     try {
@@ -139,21 +136,14 @@ void Recorder::record() {
     starved = true;
   }
   try {
-    if (starved)
-      notices.push_back({NoticeKind::gap, "this computer ran out of memory: samples may be missing"});
+    if (starved) notices.push_back({RemarkKind::gap, Notice{"out_of_memory"}});
     const double took = steady_seconds() - first_arrival;
     if (settings_.duration && whole && source_->times().by == TimesBy::device &&
         took < *settings_.duration / too_fast)
-      notices.push_back(
-          {NoticeKind::clock,
-           fmt::format("{:.4g} s of the device's times passed in {:.2g} s: if they are milliseconds, "
-                       "--time-unit ms says so",
-                       *settings_.duration, took)});
+      notices.push_back({RemarkKind::clock, Notice{"device_times_pass_too_fast",
+                                                   {{"duration", *settings_.duration}, {"took", took}}}});
     if (const double pace = source_->pace(); pace > too_fast)
-      notices.push_back(
-          {NoticeKind::clock, fmt::format("the device's times run {:.4g} times as fast as the clock: "
-                                          "--time-unit says what they are in",
-                                          pace)});
+      notices.push_back({RemarkKind::clock, Notice{"device_times_run_fast", {{"pace", pace}}}});
   } catch (const std::bad_alloc&) {  // the last remarks may be lost, the samples read are not
   }
   for (bool published = false; !published;) {
@@ -173,7 +163,7 @@ void Recorder::record() {
 }
 
 /// False when the recording has its whole length.
-bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
+bool Recorder::publish(Rows& rows, std::vector<Remark>& notices) {
   bool more = true;
   if (settings_.duration && rows.size() > 0) {
     const double begin = rows_.size() > 0 ? rows_.t.front() : rows.t.front();
@@ -198,7 +188,7 @@ bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
     rows_.t.insert(rows_.t.end(), rows.t.begin(), rows.t.end());
     rows_.values.insert(rows_.values.end(), rows.values.begin(), rows.values.end());
     for (auto& notice : notices) {
-      garbage_ += notice.kind == NoticeKind::garbage;
+      garbage_ += notice.kind == RemarkKind::garbage;
       if (notices_.size() < kept_notices) notices_.push_back(std::move(notice));
     }
   }
@@ -210,11 +200,14 @@ bool Recorder::publish(Rows& rows, std::vector<Notice>& notices) {
 
 Result<void> Recorder::write_end() {
   std::vector<std::string> lines;
+  const auto say = [&](const Notice& notice) {
+    lines.push_back(settings_.words ? settings_.words(notice) : notice.code);
+  };
   {
     const std::lock_guard lock(mutex_);
-    for (const auto& notice : notices_) lines.push_back(notice.text);
-    if (const std::string times = sentence(times_); !times.empty()) lines.push_back(times);
-    if (garbage_ > 0) lines.push_back(fmt::format("{} lines were no samples", garbage_));
+    for (const Remark& remark : notices_) say(remark.what);
+    if (const Notice times = sentence(times_); !times.empty()) say(times);
+    if (garbage_ > 0) say(Notice{"lines_no_samples", {{"lines", garbage_}}});
     if (rows_.size() == 0) lines.clear();
   }
   if (!lines.empty())
@@ -266,7 +259,7 @@ std::size_t Recorder::first_within(double seconds) const {
   return static_cast<std::size_t>(std::lower_bound(begin, end, *(end - 1) - seconds) - begin);
 }
 
-std::vector<Notice> Recorder::notices_since(std::size_t first) const {
+std::vector<Remark> Recorder::notices_since(std::size_t first) const {
   const std::lock_guard lock(mutex_);
   return {notices_.begin() + std::min(first, notices_.size()), notices_.end()};
 }

@@ -21,6 +21,7 @@ struct RecorderSettings {
   std::optional<double> duration;       ///< [s] > 0, from the first sample on; until stopped where not given
   std::vector<std::string> comments{};  ///< for the head of the file
   std::string column{};                 ///< wanted by name; where there is none a notice says which there are
+  std::string (*words)(const Notice&) = nullptr;  ///< makes the sentences at the end of the file
 };
 
 /// At one moment. What a file that can take no more does not hold is not counted.
@@ -33,7 +34,7 @@ struct RecorderStatus {
   std::size_t garbage = 0;  ///< lines that were no samples
   std::size_t notices = 0;
   SampleTimes times{};
-  std::string failure{};  ///< why it ended by itself where it should not have: a disk that is full
+  Notice failure{};  ///< why it ended by itself where it should not have: a disk that is full
 };
 
 class Recorder {
@@ -55,13 +56,13 @@ class Recorder {
   Rows rows_since(std::size_t first, std::size_t most = static_cast<std::size_t>(-1)) const;
   /// Index of the first row of the last `seconds`.
   std::size_t first_within(double seconds) const;
-  std::vector<Notice> notices_since(std::size_t first) const;
+  std::vector<Remark> notices_since(std::size_t first) const;
 
  private:
   void record();
   void keep_on_disk();
   Result<void> write_rows(std::size_t& written, bool& headed);
-  bool publish(Rows& rows, std::vector<Notice>& notices);
+  bool publish(Rows& rows, std::vector<Remark>& notices);
   void fail(const Error& error);
   Result<void> write_end();
   std::size_t held() const;
@@ -78,10 +79,10 @@ class Recorder {
   Headings headings_;
   Rows rows_;
   std::optional<std::size_t> kept_;  ///< of the rows, by a file that can take no more
-  std::vector<Notice> notices_;
+  std::vector<Remark> notices_;
   std::size_t garbage_ = 0;
   SampleTimes times_;
-  std::string failure_;
+  Notice failure_;
 };
 
 }  // namespace cromer::core

@@ -1,7 +1,6 @@
 #include "cromer/live/recording_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -31,10 +30,7 @@ Result<void> RecordingFile::open(const std::string& path) {
   struct stat found {};
   if (::fstat(file_.number(), &found) == 0 && found.st_size == 0) return {};
   file_.close();
-  return Error{
-      fmt::format("{} exists and is not empty; a recording overwrites nothing: name another file, or move "
-                  "that one away",
-                  path)};
+  return Error{"recording_exists", {{"path", path}}};
 }
 
 Result<void> RecordingFile::write(std::string_view lines) {
@@ -53,7 +49,7 @@ Result<void> RecordingFile::write(std::string_view lines) {
         const Error why = cannot_write(path_, more < 0 ? errno : ENOSPC);
         count(whole.substr(0, written));
         const bool is_whole = written == 0 || whole[written - 1] == '\n' || cut();
-        return is_whole ? why : Error{why.message + "; its last line is not whole"};
+        return is_whole ? why : Error{"last_line_not_whole", {{"what", why.notice}}};
       }
       written += static_cast<std::size_t>(more);
     }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cromer/notice.h"
+
 namespace cromer::core {
 
 /// Rows with equally many values each, one after the other.
@@ -46,12 +48,12 @@ struct Rows {
 /// The columns' names with their units: "Time (s)", then one for each value.
 using Headings = std::vector<std::string>;
 
-enum class NoticeKind { garbage, clock, gap, connection, device, option };
+enum class RemarkKind { garbage, clock, gap, connection, device, option };
 
-/// Something a person should know of, in a sentence.
-struct Notice {
-  NoticeKind kind;
-  std::string text;
+/// Something a person should know of.
+struct Remark {
+  RemarkKind kind;
+  Notice what;
 };
 
 }  // namespace cromer::core

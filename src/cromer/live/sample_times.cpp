@@ -1,7 +1,5 @@
 #include "cromer/live/sample_times.h"
 
-#include <fmt/format.h>
-
 namespace cromer::core {
 
 std::string_view name(TimesBy by) {
@@ -20,29 +18,25 @@ std::string_view name(TimesBy by) {
   return "";
 }
 
-std::string sentence(const SampleTimes& times) {
+Notice sentence(const SampleTimes& times) {
+  const std::size_t samples = times.by_rate + times.by_arrival;
   switch (times.by) {
     case TimesBy::count:
-      return "times: counted, at the rate of --rate";
-    case TimesBy::rate: {
-      std::string text =
-          fmt::format("times: by the steady rate that was found, {:.7g}/s; delays up to {:.2g} s", times.rate,
-                      times.longest_delay);
-      if (times.by_arrival > 0)
-        text += fmt::format("; {} of {} by arrival", times.by_arrival, times.by_rate + times.by_arrival);
-      return text;
-    }
-    case TimesBy::arrival: {
-      std::string text = "times: those of arrival; no steady rate was found";
-      if (times.by_rate > 0)
-        text += fmt::format(" for long; {} of {} by one", times.by_rate, times.by_rate + times.by_arrival);
-      return text;
-    }
+      return Notice{"times_counted"};
+    case TimesBy::rate:
+      return Notice{times.by_arrival > 0 ? "times_by_rate_and_arrival" : "times_by_rate",
+                    {{"rate", times.rate},
+                     {"delay", times.longest_delay},
+                     {"by_arrival", times.by_arrival},
+                     {"samples", samples}}};
+    case TimesBy::arrival:
+      return Notice{times.by_rate > 0 ? "times_by_arrival_and_rate" : "times_by_arrival",
+                    {{"by_rate", times.by_rate}, {"samples", samples}}};
     case TimesBy::device:
     case TimesBy::nothing:
       break;
   }
-  return "";
+  return {};
 }
 
 }  // namespace cromer::core

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <string_view>
+
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
@@ -20,8 +21,8 @@ struct SampleTimes {
 /// "device", "count", "rate" or "arrival"; "" for nothing.
 std::string_view name(TimesBy by);
 
-/// "times: rate found, 100.02/s; delays up to 0.21 s; 12 of 6000 by arrival"; "" where the times are the
-/// device's own, or nothing came.
-std::string sentence(const SampleTimes& times);
+/// Says: "times: rate found, 100.02/s; delays up to 0.21 s; 12 of 6000 by arrival"; "" where the times are
+/// the device's own, or nothing came.
+Notice sentence(const SampleTimes& times);
 
 }  // namespace cromer::core

@@ -20,10 +20,10 @@ class Source {
 
   /// Waits at most about `seconds` and adds what came; false when nothing more will ever come. A connection
   /// that is lost is tried again each time, with a notice when it goes and when it is back.
-  virtual bool receive(double seconds, Rows& rows, std::vector<Notice>& notices) = 0;
+  virtual bool receive(double seconds, Rows& rows, std::vector<Remark>& notices) = 0;
 
   /// Adds what is held back to be stamped better; nothing is received after it.
-  virtual void finish(Rows&, std::vector<Notice>&) {}
+  virtual void finish(Rows&, std::vector<Remark>&) {}
 
   /// Empty until the first row.
   virtual const Headings& headings() const = 0;

@@ -1,7 +1,5 @@
 #include "cromer/live/source_name.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
 
@@ -9,9 +7,6 @@
 
 namespace cromer::core {
 namespace {
-
-constexpr std::string_view forms =
-    "serial:DEVICE[:BAUD], tcp:HOST:PORT, phyphox:HOST[:PORT] or - (standard input)";
 
 std::optional<int> whole_number(std::string_view text) {
   if (text.empty() || text.size() > 8 || !std::all_of(text.begin(), text.end(), is_digit))
@@ -21,8 +16,8 @@ std::optional<int> whole_number(std::string_view text) {
   return number;
 }
 
-Error wrong(std::string_view text, std::string_view why) {
-  return {fmt::format("--from \"{}\": {}; it is one of {}", text, why, forms)};
+Error wrong(std::string_view text, const Notice& why) {
+  return Error{"source_not_understood", {{"source", text}, {"why", why}}};
 }
 
 /// "HOST", "HOST:PORT", "[::1]:PORT"; an Error where the port is none.
@@ -30,20 +25,20 @@ Result<SourceName> with_port(std::string_view text, std::string_view rest, Sourc
   std::string_view host = rest, port;
   if (rest.starts_with('[')) {
     const std::size_t close = rest.find(']');
-    if (close == std::string_view::npos) return wrong(text, "the address has no closing bracket");
+    if (close == std::string_view::npos) return wrong(text, Notice{"address_has_no_closing_bracket"});
     host = rest.substr(1, close - 1);
     port = rest.substr(close + 1);
-    if (!port.empty() && port.front() != ':') return wrong(text, "a colon stands before the port");
+    if (!port.empty() && port.front() != ':') return wrong(text, Notice{"colon_stands_before_the_port"});
   } else if (const std::size_t colon = rest.rfind(':'); colon != std::string_view::npos) {
     host = rest.substr(0, colon);
     port = rest.substr(colon);
   }
-  if (host.empty()) return wrong(text, "the host is missing");
+  if (host.empty()) return wrong(text, Notice{"host_is_missing"});
   name.place = host;
-  if (port.empty() && name.number == 0) return wrong(text, "the port is missing");
+  if (port.empty() && name.number == 0) return wrong(text, Notice{"port_is_missing"});
   if (port.empty()) return name;
   const auto number = whole_number(port.substr(1));
-  if (!number || *number < 1 || *number > 65535) return wrong(text, "a port is a number from 1 to 65535");
+  if (!number || *number < 1 || *number > 65535) return wrong(text, Notice{"no_port"});
   name.number = *number;
   return name;
 }
@@ -53,11 +48,11 @@ Result<SourceName> with_port(std::string_view text, std::string_view rest, Sourc
 Result<SourceName> parse_source(std::string_view text) {
   if (text == "-") return SourceName{};
   const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) return wrong(text, "that names no kind of source");
+  if (colon == std::string_view::npos) return wrong(text, Notice{"no_kind_of_source_named"});
   const std::string_view kind = text.substr(0, colon), rest = text.substr(colon + 1);
   if (kind == "tcp") return with_port(text, rest, {SourceKind::tcp});
   if (kind == "phyphox") return with_port(text, rest, {SourceKind::phyphox, "", 8080});
-  if (kind != "serial") return wrong(text, fmt::format("\"{}\" is no kind of source", kind));
+  if (kind != "serial") return wrong(text, Notice{"no_kind_of_source", {{"kind", kind}}});
   SourceName name{SourceKind::serial, std::string(rest), 115200};
   // Paths below /dev/serial/by-path hold colons of their own.
   if (const std::size_t last = rest.rfind(':'); last != std::string_view::npos)
@@ -65,7 +60,7 @@ Result<SourceName> parse_source(std::string_view text) {
       name.place = rest.substr(0, last);
       name.number = *baud;
     }
-  if (name.place.empty()) return wrong(text, "the device is missing");
+  if (name.place.empty()) return wrong(text, Notice{"device_is_missing"});
   return name;
 }
 

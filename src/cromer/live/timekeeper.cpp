@@ -1,7 +1,5 @@
 #include "cromer/live/timekeeper.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -64,11 +62,9 @@ Stamp Timekeeper::instead_of(double device, double arrival) {
   const double passed = arrival - last_arrival_, usual = samples_ > 0 ? usual_step() : 0;
   const bool silence = passed > shortest_gap && passed > 5 * usual && passed > 2 * held_up_;
   const double step = samples_ == 0 ? 0 : std::max(usual == 0 || silence ? passed : usual, least_step);
-  const Stamp stamp{
-      rising(to_microseconds(last_t_ + step)),
-      Notice{NoticeKind::clock,
-             fmt::format("the device gave {:.6g} s, which is no time; {:.6g} s is taken instead", device,
-                         last_t_ + step)}};
+  const Stamp stamp{rising(to_microseconds(last_t_ + step)),
+                    Remark{RemarkKind::clock,
+                           Notice{"device_gave_no_time", {{"given", device}, {"taken", last_t_ + step}}}}};
   remember(arrival, stamp.t);
   return stamp;
 }
@@ -85,18 +81,16 @@ Stamp Timekeeper::of_device(double device, double arrival) {
       stamp.t =
           to_microseconds(std::max(last_t_ + std::max(usual, least_step), last_device_ + offset_ + passed));
       offset_ = stamp.t - device;
-      stamp.notice = Notice{
-          NoticeKind::clock,
-          step == 0
-              ? fmt::format("the device gave the time {:.6g} s twice", device)
-              : fmt::format("the device's clock jumped {} by {:.6g} s at {:.6g} s; the times go on from "
-                            "the computer's clock",
-                            back ? "back" : "forward", std::abs(step), last_t_)};
+      stamp.notice =
+          Remark{RemarkKind::clock,
+                 step == 0 ? Notice{"device_time_twice", {{"time", device}}}
+                           : Notice{back ? "device_clock_jumped_back" : "device_clock_jumped_forward",
+                                    {{"jump", std::abs(step)}, {"time", last_t_}}}};
     } else {
       held_up_ = std::max(held_up_, passed - step);
       if (since_last > 5 * usual && since_last > shortest_gap && samples_ > 2)
-        stamp.notice = Notice{NoticeKind::gap,
-                              fmt::format("nothing for {:.3g} s from {:.6g} s on", since_last, last_t_)};
+        stamp.notice =
+            Remark{RemarkKind::gap, Notice{"nothing_came", {{"duration", since_last}, {"time", last_t_}}}};
     }
     stamp.t = rising(stamp.t);
   }
@@ -116,10 +110,9 @@ Stamp Timekeeper::of_count(double arrival) {
   if (std::abs(since_first - counted) > clear_difference && since_first > last_t_) {
     stamp.t = counted_from_ = to_microseconds(since_first);
     counted_ = 0;
-    stamp.notice = Notice{
-        NoticeKind::gap,
-        fmt::format("{:.3g} s {} than --rate lets expect at {:.6g} s; counting begins anew",
-                    std::abs(since_first - counted), since_first > counted ? "later" : "earlier", last_t_)};
+    stamp.notice =
+        Remark{RemarkKind::gap, Notice{since_first > counted ? "later_than_counted" : "earlier_than_counted",
+                                       {{"difference", std::abs(since_first - counted)}, {"time", last_t_}}}};
   }
   ++counted_;
   stamp.t = rising(stamp.t);

@@ -13,7 +13,7 @@ namespace cromer::core {
 /// The time of a sample, and what had to be done for it.
 struct Stamp {
   double t;  // [s] strictly above the one before
-  std::optional<Notice> notice{};
+  std::optional<Remark> notice{};
 };
 
 /// Arrivals are seconds of a clock that never jumps.

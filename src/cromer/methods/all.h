@@ -7,6 +7,7 @@
 #include <tuple>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "cromer/base/nearest.h"
 #include "cromer/methods/dormand_prince.h"
@@ -81,13 +82,10 @@ auto visit_method(std::string_view name, const MethodSettings& settings, F&& f) 
 /// Success, or what to say about a name that is not in the list.
 inline Result<void> check_method_name(std::string_view name) {
   if (find_method(name)) return {};
-  std::string message = "there is no method \"" + std::string(name) + "\"";
-  if (const std::string guess = nearest_names(name, method_names); !guess.empty())
-    message += "; did you mean " + guess + "?";
-  message += " (";
-  for (std::size_t i = 0; i < method_names.size(); ++i)
-    message += (i ? ", " : "") + std::string(method_names[i]);
-  return Error{message + ")"};
+  const std::vector<std::string> all(method_names.begin(), method_names.end());
+  if (const auto near = nearest_names(name, method_names); !near.empty())
+    return Error{"no_method_but", {{"method", name}, {"near", near}, {"methods", all}}};
+  return Error{"no_method", {{"method", name}, {"methods", all}}};
 }
 
 }  // namespace cromer::core

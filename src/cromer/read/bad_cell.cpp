@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "cromer/base/ascii.h"
-#include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/read/cells.h"
 
@@ -67,22 +67,22 @@ std::string without_fortran(std::string_view cell, char decimal) {
 
 }  // namespace
 
-std::string bad_cell(std::string_view cell, char decimal) {
+Notice bad_cell(std::string_view cell, char decimal) {
   if (std::string plain = without_thousands(cell); !plain.empty()) {
     std::replace(plain.begin(), plain.end(), '.', decimal);
-    return concat({"it has thousands separators: write ", plain});
+    return Notice{"has_thousands_separators", {{"cure", plain}}};
   }
   const std::string shape = shape_of(cell);
-  if (is_date(shape)) return "it is a date: write the seconds since the start";
-  if (is_clock(shape)) return "it is a clock time: write the seconds since the start";
+  if (is_date(shape)) return Notice{"is_date"};
+  if (is_clock(shape)) return Notice{"is_clock_time"};
   if (const std::string plain = without_fortran(cell, decimal); !plain.empty())
-    return concat({"it has Fortran's exponent: write ", plain});
+    return Notice{"has_fortran_exponent", {{"cure", plain}}};
   if (const auto number = leading_number(cell, decimal);
       number && number->length == cell.size() && !std::isfinite(number->value))
-    return "it is too large: numbers end at 1.8e308";
+    return Notice{"is_too_large"};
   const char other = decimal == '.' ? ',' : '.';
   if (read_cell(cell, other).kind == CellKind::number)
-    return concat({"the decimal mark of this file is a ", decimal == '.' ? "point" : "comma"});
+    return Notice{decimal == '.' ? "decimal_mark_is_point" : "decimal_mark_is_comma"};
   return {};
 }
 

@@ -1,15 +1,14 @@
 // What a cell is that is not a number, and the cure.
 #pragma once
 
-#include <string>
 #include <string_view>
+
+#include "cromer/notice.h"
 
 namespace cromer::core::dialects {
 
-/// "it is a clock time: write the seconds since the start", "it has thousands separators: write 1000.0",
-/// ...;
-/// "" where nothing is recognised. Also dates, Fortran's D exponents, numbers beyond the doubles, and the
-/// other decimal mark.
-std::string bad_cell(std::string_view cell, char decimal);
+/// A clock time, a number with thousands separators, a date, Fortran's D exponents, a number beyond the
+/// doubles, the other decimal mark; empty where nothing is recognised.
+Notice bad_cell(std::string_view cell, char decimal);
 
 }  // namespace cromer::core::dialects

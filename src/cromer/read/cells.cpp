@@ -26,7 +26,7 @@ bool is_missing_mark(std::string_view cell) {
 
 }  // namespace
 
-std::string too_many_columns() { return "there are more than " + std::to_string(most_columns) + " columns"; }
+Error too_many_columns() { return Error{"too_many_columns", {{"most", most_columns}}}; }
 
 bool commas_pair_up(std::string_view line, const Layout& layout) {
   if (!layout.paired) return true;
@@ -100,16 +100,15 @@ Cell read_cell(std::string_view cell, char decimal) {
   return {is_missing_mark(cell) ? CellKind::missing : CellKind::word, nan};
 }
 
-std::string quoted(std::string_view cell) {
+std::string shown(std::string_view cell) {
   constexpr std::size_t longest = 40;
   std::size_t length = std::min(cell.size(), longest);
   while (length > 0 && length < cell.size() && (static_cast<unsigned char>(cell[length]) & 0xC0u) == 0x80u)
     --length;
-  std::string text = "\"";
+  std::string text;
   for (const char c : cell.substr(0, length))
     text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
   if (length < cell.size()) text += "…";
-  text += '"';
   return text;
 }
 

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/result.h"
+
 namespace cromer::core::dialects {
 
 /// Wider tables are refused: each column costs memory of its own, however little a file says of it.
@@ -19,8 +21,7 @@ struct Layout {
   bool paired = false;
 };
 
-/// "there are more than 2000 columns".
-std::string too_many_columns();
+Error too_many_columns();
 
 /// Whether the commas of a line can be told apart under this layout: where they are paired, a whole number
 /// without a fraction shifts all that follows.
@@ -60,7 +61,7 @@ struct Cell {
 /// Empty, NaN, null, inf and dashes are missing; anything else that is not wholly a finite number is a word.
 Cell read_cell(std::string_view cell, char decimal);
 
-/// A cell as a message quotes it: short, and without control characters.
-std::string quoted(std::string_view cell);
+/// A cell as it is shown to people: short, and without control characters.
+std::string shown(std::string_view cell);
 
 }  // namespace cromer::core::dialects

@@ -7,6 +7,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/time.h"
 
 namespace cromer::core {
@@ -37,7 +38,7 @@ Result<Table> clean_table(const Recording& recording, const ReadOptions& options
         seconds.values.push_back(t);
       }
       const auto rising = dialects::keep_rising(seconds.values, lines);
-      if (!rising) return Error{concat({recording.file, ": ", rising.error().message})};
+      if (!rising) return in_file(recording.file, rising.error());
       std::vector<double> kept;
       for (const std::size_t i : rising->kept) kept.push_back(seconds.values[i]);
       seconds.values = kept;

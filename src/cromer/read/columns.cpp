@@ -71,11 +71,10 @@ std::size_t stride_of(const std::vector<double>& values) {
   return count >= fewest ? stride : 1;
 }
 
-/// "2nd", "12th", "22nd".
-std::string ordinal(std::size_t n) {
-  constexpr std::array<std::string_view, 10> endings{"th", "st", "nd", "rd", "th",
-                                                     "th", "th", "th", "th", "th"};
-  return concat({std::to_string(n), n / 10 % 10 == 1 ? "th" : endings[n % 10]});
+/// Of "2nd", "12th", "22nd".
+Notice ordinal_ending(std::size_t n) {
+  if (n / 10 % 10 == 1 || n % 10 == 0 || n % 10 > 3) return Notice{"ordinal_th"};
+  return n % 10 == 1 ? Notice{"ordinal_st"} : Notice{n % 10 == 2 ? "ordinal_nd" : "ordinal_rd"};
 }
 
 /// A time is never scaled by guess: a unit that is unknown or measures something else is an Error, unless
@@ -86,10 +85,10 @@ Result<void> check_time_units(std::vector<Column>& columns, bool asked) {
   };
   const auto complain = [asked](const Column& column) {
     const bool unknown = quantity_of("", column.unit).empty();
-    return Error{concat({"column \"", column_title(column), "\": the unit \"", column.unit, "\" ",
-                         unknown ? "is not known" : "is no unit of time",
-                         ": write s, ms, us, min or h behind the time's name (seconds need none)",
-                         asked ? "" : ", or name another column with --time-column"})};
+    return Error{asked ? "bad_time_unit" : "bad_time_unit_or_column",
+                 {{"column", column_title(column)},
+                  {"unit", column.unit},
+                  {"fault", Notice{unknown ? "is_not_known" : "is_no_unit_of_time"}}}};
   };
   bool any_good = false;
   const Column* bad = nullptr;
@@ -111,8 +110,11 @@ std::string column_title(const Column& column) {
   return column.unit.empty() ? column.name : concat({column.name, " (", column.unit, ")"});
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
-  return concat({std::to_string(count), " ", noun, count == 1 ? "" : "s"});
+std::vector<std::string> quoted_titles(const std::vector<Column>& columns,
+                                       const std::vector<std::size_t>& chosen) {
+  std::vector<std::string> titles;
+  for (const std::size_t j : chosen) titles.push_back(concat({"\"", column_title(columns[j]), "\""}));
+  return titles;
 }
 
 std::size_t rows_of_run(const Table& table, int run) {
@@ -144,16 +146,13 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
         matching([&](const Column& column) { return without_subscript(plain_name(column.name)) == plain; });
   if (found.size() == 1 || (run == 0 && !found.empty())) return found.front();
 
-  std::string list;
   std::vector<std::string_view> names;
-  for (const std::size_t j : of_run) {
-    names.push_back(columns[j].name);
-    list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
-  }
-  if (!found.empty()) return Error{concat({"\"", name, "\" fits several columns; there are ", list})};
+  for (const std::size_t j : of_run) names.push_back(columns[j].name);
+  const std::vector<std::string> titles = quoted_titles(columns, of_run);
+  if (!found.empty()) return Error{"several_columns_fit", {{"name", name}, {"columns", titles}}};
   const std::string near = nearest(name, names);
-  const std::string hint = near.empty() ? "" : concat({"; did you mean \"", near, "\"?"});
-  return Error{concat({"no column is called \"", name, "\"; there are ", list, hint})};
+  if (near.empty()) return Error{"no_such_column", {{"name", name}, {"columns", titles}}};
+  return Error{"no_such_column_but", {{"name", name}, {"columns", titles}, {"near", near}}};
 }
 
 namespace dialects {
@@ -187,7 +186,7 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
   auto& columns = recording.table.columns;
   if (!options.time_column.empty()) {
     const auto asked = find_column(recording.table, options.time_column, 0);
-    if (!asked) return Error{concat({"--time-column: ", asked.error().message})};
+    if (!asked) return Error{"time_column_refused", {{"what", asked.error().notice}}};
     const std::string name = columns[*asked].name;
     for (Column& column : columns) {
       if (column.name == name)
@@ -216,9 +215,8 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
     first.quantity = "index";
   } else if (may_be_time && runs_evenly_upward(first.values)) {
     first.quantity = "time";
-    recording.warnings.push_back(
-        has_header ? concat({"\"", first.name, "\" runs evenly upward: it is taken as the time in seconds"})
-                   : "the first column runs evenly upward: it is taken as the time in seconds");
+    recording.notices.push_back(has_header ? Notice{"taken_as_time", {{"column", first.name}}}
+                                           : Notice{"first_taken_as_time"});
   }
   return {};
 }
@@ -244,14 +242,16 @@ void count_missing(Recording& recording) {
     for (std::size_t i = 0; i < length_of_run[static_cast<std::size_t>(column.run)]; ++i)
       if (std::isnan(column.values[i]) && missing++ == 0) first = line_of(recording, j, i);
     if (missing == 0) continue;
-    const std::string name =
-        concat({"column \"", column_title(column), "\"",
-                several ? concat({" of run ", std::to_string(column.run)}) : std::string{}});
+    const std::string title = column_title(column);
+    const Notice where = several ? Notice{"column_of_run", {{"column", title}, {"run", column.run}}}
+                                 : Notice{"column_named", {{"column", title}}};
     if (const std::size_t stride = stride_of(column.values); stride > 1)
-      recording.warnings.push_back(concat({name, " is measured in every ", ordinal(stride), " row only"}));
+      recording.notices.push_back(
+          Notice{"measured_in_some_rows",
+                 {{"column", where}, {"stride", stride}, {"ending", ordinal_ending(stride)}}});
     else
-      recording.warnings.push_back(concat(
-          {name, ": ", counted(missing, "missing value"), ", the first in line ", std::to_string(first)}));
+      recording.notices.push_back(
+          Notice{"missing_values", {{"column", where}, {"values", missing}, {"line", first}}});
   }
 }
 

@@ -14,8 +14,9 @@ namespace cromer::core {
 /// "Position (mm)": name and unit as headings write them.
 std::string column_title(const Column& column);
 
-/// "1 value", "3 values".
-std::string counted(std::size_t count, std::string_view noun);
+/// Those of the columns with these indices, each in quotes.
+std::vector<std::string> quoted_titles(const std::vector<Column>& columns,
+                                       const std::vector<std::size_t>& chosen);
 
 /// Rows of a run up to the last that has any value.
 std::size_t rows_of_run(const Table& table, int run);
@@ -40,7 +41,7 @@ void number_runs(Recording& recording, const Header& header);
 /// upward.
 Result<void> mark_time(Recording& recording, const ReadOptions& options, bool has_header);
 
-/// Warnings about missing values; a run that is shorter than another misses nothing.
+/// Notices of missing values; a run that is shorter than another misses nothing.
 void count_missing(Recording& recording);
 
 }  // namespace dialects

@@ -28,21 +28,19 @@ std::string from_cp1252(std::string_view s) {
 }  // namespace
 
 Result<Decoded> decode(std::string_view bytes) {
-  if (bytes.empty()) return Error{"the file is empty"};
+  if (bytes.empty()) return Error{"empty_file"};
   if (const auto wide = find_utf16(bytes)) {
     auto text = from_utf16(*wide);
     if (!text) return text.error();
-    if (text->empty()) return Error{"the file is empty"};
+    if (text->empty()) return Error{"empty_file"};
     return Decoded{std::move(*text), {}, utf16_name(*wide)};
   }
-  if (bytes.starts_with("PK\x03\x04"))
-    return Error{"this is a ZIP archive or a spreadsheet: unpack it, or export the sheet as CSV"};
+  if (bytes.starts_with("PK\x03\x04")) return Error{"archive_or_spreadsheet"};
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   const bool marked = bytes.starts_with(mark);
   const std::string_view body = marked ? bytes.substr(mark.size()) : bytes;
   if (const std::size_t zero = body.find('\0'); zero != std::string_view::npos)
-    return Error{"this is a binary file (a zero byte at offset " + std::to_string(zero) +
-                 "): a text or CSV file is expected"};
+    return Error{"binary_file", {{"offset", zero}}};
   if (is_utf8(body)) return Decoded{{}, body, marked ? "UTF-8 with BOM" : "UTF-8"};
   return Decoded{from_cp1252(body), {}, "cp1252"};
 }

@@ -4,7 +4,6 @@
 #include <map>
 
 #include "cromer/base/ascii.h"
-#include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/header.h"
@@ -93,15 +92,14 @@ Result<std::string> delimiters(const ReadOptions& options) {
   if (given == "comma") return std::string(",");
   if (given == "semicolon") return std::string(";");
   if (given == "," || given == ";" || given == "\t" || given == " ") return given;
-  return Error{
-      concat({"--delimiter ", quoted(given), " is not known: comma, semicolon, tab or blank is expected"})};
+  return Error{"unknown_delimiter", {{"given", shown(given)}}};
 }
 
 Result<std::string> decimals(const ReadOptions& options) {
   if (options.decimal.empty()) return std::string(".,");
   if (options.decimal == "." || options.decimal == "point") return std::string(".");
   if (options.decimal == "," || options.decimal == "comma") return std::string(",");
-  return Error{concat({"--decimal ", quoted(options.decimal), " is not known: point or comma is expected"})};
+  return Error{"unknown_decimal", {{"given", shown(options.decimal)}}};
 }
 
 }  // namespace
@@ -130,8 +128,8 @@ Result<Layout> find_layout(const std::vector<std::string_view>& lines, const Rea
         decimal_open = separator != ',';
       }
     }
-  if (best.rows == 0) return Error{"no rows of numbers are found: a table of numbers in columns is expected"};
-  if (best.layout.columns > most_columns) return Error{too_many_columns()};
+  if (best.rows == 0) return Error{"no_rows_of_numbers"};
+  if (best.layout.columns > most_columns) return too_many_columns();
   if (decimal_open) best.layout.decimal = decimal_of(lines);
   if (best.layout.columns == 1 && options.delimiter.empty()) best.layout.separator = 0;
   if (best.layout.separator == 0) best.layout.paired = false;
@@ -192,11 +190,8 @@ Result<Layout> settle_commas(const std::vector<std::string_view>& lines, const L
     }
     break;
   }
-  const std::string_view line = lines[data];
-  return Error{
-      concat({"the rows can be read in two ways: ", quoted(line), " as ", std::to_string(layout.columns),
-              " whole numbers or as ", std::to_string(layout.columns / 2),
-              " with a decimal comma; --delimiter comma says the one, --decimal comma the other"})};
+  return Error{"rows_read_in_two_ways",
+               {{"row", shown(lines[data])}, {"whole", layout.columns}, {"decimal", layout.columns / 2}}};
 }
 
 std::string_view separator_name(char separator) {

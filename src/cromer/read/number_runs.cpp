@@ -58,7 +58,7 @@ void number_runs(Recording& recording, const Header& header) {
     known.insert(titles.begin(), titles.end());
     for (std::size_t j = from; j < to; ++j) columns[j].run = run_of_label[group];
   }
-  say_labels(labels, recording.warnings);
+  say_labels(labels, recording.notices);
 }
 
 }  // namespace cromer::core::dialects

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/read/bad_cell.h"
 #include "cromer/read/cells.h"
+#include "cromer/read/in_file.h"
 
 namespace cromer::core::dialects {
 
@@ -29,9 +29,9 @@ Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, st
       if (!ends) {
         if (until_words && stream.values.size() == before) return stream;
         const std::string_view cell = rest.substr(0, rest.find_first_of(" \t\r,"));
-        const std::string seen = bad_cell(cell, '.');
-        return Error{concat({":", std::to_string(number_of_line), ": ", quoted(cell), " is not a number",
-                             seen.empty() ? "" : "; ", seen})};
+        const Notice seen = bad_cell(cell, '.');
+        if (seen.empty()) return in_line(number_of_line, Notice{"not_a_number", {{"text", shown(cell)}}});
+        return in_line(number_of_line, Notice{"not_a_number_but", {{"text", shown(cell)}, {"what", seen}}});
       }
       stream.values.push_back(number->value);
       stream.lines.push_back(number_of_line);

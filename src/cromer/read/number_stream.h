@@ -16,7 +16,7 @@ struct NumberStream {
 
 /// At most `most` numbers from the lines with indices from `from` on, between blanks or commas or stuck
 /// together by a sign (1.234-5.678); stops before a line that begins with none where `until_words`, else that
-/// is an Error ":LINE: ". `lines_before` lines of the file stand above the first of those given.
+/// is an Error of in_line. `lines_before` lines of the file stand above the first of those given.
 Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, std::size_t from,
                                   std::size_t most, bool until_words, long lines_before = 0);
 

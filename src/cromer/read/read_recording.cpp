@@ -1,10 +1,10 @@
 // The stages in their order: container, encoding, lines, dialect, layout, header, rows, runs, time.
 #include <cmath>
 
-#include "cromer/base/concat.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/formats/archive.h"
 #include "cromer/read/formats/zip.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/recording.h"
 #include "cromer/read/stacked_runs.h"
 #include "cromer/read/text_file.h"
@@ -13,13 +13,12 @@ namespace cromer::core {
 
 Result<Recording> read_recording(std::string_view bytes, std::string_view file, const ReadOptions& options) {
   using namespace dialects;
-  if (options.rate < 0 || !std::isfinite(options.rate))
-    return Error{"--rate is not a number of samples per second above 0"};
+  if (options.rate < 0 || !std::isfinite(options.rate)) return Error{"rate_no_number"};
   auto recording = is_zip(bytes) ? read_archive(bytes, options) : read_text_file(bytes, file, options);
-  if (!recording) return Error{concat({file, recording.error().message})};
+  if (!recording) return in_file(file, recording.error());
   recording->file = file;
   if (const auto time = mark_time(*recording, options, recording->named); !time)
-    return Error{concat({file, ": ", time.error().message})};
+    return in_file(file, time.error());
   split_at_restarts(*recording);
   count_missing(*recording);
   return recording;

@@ -43,7 +43,7 @@ struct Recording {
   /// column stands in; `lines` is empty then, else these are.
   std::vector<std::vector<long>> lines_of_set;
   std::vector<std::size_t> set_of_column;
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
   std::string motion{};  ///< what was recorded where, without its direction, where the file says so
 };
 
@@ -59,7 +59,7 @@ inline long line_of(const Recording& recording, std::size_t column, std::size_t 
 }
 
 /// One quantity of one run with its times, missing values left out, times made strictly increasing;
-/// everything repaired is said in warnings.
+/// everything repaired is said in notices.
 struct Series {
   std::string column;    ///< as the file names it, with unit
   std::string quantity;  ///< position, angle, ...
@@ -75,7 +75,7 @@ struct Series {
   double resolution = 0;  ///< rounding step of the values in SI, 0 if none is seen
   std::vector<Gap> gaps;  ///< where samples are missing
   std::vector<Outlier> outliers;  ///< listed here, and left in t and y
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
 };
 
 /// The unit of y: of its quantity, else the file's own where values are taken as they are; "" where it has no

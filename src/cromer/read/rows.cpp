@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <limits>
 
-#include "cromer/base/concat.h"
 #include "cromer/read/bad_cell.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/lines.h"
 
 namespace cromer::core::dialects {
 namespace {
 
-constexpr std::string_view cure = "; --skip-bad-rows drops such rows";
-
-std::string complaint(std::string_view cell, const std::string& name, char decimal) {
-  std::string text = concat({"column \"", name, "\": ", quoted(cell), " is not a number"});
-  if (const std::string seen = bad_cell(cell, decimal); !seen.empty()) text += concat({"; ", seen});
-  return text.append(cure);
+Notice complaint(std::string_view cell, const std::string& name, char decimal) {
+  if (const Notice seen = bad_cell(cell, decimal); !seen.empty())
+    return Notice{"bad_cell_but", {{"column", name}, {"cell", shown(cell)}, {"what", seen}}};
+  return Notice{"bad_cell", {{"column", name}, {"cell", shown(cell)}}};
 }
 
 /// How a number is written.
@@ -30,8 +28,8 @@ Written written(std::string_view cell, char decimal) {
           cell.size() - std::min(exponent + 1, cell.size())};
 }
 
-std::string cut_line(const std::string& line, const std::string& shown) {
-  return concat({"the last line, ", line, ", seems cut within a number, ", shown, ": it is left out"});
+Notice cut_line(long line, std::string_view text) {
+  return Notice{"last_line_cut", {{"line", line}, {"text", shown(text)}}};
 }
 
 /// Whether a last line without a line end may be a row cut off: it has digits and ends as numbers do.
@@ -54,8 +52,8 @@ void judge_last_line(Rows& rows, const std::vector<std::string_view>& lines, con
   split_cells(lines.back(), layout, cells);
   if (cells.empty() || read_cell(cells.back(), layout.decimal).kind != CellKind::number) return;
   const std::size_t place = cells.size() - 1;
-  const std::string shown = quoted(cells.back());
-  const Written last = written(cells.back(), layout.decimal);
+  const std::string_view number = cells.back();
+  const Written last = written(number, layout.decimal);
   Written least{last.length + 1, last.decimals + 1, last.exponent + 1}, first{};
   std::size_t seen = 0;
   bool alike = true;
@@ -69,16 +67,15 @@ void judge_last_line(Rows& rows, const std::vector<std::string_view>& lines, con
              std::min(least.exponent, one.exponent)};
   }
   if (seen < fewest) return;
-  const std::string line = std::to_string(rows.lines.back());
+  const long line = rows.lines.back();
   if (alike && (last.decimals < first.decimals || last.exponent < first.exponent)) {
     for (auto& column : rows.columns) column.pop_back();
     rows.lines.pop_back();
-    rows.last_line = cut_line(line, shown);
+    rows.last_line = cut_line(line, number);
   } else if (alike && first.decimals + first.exponent > 0) {
     return;  // all its decimals are there, and a cut takes the last ones first
   } else if (last.length < least.length || last.decimals < least.decimals || last.exponent < least.exponent) {
-    rows.last_line = concat(
-        {"the last line, ", line, ", has no end and may end within a number, ", shown, ": it is kept"});
+    rows.last_line = Notice{"last_line_without_end", {{"line", line}, {"text", shown(number)}}};
   }
 }
 
@@ -94,8 +91,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
     bytes += lines[i].size() + 1;
   }
   if (layout.columns > 16 && count_of_lines > 16 * bytes / layout.columns + 64)
-    return Error{concat(
-        {": most rows are far shorter than the widest of ", std::to_string(layout.columns), " columns"})};
+    return Error{"rows_far_shorter", {{"columns", layout.columns}}};
 
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Rows rows;
@@ -110,15 +106,15 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
     if (is_blank(line) || is_comment(line)) continue;
     CellReader reader(line, layout);
     std::size_t count = 0;
-    std::string bad;
+    bool bad = false;
     // Only the first bad row is spoken of: a name may be as long as the file.
-    const auto complain = [&](auto&& of) { bad = rows.bad_rows == 0 ? of() : std::string(cure); };
+    const auto complain = [&](auto&& of) {
+      bad = true;
+      if (rows.bad_rows == 0) rows.first_complaint = of();
+    };
     if (!commas_pair_up(line, layout))
-      complain([&] {
-        return concat({quoted(line), ": it is open which commas are decimal marks; write the file with ",
-                       "another separator, or with points", cure});
-      });
-    for (std::string_view text; bad.empty();) {
+      complain([&] { return Notice{"commas_open", {{"row", shown(line)}}}; });
+    for (std::string_view text; !bad;) {
       if (count < layout.columns && reader.next_number(row[count])) {
         ++count;
         continue;
@@ -128,10 +124,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
         // A number behind the last column is no remark: a separator stands within a number before it.
         if (rules.ignore_beyond && read_cell(text, layout.decimal).kind != CellKind::number) break;
         if (text.empty()) continue;
-        complain([&] {
-          return concat(
-              {"there are more values than the ", std::to_string(layout.columns), " columns", cure});
-        });
+        complain([&] { return Notice{"more_values_than_columns", {{"columns", layout.columns}}}; });
         break;
       }
       const Cell cell = read_cell(text, layout.decimal);
@@ -140,16 +133,14 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
       row[count++] = cell.value;
     }
     const long number = static_cast<long>(rules.lines_before + i) + 1;
-    if (!bad.empty() && i + 1 == lines.size() && !rows.lines.empty() && may_be_cut_row(line)) {
-      rows.last_line = cut_line(std::to_string(number), quoted(line));
+    if (bad && i + 1 == lines.size() && !rows.lines.empty() && may_be_cut_row(line)) {
+      if (rows.bad_rows == 0) rows.first_complaint = {};
+      rows.last_line = cut_line(number, line);
       break;
     }
-    if (!bad.empty()) {
-      if (!rules.skip_bad_rows) return Error{concat({":", std::to_string(number), ": ", bad})};
-      if (rows.bad_rows++ == 0) {
-        rows.first_bad_line = number;
-        rows.first_complaint = bad.substr(0, bad.size() - cure.size());
-      }
+    if (bad) {
+      if (!rules.skip_bad_rows) return in_line(number, Notice{"bad_row", {{"what", rows.first_complaint}}});
+      if (rows.bad_rows++ == 0) rows.first_bad_line = number;
       continue;
     }
     for (; count < layout.columns; ++count) row[count] = nan;
@@ -163,24 +154,23 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
   return rows;
 }
 
-std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason,
-                    std::size_t lines_before) {
+Error no_rows(const std::vector<std::string_view>& lines, const Error& reason, std::size_t lines_before) {
   std::vector<std::string_view> cells;
-  const bool about_cells = reason.starts_with("no rows");  // and not about a wrong option
+  const bool about_cells = reason.notice.code == "no_rows_of_numbers";  // and not about a wrong option
   for (std::size_t i = 0; about_cells && i < lines.size(); ++i) {
     const std::string_view line = trimmed(lines[i]);
     if (line.empty() || std::string_view("0123456789+-.,\"").find(line.front()) == std::string_view::npos)
       continue;
     // The separator is not known: the one that leaves the shortest bad cell.
     std::string_view bad;
-    std::string seen;
+    Notice seen;
     for (const char separator : {'\t', ';', ',', ' '}) {
       split_cells(line, Layout{separator, '.', 1}, cells);
       for (const std::string_view cell : cells) {
         const bool number =
             read_cell(cell, '.').kind != CellKind::word || read_cell(cell, ',').kind != CellKind::word;
         if (number || (!bad.empty() && cell.size() >= bad.size())) continue;
-        std::string what = bad_cell(cell, '.');
+        Notice what = bad_cell(cell, '.');
         if (what.empty()) what = bad_cell(cell, ',');
         if (what.empty()) continue;
         bad = cell;
@@ -188,10 +178,10 @@ std::string no_rows(const std::vector<std::string_view>& lines, std::string_view
       }
     }
     if (!bad.empty())
-      return concat({":", std::to_string(lines_before + i + 1),
-                     ": no rows of numbers are found: ", quoted(bad), " is not a number; ", seen});
+      return in_line(static_cast<long>(lines_before + i) + 1,
+                     Notice{"no_rows_of_numbers_but", {{"cell", shown(bad)}, {"what", seen}}});
   }
-  return concat({": ", reason});
+  return reason;
 }
 
 }  // namespace cromer::core::dialects

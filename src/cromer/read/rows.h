@@ -15,8 +15,8 @@ struct Rows {
   std::vector<long> lines;                   ///< line number of each row, from 1
   std::size_t bad_rows = 0;                  ///< dropped because the caller wanted that
   long first_bad_line = 0;
-  std::string first_complaint;  ///< what is wrong in that line
-  std::string last_line;        ///< what is to be said of it, where the text ends within it
+  Notice first_complaint;  ///< what is wrong in that line
+  Notice last_line;        ///< what is to be said of it, where the text ends within it
 };
 
 /// Which lines of the file hold rows, and what to make of those that are none.
@@ -27,16 +27,15 @@ struct RowRules {
   std::size_t lines_before = 0;  ///< lines of the file above the first of those given
 };
 
-/// Reads rows of numbers. `names` are the columns' for messages. A word, more values than columns, or commas
-/// that cannot be told apart, are an Error that begins with ":LINE: " (the caller puts the file's name in
-/// front), unless `skip_bad_rows`. Where the text ends within a line (a logger that lost power) its last
-/// number may be cut: with fewer decimals than all before have, who have equally many, the row is left out.
+/// Reads rows of numbers. `names` are the columns' for notices. A word, more values than columns, or commas
+/// that cannot be told apart, are an Error of in_line, unless `skip_bad_rows`. Where the text ends within a
+/// line (a logger that lost power) its last number may be cut: with fewer decimals than all before have, who
+/// have equally many, the row is left out.
 Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
                        const std::vector<std::string>& names, const RowRules& rules);
 
-/// The message where no line is a row: ":LINE: ..." with the first cell that begins as a number does and is
-/// none (a clock time, thousands separators, ...), else ": REASON".
-std::string no_rows(const std::vector<std::string_view>& lines, std::string_view reason,
-                    std::size_t lines_before);
+/// Where no line is a row: an Error of in_line with the first cell that begins as a number does and is none
+/// (a clock time, thousands separators, ...), else the reason.
+Error no_rows(const std::vector<std::string_view>& lines, const Error& reason, std::size_t lines_before);
 
 }  // namespace cromer::core::dialects

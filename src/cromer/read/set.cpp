@@ -7,8 +7,6 @@
 #include <set>
 #include <tuple>
 
-#include "cromer/base/concat.h"
-
 namespace cromer::core::dialects {
 namespace {
 
@@ -40,33 +38,28 @@ struct Laid {
 
 }  // namespace
 
-void say_labels(const std::vector<std::string>& labels, std::vector<std::string>& warnings) {
+void say_labels(const std::vector<std::string>& labels, std::vector<Notice>& notices) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const std::string own = std::to_string(i + 1);
     const std::size_t digits = labels[i].find_last_not_of("0123456789") + 1;
     const bool numbered = digits < labels[i].size();
     if (numbered ? labels[i].substr(digits) != own : labels.size() > 1 && !labels[i].empty())
-      warnings.push_back(concat({"run ", own, " is called \"", labels[i], "\" in the file"}));
+      notices.push_back(Notice{"run_called", {{"run", i + 1}, {"label", labels[i]}}});
   }
 }
 
 Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording) {
   constexpr std::size_t most_sets = 10'000, most_laid = 100'000;
   if (sets.size() > most_sets)
-    return Error{concat({": the file holds ", std::to_string(sets.size()),
-                         " tables: ", std::to_string(most_sets), " at most are read"})};
+    return Error{"too_many_tables", {{"tables", sets.size()}, {"most", most_sets}}};
   std::size_t longest = 0, cells = 0, columns = 0;
   for (const Set& set : sets) {
     longest = std::max(longest, set.lines.size());
     columns += set.columns.size();
     cells += set.columns.size() * set.lines.size();
   }
-  if (longest * columns > 16 * cells + 100'000)
-    return Error{concat({": the ", std::to_string(sets.size()),
-                         " tables of the file are too unequal in length to be laid side by side"})};
-  if (columns > most_laid)
-    return Error{concat({": the tables of the file have ", std::to_string(columns),
-                         " columns: ", std::to_string(most_laid), " at most are read"})};
+  if (longest * columns > 16 * cells + 100'000) return Error{"tables_too_unequal", {{"tables", sets.size()}}};
+  if (columns > most_laid) return Error{"tables_too_wide", {{"columns", columns}, {"most", most_laid}}};
   auto& table = recording.table.columns;
   std::vector<std::string> labels;  // of the runs
   std::vector<std::size_t> set_of_column;
@@ -100,7 +93,7 @@ Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording) {
     for (Set& set : sets) recording.lines_of_set.push_back(std::move(set.lines));
     recording.set_of_column = std::move(set_of_column);
   }
-  say_labels(labels, recording.warnings);
+  say_labels(labels, recording.notices);
   return {};
 }
 

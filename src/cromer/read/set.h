@@ -35,16 +35,16 @@ struct Sets {
   char separator = 0;
   char decimal = '.';
   std::vector<Set> sets;
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
   std::string motion{};  ///< as Recording has it
 };
 
 /// Lays the sets side by side as runs 1, 2, ...: sets without a label, or whose columns are there already,
 /// begin a new run. A time that a run has already is not repeated. Sets so unequal that the padding would
-/// cost memory which the file's size does not announce are an Error (": REASON").
+/// cost memory which the file's size does not announce are an Error.
 Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording);
 
 /// Says what runs are called in the file, where their number does not.
-void say_labels(const std::vector<std::string>& labels, std::vector<std::string>& warnings);
+void say_labels(const std::vector<std::string>& labels, std::vector<Notice>& notices);
 
 }  // namespace cromer::core::dialects

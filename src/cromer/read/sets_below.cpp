@@ -103,7 +103,7 @@ Result<Recording> read_tables(const std::vector<std::string_view>& lines,
     std::string label;
     for (std::size_t i = 0; i < part.size() && !begins_as_row(part[i]) && label.empty(); ++i)
       label = run_label(part[i]);
-    whole.warnings.insert(whole.warnings.end(), table->warnings.begin(), table->warnings.end());
+    whole.notices.insert(whole.notices.end(), table->notices.begin(), table->notices.end());
     for (Set& set : as_sets(std::move(*table), label)) sets.push_back(std::move(set));
   }
   if (const auto laid = lay_side_by_side(std::move(sets), whole); !laid) return laid.error();

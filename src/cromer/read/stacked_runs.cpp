@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/base/concat.h"
-#include "cromer/read/columns.h"
 #include "cromer/read/set.h"
 #include "cromer/read/time.h"
 
@@ -70,11 +68,12 @@ void split_at_restarts(Recording& recording) {
   for (const std::size_t again : restarts(time->values)) starts.push_back(again);
   starts.push_back(time->values.size());
   if (starts.size() == 2) return;
-  std::string warning =
-      concat({"the time starts again in line ", std::to_string(recording.lines[starts[1]]),
-              starts.size() > 3 ? concat({" and ", counted(starts.size() - 3, "more time")}) : std::string{},
-              ": the file is read as ", std::to_string(starts.size() - 1), " runs"});
-  if (lay_runs(recording, starts, 0)) recording.warnings.push_back(std::move(warning));
+  const long line = recording.lines[starts[1]];
+  const std::size_t more = starts.size() - 3, count = starts.size() - 1;
+  if (!lay_runs(recording, starts, 0)) return;
+  recording.notices.push_back(
+      more > 0 ? Notice{"read_as_runs_again", {{"line", line}, {"times", more}, {"runs", count}}}
+               : Notice{"read_as_runs", {{"line", line}, {"runs", count}}});
 }
 
 }  // namespace cromer::core::dialects

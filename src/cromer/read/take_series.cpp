@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/drop_outs.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/recording.h"
 #include "cromer/read/series_shape.h"
 #include "cromer/read/steps.h"
@@ -19,17 +19,9 @@
 namespace cromer::core {
 namespace {
 
-/// "x (m)", "y (m)".
-std::string titles(const std::vector<Column>& columns, const std::vector<std::size_t>& chosen) {
-  std::string list;
-  for (const std::size_t j : chosen)
-    list += concat({list.empty() ? "" : ", ", "\"", column_title(columns[j]), "\""});
-  return list;
-}
-
 /// Without a name: a position, else an angle, ...; several alike are an Error, and so are several of which
 /// nothing is known but their names; without names it is the first that is no time.
-Result<std::size_t> main_column(const Recording& recording, int run, std::vector<std::string>& warnings) {
+Result<std::size_t> main_column(const Recording& recording, int run, std::vector<Notice>& notices) {
   constexpr std::array<std::string_view, 5> wanted{"position", "angle", "angular velocity", "velocity",
                                                    "acceleration"};
   const auto& columns = recording.table.columns;
@@ -42,9 +34,8 @@ Result<std::size_t> main_column(const Recording& recording, int run, std::vector
       if (columns[j].quantity == quantity) alike.push_back(j);
     if (alike.size() == 1) return alike.front();
     if (alike.empty()) continue;
-    return Error{
-        concat({"several columns are alike: ", titles(columns, alike),
-                "; say which with --column, for instance --column \"", columns[alike.front()].name, "\""})};
+    return Error{"columns_alike",
+                 {{"columns", quoted_titles(columns, alike)}, {"first", columns[alike.front()].name}}};
   }
   constexpr std::array<std::string_view, 3> no_motions{"time", "index", "frequency"};
   std::vector<std::size_t> left, frequencies;
@@ -54,34 +45,32 @@ Result<std::size_t> main_column(const Recording& recording, int run, std::vector
     if (columns[j].quantity == "frequency") frequencies.push_back(j);
   }
   if (left.empty() && !frequencies.empty())
-    return Error{concat({"there is no motion beside the time: ", titles(columns, frequencies),
-                         frequencies.size() == 1 ? " holds a frequency" : " hold frequencies",
-                         "; to fit one all the same, say it with --column, for instance --column \"",
-                         columns[frequencies.front()].name, "\""})};
-  if (left.empty()) return Error{"there is no column beside the time"};
-  const std::string list = titles(columns, left);
-  const std::string_view first = columns[left.front()].name;
-  if (left.size() > 1 && recording.named)
-    return Error{concat({"no column is known to be a position, angle or velocity: ", list,
-                         "; say which with --column, for instance --column \"", first, "\""})};
-  warnings.push_back(concat({"no column is known to be a position, angle or velocity: \"",
-                             column_title(columns[left.front()]), "\" is taken"}));
-  if (left.size() > 1) warnings.back() += concat({" of ", list, "; --column says another"});
+    return Error{
+        "frequencies_only",
+        {{"columns", quoted_titles(columns, frequencies)}, {"first", columns[frequencies.front()].name}}};
+  if (left.empty()) return Error{"no_column_beside_time"};
+  const Column& first = columns[left.front()];
+  const std::string title = column_title(first);
+  if (left.size() == 1)
+    notices.push_back(Notice{"only_column_taken", {{"column", title}}});
+  else if (recording.named)
+    return Error{"no_motion_known", {{"columns", quoted_titles(columns, left)}, {"first", first.name}}};
+  else
+    notices.push_back(
+        Notice{"first_column_taken", {{"column", title}, {"columns", quoted_titles(columns, left)}}});
   return left.front();
 }
 
 /// What is assumed of a column whose unit is missing or unknown.
-void say_assumed_unit(const Column& column, std::vector<std::string>& warnings) {
+void say_assumed_unit(const Column& column, std::vector<Notice>& notices) {
   if (to_si(column).known) return;
   const std::string_view si = si_unit_of(column.quantity);
   if (!column.unit.empty())
-    warnings.push_back(concat({"unit \"", column.unit, "\" of column \"", column.name,
-                               "\" is not known: its values are taken as they are"}));
+    notices.push_back(Notice{"unit_not_known", {{"unit", column.unit}, {"column", column.name}}});
   else if (!si.empty())
-    warnings.push_back(concat({"column \"", column.name, "\" has no unit: ", si, " is assumed"}));
+    notices.push_back(Notice{"unit_assumed", {{"column", column.name}, {"unit", si}}});
   else
-    warnings.push_back(
-        concat({"column \"", column.name, "\" has no unit: its values are taken as they are"}));
+    notices.push_back(Notice{"column_without_unit", {{"column", column.name}}});
 }
 
 /// `rate`: of a series without a time column, else 0.
@@ -92,15 +81,17 @@ void describe_times(Series& series, double rate) {
   series.gaps = std::move(steps.gaps);
   if (steps.clock && rate <= 0) {
     series.t = std::move(steps.clock->t);
-    series.warnings.push_back(
-        concat({"the times are rounded to ", shortest(steps.clock->rounding), " s and agree with even ones ",
-                rounded(steps.clock->spacing, 6), " s apart, which are taken"}));
+    series.notices.push_back(Notice{
+        "times_made_even",
+        {{"rounding", shortest(steps.clock->rounding)}, {"spacing", rounded(steps.clock->spacing, 6)}}});
   }
   if (series.gaps.empty()) return;
   const auto longest = std::max_element(series.gaps.begin(), series.gaps.end(),
                                         [](const Gap& a, const Gap& b) { return a.length < b.length; });
-  series.warnings.push_back(concat({counted(series.gaps.size(), "gap"), " in the times, the longest ",
-                                    rounded(longest->length, 3), " s at ", rounded(longest->t, 6), " s"}));
+  series.notices.push_back(Notice{"gaps_in_times",
+                                  {{"gaps", series.gaps.size()},
+                                   {"longest", rounded(longest->length, 3)},
+                                   {"at", rounded(longest->t, 6)}}});
 }
 
 /// What a motion sensor drops is a stretch of its own; of other columns (a force's pulses) only single
@@ -123,14 +114,14 @@ void set_aside(Series& series) {
   for (const std::size_t i : dialects::spikes(series.t, series.y, step, series.resolution))
     if (found.insert(i).second && alone++ == 0) first_alone = i;
   for (const std::size_t i : found) series.outliers.push_back({series.t[i], series.y[i], series.lines[i]});
-  const auto say = [&](std::string_view what, std::size_t first) {
-    series.warnings.push_back(concat({what, ", the first in line ", std::to_string(series.lines[first])}));
-  };
   if (alone > 0)
-    say(concat({counted(alone, "sample"), alone == 1 ? " sticks" : " stick", " out alone"}), first_alone);
+    series.notices.push_back(
+        Notice{"samples_stick_out", {{"samples", alone}, {"line", series.lines[first_alone]}}});
   if (dropped > 0)
-    say(concat({counted(dropped, "sample"), " in ", counted(stretches.size(), "drop-out"), " of the sensor"}),
-        stretches.front().first);
+    series.notices.push_back(Notice{"samples_in_drop_outs",
+                                    {{"samples", dropped},
+                                     {"drop_outs", stretches.size()},
+                                     {"line", series.lines[stretches.front().first]}}});
 }
 
 void describe_values(Series& series, const std::vector<double>& as_written) {
@@ -138,13 +129,10 @@ void describe_values(Series& series, const std::vector<double>& as_written) {
   if (series.rate > 0) set_aside(series);
   if (series.rate > 0 && is_motion(series) &&
       dialects::tops_cut_off(series.y, 1 / series.rate, series.resolution))
-    series.warnings.push_back(
-        concat({"column \"", series.column,
-                "\": the motion's tops are cut off at the same value again and again, as "
-                "where a sensor is out of its range"}));
+    series.notices.push_back(Notice{"column_tops_cut_off", {{"column", series.column}}});
   const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
   if (!series.y.empty() && *low == *high)
-    series.warnings.push_back(concat({"column \"", series.column, "\" never changes"}));
+    series.notices.push_back(Notice{"column_never_changes", {{"column", series.column}}});
 }
 
 }  // namespace
@@ -163,17 +151,17 @@ std::vector<int> runs(const Recording& recording) {
 
 Result<Series> take_series(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options) {
-  const auto refuse = [&](std::string_view reason) { return Error{concat({recording.file, ": ", reason})}; };
+  const auto refuse = [&](Notice reason) { return Error{in_file(recording.file, std::move(reason))}; };
   const auto& columns = recording.table.columns;
   if (std::none_of(columns.begin(), columns.end(), [&](const Column& of) { return of.run == run; })) {
     const std::size_t known = runs(recording).size();
-    return refuse(concat({"there is no run ", std::to_string(run), ": the file has ",
-                          known == 1 ? "one run" : counted(known, "run")}));
+    if (known == 1) return refuse(Notice{"no_run_but_one", {{"run", run}}});
+    return refuse(Notice{"no_such_run", {{"run", run}, {"runs", known}}});
   }
   Series series;
-  const auto chosen = column.empty() ? main_column(recording, run, series.warnings)
+  const auto chosen = column.empty() ? main_column(recording, run, series.notices)
                                      : find_column(recording.table, column, run);
-  if (!chosen) return refuse(chosen.error().message);
+  if (!chosen) return refuse(chosen.error().notice);
   const Column& value = columns[*chosen];
   const double factor = to_si(value).factor;
   series.column = column_title(value);
@@ -181,25 +169,18 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   series.unit = value.unit;
   series.to_si = factor;
   series.run = run;
-  say_assumed_unit(value, series.warnings);
+  say_assumed_unit(value, series.notices);
   if (value.quantity == "frequency")
-    series.warnings.push_back(concat({"column \"", series.column,
-                                      "\" holds a frequency, which is no motion: its numbers are taken as "
-                                      "they are, in Hz"}));
+    series.notices.push_back(Notice{"column_of_frequency", {{"column", series.column}}});
 
   const auto time = dialects::time_column_of(recording.table, *chosen);
-  if (!time && options.rate <= 0)
-    return refuse(
-        "there is no time column: give the samples per second with --rate, or name the column with "
-        "--time-column");
+  if (!time && options.rate <= 0) return refuse(Notice{"no_time_column"});
   double seconds = 1;
   if (time) {
     seconds = to_si(columns[*time]).factor;
     series.time_column = column_title(columns[*time]);
-    if (columns[*time].unit.empty()) say_assumed_unit(columns[*time], series.warnings);
-    if (options.rate > 0)
-      series.warnings.push_back(
-          concat({"--rate is not used: the times stand in \"", series.time_column, "\""}));
+    if (columns[*time].unit.empty()) say_assumed_unit(columns[*time], series.notices);
+    if (options.rate > 0) series.notices.push_back(Notice{"rate_not_used", {{"column", series.time_column}}});
   }
 
   std::vector<double> t, y, as_written;
@@ -215,11 +196,11 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
     as_written.push_back(value.values[i]);
     lines.push_back(line_of(recording, *chosen, i));
   }
-  if (t.empty())
-    return refuse(concat({"column \"", series.column, "\" of run ", std::to_string(run), " has no values"}));
+  if (t.empty()) return refuse(Notice{"column_without_values", {{"column", series.column}, {"run", run}}});
   const auto rising = dialects::keep_rising(t, lines);
-  if (!rising) return refuse(concat({"column \"", series.time_column, "\": ", rising.error().message}));
-  series.warnings.insert(series.warnings.end(), rising->warnings.begin(), rising->warnings.end());
+  if (!rising)
+    return refuse(Notice{"in_column", {{"column", series.time_column}, {"what", rising.error().notice}}});
+  series.notices.insert(series.notices.end(), rising->notices.begin(), rising->notices.end());
   for (auto* values : {&series.t, &series.y}) values->reserve(rising->kept.size());
   series.lines.reserve(rising->kept.size());
   for (const std::size_t i : rising->kept) {
@@ -229,9 +210,9 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
   }
   describe_times(series, time ? 0 : options.rate);
   if (series.t.size() > 1 && !(series.rate > 0 && std::isfinite(series.rate)))
-    return refuse(concat({"column \"", series.time_column, "\": from ", shortest(series.t[0]), " to ",
-                          shortest(series.t[1]),
-                          " is no step of time: seconds are expected, or a unit behind the name"}));
+    return refuse(Notice{
+        "no_step_of_time",
+        {{"column", series.time_column}, {"from", shortest(series.t[0])}, {"to", shortest(series.t[1])}}});
   describe_values(series, as_written);
   // Pixels are no metres: a displacement in a unit of its own has none that is known.
   const bool displacement = series.quantity == "position" || series.quantity == "angle";

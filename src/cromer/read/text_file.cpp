@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "cromer/base/concat.h"
 #include "cromer/read/encoding.h"
 #include "cromer/read/formats/labview.h"
 #include "cromer/read/formats/peer.h"
@@ -35,7 +34,7 @@ Result<Recording> recording_of(Result<Sets> sets) {
   recording.dialect.separator = separator_name(sets->separator);
   recording.dialect.decimal = sets->decimal == ',' ? "comma" : "point";
   recording.named = true;
-  recording.warnings = std::move(sets->warnings);
+  recording.notices = std::move(sets->notices);
   recording.motion = std::move(sets->motion);
   if (const auto laid = lay_side_by_side(std::move(sets->sets), recording); !laid) return laid.error();
   return recording;
@@ -50,7 +49,7 @@ Result<Recording> read_text_file(std::string_view bytes, std::string_view file, 
     if (recording) recording->dialect.encoding = decoded ? decoded->encoding : "binary";
     return recording;
   }
-  if (!decoded) return Error{concat({": ", decoded.error().message})};
+  if (!decoded) return decoded.error();
   const auto lines = split_lines(decoded->text());
   const Source source{decoded->text(), lines, file, options};
   const auto read = [&]() -> Result<Recording> {

@@ -8,7 +8,7 @@
 
 namespace cromer::core::dialects {
 
-/// All stages but those of time, which see the whole recording. An Error begins with ": " or ":LINE: ".
+/// All stages but those of time, which see the whole recording.
 Result<Recording> read_text_file(std::string_view bytes, std::string_view file, const ReadOptions& options);
 
 }  // namespace cromer::core::dialects

@@ -3,9 +3,6 @@
 #include <cmath>
 #include <map>
 
-#include "cromer/base/concat.h"
-#include "cromer/read/columns.h"
-
 namespace cromer::core::dialects {
 namespace {
 
@@ -107,10 +104,8 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
     if (t[i] < t[i - 1]) ++falling;
     if (t[i] > t[i - 1]) ++rising;
   }
-  if (t.size() > 1 && rising == 0)
-    return Error{falling > 0 ? "the time runs backward from the first row to the last"
-                             : "the time stands still: all its values are equal"};
-  if (falling > rising) return Error{"the time runs backward in most rows"};
+  if (t.size() > 1 && rising == 0) return Error{falling > 0 ? "time_runs_backward" : "time_stands_still"};
+  if (falling > rising) return Error{"time_mostly_backward"};
 
   RisingTimes result;
   LeftOut repeated, backward;
@@ -126,21 +121,16 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
       repeated.add(lines[i]);
     } else {
       if (starts_again(t, i, first, last, result.kept.size())) {
-        result.warnings.push_back(
-            concat({"the time starts again in line ", std::to_string(lines[i]), ": the ",
-                    counted(t.size() - i, "row"), " from there on are left out"}));
+        result.notices.push_back(Notice{"time_starts_again", {{"line", lines[i]}, {"rows", t.size() - i}}});
         break;
       }
       backward.add(lines[i]);
     }
   }
-  const auto say = [&](const LeftOut& left, std::string_view kind) {
-    if (left.count == 0) return;
-    result.warnings.push_back(concat({counted(left.count, "row"), " with a ", kind,
-                                      " time left out, the first in line ", std::to_string(left.line)}));
-  };
-  say(repeated, "repeated");
-  say(backward, "backward");
+  if (repeated.count > 0)
+    result.notices.push_back(Notice{"repeated_times", {{"rows", repeated.count}, {"line", repeated.line}}});
+  if (backward.count > 0)
+    result.notices.push_back(Notice{"backward_times", {{"rows", backward.count}, {"line", backward.line}}});
   return result;
 }
 

@@ -24,8 +24,8 @@ std::vector<std::size_t> restarts(const std::vector<double>& t);
 
 /// Which rows stay so that their times rise strictly, and what was left out.
 struct RisingTimes {
-  std::vector<std::size_t> kept;      ///< indices into the times given
-  std::vector<std::string> warnings;  ///< counts and first line numbers
+  std::vector<std::size_t> kept;  ///< indices into the times given
+  std::vector<Notice> notices;    ///< counts and first line numbers
 };
 
 /// Repeated and backward times are left out; where the time starts again, all from there on. A time that runs

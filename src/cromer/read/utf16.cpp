@@ -42,11 +42,10 @@ Result<std::string> from_utf16(const Utf16& text) {
   };
   std::string utf8;
   utf8.reserve(s.size() / 2 + s.size() / 16);
-  const auto damaged = [&](std::string_view what, std::size_t i) {
+  const auto damaged = [&](Notice what, std::size_t i) {
     const auto line = 1 + std::count(utf8.begin(), utf8.end(), '\n');
-    return Error{
-        concat({"the UTF-16 text is damaged: ", what, " at byte ", std::to_string(i + (text.marked ? 2 : 0)),
-                ", in line ", std::to_string(line), ": export it again, as UTF-8"})};
+    return Error{"damaged_utf16",
+                 {{"what", std::move(what)}, {"byte", i + (text.marked ? 2 : 0)}, {"line", line}}};
   };
   std::size_t i = 0;
   for (; i + 1 < s.size(); i += 2) {
@@ -54,14 +53,15 @@ Result<std::string> from_utf16(const Utf16& text) {
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
     if (surrogate) {
       const std::uint32_t low = code <= 0xDBFF && i + 3 < s.size() ? unit(i + 2) : 0;
-      if (low < 0xDC00 || low > 0xDFFF) return damaged("half a surrogate pair", i);
+      if (low < 0xDC00 || low > 0xDFFF) return damaged(Notice{"half_surrogate_pair"}, i);
       code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
       i += 2;
     }
-    if (code == 0) return damaged("a zero", i);  // whole numbers in binary, or text of four bytes a character
+    if (code == 0)
+      return damaged(Notice{"a_zero"}, i);  // whole numbers in binary, or text of four bytes a character
     append_utf8(utf8, code);
   }
-  if (i < s.size()) return damaged("half a character", i);
+  if (i < s.size()) return damaged(Notice{"half_character"}, i);
   return utf8;
 }
 

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include "cromer/base/ascii.h"
 #include "cromer/report/enhanced_text.h"
@@ -44,7 +43,7 @@ Result<FigureFormat> figure_format(const std::string& path) {
   if (ends_with(".svg")) return FigureFormat::svg;
   if (ends_with(".png")) return FigureFormat::png;
   if (ends_with(".pdf")) return FigureFormat::pdf;
-  return Error{fmt::format("\"{}\" names no figure: end it with .svg, .png or .pdf", path)};
+  return Error{"names_no_figure", {{"path", path}}};
 }
 
 Result<std::string> draw(const Figure& figure, FigureFormat format) {

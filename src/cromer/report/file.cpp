@@ -1,7 +1,6 @@
 #include "cromer/report/file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -47,10 +46,10 @@ Result<void> write_file(const std::string& path, std::string_view bytes) {
 
 Result<void> write_file(const std::string& path, const PiecesMaker& make) {
   if (path == "-") return write_pieces(STDOUT_FILENO, "standard output", make);
-  if (path.empty()) return Error{"cannot write a file without a name"};
+  if (path.empty()) return Error{"file_without_name"};
   struct stat found {};
   const bool exists = ::stat(path.c_str(), &found) == 0;
-  if (exists && S_ISDIR(found.st_mode)) return Error{fmt::format("cannot write {}: it is a folder", path)};
+  if (exists && S_ISDIR(found.st_mode)) return Error{"cannot_write_folder", {{"path", path}}};
   if (exists && !S_ISREG(found.st_mode)) return write_directly(path, make);
   if (exists && ::access(path.c_str(), W_OK) != 0) return cannot_write(path, errno);
 
@@ -62,10 +61,10 @@ Result<void> write_file(const std::string& path, const PiecesMaker& make) {
 
 Result<void> check_writable(const std::string& path) {
   if (path == "-") return {};
-  if (path.empty()) return Error{"cannot write a file without a name"};
+  if (path.empty()) return Error{"file_without_name"};
   struct stat found {};
   if (::stat(path.c_str(), &found) == 0) {
-    if (S_ISDIR(found.st_mode)) return Error{fmt::format("cannot write {}: it is a folder", path)};
+    if (S_ISDIR(found.st_mode)) return Error{"cannot_write_folder", {{"path", path}}};
     if (::access(path.c_str(), W_OK) != 0) return cannot_write(path, errno);
     if (!S_ISREG(found.st_mode)) return {};
   } else if (errno == ENOTDIR) {
@@ -73,8 +72,9 @@ Result<void> check_writable(const std::string& path) {
   }
   const std::string folder = folder_of(target_of(path));
   if (::stat(folder.c_str(), &found) != 0)
-    return Error{fmt::format("cannot write {}: there is no folder {}", path, folder)};
-  if (!S_ISDIR(found.st_mode)) return Error{fmt::format("cannot write {}: {} is no folder", path, folder)};
+    return Error{"cannot_write_without_folder", {{"path", path}, {"folder", folder}}};
+  if (!S_ISDIR(found.st_mode))
+    return Error{"cannot_write_in_no_folder", {{"path", path}, {"folder", folder}}};
   if (::access(folder.c_str(), W_OK | X_OK) != 0) return cannot_write(path, errno);
   return {};
 }

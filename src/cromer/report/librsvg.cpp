@@ -1,7 +1,5 @@
 #include "cromer/report/librsvg.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -65,10 +63,7 @@ const Result<Libraries>& libraries() {
   static const Result<Libraries> loaded = []() -> Result<Libraries> {
     Libraries found;
     if (found.load()) return found;
-    return Error{
-        fmt::format("PNG and PDF are drawn by librsvg, which cannot be loaded ({}): install it, for instance "
-                    "with apt install librsvg2-2; .svg needs nothing",
-                    dlerror())};
+    return Error{"librsvg_is_missing", {{"why", dlerror()}}};
   }();
   return loaded;
 }
@@ -78,9 +73,7 @@ int append(void* text, const unsigned char* bytes, unsigned count) {
   return success;
 }
 
-Error not_drawn(std::string_view reason) {
-  return Error{fmt::format("librsvg could not draw the figure: {}", reason)};
-}
+Error not_drawn(std::string_view reason) { return Error{"librsvg_failed", {{"why", reason}}}; }
 
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
@@ -133,8 +126,9 @@ class Renderer {
   }
 
   Error reason_of(GError* failed) const {
-    const Error error = not_drawn(failed ? failed->message : "it gave no reason");
-    if (failed) lib_.error_free(failed);
+    if (!failed) return Error{"librsvg_failed", {{"why", Notice{"no_reason_given"}}}};
+    const Error error = not_drawn(failed->message);
+    lib_.error_free(failed);
     return error;
   }
 

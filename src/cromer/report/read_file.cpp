@@ -7,18 +7,25 @@
 #include <cstring>
 
 namespace cromer::core {
+namespace {
+
+Error cannot_read(const std::string& path, int number) {
+  return Error{"in_file",
+               {{"file", path}, {"what", Notice{"cannot_be_read", {{"why", std::strerror(number)}}}}}};
+}
+
+}  // namespace
 
 Result<std::string> read_file(const std::string& path) {
   struct stat info {};
   const bool standard_input = path == "-";
   if (!standard_input) {
-    if (stat(path.c_str(), &info) != 0) return Error{path + ": cannot be read: " + std::strerror(errno)};
-    if (S_ISDIR(info.st_mode)) return Error{path + ": is a folder; name a file in it"};
-    if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode))
-      return Error{path + ": is a device, not a file; - reads standard input"};
+    if (stat(path.c_str(), &info) != 0) return cannot_read(path, errno);
+    if (S_ISDIR(info.st_mode)) return Error{"reads_no_folder", {{"path", path}}};
+    if (S_ISCHR(info.st_mode) || S_ISBLK(info.st_mode)) return Error{"reads_no_device", {{"path", path}}};
   }
   std::FILE* file = standard_input ? stdin : std::fopen(path.c_str(), "rb");
-  if (!file) return Error{path + ": cannot be read: " + std::strerror(errno)};
+  if (!file) return cannot_read(path, errno);
 
   std::string bytes;
   std::size_t used = 0;
@@ -32,14 +39,14 @@ Result<std::string> read_file(const std::string& path) {
     // An endless stream of zeros (/dev/zero, an empty disk) is no recording.
     if (used == got && got > 0 && bytes.find_first_not_of('\0') == std::string::npos) {
       if (!standard_input) std::fclose(file);
-      return Error{path + ": begins with nothing but zero bytes: a text or CSV file is expected"};
+      return Error{"nothing_but_zero_bytes", {{"path", path}}};
     }
     if (got < room) break;
   }
   const bool failed = std::ferror(file) != 0;
   const int reason = errno;
   if (!standard_input) std::fclose(file);
-  if (failed) return Error{path + ": cannot be read: " + std::strerror(reason)};
+  if (failed) return cannot_read(path, reason);
   bytes.resize(used);
   return bytes;
 }

@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "cromer/analysis/envelope.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/study/collect.h"
 
@@ -122,7 +123,7 @@ void collect(const std::string& id, const FittedRecording& fitted, Results& resu
 
 void collect(const std::string& id, const CompareResult& compared, Results& results) {
   collect(id, compared.recording, results);
-  results.set(id + ".explanation", explanation(compared));
+  results.set(id + ".explanation", in_words(explanation(compared)));
   const std::string_view unit = si_unit_of(compared.recording.series.quantity);
   std::vector<Envelope> envelopes;
   for (const ComparedCurve& curve : compared.curves)

@@ -18,7 +18,7 @@ Result<double> conversion(const std::string& from, const std::string& to) {
   if (!source) return source.error();
   if (!target) return target.error();
   if (!(source->dimension == target->dimension))
-    return Error{"a column in \"" + from + "\" cannot be drawn in \"" + to + "\""};
+    return Error{"column_not_drawn_in", {{"from", from}, {"to", to}}};
   return source->factor / target->factor;
 }
 
@@ -53,8 +53,7 @@ Result<void> keep_range(Curve& curve, const CurveSpec& spec, const PanelSpec& pa
   const auto time = results.column(column_name(spec.of, "t"));
   if (!time) return time.error();
   const std::vector<double>& t = (*time)->values;
-  if (t.size() != curve.x.size())
-    return Error{"\"" + spec.of + "\": from and to need a column t as long as the ones drawn"};
+  if (t.size() != curve.x.size()) return Error{"range_needs_times", {{"result", spec.of}}};
   std::vector<double> x, y;
   for (std::size_t i = 0; i < t.size(); ++i) {
     if ((from && t[i] < *from) || (to && t[i] > *to)) continue;
@@ -71,8 +70,11 @@ Result<void> subtract(DrawnColumn& y, const Results& results, const CurveSpec& s
   const auto other = drawn(results, column_name(spec.minus, column), unit);
   if (!other) return other.error();
   if (other->values.size() != y.values.size())
-    return Error{"\"" + spec.minus + "\" has " + std::to_string(other->values.size()) + " rows, \"" +
-                 spec.of + "\" has " + std::to_string(y.values.size()) + ": they cannot be subtracted"};
+    return Error{"rows_not_subtracted",
+                 {{"minus", spec.minus},
+                  {"minus_rows", other->values.size()},
+                  {"of", spec.of},
+                  {"of_rows", y.values.size()}}};
   for (std::size_t i = 0; i < y.values.size(); ++i) y.values[i] -= other->values[i];
   return {};
 }
@@ -117,21 +119,20 @@ std::string to_enhanced(const std::string& markup) {
 Result<Figure> make_figure(const FigureSpec& spec, const Results& results) {
   Figure figure = spec.look;
   for (std::string* text : {&figure.title, &figure.caption})
-    if (const auto done = fill_in(*text, results, false); !done)
-      return spec.place.error(done.error().message);
+    if (const auto done = fill_in(*text, results, false); !done) return spec.place.error(done.error().notice);
   for (const PanelSpec& panel_spec : spec.panels) {
     Panel panel = panel_spec.look;
     for (std::string* text : {&panel.title, &panel.x.name, &panel.y.name})
       if (const auto done = fill_in(*text, results, true); !done)
-        return panel_spec.place.error(done.error().message);
+        return panel_spec.place.error(done.error().notice);
     for (const CurveSpec& curve_spec : panel_spec.curves) {
       auto curve = make_curve(curve_spec, panel_spec, panel, results);
-      if (!curve) return curve_spec.place.error(curve.error().message);
+      if (!curve) return curve_spec.place.error(curve.error().notice);
       panel.curves.push_back(std::move(*curve));
     }
     for (Note& note : panel.notes)
       if (const auto done = fill_in(note.text, results, true); !done)
-        return panel_spec.place.error(done.error().message);
+        return panel_spec.place.error(done.error().notice);
     figure.panels.push_back(std::move(panel));
   }
   return figure;

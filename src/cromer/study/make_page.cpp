@@ -38,7 +38,7 @@ TableBlock make_table(const TableSpec& spec, Filler& text) {
   }
   for (const auto& id : spec.each) {
     const auto runs = runs_of(text.results, id);
-    if (runs.empty() && !text.error) text.error = Error{"\"" + id + "\" has no runs to list"};
+    if (runs.empty() && !text.error) text.error = Error{"no_runs_to_list", {{"task", id}}};
     for (const auto& run : runs) {
       auto& cells = table.rows.emplace_back();
       for (const auto& cell : spec.row) cells.push_back(text(cell, run));
@@ -60,7 +60,7 @@ Result<Page> make_page(const Study& study, const Results& results,
   for (const auto& key : study.key_figures)
     page.key_figures.push_back({text(key.name), text(key.value), text(key.remark)});
   const Place top{study.file, 1, 1};
-  if (text.error) return top.error(text.error->message);
+  if (text.error) return top.error(text.error->notice);
 
   std::map<std::string, int> numbers;
   for (std::size_t i = 0; i < study.figures.size(); ++i)
@@ -81,7 +81,7 @@ Result<Page> make_page(const Study& study, const Results& results,
                                         "Figure " + std::to_string(numbers.at(id)), figure.caption,
                                         figure.width});
     }
-    if (text.error) return block.place.error(text.error->message);
+    if (text.error) return block.place.error(text.error->notice);
   }
   return page;
 }

@@ -196,31 +196,23 @@ bool is_file_name(std::string_view id) {
 Result<void> check(const Study& study) {
   std::set<std::string> ids;
   for (const TaskSpec& task : study.tasks) {
-    if (task.command.empty())
-      return task.place.error(
-          "a [[task]] needs its command and a name for its results: simulate = \"name\" (or fit, compare, "
-          "resonance, local_error, method_map, work_precision, spectrum, sweep, difference)");
-    if (task.id.empty() || !ids.insert(task.id).second)
-      return task.place.error("each task needs a name of its own");
+    if (task.command.empty()) return task.place.error(Notice{"task_without_command"});
+    if (task.id.empty() || !ids.insert(task.id).second) return task.place.error(Notice{"task_name_taken"});
   }
   ids.clear();
   for (const FigureSpec& figure : study.figures) {
     if (figure.look.id.empty() || !ids.insert(figure.look.id).second)
-      return figure.place.error("each figure needs an id of its own");
+      return figure.place.error(Notice{"figure_id_taken"});
     if (!is_file_name(figure.look.id))
-      return figure.place.error("the id \"" + figure.look.id +
-                                "\" becomes a file's name: letters, digits, - and _ only");
+      return figure.place.error(Notice{"figure_id_is_file_name", {{"id", figure.look.id}}});
     for (const PanelSpec& panel : figure.panels)
-      if (panel.curves.empty())
-        return panel.place.error(
-            "a figure or panel needs curves: write [[figure.curve]] or [[figure.panel.curve]]");
+      if (panel.curves.empty()) return panel.place.error(Notice{"figure_without_curves"});
   }
   for (const BlockSpec& block : study.blocks)
     if (const auto* named = std::get_if<BlockSpec::FigureName>(&block.content);
         named && !ids.count(named->id))
-      return block.place.error("\"" + named->id + "\" is no figure of this study");
-  if (study.tasks.empty())
-    return Error{study.file + ": there is nothing to do: a study has at least one [[task]]"};
+      return block.place.error(Notice{"no_such_figure", {{"id", named->id}}});
+  if (study.tasks.empty()) return Error{"study_without_task", {{"file", study.file}}};
   return {};
 }
 
@@ -230,7 +222,8 @@ Result<Study> read_study(std::string_view bytes, const std::string& file) {
   const toml::parse_result parsed = toml::parse(bytes, file);
   if (!parsed) {
     const auto begin = parsed.error().source().begin;
-    return Place{file, begin.line, begin.column}.error(std::string(parsed.error().description()));
+    return Place{file, begin.line, begin.column}.error(
+        Notice{"not_toml", {{"why", parsed.error().description()}}});
   }
   StudyReader reader{file};
   auto study = read_table(parsed.table(), file, [&](TomlReader& toml) {

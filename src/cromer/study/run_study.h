@@ -12,26 +12,25 @@
 
 namespace cromer::core {
 
-/// What the tasks found, and what they warned of ("name: warning").
+/// What the tasks found, and what else there is to know, each with its task's name.
 struct StudyRun {
   Results results;
-  std::vector<std::string> warnings;
-  std::vector<std::string> shown;  ///< warnings that are what their task is to show
-  std::string failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why;
-                        ///< the study ended there
+  std::vector<Notice> notices;
+  std::vector<Notice> shown;  ///< what their task is to show
+  Notice failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why;
+                   ///< the study ended there
 };
 
 /// What one task said besides its results.
 struct TaskReport {
-  std::vector<std::string> warnings;
-  std::string failure;  ///< why it did not succeed; empty if it did
+  std::vector<Notice> notices;
+  Notice failure;  ///< why it did not succeed; empty if it did
 };
 
 /// Called before each task with what it is ("fit two") and the share done.
 using StudyProgress = std::function<void(const std::string& what, double fraction)>;
 
-/// Bad input is an Error that names the place in the study file. What is wrong about a run is said to
-/// watch.warn before it begins, and is among the warnings at the end as well.
+/// Bad input is an Error that names the place in the study file.
 Result<StudyRun> run_study(const Study& study, const Watch& watch = {}, const StudyProgress& progress = {});
 
 /// Runs one task and adds what it found under its id.

@@ -19,13 +19,13 @@ struct Work {
 
   /// The bytes of the task's recording, its path relative to the study file.
   Result<std::string> recording(const std::string& file) const {
-    if (file.empty()) return task.place.error("\"" + task.command + "\" needs file = \"a recording\"");
+    if (file.empty()) return task.place.error(Notice{"task_needs_file", {{"command", task.command}}});
     auto bytes = read_file((std::filesystem::path(study.folder) / file).string());
-    if (!bytes) return task.place.error(bytes.error().message);
+    if (!bytes) return task.place.error(bytes.error().notice);
     return bytes;
   }
 
-  Error error(const Error& inner) const { return task.place.error(inner.message); }
+  Error error(const Error& inner) const { return task.place.error(inner.notice); }
 };
 
 Option text_option(std::string_view name, std::string& target) {
@@ -40,9 +40,11 @@ Result<TaskReport> run_simulate(const Work& work) {
   const auto result = simulate(options, work.watch);
   if (!result) return work.error(result.error());
   for (const SimulatedRun& run : result->runs)
-    if (!run.done()) return TaskReport{result->warnings, run.label + ": " + run.message};
+    if (!run.done())
+      return TaskReport{result->notices,
+                        Notice{"run_ended_early", {{"run", run.label}, {"what", run.message}}}};
   collect(work.task.id, *result, work.results);
-  return TaskReport{result->warnings, ""};
+  return TaskReport{result->notices, {}};
 }
 
 const LawFit& fit_of(const FittedRecording& fitted) { return fitted.fit; }
@@ -64,10 +66,10 @@ Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
   for (std::size_t i = 0; i < found->size(); ++i) {
     const auto& each = (*found)[i];
     if (fit_of(each).status != FitStatus::converged)
-      return TaskReport{each.warnings, file + ": " + fit_of(each).message};
+      return TaskReport{each.notices, Notice{"in_file", {{"file", file}, {"what", fit_of(each).message}}}};
     collect(found->size() == 1 ? work.task.id : work.task.id + "." + std::to_string(i + 1), each,
             work.results);
-    report.warnings.insert(report.warnings.end(), each.warnings.begin(), each.warnings.end());
+    report.notices.insert(report.notices.end(), each.notices.begin(), each.notices.end());
   }
   return report;
 }
@@ -110,7 +112,7 @@ Result<TaskReport> run_resonance(const Work& work) {
   const auto result = resonance(options, work.watch);
   if (!result) return work.error(result.error());
   collect(work.task.id, *result, work.results);
-  return TaskReport{result->warnings, ""};
+  return TaskReport{result->notices, {}};
 }
 
 Result<TaskReport> run_local_error(const Work& work) {
@@ -164,9 +166,9 @@ Result<TaskReport> run_spectrum(const Work& work) {
   }
   const auto result = response_spectrum(files, options, work.watch);
   if (!result) return work.error(result.error());
-  if (result->interrupted) return TaskReport{result->warnings, "interrupted"};
+  if (result->interrupted) return TaskReport{result->notices, Notice{"task_interrupted"}};
   collect(work.task.id, *result, work.results);
-  return TaskReport{result->warnings, ""};
+  return TaskReport{result->notices, {}};
 }
 
 /// TOML lists are grids as well: [0.02, 0.05] for "0.02,0.05".
@@ -192,18 +194,18 @@ Result<TaskReport> run_sweep(const Work& work) {
     return done.error();
   const auto result = sweep(options, work.watch);
   if (!result) return work.error(result.error());
-  TaskReport report{result->plan.warnings, ""};
-  const auto count = [&](std::uint64_t points, const char* what) {
-    if (points > 0)
-      report.warnings.push_back(std::to_string(points) + " of " + std::to_string(result->plan.rows.rows) +
-                                " points " + what);
-  };
-  count(result->counts.not_settled, "never settled");
-  count(result->counts.not_finite, "ran away");
-  count(result->counts.no_convergence, "found no solution of their step");
-  if (result->interrupted) return TaskReport{report.warnings, "interrupted"};
-  if (result->counts.not_settled == result->plan.rows.rows)
-    return TaskReport{report.warnings, "no point settled"};
+  TaskReport report{result->plan.notices, {}};
+  const SweepCounts& counts = result->counts;
+  const std::uint64_t all = result->plan.rows.rows;
+  if (counts.not_settled > 0)
+    report.notices.push_back(Notice{"points_not_settled", {{"points", counts.not_settled}, {"all", all}}});
+  if (counts.not_finite > 0)
+    report.notices.push_back(Notice{"points_ran_away", {{"points", counts.not_finite}, {"all", all}}});
+  if (counts.no_convergence > 0)
+    report.notices.push_back(
+        Notice{"points_without_solution", {{"points", counts.no_convergence}, {"all", all}}});
+  if (result->interrupted) return TaskReport{report.notices, Notice{"task_interrupted"}};
+  if (counts.not_settled == all) return TaskReport{report.notices, Notice{"no_point_settled"}};
   collect(work.task.id, *result, work.results);
   return report;
 }
@@ -221,7 +223,7 @@ Result<TaskReport> run_difference(const Work& work) {
   const auto& x = (*a)->values;
   const auto& y = (*b)->values;
   if (x.size() != y.size())
-    return work.task.place.error("\"" + of + "\" and \"" + minus + "\" have not the same number of rows");
+    return work.task.place.error(Notice{"rows_not_alike", {{"of", of}, {"minus", minus}}});
   double peak = 0;
   for (std::size_t i = 0; i < x.size(); ++i) peak = std::max(peak, std::abs(x[i] - y[i]));
   work.results.set(work.task.id + ".peak", peak, (*a)->unit);
@@ -244,7 +246,7 @@ constexpr Command commands[] = {{"simulate", run_simulate},       {"fit", run_fi
 Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch) {
   for (const Command& command : commands)
     if (command.name == task.command) return command.run(Work{task, study, results, watch});
-  return task.place.error("\"" + task.command + "\" is no command of a study");
+  return task.place.error(Notice{"no_command_of_study", {{"command", task.command}}});
 }
 
 }  // namespace cromer::core

@@ -18,8 +18,8 @@ struct Place {
   std::string file;
   unsigned line = 0, column = 0;
 
-  Error error(const std::string& message) const {
-    return Error{file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": " + message};
+  Error error(const Notice& what) const {
+    return Error{"at_place", {{"file", file}, {"line", line}, {"column", column}, {"what", what}}};
   }
 };
 
@@ -36,7 +36,7 @@ struct TaskSpec {
                         ///< work-precision, spectrum, sweep, difference
   std::string id;       ///< what its results are called
   std::vector<Setting> settings;
-  std::string shows;  ///< part of a warning that is what the task is to show; "" where none is
+  std::string shows;  ///< part of a notice's words, of what the task is to show; "" where nothing is
   Place place;
 };
 

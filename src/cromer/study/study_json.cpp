@@ -1,6 +1,8 @@
 #include "cromer/study/study_json.h"
 
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 
@@ -22,10 +24,10 @@ std::string to_json(const Results& results) {
 
 std::string to_json(const WrittenReport& report) {
   Json document = {{"index", report.index.empty() ? Json(nullptr) : Json(report.index)},
-                   {"figures", report.figures},
-                   {"warnings", report.warnings},
-                   {"shown", report.shown}};
-  if (!report.failure.empty()) document["message"] = report.failure;
+                   {"figures", report.figures}};
+  add_notices(document, report.notices, {});
+  document["shown"] = in_words(report.shown);
+  if (!report.failure.empty()) document["message"] = in_words(report.failure);
   return to_text(document);
 }
 

@@ -12,7 +12,7 @@ namespace cromer::core {
 /// by name.
 std::string to_json(const Results& results);
 
-/// {"index", "figures": [paths], "warnings"}, with "message" where a task failed.
+/// {"index", "figures": [paths], "warnings", "notices", "shown"}, with "message" where a task failed.
 std::string to_json(const WrittenReport& report);
 
 }  // namespace cromer::core

@@ -20,15 +20,15 @@ Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Op
   std::vector<std::string_view> names;
   for (const Option& option : options) names.push_back(option.name);
   const std::string near = nearest(setting.option, names);
-  std::string message = "\"" + as_key(setting.option) + "\" is no option of " + task.command;
   if (task.command == "sweep")
-    if (const std::string why = sweep_refusal(setting.option, ""); !why.empty())
-      return setting.place.error(why);
+    if (const Notice why = sweep_refusal(setting.option, ""); !why.empty()) return setting.place.error(why);
+  Notice more;
   if (const std::string_view owner = option_owner(setting.option); !owner.empty())
-    message += "; it is one of " + std::string(owner);
+    more = Notice{"option_of_other", {{"owner", owner}}};
   else if (!near.empty())
-    message += "; did you mean \"" + as_key(near) + "\"?";
-  return setting.place.error(message);
+    more = Notice{"perhaps_quoted", {{"near", as_key(near)}}};
+  return setting.place.error(
+      Notice{"no_option_of_task", {{"key", as_key(setting.option)}, {"task", task.command}, {"more", more}}});
 }
 
 }  // namespace
@@ -40,12 +40,12 @@ Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& op
                                      [&](const Option& each) { return each.name == setting.option; });
     if (option == options.end()) return unknown(setting, task, options);
     if (setting.values.size() != 1 && !option->is_list())
-      return setting.place.error("\"" + as_key(setting.option) + "\" takes one value, not a list");
+      return setting.place.error(Notice{"key_takes_one_value", {{"key", as_key(setting.option)}}});
     for (const std::string& value : setting.values) {
       const auto text = fill(value, results);
-      if (!text) return setting.place.error(text.error().message);
+      if (!text) return setting.place.error(text.error().notice);
       if (const auto assigned = assign(*option, *text); !assigned)
-        return setting.place.error(assigned.error().message);
+        return setting.place.error(assigned.error().notice);
     }
   }
   return {};

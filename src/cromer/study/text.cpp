@@ -56,9 +56,9 @@ Result<Format> parse_format(const std::vector<std::string_view>& parts, const Nu
     } else {
       const auto from = parse_unit(number.unit);
       const auto to = parse_unit(part);
-      if (!to) return Error{"\"" + std::string(part) + "\" is neither a unit nor a way to write a number"};
+      if (!to) return Error{"no_way_to_write", {{"part", part}}};
       if (!from || !(from->dimension == to->dimension))
-        return Error{"a value in \"" + number.unit + "\" cannot be written in \"" + std::string(part) + "\""};
+        return Error{"value_not_written_in", {{"from", number.unit}, {"to", part}}};
       format.factor = from->factor / to->factor;
       format.unit = std::string(part);
     }
@@ -88,7 +88,7 @@ Result<std::string> look_up(std::string_view inside, const Results& results, std
   if (const auto* text = std::get_if<std::string>(&*fact)) return *text;
   const Number& number = std::get<Number>(*fact);
   const auto format = parse_format(parts, number);
-  if (!format) return Error{"{" + std::string(inside) + "}: " + format.error().message};
+  if (!format) return Error{"in_braces", {{"braces", inside}, {"what", format.error().notice}}};
   return write(number, *format);
 }
 
@@ -109,8 +109,7 @@ Result<std::string> fill(std::string_view text, const Results& results, std::str
       continue;
     }
     const auto end = text.find('}', at);
-    if (end == std::string_view::npos)
-      return Error{"\"" + std::string(text.substr(at, 30)) + "\": the brace is not closed"};
+    if (end == std::string_view::npos) return Error{"brace_not_closed", {{"text", text.substr(at, 30)}}};
     const auto value = look_up(text.substr(at + 1, end - at - 1), results, scope);
     if (!value) return value.error();
     out += *value;

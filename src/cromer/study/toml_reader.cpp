@@ -29,8 +29,8 @@ Place TomlReader::place_of(const toml::node& node) const {
   return Place{file_, begin.line, begin.column};
 }
 
-void TomlReader::fail(const toml::node& node, const std::string& message) {
-  if (!error_) error_ = place_of(node).error(message);
+void TomlReader::fail(const toml::node& node, const Notice& what) {
+  if (!error_) error_ = place_of(node).error(what);
 }
 
 bool TomlReader::has(std::string_view key) { return find(key) != nullptr; }
@@ -45,16 +45,16 @@ std::string TomlReader::text(std::string_view key, std::string otherwise) {
   const toml::node* node = find(key);
   if (!node) return otherwise;
   if (const auto* value = node->as_string()) return value->get();
-  fail(*node, "\"" + std::string(key) + "\" takes a text in quotes");
+  fail(*node, Notice{"key_takes_text", {{"key", key}}});
   return otherwise;
 }
 
 std::string TomlReader::choice(std::string_view key, std::initializer_list<std::string_view> names) {
   const std::string value = text(key, std::string(*names.begin()));
   if (std::find(names.begin(), names.end(), value) != names.end()) return value;
-  std::string message = "\"" + std::string(key) + "\" is one of";
-  for (const auto name : names) message += (name == *names.begin() ? " " : ", ") + std::string(name);
-  fail(*table_.get(key), message);
+  fail(*table_.get(key),
+       Notice{"key_is_one_of",
+              {{"key", key}, {"names", std::vector<std::string>(names.begin(), names.end())}}});
   return std::string(*names.begin());
 }
 
@@ -66,7 +66,7 @@ std::optional<double> TomlReader::maybe_number(std::string_view key) {
   const toml::node* node = find(key);
   if (!node) return std::nullopt;
   if (const auto value = node->value<double>()) return value;
-  fail(*node, "\"" + std::string(key) + "\" takes a number");
+  fail(*node, Notice{"key_takes_number", {{"key", key}}});
   return std::nullopt;
 }
 
@@ -76,7 +76,7 @@ int TomlReader::whole(std::string_view key, int otherwise) {
   if (const auto value = node->value_exact<std::int64_t>();
       value && *value >= -1'000'000 && *value <= 1'000'000)
     return static_cast<int>(*value);
-  fail(*node, "\"" + std::string(key) + "\" takes a whole number");
+  fail(*node, Notice{"key_takes_whole_number", {{"key", key}}});
   return otherwise;
 }
 
@@ -84,7 +84,7 @@ bool TomlReader::yes(std::string_view key) {
   const toml::node* node = find(key);
   if (!node) return false;
   if (const auto value = node->value_exact<bool>()) return *value;
-  fail(*node, "\"" + std::string(key) + "\" takes true or false");
+  fail(*node, Notice{"key_takes_true_or_false", {{"key", key}}});
   return false;
 }
 
@@ -97,12 +97,12 @@ std::vector<std::string> TomlReader::values(std::string_view key) {
     for (const toml::node& element : *array) {
       const auto text = as_option_text(element);
       if (!text)
-        fail(element, "\"" + std::string(key) + "\" takes numbers or texts");
+        fail(element, Notice{"key_takes_numbers_or_texts", {{"key", key}}});
       else
         texts.push_back(*text);
     }
   } else {
-    fail(*node, "\"" + std::string(key) + "\" takes a number, a text or a list of them");
+    fail(*node, Notice{"key_takes_one_or_several", {{"key", key}}});
   }
   return texts;
 }
@@ -117,12 +117,12 @@ std::vector<int> TomlReader::wholes(std::string_view key) {
     for (const toml::node& element : *array) {
       const auto value = element.value_exact<std::int64_t>();
       if (!value || *value < 0 || *value > 1000)
-        fail(element, "\"" + std::string(key) + "\" takes a list of whole numbers from 0");
+        fail(element, Notice{"key_takes_counts", {{"key", key}}});
       else
         numbers.push_back(static_cast<int>(*value));
     }
   } else {
-    fail(*node, "\"" + std::string(key) + "\" takes a list of whole numbers");
+    fail(*node, Notice{"key_takes_whole_numbers", {{"key", key}}});
   }
   return numbers;
 }
@@ -133,14 +133,14 @@ std::vector<const toml::table*> TomlReader::tables(std::string_view key) {
   if (!node) return found;
   const auto* array = node->as_array();
   if (!array) {
-    fail(*node, "\"" + std::string(key) + "\" is a list of tables: write [[" + std::string(key) + "]]");
+    fail(*node, Notice{"key_is_list_of_tables_so", {{"key", key}}});
     return found;
   }
   for (const toml::node& element : *array) {
     if (const auto* table = element.as_table())
       found.push_back(table);
     else
-      fail(element, "\"" + std::string(key) + "\" is a list of tables");
+      fail(element, Notice{"key_is_list_of_tables", {{"key", key}}});
   }
   return found;
 }
@@ -151,20 +151,20 @@ std::vector<std::vector<std::string>> TomlReader::rows(std::string_view key) {
   if (!node) return all;
   const auto* array = node->as_array();
   if (!array) {
-    fail(*node, "\"" + std::string(key) + "\" takes a list of rows");
+    fail(*node, Notice{"key_takes_rows", {{"key", key}}});
     return all;
   }
   for (const toml::node& element : *array) {
     const auto* row = element.as_array();
     if (!row) {
-      fail(element, "a row is a list of texts");
+      fail(element, Notice{"row_is_list"});
       continue;
     }
     auto& cells = all.emplace_back();
     for (const toml::node& cell : *row) {
       const auto text = as_option_text(cell);
       if (!text)
-        fail(cell, "a cell is a text or a number");
+        fail(cell, Notice{"cell_is_text_or_number"});
       else
         cells.push_back(*text);
     }
@@ -178,9 +178,10 @@ Result<void> TomlReader::finish() const {
     if (std::find(asked_.begin(), asked_.end(), key.str()) != asked_.end()) continue;
     const std::vector<std::string_view> known(asked_.begin(), asked_.end());
     const std::string near = nearest(key.str(), known);
-    std::string message = "\"" + std::string(key.str()) + "\" is not known here";
-    if (!near.empty()) message += "; did you mean \"" + near + "\"?";
-    return place_of(node).error(message);
+    return place_of(node).error(
+        Notice{"key_not_known",
+               {{"key", key.str()},
+                {"near", near.empty() ? Notice{} : Notice{"perhaps_quoted", {{"near", near}}}}}});
   }
   return {};
 }

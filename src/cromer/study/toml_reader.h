@@ -43,7 +43,7 @@ class TomlReader {
   Place place_of(const toml::node& node) const;
   /// Of the value of a key that is there.
   Place place_of_key(std::string_view key) const { return place_of(*table_.get(key)); }
-  void fail(const toml::node& node, const std::string& message);
+  void fail(const toml::node& node, const Notice& what);
   /// The first error, or that a key is none of those asked for.
   Result<void> finish() const;
 

@@ -17,11 +17,12 @@ Result<std::map<std::string, DrawnFigure>> draw_figures(const Study& study, cons
                                                         const Watch& watch) {
   std::map<std::string, DrawnFigure> drawn;
   for (const FigureSpec& spec : study.figures) {
-    if (watch.interrupted()) return spec.place.error("interrupted before " + spec.look.id);
+    if (watch.interrupted())
+      return spec.place.error(Notice{"interrupted_before", {{"figure", spec.look.id}}});
     auto figure = make_figure(spec, results);
     if (!figure) return figure.error();
     auto svg = draw(*figure, FigureFormat::svg);
-    if (!svg) return spec.place.error(svg.error().message);
+    if (!svg) return spec.place.error(svg.error().notice);
     drawn[spec.look.id] = DrawnFigure{std::move(*svg), figure->title, figure->caption, spec.width};
   }
   return drawn;
@@ -38,7 +39,7 @@ std::string versions(const std::string& program) {
 Result<void> make_folder(const std::string& folder) {
   std::error_code failed;
   std::filesystem::create_directories(folder, failed);
-  if (failed) return Error{folder + ": cannot be made: " + failed.message()};
+  if (failed) return Error{"folder_not_made", {{"folder", folder}, {"why", failed.message()}}};
   return check_writable(folder + "/index.html");
 }
 
@@ -73,7 +74,7 @@ Result<WrittenReport> write_report(const std::string& study_path, const std::str
 
   auto run = run_study(*study, watch, progress);
   if (!run) return run.error();
-  WrittenReport written{"", {}, run->warnings, run->shown, run->failure};
+  WrittenReport written{"", {}, run->notices, run->shown, run->failure};
   if (!run->failure.empty()) return written;
   if (progress) progress("figures", 1);
   const auto figures = draw_figures(*study, run->results, watch);

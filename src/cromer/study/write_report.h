@@ -13,9 +13,9 @@ namespace cromer::core {
 struct WrittenReport {
   std::string index;                 ///< path of index.html; empty if a task failed
   std::vector<std::string> figures;  ///< paths
-  std::vector<std::string> warnings;
-  std::vector<std::string> shown;  ///< warnings that are what the study is to show
-  std::string failure;  ///< which task did not succeed, where in the study, and why; then nothing was written
+  std::vector<Notice> notices;
+  std::vector<Notice> shown;  ///< what the study is to show
+  Notice failure;  ///< which task did not succeed, where in the study, and why; then nothing was written
 };
 
 /// Reads the study, runs it, draws its figures and only then writes; each file whole or not at all. `date` is

@@ -1,5 +1,6 @@
 // The core's documents of recordings, their fits and comparisons. SI units throughout.
 import type { Maybe, Numbers } from './numbers'
+import type { Said } from '../words/said'
 
 // inspect
 
@@ -20,7 +21,7 @@ export interface Inspection {
   jitter: Maybe
   gaps: { t: number; length: number; run?: number }[]
   outliers: { t: number; value: Maybe; line: number; run?: number }[]
-  warnings: string[]
+  warnings: Said[]
   /// Of that column, one for each run that has it.
   series: InspectedSeries[]
 }
@@ -72,7 +73,7 @@ export interface Fit {
   law: string | null
   /// "converged", or why there is no fit.
   status: string
-  message?: string
+  message?: Said
   iterations: number
   between_samples: string | null
   parameters: Record<string, Estimate>
@@ -110,7 +111,7 @@ export interface Fit {
   monte_carlo: MonteCarlo | null
   plan: RecordingPlan | null
   textbook: Textbook | null
-  warnings: string[]
+  warnings: Said[]
   units: MotionUnits
   /// What the law leaves, in the unit of the displacement.
   displacement_rms: Maybe
@@ -202,12 +203,12 @@ export interface Comparisons {
 export interface Comparison {
   recording: Recording
   status: string
-  message?: string
+  message?: Said
   curves: ComparedCurve[]
   measured_at_rest?: boolean
   explanation?: string
   fit: Omit<Fit, 'curves' | 'units' | 'displacement_rms'>
-  warnings: string[]
+  warnings: Said[]
   /// One for each of `curves`; x is the displacement from the fitted equilibrium, `energy` as of a fit's curves.
   states: { t: Numbers; x: Numbers; v: Numbers; energy: Numbers }[]
 }

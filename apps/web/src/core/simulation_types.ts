@@ -1,12 +1,13 @@
 // The core's documents of simulated motions, of methods and of resonance curves. SI units throughout.
 import type { Maybe, Numbers } from './numbers'
+import type { Said } from '../words/said'
 
 // simulate
 
 export interface Simulation {
   runs: Run[]
-  warnings: string[]
-  message?: string
+  warnings: Said[]
+  message?: Said
 }
 
 /// Of the law without drag, friction and cubic stiffness. What does not exist is 0 (a frequency, the critical
@@ -32,7 +33,7 @@ export interface Run {
   every: number
   compensated: boolean
   status: RunStatus
-  message?: string
+  message?: Said
   interrupted: boolean
   last_step: number
   counts: { accepted: number; rejected: number; evaluations: number; newton_iterations: number }
@@ -69,7 +70,7 @@ export interface Run {
 export interface Motions {
   runs: Motion[]
   linear_part: LinearPart
-  warnings: string[]
+  warnings: Said[]
 }
 
 export interface Motion

@@ -1,5 +1,6 @@
 // What the core answers, task by task: the documents of the program's --json, with long lists of numbers as
 // Float64Array. SI units throughout. What may be not finite or unknown is null.
+import type { Said } from '../words/said'
 import type { Comparisons, Fits, Inspection } from './recording_types'
 import type { MethodList, Motions, Resonance, Simulation } from './simulation_types'
 
@@ -30,5 +31,5 @@ export type Answer<T extends Task = Task> =
   { status: 0 | 1; document: Documents[T] } | { status: 2; document: Refusal }
 
 export interface Refusal {
-  message: string
+  message: Said
 }

@@ -1,5 +1,6 @@
 // A recording in progress, as the events of `cromer serve` tell it: docs/recording.md. Pure: no request is made here.
 import type { Estimate } from '../core/types'
+import type { Said } from '../words/said'
 
 /// What GET /api/status answers, and each `status` event.
 export interface LiveStatus {
@@ -15,6 +16,7 @@ export interface LiveStatus {
   times?: LiveTimes | null // null: nothing came
   columns: string[] // that of the times first
   message?: string
+  message_german?: string
 }
 
 /// Where the times came from; the numbers are of samples without times of their own.
@@ -33,6 +35,7 @@ export interface LiveSamples {
 export interface LiveNotice {
   kind: string
   text: string
+  german: string
 }
 
 export interface LiveFit {
@@ -42,6 +45,7 @@ export interface LiveFit {
   parameters?: Record<string, Estimate>
   derived?: Record<string, Estimate>
   message?: string
+  message_german?: string
 }
 
 export type LiveEvent =
@@ -121,7 +125,14 @@ export function frameOf({ t }: Live): [number, number] {
   return [begin, begin + shownSeconds]
 }
 
-export type Moment = { is: 'started' | 'ended' | 'away' } | { is: 'lost'; text: string }
+/// A notice in both languages.
+export const saidOf = ({ text, german }: LiveNotice): Said => ({ en: text, de: german })
+
+/// Of a status or a fit; '' where there is none.
+export const messageOf = (of: { message?: string; message_german?: string } | null): Said =>
+  of?.message ? { en: of.message, de: of.message_german ?? of.message } : ''
+
+export type Moment = { is: 'started' | 'ended' | 'away' } | { is: 'lost'; text: Said }
 
 /// What is worth a sentence between two states: start, end, a device or server that is gone or back.
 export function momentOf(before: Live, now: Live): Moment | null {
@@ -132,5 +143,5 @@ export function momentOf(before: Live, now: Live): Moment | null {
   const other = before.status !== null && before.status.recording !== now.status?.recording
   if ((was || other) && !is) return { is: 'ended' }
   const fresh = now.notices.slice(before.notices.length).filter(({ kind }) => kind === 'connection' || kind === 'device')
-  return fresh.length ? { is: 'lost', text: fresh.at(-1)!.text } : null
+  return fresh.length ? { is: 'lost', text: saidOf(fresh.at(-1)!) } : null
 }

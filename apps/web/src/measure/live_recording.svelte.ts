@@ -1,6 +1,7 @@
 // The recording that the server of this page makes, and what is ordered of it. It goes on whichever tab is shown.
 import { readQuantity } from '../core/quantity'
 import { say } from '../state/notices.svelte'
+import type { Said } from '../words/said'
 import { words } from '../words/words.svelte'
 import { after, momentOf, noLive, progressOf, type Live, type LiveEvent } from './live'
 import { listen, order, recordingNamed, statusOfServer } from './live_server'
@@ -12,7 +13,7 @@ class LiveRecording {
   ordering = $state(false)
   /// What was ordered to start and is not told of yet.
   awaited: string | null = $state(null)
-  trouble = $state('')
+  trouble: Said = $state.raw('')
   length = $state('') // as typed; nothing: as long as the server was told
   badLength = $state('')
 
@@ -71,8 +72,8 @@ export async function startOrStop(): Promise<boolean> {
     const seconds = what === 'record' ? await lengthTyped() : null
     if (seconds === undefined) return false
     const answer = await order(what, seconds)
-    if (typeof answer === 'string') {
-      recording.trouble = answer
+    if ('refused' in answer) {
+      recording.trouble = answer.refused
       return true
     }
     mine = true

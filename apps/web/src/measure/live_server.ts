@@ -1,6 +1,7 @@
 // The server that gave this page, where it is one that records: `cromer serve --from`. Opened from disk there is
 // none, and nothing is asked.
-import type { LiveEvent, LiveStatus } from './live'
+import type { Said } from '../words/said'
+import { messageOf, type LiveEvent, type LiveStatus } from './live'
 
 const served = () => location.protocol === 'http:' || location.protocol === 'https:'
 
@@ -43,11 +44,11 @@ export function listen(tell: (event: LiveEvent) => void): () => void {
 
 /// Starts, for so many seconds or as long as the server was told, or stops. The status then; where it was refused,
 /// the server's message.
-export async function order(what: 'record' | 'stop', seconds: number | null = null): Promise<LiveStatus | string> {
+export async function order(what: 'record' | 'stop', seconds: number | null = null): Promise<LiveStatus | { refused: Said }> {
   const wish = seconds === null ? {} : { body: JSON.stringify({ for: seconds }), headers: { 'content-type': 'application/json' } }
   const answer = await fetch(`/api/${what}`, { method: 'POST', ...wish })
-  const said = (await answer.json()) as LiveStatus & { message?: string }
-  return answer.ok ? said : (said.message ?? String(answer.status))
+  const said = (await answer.json()) as LiveStatus
+  return answer.ok ? said : { refused: messageOf(said) || String(answer.status) }
 }
 
 /// A finished recording, as it is in its file. Throws where it cannot be had.

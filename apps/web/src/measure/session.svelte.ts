@@ -6,6 +6,7 @@ import { page } from '../state/page.svelte'
 import { toast } from '../state/notices.svelte'
 import { settle as settleState } from '../state/undo.svelte'
 import { compareOptions, fieldOptions, fitOptions, inspectOptions } from './questions'
+import { english, ofFile, type Said } from '../words/said'
 import { words } from '../words/words.svelte'
 import { namesOf, runsOf, seriesOf } from './series'
 import { measureDefaults } from './state'
@@ -45,11 +46,11 @@ class Session {
   /// 'first': no fit of these settings yet; 'more': the laws are still being compared.
   busy: '' | 'reading' | 'first' | 'more' | 'overlay' = $state('')
   /// A file that was not read, with the core's message; what was open before stays.
-  refused: { name: string; message: string } | null = $state.raw(null)
+  refused: { name: string; message: Said } | null = $state.raw(null)
   /// Why no simulation of the law stands beside it.
-  notSimulated = $state('')
+  notSimulated: Said = $state.raw('')
   /// Why there is no fit.
-  message = $state('')
+  message: Said = $state.raw('')
   /// The frame that is shown larger [s].
   frame: { from: number; to: number } | null = $state.raw(null)
 
@@ -62,11 +63,12 @@ export const session = new Session()
 /// The message of the file that was not read, which begins with its name.
 export function refusedText(): string {
   const { name, message } = session.refused ?? { name: '', message: '' }
-  return words().core(name === '' || message.startsWith(name) ? message : `${name}: ${message}`)
+  return words().core(ofFile(name, message))
 }
 
 /// A refusal that stands beside its own field.
-export const isOfField = (message: string): boolean => Object.values(fieldOptions).some((option) => message.startsWith(option))
+export const isOfField = (message: Said): boolean =>
+  Object.values(fieldOptions).some((option) => english(message).startsWith(option))
 
 /// Why there is no fit, in the page's language.
 export const whyNoFit = (): string => words().core(session.message)
@@ -158,8 +160,11 @@ function clear(): void {
   Object.assign(session, { fit: null, constant: null, simulated: [], notSimulated: '', constantAtEnd: null, message: '', frame: null })
 }
 
-const converged = (fit: Fit | string | null): fit is Fit =>
-  fit !== null && typeof fit !== 'string' && fit.status === 'converged'
+/// A fit, or why the core refused its settings.
+type Tried = Fit | { refused: Said } | null
+
+const isRefused = (tried: Tried): tried is { refused: Said } => tried !== null && 'refused' in tried
+const converged = (tried: Tried): tried is Fit => tried !== null && !isRefused(tried) && tried.status === 'converged'
 
 const bic = (fit: Fit) => fit.candidates.find((each) => each.law === fit.law)?.bic ?? Infinity
 
@@ -174,10 +179,10 @@ async function refit(): Promise<void> {
   session.simulated = []
   if (!(await describe(mine, file, state))) return
   const runs = session.runs
-  const fitOf = async (law: string, lane: number) => {
+  const fitOf = async (law: string, lane: number): Promise<Tried> => {
     const answer = await ask(mine, 'fit', fitOptions(state, runs, law), file, lane)
     if (!answer) return null
-    if (answer.status === 2) return answer.document.message
+    if (answer.status === 2) return { refused: answer.document.message }
     return answer.document.fits[0]!
   }
   const began = performance.now()
@@ -186,7 +191,7 @@ async function refit(): Promise<void> {
   const allAsked = state.law === '' ? fitOf('', 2) : null
   const constant = await constantAsked
   if (mine !== turn) return
-  if (typeof constant === 'string') return refuse(mine, constant)
+  if (isRefused(constant)) return refuse(mine, constant.refused)
   session.constant = converged(constant) ? constant : null
   if (allAsked && session.constant && performance.now() - began > patience) {
     show(session.constant)
@@ -203,18 +208,18 @@ async function refit(): Promise<void> {
     best = await allAsked
     if (mine !== turn) return
   }
-  if (typeof best === 'string') return refuse(mine, best)
+  if (isRefused(best)) return refuse(mine, best.refused)
   if (best && best.status !== 'converged') return settle(mine, null, best.message ?? best.status)
   settle(mine, best, '')
   if (best && state.overlay) await simulate(mine, best.law!)
 }
 
 /// A setting that the core refuses stands beside its field; the fit before it stays.
-function refuse(mine: number, message: string): void {
-  settle(mine, message.startsWith('--') ? session.fit : null, message)
+function refuse(mine: number, message: Said): void {
+  settle(mine, english(message).startsWith('--') ? session.fit : null, message)
 }
 
-function settle(mine: number, fit: Fit | null, message: string): void {
+function settle(mine: number, fit: Fit | null, message: Said): void {
   if (mine !== turn) return
   session.busy = ''
   session.message = message

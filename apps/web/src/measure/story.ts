@@ -2,12 +2,14 @@
 import type { Fit } from '../core/types'
 import { percent, significant, space } from '../look/numbers'
 import type { measure } from '../words/en/measure'
+import { english, type Said } from '../words/said'
 import { placesOf, rounded, withUncertainty } from './uncertain'
 
 export interface Sentence {
   kind: 'note' | 'good' | 'core'
   title: string
   text: string
+  said?: Said // of the core: in both languages
 }
 
 type Words = typeof measure
@@ -72,4 +74,4 @@ function flow(fit: Fit, words: Words): Sentence[] {
 }
 
 const warnings = (fit: Fit, words: Words): Sentence[] =>
-  fit.warnings.map((text) => ({ kind: 'core', title: words.story.core, text }))
+  fit.warnings.map((said) => ({ kind: 'core', title: words.story.core, text: english(said), said }))

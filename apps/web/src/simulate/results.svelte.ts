@@ -4,6 +4,7 @@ import { ask, askAside, openCore } from '../core/ask'
 import { answerAtOnce, learn } from '../core/at_once'
 import type { Answer, LinearPart, MethodList, Options, Resonance } from '../core/types'
 import { page } from '../state/page.svelte'
+import type { Said } from '../words/said'
 import type { Run } from './curves'
 import { isContinuous, isLinear } from './law'
 import { betweenOptions, coreOptions, resonanceOptions } from './options'
@@ -14,7 +15,7 @@ interface Results {
   runs: Run[]
   linear: LinearPart | null // null until the core has said it
   /** Why there is no newer picture: the core's own words. */
-  message: string
+  message: Said
   resonance: Resonance['curves']
   limits: Record<string, number> // largest stable step [s] of each method that has one
 }

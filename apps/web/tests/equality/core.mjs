@@ -30,10 +30,14 @@ export function openCore(path) {
       core.page_numbers(),
       core.page_numbers_length(),
     ).slice()
+    // Sentences come in both languages; the program speaks English.
+    const isSentence = (value) => typeof value?.en === 'string' && typeof value.de === 'string'
     const document = JSON.parse(text.toString(), (_, value) =>
       Array.isArray(value?.block)
         ? Array.from(numbers.subarray(value.block[0], value.block[0] + value.block[1]))
-        : value,
+        : isSentence(value)
+          ? value.en
+          : value,
     )
     return { status, document }
   }

@@ -6,6 +6,7 @@ import type { Options } from '../../src/core/types'
 import { valueAtX } from '../../src/plot/decimate'
 import { betweenOptions, coreOptions } from '../../src/simulate/options'
 import { simulateDefaults, type SimulateState } from '../../src/simulate/state'
+import { english } from '../../src/words/said'
 
 const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', import.meta.url))
 
@@ -13,7 +14,7 @@ describe.skipIf(!existsSync(built))('between the steps', async () => {
   const core = existsSync(built) ? await start(await compile(readFileSync(built))) : undefined!
   const run = (options: Options) => {
     const answer = read<'motion'>(core.answer('motion', options))
-    if (answer.status === 2) throw new Error(answer.document.message)
+    if (answer.status === 2) throw new Error(english(answer.document.message))
     return answer.document.runs[0]!.states
   }
   const of = (part: Partial<SimulateState>): SimulateState => ({ ...simulateDefaults, methods: ['exact'], ...part })

@@ -1,3 +1,4 @@
+// What the core says is German where the page is: its catalogue is tested in tests/documents, here what the page asks.
 import { existsSync, readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { describe, expect, it } from 'vitest'
@@ -5,79 +6,9 @@ import { describe, expect, it } from 'vitest'
 import { compile, read, start } from '../../src/core/core'
 import type { Options, Task } from '../../src/core/types'
 import { core as german } from '../../src/words/de/core'
-import { coreSources, messagesOf } from './core_messages'
+import { english as inEnglish, type Said } from '../../src/words/said'
 
-const table = readFileSync(fileURLToPath(new URL('../../src/words/de/core.ts', import.meta.url)), 'utf8')
 const path = (relative: string) => fileURLToPath(new URL(relative, import.meta.url))
-
-describe('what the core says, in German', () => {
-  it('keeps what was put in, with a decimal comma', () => {
-    expect(german('lab.csv:17: column "Position (m)": "abc" is not a number; --skip-bad-rows drops such rows')).toBe(
-      'lab.csv:17: Spalte „Position (m)“: „abc“ ist keine Zahl; bitte die Zeile in der Datei ausbessern oder entfernen',
-    )
-    expect(german('too noisy: the frequency is known to 12.5 % only')).toBe(
-      'zu viel Rauschen: die Frequenz ist nur auf 12,5 % bekannt',
-    )
-    expect(german('"3 parsecs": unknown unit "parsecs"; expected a mass, for instance 217.6 g')).toBe(
-      '„3 parsecs“: die Einheit „parsecs“ ist unbekannt; erwartet wird eine Masse, zum Beispiel 217,6 g',
-    )
-    expect(german('2.gap.csv:3: the time jumps')).toBe('2.gap.csv:3: the time jumps')
-  })
-
-  it('puts in no more than it was given', () => {
-    const lines = table.split('\n').filter((line) => !line.startsWith('//') && line.includes('⇒') && !line.includes('split('))
-    expect(lines.length).toBeGreaterThan(150)
-    for (const line of lines) {
-      const [words, ours] = line.replace('const lines = `', '').split('⇒')
-      const given = words!.match(/\{\}|#/g)?.length ?? 0
-      const places = [...ours!.matchAll(/\{(\d?)\}/g)].map(([, place]) => Number(place || 1))
-      expect(places.length, line).toBeLessThanOrEqual(given)
-      expect(Math.max(0, ...places), line).toBeLessThanOrEqual(given)
-    }
-  })
-
-  it('leaves what it does not know', () => expect(german('a new message')).toBe('a new message'))
-})
-
-// Not reached by the page's questions, which set steps, methods and drives themselves; or of loggers' files too
-// rare for the table.
-const elsewhere =
-  /tasks\/(sweep|spectrum|record|curves|simulate|compare)\/|tasks\/fit\/(options|static_|fit_static|masses|mass_line|force_grid|forced_|fit_forced|plan_recording|decay_segments)|methods\/|forced_|driven_|base\/grid|steady_state|uff|peer|labview|number_stream|column_kind/
-const left = new RegExp(
-  [
-    'interrupted', // the page ends a fit by ending its worker
-    '--(spring-mass|monte-carlo|seed|law|delimiter|decimal|force-column)', // no fields of the page
-    'J/\\(kg m²', // a unit
-    '^cromer simulate', '^zero or more', 'neither true nor false', // no sentences of its own
-    'between 1e-', 'lie between 0 and 1', // options without a field
-    'no power of ten', 'Fortran', 'too unequal', 'tables of the file', 'tables: ', 'numbers end at', 'names of the columns of set',
-    'samples per second, for', 'a number in', // of options whose unit is always named
-    // parts of sentences, which the questions below put together
-    '^[{]} this recording', '^[{]} A law', '^: [{]} is only', '^[{]} [{]} far', 'from sample to sample[)]$', 'samples apart[)]$', '^noise lifts small peaks', 's[{]}$', '^it must [{]}', '^be positive', '^not be', '^lie between', 'run [{]}$', '^[{]}: the uncert', '^[{]} ± ',
-    '^no drive is seen', '^nothing is seen', '^a free law leaves', // of a drive that was named
-    'swing.s own', 'a second mode', '--[{]}', // said in one
-  ].join('|'),
-)
-
-describe.skipIf(!existsSync(path('../../../../src/cromer')))('the messages in the core’s sources', () => {
-  const all = coreSources(path('../../../../src/cromer'), elsewhere).flatMap(({ file, text }) =>
-    messagesOf(text).map((message) => ({ file, message })),
-  )
-  const filled = (message: string) => message.replace(/^[:; ]+/, '').replaceAll('{}', '7')
-
-  it('are found', () => {
-    expect(all.length).toBeGreaterThan(150)
-    const messages = all.map(({ message }) => message)
-    expect(messages).toContain('the zero jumps by {} at {} s: choose one side of it with --from and --to')
-    expect(messages).toContain('column "{}" has no unit: {} is assumed')
-    expect(messages).toContain('{}: {}, the first in line {}')
-  })
-
-  it('have their German', () => {
-    const missing = all.filter(({ message }) => !left.test(message) && german(filled(message)) === filled(message))
-    expect(missing.map(({ file, message }) => `${file}: ${message}`)).toEqual([])
-  })
-})
 
 const built = path('../../../../build/page/core.wasm.gz')
 describe.skipIf(!existsSync(built))('what the core says of bad input, in German', async () => {
@@ -86,17 +17,17 @@ describe.skipIf(!existsSync(built))('what the core says of bad input, in German'
   const english = /\b(the|is|are|not|with|of|it|must|there|for|and)\b/
   const withoutQuotes = (text: string) => text.replace(/"[^"]*"|[„“][^“”]*[“”]/g, '""')
 
-  function said(task: Task, options: Options, file?: string | Uint8Array): string[] {
+  function said(task: Task, options: Options, file?: string | Uint8Array): Said[] {
     const bytes = typeof file === 'string' ? new TextEncoder().encode(file) : file
     const answer = read(core.answer(task, bytes ? [...options, ['file-name', 'lab.csv']] : options, bytes))
     if (answer.status === 2) return [answer.document.message]
-    const document = answer.document as { warnings?: string[]; fits?: { message?: string; warnings?: string[] }[] }
+    const document = answer.document as { warnings?: Said[]; fits?: { message?: Said; warnings?: Said[] }[] }
     const all = task === 'simulate' ? [] : [...(document.warnings ?? [])] // those are not shown
     for (const fit of document.fits ?? []) all.push(...(fit.message ? [fit.message] : []), ...(fit.warnings ?? []))
     return all
   }
-  const speaks = (messages: string[], least = 1) => {
-    if (process.env.CROMER_SAY) for (const each of new Set(messages)) console.log(`${each}\n    ${german(each)}`)
+  const speaks = (messages: Said[], least = 1) => {
+    if (process.env.CROMER_SAY) for (const each of messages) console.log(`${inEnglish(each)}\n    ${german(each)}`)
     expect(messages.length).toBeGreaterThanOrEqual(least)
     expect(messages.map(german).filter((text) => english.test(withoutQuotes(text)))).toEqual([])
   }

@@ -29,7 +29,7 @@ describe('a recording in progress', () => {
     expect(progressOf(live)).toEqual({ samples: 900, duration: 9 })
   })
   it('begins anew with another recording and with a new connection', () => {
-    const before = run(status(), samples(0, [0, 1]), { is: 'notices', data: { notices: [{ kind: 'gap', text: 'a gap' }] } })
+    const before = run(status(), samples(0, [0, 1]), { is: 'notices', data: { notices: [{ kind: 'gap', text: 'a gap', german: 'eine Lücke' }] } })
     const other = after(before, status({ recording: 'a-2.csv' }))
     expect([other.t.length, other.seen, other.notices.length]).toEqual([0, 0, 0])
     const again = [{ is: 'away' } as const, { is: 'open' } as const, status(), samples(0, [0, 1, 2])].reduce(after, before)
@@ -68,9 +68,9 @@ describe('a sentence', () => {
     expect(momentOf(going, after(going, status({ samples: 5 })))).toBeNull()
     expect(momentOf(idle, after(idle, status({ recording: 'short.csv', running: false, samples: 3 })))).toEqual({ is: 'ended' })
     expect(momentOf(going, after(going, status({ running: false })))).toEqual({ is: 'ended' })
-    const gone: LiveEvent = { is: 'notices', data: { notices: [{ kind: 'connection', text: 'it is gone' }] } }
-    expect(momentOf(going, after(going, gone))).toEqual({ is: 'lost', text: 'it is gone' })
-    const bad: LiveEvent = { is: 'notices', data: { notices: [{ kind: 'garbage', text: 'line 3' }] } }
+    const gone: LiveEvent = { is: 'notices', data: { notices: [{ kind: 'connection', text: 'it is gone', german: 'es ist weg' }] } }
+    expect(momentOf(going, after(going, gone))).toEqual({ is: 'lost', text: { en: 'it is gone', de: 'es ist weg' } })
+    const bad: LiveEvent = { is: 'notices', data: { notices: [{ kind: 'garbage', text: 'line 3', german: 'Zeile 3' }] } }
     expect(momentOf(going, after(going, bad))).toBeNull()
   })
   it('is said once where the server is away, and not where a page finds a recording going on', () => {

@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest'
 
 import { compile, read, start } from '../../src/core/core'
 import type { Options, ResonanceCurve, Task } from '../../src/core/types'
+import { english } from '../../src/words/said'
 
 const built = fileURLToPath(new URL('../../../../build/page/core.wasm.gz', import.meta.url))
 
@@ -66,14 +67,14 @@ describe.skipIf(!existsSync(built))('the resonance curve', async () => {
 
   it('stands beside what the linear part of the law is known by', () => {
     const answer = ask('motion', [['mass', '2'], ['stiffness', '8'], ['damping', '0.4'], ['step', '0.01'], ['until', '0.01']])
-    if (answer.status === 2) throw new Error(answer.document.message)
+    if (answer.status === 2) throw new Error(english(answer.document.message))
     const part = answer.document.linear_part
     expect(part).toMatchObject({ natural_frequency: 2, decay_rate: 0.1, critical_damping: 8, damping_ratio: 0.05, quality_factor: 10 })
     expect(part.damped_frequency).toBeCloseTo(Math.sqrt(3.99), 14)
     expect(part.resonance_frequency).toBeCloseTo(Math.sqrt(3.98), 14)
     expect(part.energy_factor_per_cycle).toBeCloseTo(Math.exp((-2 * Math.PI * 0.2) / Math.sqrt(3.99)), 14)
     const creeping = ask('motion', [['stiffness', '-1'], ['step', '0.01'], ['until', '0.01'], ['method', 'euler-cromer']])
-    if (creeping.status === 2) throw new Error(creeping.document.message)
+    if (creeping.status === 2) throw new Error(english(creeping.document.message))
     expect(creeping.document.linear_part).toMatchObject({ natural_frequency: 0, critical_damping: 0, damping_ratio: null, energy_factor_per_cycle: 0 })
   })
 })

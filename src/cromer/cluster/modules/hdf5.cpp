@@ -36,14 +36,15 @@ herr_t keep_message(unsigned, const H5E_error2_t* error, void* message) {
   return 0;
 }
 
-bool fail(const char* doing, char* message, std::size_t room) {
+/// `part`: the name of what was being made.
+CromerHdf5End fail(CromerHdf5End end, char* message, std::size_t room, const char* part = nullptr) {
   std::string why;
   H5Ewalk2(
       H5E_DEFAULT, H5E_WALK_UPWARD,
       [](unsigned n, const H5E_error2_t* error, void* to) { return n == 0 ? keep_message(n, error, to) : 0; },
       &why);
-  std::snprintf(message, room, "%s: %s", doing, why.c_str());
-  return false;
+  std::snprintf(message, room, "%s%s%s", part ? part : "", part ? ": " : "", why.c_str());
+  return end;
 }
 
 hid_t text_type(std::size_t size) {
@@ -99,23 +100,24 @@ bool make_group(hid_t file, const CromerHdf5Group& made) {
   return true;
 }
 
-bool create(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
-            const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
-            std::size_t dataset_count, char* message, std::size_t room) {
+CromerHdf5End create(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
+                     const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
+                     std::size_t dataset_count, char* message, std::size_t room) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Id creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose), access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_obj_track_times(creation, false);
   H5Pset_alignment(access, 65536, 4096);  // columns begin with a page
   Id file(H5Fcreate(path, H5F_ACC_TRUNC, creation, access), H5Fclose);
-  if (!file.good()) return fail("cannot be made", message, room);
+  if (!file.good()) return fail(cromer_hdf5_not_made, message, room);
   for (std::size_t i = 0; i < text_count; ++i)
-    if (!write_text(file, texts[i])) return fail(texts[i].name, message, room);
+    if (!write_text(file, texts[i])) return fail(cromer_hdf5_part, message, room, texts[i].name);
   for (std::size_t i = 0; i < group_count; ++i)
-    if (!make_group(file, groups[i])) return fail(groups[i].name, message, room);
+    if (!make_group(file, groups[i])) return fail(cromer_hdf5_part, message, room, groups[i].name);
   for (std::size_t i = 0; i < dataset_count; ++i)
-    if (!make_dataset(file, datasets[i])) return fail(datasets[i].name, message, room);
-  if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0 || !file.close()) return fail("cannot be written", message, room);
-  return true;
+    if (!make_dataset(file, datasets[i])) return fail(cromer_hdf5_part, message, room, datasets[i].name);
+  if (H5Fflush(file, H5F_SCOPE_LOCAL) < 0 || !file.close())
+    return fail(cromer_hdf5_not_written, message, room);
+  return cromer_hdf5_good;
 }
 
 /// Calls the reader with a text that an attribute or dataset of one string holds.
@@ -149,16 +151,16 @@ herr_t tell_dataset(hid_t where, const char* name, const H5L_info_t*, void* to) 
   return 0;
 }
 
-bool read(const char* path, const CromerHdf5Reader* reader, char* message, std::size_t room) {
+CromerHdf5End read(const char* path, const CromerHdf5Reader* reader, char* message, std::size_t room) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   const Id file(H5Fopen(path, H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file.good()) return fail("cannot be opened as an HDF5 file", message, room);
+  if (!file.good()) return fail(cromer_hdf5_not_opened, message, room);
   auto* to = const_cast<CromerHdf5Reader*>(reader);
   hsize_t first = 0;
   H5Aiterate2(file, H5_INDEX_NAME, H5_ITER_INC, &first, tell_attribute, to);
   if (H5Literate(file, H5_INDEX_NAME, H5_ITER_INC, nullptr, tell_dataset, to) < 0)
-    return fail("cannot be read", message, room);
-  return true;
+    return fail(cromer_hdf5_not_read, message, room);
+  return cromer_hdf5_good;
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "cromer/documents/csv/fit.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -82,7 +83,7 @@ void append_row(std::string& out, const FittedRecording& fitted, const std::vect
     columns.push_back({head[i].heading(" 95 % high"), cell(4 * i + 3)});
   }
   columns.push_back({"residual rms (SI unit of the column)", cell(cells.size() - 1)});
-  columns.push_back({"message", fitted.fit.message});
+  columns.push_back({"message", in_words(fitted.fit.message)});
   append_csv(out, columns, {}, out.empty());
 }
 

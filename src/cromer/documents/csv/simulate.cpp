@@ -1,4 +1,5 @@
 #include "cromer/documents/csv/simulate.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ std::vector<std::string> comments(const SimulateResult& result, const std::strin
   for (std::size_t i = 0; i < result.runs.size(); ++i) {
     const SimulatedRun& run = result.runs[i];
     if (result.runs.size() > 1) lines.push_back(fmt::format("run {}: {}", i + 1, run.label));
-    if (!run.message.empty()) lines.push_back(fmt::format("run {}: {}", i + 1, run.message));
+    if (!run.message.empty()) lines.push_back(fmt::format("run {}: {}", i + 1, in_words(run.message)));
   }
   return lines;
 }

@@ -1,4 +1,5 @@
 #include "cromer/documents/hdf5/simulate.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const std::
     Hdf5Table& table = tables.emplace_back();
     table.name = fmt::format("run_{}", tables.size() - 1);
     table.texts = {{"method", run.method}, {"label", run.label}};
-    if (!run.message.empty()) table.texts.emplace_back("message", run.message);
+    if (!run.message.empty()) table.texts.emplace_back("message", in_words(run.message));
     std::vector<double> energies;
     for (std::size_t n = 0; n < run.trajectory.size(); ++n)
       energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[n], run.trajectory.v[n]}));

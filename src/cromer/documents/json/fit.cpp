@@ -1,6 +1,7 @@
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/json/estimate.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 #include "cromer/documents/json/recording.h"
 
 namespace cromer::core {
@@ -84,16 +85,20 @@ Json monte_carlo(const FittedRecording& fitted) {
           {"unit", "N/m"}};
 }
 
-Json plan(const std::optional<RecordingPlan>& planned) {
+Json plan(const std::optional<RecordingPlan>& planned, const Voice& voice) {
   if (!planned) return nullptr;
-  return {{"quantity", planned->quantity}, {"unit", planned->unit},
-          {"goal", planned->goal},         {"now", planned->now},
-          {"met", planned->met},           {"possible", planned->possible},
-          {"duration", planned->duration}, {"best", planned->possible ? Json(nullptr) : Json(planned->best)},
-          {"text", planned->text}};
+  return {{"quantity", planned->quantity},
+          {"unit", planned->unit},
+          {"goal", planned->goal},
+          {"now", planned->now},
+          {"met", planned->met},
+          {"possible", planned->possible},
+          {"duration", planned->duration},
+          {"best", planned->possible ? Json(nullptr) : Json(planned->best)},
+          {"text", said(planned->text, voice)}};
 }
 
-Json textbook(const FittedRecording& fitted) {
+Json textbook(const FittedRecording& fitted, const Voice& voice) {
   if (!fitted.textbook) return nullptr;
   Json object;
   object["logarithmic_decrement"] = nullptr;
@@ -101,7 +106,7 @@ Json textbook(const FittedRecording& fitted) {
     object["logarithmic_decrement"] = {{"value", peaks->value},
                                        {"standard_error", peaks->standard_error},
                                        {"peaks", peaks->peaks},
-                                       {"bias", TextbookDamping::decrement_bias}};
+                                       {"bias", said(TextbookDamping::decrement_bias(), voice)}};
   object["half_power_bandwidth"] = nullptr;
   if (const auto& line = fitted.textbook->bandwidth)
     object["half_power_bandwidth"] = {
@@ -140,13 +145,13 @@ Json modes(const std::vector<Mode>& found) {
 
 }  // namespace
 
-Json fit_object(const FittedRecording& fitted) {
+Json fit_object(const FittedRecording& fitted, const Voice& voice) {
   const LawFit& fit = fitted.fit;
   Json object;
   object["recording"] = recording_object(fitted);
   object["law"] = fitted.wrong_input ? Json(nullptr) : Json(to_text(fit.law));
   object["status"] = fitted.status();
-  if (!fitted.succeeded()) object["message"] = fit.message;
+  if (!fitted.succeeded()) object["message"] = said(fit.message, voice);
   if (fitted.wrong_input) return object;
   object["iterations"] = fit.iterations;
   // Only a recorded force has anything between its samples.
@@ -179,9 +184,9 @@ Json fit_object(const FittedRecording& fitted) {
   object["keulegan_carpenter"] = keulegan_carpenter(fitted);
   object["stiffness_budget"] = stiffness_budget(fitted.stiffness_budget);
   object["monte_carlo"] = monte_carlo(fitted);
-  object["plan"] = plan(fitted.plan);
-  object["textbook"] = textbook(fitted);
-  object["warnings"] = fitted.warnings;
+  object["plan"] = plan(fitted.plan, voice);
+  object["textbook"] = textbook(fitted, voice);
+  add_notices(object, fitted.notices, voice);
   return object;
 }
 
@@ -204,13 +209,13 @@ Json recording_object(const FittedRecording& fitted) {
   return object;
 }
 
-std::string to_json(std::span<const FittedRecording> fits, bool as_list) {
-  if (fits.size() == 1 && !as_list) return to_text(fit_object(fits.front()));
+std::string to_json(std::span<const FittedRecording> fits, bool as_list, const Voice& voice) {
+  if (fits.size() == 1 && !as_list) return to_text(fit_object(fits.front(), voice));
   Json all;
   Json& list = all["fits"] = Json::array();
   std::size_t failed = 0;
   for (const auto& fitted : fits) {
-    list.push_back(fit_object(fitted));
+    list.push_back(fit_object(fitted, voice));
     failed += !fitted.succeeded();
   }
   if (failed > 0)

@@ -1,11 +1,12 @@
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 #include "cromer/documents/json/recording.h"
 #include "cromer/read/columns.h"
 
 namespace cromer::core {
 
-Json inspection_object(const Inspection& inspection, bool with_values) {
+Json inspection_object(const Inspection& inspection, bool with_values, const Voice& voice) {
   const Recording& recording = inspection.recording;
   Json document;
   document["file"] = recording.file;
@@ -43,12 +44,12 @@ Json inspection_object(const Inspection& inspection, bool with_values) {
     for (const auto& outlier : series.outliers)
       add(outliers, {{"t", outlier.t}, {"value", outlier.value}, {"line", outlier.line}});
   }
-  document["warnings"] = inspection.warnings;
+  add_notices(document, inspection.notices, voice);
   return document;
 }
 
-std::string to_json(const Inspection& inspection, bool with_values) {
-  return to_text(inspection_object(inspection, with_values), with_values);
+std::string to_json(const Inspection& inspection, bool with_values, const Voice& voice) {
+  return to_text(inspection_object(inspection, with_values, voice), with_values);
 }
 
 }  // namespace cromer::core

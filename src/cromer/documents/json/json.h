@@ -1,5 +1,4 @@
-// The JSON type all documents are built from, and how they are written. Included by the .cpp files of this
-// folder only.
+// The JSON type all documents are built from, and how they are written. For .cpp files only.
 #pragma once
 
 #include <string>

@@ -2,28 +2,36 @@
 
 #include "cromer/documents/json/estimate.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 
 namespace cromer::core {
 namespace {
 
 constexpr bool on_one_line = true;
+constexpr Voice german{Language::german};
 
-std::string_view kind_name(NoticeKind kind) {
+std::string_view kind_name(RemarkKind kind) {
   switch (kind) {
-    case NoticeKind::garbage:
+    case RemarkKind::garbage:
       return "garbage";
-    case NoticeKind::clock:
+    case RemarkKind::clock:
       return "clock";
-    case NoticeKind::gap:
+    case RemarkKind::gap:
       return "gap";
-    case NoticeKind::connection:
+    case RemarkKind::connection:
       return "connection";
-    case NoticeKind::device:
+    case RemarkKind::device:
       return "device";
-    case NoticeKind::option:
+    case RemarkKind::option:
       break;
   }
   return "option";
+}
+
+/// The page shows it in its own language.
+void add_message(Json& object, const Notice& message) {
+  object["message"] = in_words(message);
+  object["message_german"] = in_words(message, german);
 }
 
 Json times_object(const SampleTimes& times) {
@@ -50,14 +58,16 @@ Json status_object(const std::string& recording, const RecorderStatus& status, c
               {"last", status.last},
               {"garbage", status.garbage},
               {"columns", headings}};
-  if (!status.failure.empty()) object["message"] = status.failure;
+  if (!status.failure.empty()) add_message(object, status.failure);
   return object;
 }
 
-Json list_of(std::span<const Notice> notices) {
+Json list_of(std::span<const Remark> notices) {
   Json list = Json::array();
-  for (const auto& notice : notices)
-    list.push_back({{"kind", kind_name(notice.kind)}, {"text", notice.text}});
+  for (const Remark& notice : notices)
+    list.push_back({{"kind", kind_name(notice.kind)},
+                    {"text", in_words(notice.what)},
+                    {"german", in_words(notice.what, german)}});
   return list;
 }
 
@@ -97,17 +107,17 @@ std::string live_fit_json(const FittedRecording& fitted) {
     object["parameters"] = quantities(fitted.parameters);
     object["derived"] = quantities(fitted.derived);
   } else {
-    object["message"] = fitted.fit.message;
+    add_message(object, fitted.fit.message);
   }
   return to_text(object, on_one_line);
 }
 
-std::string live_notices_json(std::span<const Notice> notices) {
+std::string live_notices_json(std::span<const Remark> notices) {
   return to_text(Json{{"notices", list_of(notices)}}, on_one_line);
 }
 
 std::string recording_json(const std::string& recording, const RecorderStatus& status,
-                           const Headings& headings, std::span<const Notice> notices) {
+                           const Headings& headings, std::span<const Remark> notices) {
   Json object = status_object(recording, status, headings);
   object["notices"] = list_of(notices);
   return to_text(object);

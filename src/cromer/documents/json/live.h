@@ -26,11 +26,11 @@ std::string live_samples_json(std::size_t first, const Rows& rows);
 std::string live_fit_json(const FittedRecording& fitted);
 
 /// {"notices": [{"kind", "text"}, ...]}
-std::string live_notices_json(std::span<const Notice> notices);
+std::string live_notices_json(std::span<const Remark> notices);
 
 /// The end of a recording: its status with the notices.
 std::string recording_json(const std::string& recording, const RecorderStatus& status,
-                           const Headings& headings, std::span<const Notice> notices);
+                           const Headings& headings, std::span<const Remark> notices);
 
 /// {"message"}
 std::string message_json(const std::string& message);

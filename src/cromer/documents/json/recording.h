@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/inspect/inspect.h"
@@ -12,12 +13,12 @@ namespace cromer::core {
 Json recording_object(const FittedRecording& fitted);
 
 /// The document of one fit.
-Json fit_object(const FittedRecording& fitted);
+Json fit_object(const FittedRecording& fitted, const Voice& voice);
 
 /// The document of what is in a file; `with_values` adds the columns' numbers.
-Json inspection_object(const Inspection& inspection, bool with_values);
+Json inspection_object(const Inspection& inspection, bool with_values, const Voice& voice);
 
 /// The document of one comparison.
-Json comparison_object(const CompareResult& comparison);
+Json comparison_object(const CompareResult& comparison, const Voice& voice);
 
 }  // namespace cromer::core

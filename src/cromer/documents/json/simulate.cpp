@@ -5,6 +5,7 @@
 #include "cromer/documents/json/drive.h"
 #include "cromer/documents/json/effect.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_energy.h"
 
@@ -89,13 +90,13 @@ Json states(const SimulatedRun& run) {
 }
 
 /// What was set of the method, and what it really simulates.
-void add_method(Json& object, const SimulatedRun& run) {
+void add_method(Json& object, const SimulatedRun& run, const Voice& voice) {
   if (run.method == "newmark") {
     object["beta"] = run.settings.beta;
     object["gamma"] = run.settings.gamma;
   }
   if (run.method == "generalized-alpha") object["rho_inf"] = run.settings.rho_inf;
-  if (const std::string words = run_in_words(run); !words.empty()) object["in_words"] = words;
+  if (const Notice words = run_notice(run); !words.empty()) object["in_words"] = said(words, voice);
   add_effect(object, run.effect);
 }
 
@@ -114,7 +115,7 @@ Json transmissibility(const RunTransmission& found) {
   return object;
 }
 
-Json document(const SimulatedRun& run, const SimulateOptions& options) {
+Json document(const SimulatedRun& run, const SimulateOptions& options, const Voice& voice) {
   const Outcome& outcome = run.outcome;
   Json object;
   object["method"] = run.method;
@@ -126,7 +127,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
   object["every"] = options.every;
   object["compensated"] = run.compensated;
   object["status"] = name(outcome.status);
-  if (!run.message.empty()) object["message"] = run.message;
+  if (!run.message.empty()) object["message"] = said(run.message, voice);
   object["interrupted"] = outcome.interrupted;
   object["last_step"] = outcome.last_step == 0 ? run.step : outcome.last_step;
   object["counts"] = {{"accepted", outcome.counts.accepted},
@@ -142,7 +143,7 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
   object["energy_balance"] = run.energy_balance ? energy_balance(*run.energy_balance) : Json(nullptr);
   if (run.modified_energy) object["modified_energy"] = modified_energy(*run.modified_energy);
   if (run.measured) object["measured"] = measured(*run.measured);
-  add_method(object, run);
+  add_method(object, run, voice);
   if (run.transmission) object["transmissibility"] = transmissibility(*run.transmission);
   object["sensor"] = sensor(options.sensor);
   return object;
@@ -150,16 +151,17 @@ Json document(const SimulatedRun& run, const SimulateOptions& options) {
 
 }  // namespace
 
-std::string to_json(const SimulateResult& result, bool with_states) {
+std::string to_json(const SimulateResult& result, bool with_states, const Voice& voice) {
   Json document_of_all;
   Json& runs = document_of_all["runs"] = Json::array();
   std::string message;
   for (const auto& run : result.runs) {
-    runs.push_back(document(run, result.options));
+    runs.push_back(document(run, result.options, voice));
     if (with_states) runs.back()["states"] = states(run);
-    if (!run.message.empty()) message += (message.empty() ? "" : "; ") + run.label + ": " + run.message;
+    if (!run.message.empty())
+      message += (message.empty() ? "" : "; ") + run.label + ": " + in_words(run.message, voice);
   }
-  document_of_all["warnings"] = result.warnings;
+  add_notices(document_of_all, result.notices, voice);
   if (!message.empty()) document_of_all["message"] = message;
   return to_text(document_of_all, with_states);
 }

@@ -1,5 +1,6 @@
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 
 namespace cromer::core {
 namespace {
@@ -73,7 +74,7 @@ Json of_each(const SpectrumResult& result, Value value) {
 
 }  // namespace
 
-std::string to_json(const SpectrumResult& result, bool with_fourier) {
+std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice) {
   Json document;
   Json& components = document["components"] = Json::array();
   for (const auto& component : result.components) components.push_back(component_object(result, component));
@@ -91,7 +92,7 @@ std::string to_json(const SpectrumResult& result, bool with_fourier) {
     document["fourier"] = of_each(result, [](const Component& c) {
       return Json{{"frequency_step", c.fourier.step}, {"amplitude", c.fourier.amplitude}};
     });
-  document["warnings"] = result.warnings;
+  add_notices(document, result.notices, voice);
   if (result.interrupted) document["message"] = "interrupted";
   return to_text(document, with_fourier);
 }

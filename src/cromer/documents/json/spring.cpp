@@ -1,6 +1,7 @@
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/json/estimate.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 #include "cromer/documents/json/recording.h"
 
 namespace cromer::core {
@@ -42,7 +43,7 @@ std::string to_json(const StaticStiffness& found) {
                      {"position", hold.position},
                      {"scatter", hold.scatter},
                      {"standard_error", hold.standard_error}});
-  object["warnings"] = found.warnings;
+  add_notices(object, found.notices, {});
   return to_text(object);
 }
 
@@ -59,7 +60,7 @@ std::string to_json(std::span<const FittedRecording> fits, const MassLine& line)
                       {"run", point.run},
                       {"mass", object_of(point.mass, "kg")},
                       {"period_squared", estimate_object(point.period_square, "s²")}});
-  object["warnings"] = line.warnings;
+  add_notices(object, line.notices, {});
   return to_text(all);
 }
 

@@ -2,10 +2,11 @@
 
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/json/json.h"
+#include "cromer/documents/json/notices.h"
 
 namespace cromer::core {
 
-std::string to_json(const SweepResult& result, bool with_rows) {
+std::string to_json(const SweepResult& result, bool with_rows, const Voice& voice) {
   const SweepPlan& plan = result.plan;
   Json document;
   Json& swept = document["swept"] = Json::array();
@@ -39,7 +40,7 @@ std::string to_json(const SweepResult& result, bool with_rows) {
   }
   Json& statuses = document["statuses"] = Json::array();
   for (const unsigned char status : result.statuses) statuses.push_back(status_word(plan, status));
-  document["warnings"] = warnings_of(result);
+  add_notices(document, notices_of(result), voice);
   if (result.interrupted) document["message"] = "interrupted: rows that were not reached are null";
   return to_text(document, true);
 }

@@ -1,4 +1,5 @@
 #include "cromer/documents/text/fit.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,7 @@ std::string heading(const FittedRecording& fitted) {
   const Series& series = fitted.series;
   std::string text =
       fmt::format("{}, {}, run {}: {}", fitted.file, series.column, series.run, fitted.status());
-  if (fitted.fit.status != FitStatus::converged) return text + ", " + fitted.fit.message + "\n";
+  if (fitted.fit.status != FitStatus::converged) return text + ", " + in_words(fitted.fit.message) + "\n";
   return text +
          fmt::format(", {} of {} samples, {:.10g} to {:.10g} s, law {}\n", fitted.used(), fitted.samples,
                      series.t.front(), series.t.back(), to_text(fitted.fit.law)) +
@@ -73,7 +74,7 @@ std::string budget(const std::vector<Contribution>& contributions) {
   std::string out;
   for (const auto& each : contributions)
     out += fmt::format("  spring constant, from {}: \u00b1\u00a0{:.2g}\u00a0N/m, {} of its variance\n",
-                       in_words(each.quantity), each.contribution, percent(each.share));
+                       readable_name(each.quantity), each.contribution, percent(each.share));
   return out;
 }
 
@@ -92,7 +93,7 @@ std::string textbook(const FittedRecording& fitted) {
   if (const auto& peaks = fitted.textbook->decrement)
     out += fmt::format("  textbook: logarithmic decrement {} from {} peaks ({})\n",
                        format_quantity({peaks->value, peaks->standard_error}, ""), peaks->peaks,
-                       TextbookDamping::decrement_bias);
+                       in_words(TextbookDamping::decrement_bias()));
   else
     out += "  textbook: fewer than three peaks stand out of the noise\n";
   if (const auto& line = fitted.textbook->bandwidth)
@@ -111,7 +112,7 @@ std::string more(const FittedRecording& fitted) {
   std::string out = budget(fitted.stiffness_budget);
   if (fitted.monte_carlo && fitted.find("stiffness")) out += checked(fitted);
   if (fitted.textbook) out += textbook(fitted);
-  if (fitted.plan) out += "  to record: " + fitted.plan->text + "\n";
+  if (fitted.plan) out += "  to record: " + in_words(fitted.plan->text) + "\n";
   return out;
 }
 
@@ -121,7 +122,7 @@ std::string one_fit(const FittedRecording& fitted) {
   for (const auto* list : {&fitted.parameters, &fitted.derived})
     for (const auto& entry : *list)
       if (std::isfinite(entry.estimate.value))
-        rows.push_back({"  " + in_words(entry.name), in_words(entry.estimate, entry.unit)});
+        rows.push_back({"  " + readable_name(entry.name), in_words(entry.estimate, entry.unit)});
   for (const auto& segment : fitted.segments)
     rows.push_back({fmt::format("  decay rate {:.10g} to {:.10g} s", segment.from, segment.to),
                     in_words(segment.rate, "1/s")});

@@ -1,4 +1,5 @@
 #include "cromer/documents/text/fit_table.h"
+#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -59,7 +60,7 @@ std::vector<std::string> row_of(const FittedRecording& fitted, const std::string
   }
   const std::string_view unit = si_unit_of(fitted.series.quantity);
   row.push_back(any ? fmt::format("{:.3g}{}{}", fitted.fit.residual.rms, unit.empty() ? "" : " ", unit) : "");
-  row.push_back(fitted.fit.message);
+  row.push_back(in_words(fitted.fit.message));
   return row;
 }
 
@@ -70,7 +71,7 @@ std::string fit_table(const std::vector<FittedRecording>& fits) {
   const bool short_names = names_suffice(fits);
   const std::vector<std::string_view> columns = columns_of(fits);
   std::vector<std::vector<std::string>> rows{{"file", "run", "law"}};
-  for (const auto column : columns) rows[0].push_back(in_words(column));
+  for (const auto column : columns) rows[0].push_back(readable_name(column));
   rows[0].emplace_back("residual (rms)");
   std::size_t failed = 0;
   for (const auto& fitted : fits) {

@@ -13,6 +13,7 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/documents/text/percent.h"
 #include "cromer/documents/text/text_table.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_invariants.h"
 
@@ -125,7 +126,7 @@ std::string steady_tables(const SimulateResult& result) {
 std::string effects(const SimulateResult& result) {
   std::vector<std::pair<const SimulatedRun*, std::string>> said;
   for (const auto& run : result.runs)
-    if (auto words = effect_in_words(run); !words.empty()) said.emplace_back(&run, std::move(words));
+    if (const Notice words = effect_notice(run); !words.empty()) said.emplace_back(&run, in_words(words));
   std::vector<std::string> lines;
   for (const auto& [run, words] : said) {
     const bool always = std::all_of(said.begin(), said.end(), [&, r = run, &w = words](const auto& other) {
@@ -137,7 +138,7 @@ std::string effects(const SimulateResult& result) {
   std::string text;
   for (const auto& line : lines) text += line;
   for (const auto& run : result.runs)
-    if (auto words = modified_energy_in_words(run); !words.empty()) text += words + "\n";
+    if (const Notice words = modified_energy_notice(run); !words.empty()) text += in_words(words) + "\n";
   return text.empty() ? text : "\n" + text;
 }
 

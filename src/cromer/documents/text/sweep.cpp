@@ -8,6 +8,7 @@
 
 #include "cromer/analysis/energy_balance.h"
 #include "cromer/documents/text/text_table.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 
 namespace cromer::core {
@@ -92,8 +93,9 @@ std::string sweep_text(const SweepResult& result) {
     text += fmt::format("stepping {} of them until they settle gives the same amplitude to {:.1g}\n",
                         result.check->points, result.check->difference);
   if (result.check && result.check->left_out > 0)
-    text += fmt::format("{} of the points looked at could not be checked; the first is row {}: {}\n",
-                        result.check->left_out, result.check->first_left_out + 1, result.check->why);
+    text +=
+        fmt::format("{} of the points looked at could not be checked; the first is row {}: {}\n",
+                    result.check->left_out, result.check->first_left_out + 1, in_words(result.check->why));
   if (result.rows.empty()) return text + "they are in the file; too many to look through here\n";
   return text + "\n" + (plan.rows.rows <= most_rows ? every_row(result) : extremes(result));
 }

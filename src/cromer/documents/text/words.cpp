@@ -6,7 +6,7 @@
 
 namespace cromer::core {
 
-std::string in_words(std::string_view name) {
+std::string readable_name(std::string_view name) {
   std::string words(name);
   std::replace(words.begin(), words.end(), '_', ' ');
   return words;

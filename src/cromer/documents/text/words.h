@@ -9,7 +9,7 @@
 namespace cromer::core {
 
 /// "decay rate" for decay_rate.
-std::string in_words(std::string_view name);
+std::string readable_name(std::string_view name);
 
 /// Value and standard error with the unit; that of a plain number is "1" or "".
 std::string in_words(const Estimate& estimate, std::string_view unit);

@@ -1,7 +1,5 @@
 #include "cromer/identify/choose/choose_law.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -391,7 +389,7 @@ class Choosing {
     if (const auto refusal = refuse_frequency(choice.chosen);
         refusal && choice.chosen.status == FitStatus::converged) {
       refuse(choice.chosen, *refusal);
-      choice.rivals.clear();
+      choice.rivals = {};
     }
     return choice;
   }
@@ -402,16 +400,17 @@ class Choosing {
     LawFit& fit = choice.chosen;
     if (fit.status != FitStatus::converged) return;
     fit.status = FitStatus::iteration_limit;
-    std::string missing;
+    std::vector<std::string> missing;
     for (const Law& law : laws) {
       const bool done = std::any_of(choice.candidates.begin(), choice.candidates.end(),
                                     [&](const LawFit& candidate) { return candidate.law == law; });
-      if (!done) missing += (missing.empty() ? "" : ", ") + to_text(law);
+      if (!done) missing.push_back(to_text(law));
     }
-    fit.message = why_ended(watch) + " before all laws were tried";
-    if (!missing.empty())
-      fit.message += fmt::format(": {} is only the best of {}, and not compared yet are {}", to_text(fit.law),
-                                 choice.candidates.size(), missing);
+    fit.message = Notice{missing.empty() ? "ended_before_all_laws" : "ended_before_these_laws",
+                         {{"why", why_ended(watch)},
+                          {"law", to_text(fit.law)},
+                          {"laws", choice.candidates.size()},
+                          {"missing", missing}}};
   }
 
  private:
@@ -445,10 +444,11 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
     choice.chosen = fit_law(record, one, watch);
   }
   if (watch.interrupted()) Choosing::mark_interrupted(choice, free_candidates(options.angle), watch);
-  choice.chosen.warnings.push_back(fmt::format(
-      "the laws were compared on {} of the {} samples, one in {} up to {:.6g} s; the one chosen is "
-      "fitted to all",
-      part.t.size(), record.t.size(), part.stride, part.t.back()));
+  choice.chosen.notices.push_back(Notice{"laws_compared_on_a_part",
+                                         {{"compared", part.t.size()},
+                                          {"samples", record.t.size()},
+                                          {"stride", part.stride},
+                                          {"time", part.t.back()}}});
   return choice;
 }
 
@@ -483,9 +483,8 @@ LawChoice choose_driven(const Record& record, const LawFitOptions& options, cons
   one.law = choice.chosen.law;
   one.start = KnownMotion{choice.chosen.motion, record.t.size(), 0};
   choice.chosen = fit_law(record, one, watch);
-  choice.chosen.warnings.push_back(
-      fmt::format("the laws were compared on the first {} of {} samples; the one chosen is fitted to all",
-                  enough_driven, record.t.size()));
+  choice.chosen.notices.push_back(
+      Notice{"laws_compared_on_the_first", {{"compared", enough_driven}, {"samples", record.t.size()}}});
   return choice;
 }
 
@@ -509,7 +508,7 @@ LawChoice choose_law(const Record& record, const LawFitOptions& options, const W
   every.every_sample = true;
   const auto choose = [&](const Record& samples) {
     LawChoice choice = choose_on(samples, every, given, watch);
-    if (!choice.rivals.empty()) choice.chosen.warnings.push_back(choice.rivals);
+    if (!choice.rivals.empty()) choice.chosen.notices.push_back(choice.rivals);
     return choice;
   };
   if (options.every_sample || options.drive.kind != DriveKind::none) return choose(record);

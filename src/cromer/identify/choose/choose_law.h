@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "cromer/identify/law_fit.h"
@@ -29,9 +28,9 @@ struct LawChoice {
   /// BIC beside it are fitted to the last digit, the others well enough to be compared. Where the reading of
   /// a recorded force is not given, the fits under the other readings come last.
   std::vector<LawFit> candidates;
-  /// Which laws fit as well and give other numbers, in a sentence, by the samples that the laws were compared
-  /// on; empty where there are none. It is among the warnings of the chosen.
-  std::string rivals{};
+  /// Which laws fit as well and give other numbers, by the samples that the laws were compared
+  /// on; empty where there are none. It is among the notices of the chosen.
+  Notice rivals{};
 };
 
 /// What is given beforehand; all else is chosen.

@@ -1,7 +1,5 @@
 #include "cromer/identify/choose/readings.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -22,18 +20,19 @@ std::size_t best_of(const std::vector<LawFit>& fits) {
 }
 
 // Parameters that the other fit puts more than one of the chosen one's standard errors away.
-std::string differences(const LawFit& chosen, const LawFit& other) {
-  std::string text;
+std::vector<Notice> differences(const LawFit& chosen, const LawFit& other) {
+  std::vector<Notice> found;
   for (std::size_t i = 0; i < chosen.names.size(); ++i) {
     const Estimate* there = other.find(chosen.names[i]);
     const Estimate& here = chosen.estimates[i];
     if (!there || is_of_the_start(chosen.names[i])) continue;
     const double off = std::abs(there->value - here.value) / here.standard_error;
     if (!(off > 1)) continue;
-    text += fmt::format("{}{} {:.6g} ({:.1f} of the stated standard errors away)", text.empty() ? "" : ", ",
-                        readable(chosen.names[i]), there->value, off);
+    found.push_back(
+        Notice{"parameter_elsewhere",
+               {{"parameter", parameter_named(chosen.names[i])}, {"value", there->value}, {"errors", off}}});
   }
-  return text;
+  return found;
 }
 
 // The spread between readings that stay open, each with its weight, into the chosen one's errors.
@@ -163,13 +162,14 @@ LawChoice choose_reading(const Record& record, const LawFitOptions& options, con
       open.end());
   if (!open.empty()) spread_over_readings(choice.chosen, open);
   for (const LawFit& other : open) {
-    const std::string differ = differences(choice.chosen, other);
-    choice.chosen.warnings.push_back(fmt::format(
-        "what the force did between its samples is open: as {} the rms residual is {:.4g}, as {} it is "
-        "{:.4g}: too close to decide{}{}; the uncertainties are widened for it. --between-samples says "
-        "which, if it is known",
-        name(choice.chosen.drive.force.between), choice.chosen.residual.rms, name(other.drive.force.between),
-        other.residual.rms, differ.empty() ? "" : "; the other would make the ", differ));
+    const std::vector<Notice> differ = differences(choice.chosen, other);
+    choice.chosen.notices.push_back(
+        Notice{differ.empty() ? "force_between_samples_open" : "force_between_samples_open_and_matters",
+               {{"reading", name(choice.chosen.drive.force.between)},
+                {"rms", choice.chosen.residual.rms},
+                {"other_reading", name(other.drive.force.between)},
+                {"other_rms", other.residual.rms},
+                {"differences", differ}}});
   }
   return choice;
 }

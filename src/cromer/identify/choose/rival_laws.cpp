@@ -1,7 +1,5 @@
 #include "cromer/identify/choose/rival_laws.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -32,20 +30,22 @@ bool has_other_damping(const LawFit& chosen, const LawFit& rival) {
   return Law{chosen.law.terms & of_energy.terms}.without(rival.law) != Law{};
 }
 
-std::string coefficients(const LawFit& fit) {
-  std::string text;
+Notice named_rival(const LawFit& fit) {
+  std::vector<Notice> coefficients;
   for (std::size_t i = 0; i < fit.names.size(); ++i) {
     const std::string& name = fit.names[i];
     if (name == "equilibrium" || name == "angular_frequency" || is_of_the_start(name)) continue;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", readable(name),
-                        format_quantity({fit.estimates[i].value, fit.estimates[i].standard_error}, ""));
+    coefficients.push_back(
+        Notice{"coefficient",
+               {{"parameter", parameter_named(name)},
+                {"value", format_quantity({fit.estimates[i].value, fit.estimates[i].standard_error}, "")}}});
   }
-  return text;
+  return Notice{"law_with_coefficients", {{"law", to_text(fit.law)}, {"coefficients", coefficients}}};
 }
 
 }  // namespace
 
-std::string rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
+Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen) {
   const LawFit& best = candidates[chosen];
   if (best.status != FitStatus::converged || !best.law.shares(springs)) return {};
   const std::optional<MeanDecay> decay = mean_decay(best, record);
@@ -63,20 +63,11 @@ std::string rival_laws(const Record& record, const std::vector<LawFit>& candidat
   std::sort(rivals.begin(), rivals.end(),
             [](const LawFit* one, const LawFit* other) { return one->bic < other->bic; });
   constexpr std::size_t most = 3;
-  std::string list;
-  for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i)
-    list += fmt::format("{}{} ({})",
-                        i == 0                                   ? ""
-                        : i + 1 == std::min(most, rivals.size()) ? " or "
-                                                                 : ", ",
-                        to_text(rivals[i]->law), coefficients(*rivals[i]));
+  std::vector<Notice> named;
+  for (std::size_t i = 0; i < std::min(most, rivals.size()); ++i) named.push_back(named_rival(*rivals[i]));
   if (is_fed(best))
-    return fmt::format("this record cannot tell {} from {}: the uncertainties hold only if the law is right",
-                       to_text(best.law), list);
-  return fmt::format(
-      "this record cannot tell {} from {}: the uncertainties hold only if the law is right. Known "
-      "whichever it is: {}",
-      to_text(best.law), list, to_text(*decay));
+    return Notice{"rival_laws_of_a_fed_swing", {{"law", to_text(best.law)}, {"rivals", named}}};
+  return Notice{"rival_laws", {{"law", to_text(best.law)}, {"rivals", named}, {"known", as_clause(*decay)}}};
 }
 
 }  // namespace cromer::core

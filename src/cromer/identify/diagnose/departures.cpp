@@ -1,7 +1,5 @@
 #include "cromer/identify/diagnose/departures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -13,10 +11,6 @@
 
 namespace cromer::core {
 namespace {
-
-std::string with_unit(double value, std::string_view unit) {
-  return fmt::format("{:.3g}{}{}", value, unit.empty() ? "" : " ", unit);
-}
 
 // Share of the variance of r that one step takes away, at its best place.
 struct Step {
@@ -67,20 +61,19 @@ double wandering_share(const Record& record, std::span<const double> r) {
   return std::max(wandering.line, wandering.step.share);
 }
 
-std::string wandering_zero(const Record& record, std::span<const double> r, std::string_view unit) {
+Notice wandering_zero(const Record& record, std::span<const double> r, std::string_view unit) {
   constexpr double enough = 0.3;  // of the variance
   if (r.size() < 32) return {};
   const Wandering wandering = wandering_of(record, r);
   if (std::max(wandering.line, wandering.step.share) < enough) return {};
   const double duration = record.t.back() - record.t.front();
   if (wandering.line >= wandering.step.share)
-    return fmt::format("the zero drifts, by {} over the record: take the drift off, or choose a shorter part",
-                       with_unit(wandering.slope * duration, unit));
-  return fmt::format("the zero jumps by {} at {:.4g} s: choose one side of it with --from and --to",
-                     with_unit(wandering.step.size, unit), record.t[wandering.step.at]);
+    return Notice{"zero_drifts", {{"drift", wandering.slope * duration}, {"unit", unit}}};
+  return Notice{"zero_jumps",
+                {{"jump", wandering.step.size}, {"unit", unit}, {"time", record.t[wandering.step.at]}}};
 }
 
-std::string sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
+Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described) {
   // Friction stops a motion too, but the amplitude then halves within the last swings. Where a law describes
   // the record, only a stop after a slower fall is reported.
   constexpr double no_friction = 0.7;
@@ -103,28 +96,29 @@ std::string sudden_stop(const Record& record, double period, std::string_view un
                nearly_done = before > 0.03 * largest && before > 10 * record.resolution &&
                              before > no_friction * windows[i - 4].amplitude;
     if ((in_full_swing || nearly_done) && later < 0.1 * before)
-      return fmt::format(
-          "the swing stops between {:.4g} and {:.4g} s, from an amplitude of {} to less than a tenth of it "
-          "within a period, as where a hand catches it: end before with --to",
-          windows[i - 2].to, windows[i].from, with_unit(before, unit));
+      return Notice{
+          "swing_stops",
+          {{"from", windows[i - 2].to}, {"to", windows[i].from}, {"amplitude", before}, {"unit", unit}}};
   }
   return {};
 }
 
-std::string few_samples(const Record& record, double w) {
+Notice few_samples(const Record& record, double w) {
   const std::size_t n = record.t.size();
   const double h = (record.t.back() - record.t.front()) / static_cast<double>(n - 1);
   for (std::size_t i = 1; i < n; ++i)
     if (std::abs(record.t[i] - record.t[i - 1] - h) > 0.01 * h) return {};
   const double rate = 1 / h, frequency = w / (2 * pi);
   if (rate / frequency >= 4) return {};
-  return fmt::format(
-      "only {:.2g} samples in a period: sampled at {:.4g} Hz, a swing of {:.5g} or {:.5g} Hz would look "
-      "the same as this one of {:.5g} Hz; sample faster if it may be one of them",
-      rate / frequency, rate, rate - frequency, rate + frequency, frequency);
+  return Notice{"few_samples_in_a_period",
+                {{"samples", rate / frequency},
+                 {"rate", rate},
+                 {"slower", rate - frequency},
+                 {"faster", rate + frequency},
+                 {"frequency", frequency}}};
 }
 
-std::string turning_over(const Record& record) {
+Notice turning_over(const Record& record) {
   if (record.derivative != 0 || record.t.size() < 2) return {};
   const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
   if (*high - *low <= 2 * pi) return {};
@@ -132,12 +126,9 @@ std::string turning_over(const Record& record) {
   const double rest = 2 * pi * std::round(record.y.back() / (2 * pi));
   std::size_t last = record.t.size();
   while (last > 0 && std::abs(record.y[last - 1] - rest) < pi) --last;
-  const std::string where =
-      last < record.t.size()
-          ? fmt::format("; from {:.4g} s on it only swings: choose that part with --from", record.t[last])
-          : "";
-  return fmt::format("the angle goes through {:.2g} turns: the pendulum turns over, which is no swing{}",
-                     (*high - *low) / (2 * pi), where);
+  const double turns = (*high - *low) / (2 * pi);
+  if (last == record.t.size()) return Notice{"turns_over", {{"turns", turns}}};
+  return Notice{"turns_over_at_first", {{"turns", turns}, {"time", record.t[last]}}};
 }
 
 bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals, double w,

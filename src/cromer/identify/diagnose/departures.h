@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "cromer/identify/law_fit.h"
@@ -12,7 +11,7 @@ namespace cromer::core {
 
 /// The zero drifts, or jumps: a straight line or one step accounts for three tenths of the residuals'
 /// variance. Empty where neither does.
-std::string wandering_zero(const Record& record, std::span<const double> residuals, std::string_view unit);
+Notice wandering_zero(const Record& record, std::span<const double> residuals, std::string_view unit);
 
 /// Share of the residuals' variance that the better of the two accounts for.
 double wandering_share(const Record& record, std::span<const double> residuals);
@@ -20,13 +19,13 @@ double wandering_share(const Record& record, std::span<const double> residuals);
 /// From one period to the next the swing ends, a tenth of its amplitude left, and does not come back. Empty
 /// where it does not. A law with friction ends nearly so too: where a law describes the record, only what no
 /// friction does is said.
-std::string sudden_stop(const Record& record, double period, std::string_view unit, bool described);
+Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described);
 
 /// Even samples, fewer than four in a period: which other frequencies would look the same. Else empty.
-std::string few_samples(const Record& record, double angular_frequency);
+Notice few_samples(const Record& record, double angular_frequency);
 
 /// An angle [rad] that goes through more than a full turn: the pendulum turns over. Else empty.
-std::string turning_over(const Record& record);
+Notice turning_over(const Record& record);
 
 /// The residuals stand out about this angular frequency [rad/s], the swing's own or the drive's or a
 /// multiple, so many times in power above the median on either side: what noise leaves has no line there,

@@ -1,11 +1,8 @@
 #include "cromer/identify/diagnose/doubts.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <utility>
 
 #include "cromer/base/pi.h"
 #include "cromer/identify/diagnose/amplitude_windows.h"
@@ -24,7 +21,7 @@ std::vector<AmplitudeWindow> amplitudes(const Record& record, double period) {
 }
 
 // The largest rise of the amplitude from an earlier window to a later.
-std::string rise(const Record& record, double period, double noise) {
+Notice rise(const Record& record, double period, double noise) {
   const std::vector<AmplitudeWindow> windows = amplitudes(record, period);
   if (windows.size() < 3) return {};
   AmplitudeWindow lowest = windows.front(), from = lowest, to = lowest;
@@ -36,15 +33,13 @@ std::string rise(const Record& record, double period, double noise) {
   }
   // An amplitude over a window of 16 samples or more is known to half the noise, and to a rounding step.
   if (to.amplitude - from.amplitude < std::max({0.1 * largest, 3 * noise, 2 * record.resolution})) return {};
-  return fmt::format(
-      "the amplitude rises {} between {:.4g} and {:.4g} s: something drives or pushes it, two motions beat, "
-      "or "
-      "negative damping feeds it, as in viscous+van-der-pol. The frequency may then be the drive's, and the "
-      "stiffness not the spring's",
-      to.amplitude < 2 * from.amplitude
-          ? fmt::format("by {:.0f} %", 100 * (to.amplitude / from.amplitude - 1))
-          : fmt::format("{:.2g}-fold", to.amplitude / from.amplitude),
-      middle(from), middle(to));
+  const double times = to.amplitude / from.amplitude;
+  return Notice{
+      "amplitude_rises",
+      {{"how", to.amplitude < 2 * from.amplitude ? Notice{"by_percent", {{"percent", 100 * (times - 1)}}}
+                                                 : Notice{"so_many_fold", {{"times", times}}}},
+       {"from", middle(from)},
+       {"to", middle(to)}}};
 }
 
 // Whether the largest amplitude is less than `range` times the smallest; false where no amplitude is found.
@@ -59,47 +54,36 @@ bool stays_within(double range, const Record& record, double period) {
 
 // What a drive would look like: an amplitude that hardly falls. Drives are steady to a few percent, and few
 // swings in air have a quality factor in the thousands.
-std::string steadiness(const Record& record, const LawFit& fit, double period) {
+Notice steadiness(const Record& record, const LawFit& fit, double period) {
   constexpr double fewest = 20;  // periods
   const double duration = record.t.back() - record.t.front(), periods = duration / period;
   if (periods < fewest) return {};
-  const std::string then =
-      "the frequency is the drive's, and the stiffness that follows from it is not the spring's";
-  const std::string lasts = fmt::format(
-      "the swing does not die down over {:.0f} periods. If something drives it, {}", periods, then);
   if (is_fed(fit)) {
     if (!stays_within(1.1, record, period)) return {};
-    return fmt::format(
-        "the swing keeps itself over {:.0f} periods: negative damping feeds it as much as the rest takes. A "
-        "steady drive looks much the same: then {}",
-        periods, then);
+    return Notice{"swing_keeps_itself", {{"periods", periods}}};
   }
   // The terms may be traded for each other: what falls is known of their sum.
   const std::optional<MeanDecay> decay = mean_decay(fit, record);
   if (!decay) return {};
   const Estimate& rate = decay->rate;
   // A law that does not fit may see no decay where there is one.
-  if (!(rate.low > 0)) return stays_within(1.5, record, period) ? lasts : "";
+  if (!(rate.low > 0))
+    return stays_within(1.5, record, period) ? Notice{"swing_does_not_die_down", {{"periods", periods}}}
+                                             : Notice{};
   const double fall = 1 - std::exp(-rate.value * duration);
   const double quality = fit.swing_frequency().value / (2 * rate.value);
   if (fall > 0.1 || (fall > 0.02 && quality < 5000)) return {};
-  return fmt::format(
-      "the amplitude falls by {:.2g} % only over {:.0f} periods (quality factor {:.2g}): a drive that is not "
-      "quite steady looks the same. If something drives it, {}",
-      100 * fall, periods, quality, then);
+  return Notice{"amplitude_hardly_falls",
+                {{"percent", 100 * fall}, {"periods", periods}, {"quality_factor", quality}}};
 }
 
 // A motion of a step or two, whose decay the noise does not blur into view.
-std::string coarseness(const Record& record, const LawFit& fit, std::string_view unit) {
+Notice coarseness(const Record& record, const LawFit& fit, std::string_view unit) {
   if (!(record.resolution > 0) || fit.residual.rms > 0.36 * record.resolution) return {};
   const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
   const double levels = std::round((*high - *low) / record.resolution) + 1;
   if (levels > 4) return {};
-  return fmt::format(
-      "the values take {:.0f} levels only, {:.3g}{}{} apart: the frequency follows from when they change, "
-      "but amplitude and decay rate hardly show, and their uncertainties cannot be trusted; measure with a "
-      "finer resolution",
-      levels, record.resolution, unit.empty() ? "" : " ", unit);
+  return Notice{"coarse_levels", {{"levels", levels}, {"resolution", record.resolution}, {"unit", unit}}};
 }
 
 // Where a period has many samples, what a wrong law leaves is smooth, and larger than the noise.
@@ -121,37 +105,34 @@ bool shrinks(std::span<const double> residuals, double times) {
   return squares(residuals.first(quarter)) > times * squares(residuals.last(quarter));
 }
 
-std::string not_described(const LawFit& fit, double noise, bool only_law) {
-  return fmt::format(
-      "{} this recording: what is left is {:.0f} times the noise from sample to sample, and the "
-      "uncertainties cannot be trusted",
-      only_law ? fmt::format("the law {} does not describe", to_text(fit.law)) : "no law tried describes",
-      std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms)));
+Notice not_described(const LawFit& fit, double noise, bool only_law) {
+  return Notice{only_law ? "law_does_not_describe" : "no_law_describes",
+                {{"law", to_text(fit.law)},
+                 {"times", std::max(2.0, fit.residual.rms / std::max(noise, 1e-3 * fit.residual.rms))}}};
 }
 
 }  // namespace
 
-std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool only_law,
-                                std::string_view unit) {
-  std::vector<std::string> found;
-  const auto say = [&](std::string sentence) {
-    if (!sentence.empty()) found.push_back(std::move(sentence));
+std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_law, std::string_view unit) {
+  std::vector<Notice> found;
+  const auto say = [&](const Notice& notice) {
+    if (!notice.empty()) found.push_back(notice);
   };
   const double period = two_pi / fit.swing_frequency().value;
   const std::vector<double> residuals = residuals_of(fit, record);
   const double noise = noise_of(residuals);
-  const std::string rises = is_fed(fit) ? "" : rise(record, period, noise);
+  const Notice rises = is_fed(fit) ? Notice{} : rise(record, period, noise);
   say(rises);
   if (rises.empty()) say(steadiness(record, fit, period));
   say(few_samples(record, fit.swing_frequency().value));
   say(coarseness(record, fit, unit));
   const bool described = residuals.size() != record.t.size() ||
                          !exceeds_noise(record, fit.residual, noise, fit.swing_frequency().value);
-  const std::string stop = rises.empty() ? sudden_stop(record, period, unit, described) : "";
+  const Notice stop = rises.empty() ? sudden_stop(record, period, unit, described) : Notice{};
   say(stop);
   if (described) return found;
   const bool line = leaves_a_line(record, fit, residuals, fit.swing_frequency().value);
-  const std::string zero = stop.empty() ? wandering_zero(record, residuals, unit) : "";
+  const Notice zero = stop.empty() ? wandering_zero(record, residuals, unit) : Notice{};
   say(zero);
   constexpr double most = 0.95;  // of the motion's squares: what is left then is no detail
   const bool named = !stop.empty() || !zero.empty();
@@ -159,13 +140,12 @@ std::vector<std::string> doubts(const Record& record, const LawFit& fit, bool on
   return found;
 }
 
-std::vector<std::string> driven_doubts(const Record& record, const LawFit& fit,
-                                       std::span<const double> residuals, double drive, bool only_law,
-                                       std::string_view unit) {
+std::vector<Notice> driven_doubts(const Record& record, const LawFit& fit, std::span<const double> residuals,
+                                  double drive, bool only_law, std::string_view unit) {
   if (residuals.size() != record.t.size() || record.t.size() < 32) return {};
   const double noise = noise_of(residuals);
   const Record left{record.t, residuals, record.resolution, record.derivative};
-  std::vector<std::string> found = second_drives(left, drive, unit);
+  std::vector<Notice> found = second_drives(left, drive, unit);
   const double fastest = std::max(fit.swing_frequency().value, drive);
   if (!found.empty() && exceeds_noise(record, fit.residual, noise, fastest))
     found.push_back(not_described(fit, noise, only_law));
@@ -188,22 +168,20 @@ bool something_is_left(const Record& record, const LawFit& fit) {
   return false;
 }
 
-std::string widening(const LawFit& fit, std::size_t samples) {
+Notice widening(const LawFit& fit, std::size_t samples) {
   if (fit.residual.white || !(fit.independent_samples > 0)) return {};
   // What neighbours show, unless that is no more than chance makes.
   const Residual& left = fit.residual;
   const double chance = 2 / std::sqrt(static_cast<double>(samples));
   const bool neighbours = left.strongest_lag == 1 || std::abs(left.autocorrelation) > chance;
-  const std::string correlated =
-      neighbours
-          ? fmt::format("the residuals are correlated ({:.3f} from sample to sample)", left.autocorrelation)
-          : fmt::format("the residuals are correlated ({:.3f} at {} samples apart)", left.strongest,
-                        left.strongest_lag);
+  const Notice correlated = neighbours
+                                ? Notice{"residuals_correlated", {{"correlation", left.autocorrelation}}}
+                                : Notice{"residuals_correlated_apart",
+                                         {{"correlation", left.strongest}, {"samples", left.strongest_lag}}};
   if (fit.independent_samples > 0.95 * static_cast<double>(samples))
-    return correlated +
-           ", but not at the swing's frequency: the uncertainties of frequency and decay are hardly widened";
-  return fmt::format("{}: the uncertainties are widened to those of {:.0f} independent samples", correlated,
-                     fit.independent_samples);
+    return Notice{"uncertainties_hardly_widened", {{"correlated", correlated}}};
+  return Notice{"uncertainties_widened",
+                {{"correlated", correlated}, {"independent_samples", fit.independent_samples}}};
 }
 
 }  // namespace cromer::core

@@ -1,7 +1,5 @@
 #include "cromer/identify/diagnose/free_part.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -100,9 +98,7 @@ std::optional<FreePart> after_the_drive(const std::vector<AmplitudeWindow>& wind
   }
   if (driven - lowest < least_fall * top) return std::nullopt;
   const double from = kink->t + period;
-  return FreePart{from, fmt::format("the amplitude stays level until {:.4g} s and only falls from there, as "
-                                    "where a drive stops",
-                                    kink->t)};
+  return FreePart{from, Notice{"level_until", {{"time", kink->t}}}};
 }
 
 // The noise of all samples, without what the swing itself makes of their second differences.
@@ -159,8 +155,8 @@ std::optional<FreePart> after_the_hold(const Record& record, const Swing& swing)
     from = record.t[i];
   }
   if (record.t.back() - from < 4 * swing.period) return std::nullopt;
-  return FreePart{from, fmt::format("it is held still until {:.4g} s{}", record.t[last - 1],
-                                    displaced < 0.5 * amplitude ? " and then set going" : "")};
+  return FreePart{from, Notice{displaced < 0.5 * amplitude ? "held_still_then_set_going" : "held_still_until",
+                               {{"time", record.t[last - 1]}}}};
 }
 
 // The value that the last samples have most often, to half a rounding step.

@@ -3,15 +3,15 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 
 #include "cromer/identify/record.h"
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
 struct FreePart {
-  double from = 0;     // [s] the first time at which the motion is surely free
-  std::string reason;  ///< for people: "it is held still until 1.2 s"
+  double from = 0;  // [s] the first time at which the motion is surely free
+  Notice reason;    ///< a clause: "it is held still until 1.2 s"
 };
 
 /// Where the motion becomes free after the record's beginning: it is held still and then let go, or its

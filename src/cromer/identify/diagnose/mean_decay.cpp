@@ -1,7 +1,5 @@
 #include "cromer/identify/diagnose/mean_decay.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -67,9 +65,9 @@ bool is_fed(const LawFit& fit) {
   return viscous && viscous->high < 0;
 }
 
-std::string to_text(const MeanDecay& decay) {
-  return fmt::format("decay rate {} at the record's mean amplitude",
-                     format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s"));
+Notice as_clause(const MeanDecay& decay) {
+  return Notice{"mean_decay_rate",
+                {{"rate", format_quantity({decay.rate.value, decay.rate.standard_error}, "1/s")}}};
 }
 
 }  // namespace cromer::core

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "cromer/identify/law_fit.h"
 
@@ -23,7 +22,7 @@ bool dampings_are_collinear(const LawFit& fit);
 /// Negative damping surely feeds the swing.
 bool is_fed(const LawFit& fit);
 
-/// "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude"
-std::string to_text(const MeanDecay& decay);
+/// A clause: "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude".
+Notice as_clause(const MeanDecay& decay);
 
 }  // namespace cromer::core

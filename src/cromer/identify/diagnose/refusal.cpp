@@ -1,8 +1,6 @@
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/base/pi.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -79,24 +77,22 @@ LawFit refused(const Refusal& refusal, const LawFitOptions& options) {
 void refuse(LawFit& fit, const Refusal& refusal) {
   fit.status = refusal.status;
   fit.message = refusal.message;
-  fit.warnings.clear();
+  fit.notices.clear();
 }
 
 std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& options) {
   const bool driven = options.drive.kind != DriveKind::none;
   if (!options.law.shares(springs) && options.drive.kind != DriveKind::recorded)
-    return Refusal{
-        FitStatus::no_oscillation,
-        "a body without a spring does not swing: only under a recorded force can its law be found"};
+    return Refusal{FitStatus::no_oscillation, Notice{"no_spring"}};
   // Three more than there are parameters: what is left must show how well the law fits.
   const int parameters = fitted_parameters(options.law, options.drive.kind).count;
   const auto fewest = static_cast<std::size_t>(driven ? std::max(32, 3 * parameters) : parameters + 3);
   if (record.t.size() < fewest)
     return Refusal{FitStatus::too_short,
-                   fmt::format("{} samples are too few: a fit of the law {} needs at least {}",
-                               record.t.size(), to_text(options.law), fewest)};
+                   Notice{"too_few_samples",
+                          {{"samples", record.t.size()}, {"law", to_text(options.law)}, {"fewest", fewest}}}};
   const auto [low, high] = std::minmax_element(record.y.begin(), record.y.end());
-  if (!(*high > *low)) return Refusal{FitStatus::no_oscillation, "all values are the same: nothing moves"};
+  if (!(*high > *low)) return Refusal{FitStatus::no_oscillation, Notice{"nothing_moves"}};
   return std::nullopt;
 }
 
@@ -120,52 +116,30 @@ std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit) {
                                                : against_noise > (fit.explained > 0.9 ? 60 : 500);
   const bool smooth = fit.explained > 0.9;
   if (smooth && (g > 0.95 * w0 || (periods < 1.5 && g > 0.7 * w))) {
-    if (comes_to_rest(record))
-      return Refusal{
-          FitStatus::overdamped,
-          "the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back"};
-    return Refusal{
-        FitStatus::too_short,
-        "the record ends before an oscillation can be seen, if it is one: a fit needs at least 1.5 "
-        "periods"};
+    if (comes_to_rest(record)) return Refusal{FitStatus::overdamped, Notice{"overdamped"}};
+    return Refusal{FitStatus::too_short, Notice{"ends_before_an_oscillation"}};
   }
   if (smooth && periods < 1.5)
     return Refusal{FitStatus::too_short,
-                   fmt::format("the record holds {:.2g} periods of {:.3g} s: a fit needs at least 1.5",
-                               periods, 2 * pi / w)};
+                   Notice{"too_few_periods", {{"periods", periods}, {"period", 2 * pi / w}}}};
   if (!stands_out) {
     if (const double levels = levels_of(record); levels > 0 && levels <= few_levels)
-      return Refusal{
-          FitStatus::too_noisy,
-          fmt::format("the values take {:.0f} levels only, {:.3g} apart: the resolution is too coarse "
-                      "for a motion as small as this",
-                      levels, record.resolution)};
+      return Refusal{FitStatus::too_noisy,
+                     Notice{"too_few_levels", {{"levels", levels}, {"resolution", record.resolution}}}};
     const auto n = static_cast<double>(record.t.size());
     if (against_noise > 60 && fit.independent_samples > 0.5 * n)
-      return Refusal{FitStatus::too_noisy,
-                     fmt::format("too noisy: a sinusoid accounts for {:.1f} % of the variance only",
-                                 100 * fit.explained)};
+      return Refusal{FitStatus::too_noisy, Notice{"too_noisy", {{"percent", 100 * fit.explained}}}};
     return Refusal{FitStatus::no_oscillation,
-                   fmt::format("no oscillation found: the best decaying sinusoid accounts for {:.1f} % of "
-                               "the variance, and noise like the "
-                               "rest could do as much; choose the part that oscillates with --from and --to, "
-                               "or another --column",
-                               100 * std::max(0.0, fit.explained))};
+                   Notice{"noise_could_do_as_much", {{"percent", 100 * std::max(0.0, fit.explained)}}}};
   }
-  if (is_clipped(record, amplitude, w))
-    return Refusal{
-        FitStatus::clipped,
-        "the motion's tops are cut off at the same value again and again: the sensor was out of its range; "
-        "choose the later part by --from"};
+  if (is_clipped(record, amplitude, w)) return Refusal{FitStatus::clipped, Notice{"tops_cut_off"}};
   return refuse_frequency(fit);
 }
 
-std::string explains_too_little(const LawFit& fit) {
-  const double share = 100 * std::max(0.0, fit.explained);
-  return fit.drive.kind == DriveKind::recorded
-             ? fmt::format("the force accounts for {:.1f} % of the motion's variance only", share)
-             : fmt::format("a decaying and a steady oscillation account for {:.1f} % of the variance only",
-                           share);
+Notice explains_too_little(const LawFit& fit) {
+  return Notice{
+      fit.drive.kind == DriveKind::recorded ? "force_explains_too_little" : "oscillations_explain_too_little",
+      {{"percent", 100 * std::max(0.0, fit.explained)}}};
 }
 
 std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
@@ -181,24 +155,18 @@ std::optional<Refusal> refuse_harmonic(const LawFit& fit) {
                  swing = std::hypot(fit.motion.position, fit.motion.velocity / w->value) - line;
     if (swing > line) return std::nullopt;
   }
-  return Refusal{
-      FitStatus::no_oscillation,
-      fmt::format("a steady oscillation at {:.6g} Hz and its harmonic of order {:.0f}, which does not decay: "
-                  "rounding or a sensor that is not linear makes such a line, and the body's own swing "
-                  "is not seen",
-                  drive->value / (2 * pi), multiple)};
+  return Refusal{FitStatus::no_oscillation,
+                 Notice{"only_a_harmonic", {{"frequency", drive->value / (2 * pi)}, {"order", multiple}}}};
 }
 
 std::optional<Refusal> refuse_frequency(const LawFit& fit) {
   if (!fit.find("angular_frequency")) return std::nullopt;
   const Estimate w = fit.swing_frequency();
   if (w.standard_error <= 0.05 * w.value) return std::nullopt;
-  return Refusal{
-      FitStatus::too_noisy,
-      w.standard_error < w.value
-          ? fmt::format("too noisy: the frequency is known to {:.0f} % only",
-                        100 * w.standard_error / w.value)
-          : fmt::format("the law {} fits so badly that the frequency is unknown", to_text(fit.law))};
+  if (w.standard_error < w.value)
+    return Refusal{FitStatus::too_noisy,
+                   Notice{"frequency_hardly_known", {{"percent", 100 * w.standard_error / w.value}}}};
+  return Refusal{FitStatus::too_noisy, Notice{"frequency_unknown", {{"law", to_text(fit.law)}}}};
 }
 
 }  // namespace cromer::core

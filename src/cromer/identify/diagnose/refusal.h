@@ -9,7 +9,7 @@ namespace cromer::core {
 
 struct Refusal {
   FitStatus status;
-  std::string message;
+  Notice message;
 };
 
 /// A fit that was not made.
@@ -25,8 +25,8 @@ std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& 
 /// cut off.
 std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit);
 
-/// A driven law that accounts for too little of the motion, in words.
-std::string explains_too_little(const LawFit& fit);
+/// That a driven law accounts for too little of the motion.
+Notice explains_too_little(const LawFit& fit);
 
 /// A harmonic drive whose body would swing at a multiple of its frequency, undamped: that is a harmonic of
 /// the steady motion, as rounding makes it, and no body.

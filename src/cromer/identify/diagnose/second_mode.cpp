@@ -1,7 +1,5 @@
 #include "cromer/identify/diagnose/second_mode.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -95,17 +93,11 @@ void measure(const Record& residuals, ResidualLine& line) {
   line.amplitude = std::hypot(fit.parameters[DampedPhasor::cosine], fit.parameters[DampedPhasor::sine]);
 }
 
-std::string name_of(const ResidualLine& line) {
-  if (line.harmonic == 2)
-    return "twice the swing's own: its second harmonic, from a spring or a sensor that is not symmetric";
-  if (line.harmonic == 3)
-    return "three times the swing's own: its third harmonic, from a spring, a damping or a sensor that is "
-           "not linear in another way than the law";
-  if (line.harmonic > 3)
-    return fmt::format(
-        "{} times the swing's own: a harmonic of it, as of a motion with corners or cut-off tops",
-        line.harmonic);
-  return "a second mode, as of a coupled or a sideways swing, or something that shakes the mount";
+Notice name_of(const ResidualLine& line) {
+  if (line.harmonic == 2) return Notice{"second_harmonic"};
+  if (line.harmonic == 3) return Notice{"third_harmonic"};
+  if (line.harmonic > 3) return Notice{"higher_harmonic", {{"order", line.harmonic}}};
+  return Notice{"second_mode"};
 }
 
 // How far the skirts of a line reach on either side, [rad/s].
@@ -192,37 +184,39 @@ std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit
   return lines;
 }
 
-std::vector<std::string> second_drives(const Record& residuals, double drive, std::string_view unit) {
-  std::vector<std::string> sentences;
-  if (residuals.t.size() < 64) return sentences;
+std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit) {
+  std::vector<Notice> found;
+  if (residuals.t.size() < 64) return found;
   const Record part = residuals.first(std::min(residuals.t.size(), most_samples));
   const double duration = part.t.back() - part.t.front();
   constexpr FrequencyBand none{1, -HUGE_VAL};
   for (const ResidualLine& line : strongest_lines(part, none, 4 * two_pi / duration)) {
     const int harmonic =
         drive > 0 ? harmonic_of(line.angular_frequency, line.frequency_error, {drive, drive}, duration) : 0;
-    sentences.push_back(fmt::format(
-        "what the law leaves oscillates at {:.5g} Hz, at first with an amplitude of {:.2g}{}{}: {}",
-        line.angular_frequency / two_pi, line.amplitude, unit.empty() ? "" : " ", unit,
-        harmonic > 0
-            ? fmt::format("{} times the drive's, as of a spring or a sensor that is not linear", harmonic)
-            : "another drive, or another swing"));
+    found.push_back(Notice{"line_beside_drive",
+                           {{"frequency", line.angular_frequency / two_pi},
+                            {"amplitude", line.amplitude},
+                            {"unit", unit},
+                            {"what", harmonic > 0 ? Notice{"harmonic_of_drive", {{"order", harmonic}}}
+                                                  : Notice{"another_drive"}}}});
   }
-  return sentences;
+  return found;
 }
 
-std::vector<std::string> second_modes(const Record& record, const LawFit& fit, std::string_view unit) {
-  std::vector<std::string> sentences;
+std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::string_view unit) {
+  std::vector<Notice> found;
   const Motion& p = fit.motion;
   const double w0 = p.angular_frequency();
   const double swing = std::hypot(p.position, p.velocity / w0) * std::pow(w0, record.derivative);
   for (const ResidualLine& line : residual_lines(record, fit))
-    sentences.push_back(fmt::format(
-        "what the law leaves oscillates at {:.5g} Hz, at first with an amplitude of {:.2g}{}{} ({:.2g} % of "
-        "the swing's at {:.5g} Hz): {}",
-        line.angular_frequency / two_pi, line.amplitude, unit.empty() ? "" : " ", unit,
-        100 * line.amplitude / swing, w0 / two_pi, name_of(line)));
-  return sentences;
+    found.push_back(Notice{"line_beside_swing",
+                           {{"frequency", line.angular_frequency / two_pi},
+                            {"amplitude", line.amplitude},
+                            {"unit", unit},
+                            {"percent", 100 * line.amplitude / swing},
+                            {"swing", w0 / two_pi},
+                            {"what", name_of(line)}}});
+  return found;
 }
 
 }  // namespace cromer::core

@@ -1,7 +1,6 @@
 // What else oscillates in a recording, once the fitted motion is taken off.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,11 +35,11 @@ struct ResidualLine {
 /// lies closer to that than four over the record's length (in cycles) is not told from it.
 std::vector<ResidualLine> residual_lines(const Record& record, const LawFit& fit);
 
-/// The same as sentences for the user; `unit` is the record's.
-std::vector<std::string> second_modes(const Record& record, const LawFit& fit, std::string_view unit);
+/// The same as notices; `unit` is the record's.
+std::vector<Notice> second_modes(const Record& record, const LawFit& fit, std::string_view unit);
 
 /// Of what a driven law leaves: lines beside the drive, at `drive` [rad/s] where it is one frequency (else
 /// 0), and what they may be. `residuals` with their times and the record's resolution.
-std::vector<std::string> second_drives(const Record& residuals, double drive, std::string_view unit);
+std::vector<Notice> second_drives(const Record& residuals, double drive, std::string_view unit);
 
 }  // namespace cromer::core

@@ -1,16 +1,12 @@
 #include "cromer/identify/motion/motion.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 
 namespace cromer::core {
 
-std::string readable(std::string_view name) {
-  std::string words(name);
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return words;
-}
+Notice parameter_named(std::string_view name) { return Notice{std::string(name)}; }
 
 Motion Motion::under(const Law& other) const {
   Motion motion = *this;

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
 #include <string_view>
 
 #include "cromer/base/dual.h"
@@ -51,8 +50,8 @@ struct Motion {
   Motion under(const Law& other) const;
 };
 
-/// A parameter's name in sentences for people: "decay rate" of "decay_rate".
-std::string readable(std::string_view name);
+/// A parameter in a sentence: a clause whose code is its name, "decay rate" of "decay_rate".
+Notice parameter_named(std::string_view name);
 
 /// One number that a fit adjusts.
 struct FittedParameter {

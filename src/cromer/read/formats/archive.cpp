@@ -7,6 +7,7 @@
 #include "cromer/base/concat.h"
 #include "cromer/read/cells.h"
 #include "cromer/read/formats/zip.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/set.h"
 #include "cromer/read/sets_below.h"
 #include "cromer/read/text_file.h"
@@ -23,7 +24,7 @@ bool ends_as_text(std::string_view name) {
 /// "Raw Data" of "export/Raw Data.csv".
 std::string stem(std::string_view name) {
   name = name.substr(name.find_last_of('/') + 1);  // npos + 1 is 0
-  return quoted(name.substr(0, name.find_last_of('.')));
+  return shown(name.substr(0, name.find_last_of('.')));
 }
 
 bool has_time(const Recording& recording) {
@@ -33,7 +34,7 @@ bool has_time(const Recording& recording) {
 }
 
 struct Member {
-  std::string name;  ///< in quotes
+  std::string name;
   Recording recording;
 };
 
@@ -41,40 +42,38 @@ struct Member {
 
 Result<Recording> read_archive(std::string_view bytes, const ReadOptions& options) {
   const auto entries = zip_directory(bytes);
-  if (!entries) return Error{concat({": ", entries.error().message})};
+  if (!entries) return entries.error();
   Recording whole;
   std::vector<Member> members;
-  std::string first_error;
+  Notice first_error;
   bool phyphox = false;
   for (const ZipEntry& entry : *entries) {
-    if (entry.name == "[Content_Types].xml" || entry.name == "content.xml")
-      return Error{": this is a spreadsheet: export the sheet as CSV"};
+    if (entry.name == "[Content_Types].xml" || entry.name == "content.xml") return Error{"spreadsheet"};
     phyphox = phyphox || entry.name.find("meta/") != std::string::npos;
     const bool passed_over = entry.name.starts_with("meta/") ||
                              entry.name.find("/meta/") != std::string::npos ||
                              entry.name.starts_with("__MACOSX/");
     if (passed_over || !ends_as_text(entry.name)) continue;
     const auto content = unzip(bytes, entry);
-    auto read = content ? read_text_file(*content, entry.name, options)
-                        : Result<Recording>(Error{concat({": ", content.error().message})});
+    auto read = content ? read_text_file(*content, entry.name, options) : Result<Recording>(content.error());
     if (read) {
       members.push_back({stem(entry.name), std::move(*read)});
       continue;
     }
-    const std::string reason = concat({stem(entry.name), read.error().message});
-    if (first_error.empty()) first_error = concat({": ", reason});
-    whole.warnings.push_back(concat({"left out of the archive: ", reason}));
+    const Notice reason = in_member(stem(entry.name), read.error().notice);
+    if (first_error.empty()) first_error = reason;
+    whole.notices.push_back(Notice{"left_out_of_archive", {{"what", reason}}});
   }
-  if (members.empty())
-    return Error{first_error.empty() ? ": the ZIP archive holds no CSV file" : first_error};
+  if (members.empty()) return first_error.empty() ? Error{"archive_without_csv"} : Error{first_error};
 
   if (std::any_of(members.begin(), members.end(),
                   [](const Member& member) { return has_time(member.recording); }))
     members.erase(std::remove_if(members.begin(), members.end(),
                                  [&](const Member& member) {
                                    if (has_time(member.recording)) return false;
-                                   whole.warnings.push_back(concat(
-                                       {"left out of the archive: ", member.name, ": it has no times"}));
+                                   whole.notices.push_back(
+                                       Notice{"left_out_of_archive",
+                                              {{"what", in_member(member.name, Notice{"has_no_times"})}}});
                                    return true;
                                  }),
                   members.end());
@@ -84,9 +83,10 @@ Result<Recording> read_archive(std::string_view bytes, const ReadOptions& option
   whole.named = true;
   std::vector<Set> sets;
   for (Member& member : members) {
-    for (std::string& warning : member.recording.warnings)
-      whole.warnings.push_back(members.size() > 1 ? concat({member.name, ": ", warning}) : warning);
-    const std::string label = members.size() > 1 ? member.name.substr(1, member.name.size() - 2) : "";
+    for (Notice& notice : member.recording.notices)
+      whole.notices.push_back(members.size() > 1 ? in_member(member.name, std::move(notice))
+                                                 : std::move(notice));
+    const std::string label = members.size() > 1 ? member.name : "";
     for (Set& set : as_sets(std::move(member.recording), label)) sets.push_back(std::move(set));
   }
   if (const auto laid = lay_side_by_side(std::move(sets), whole); !laid) return laid.error();

@@ -10,7 +10,7 @@
 namespace cromer::core::dialects {
 
 /// Each data set with times is a run, called by its file; meta/ is passed over, sets without times are left
-/// out where others have them, and said. An Error begins with ": ".
+/// out where others have them, and said.
 Result<Recording> read_archive(std::string_view bytes, const ReadOptions& options);
 
 }  // namespace cromer::core::dialects

@@ -9,6 +9,7 @@
 #include "cromer/read/columns.h"
 #include "cromer/read/formats/labview_header.h"
 #include "cromer/read/header.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
 #include "cromer/read/lines.h"
 #include "cromer/read/rows.h"
@@ -85,8 +86,7 @@ char decimal_of(const std::vector<std::string_view>& rows, char separator, const
 /// Times of rows that carry none.
 Result<void> compute_times(Set& set, const LabviewSegment& segment) {
   const double x0 = number_of(segment["X0"], 0), delta = number_of(segment["Delta_X"], 0);
-  if (!is_step(delta))
-    return Error{": the rows carry no X_Value and the header no Delta_X above 0: the times are not known"};
+  if (!is_step(delta)) return Error{"labview_without_times"};
   Column& time = set.columns.front();
   for (std::size_t i = 0; i < time.values.size(); ++i)
     time.values[i] = (std::isfinite(x0) ? x0 : 0) + static_cast<double>(i) * delta;
@@ -95,16 +95,15 @@ Result<void> compute_times(Set& set, const LabviewSegment& segment) {
 
 /// Where header and rows contradict each other the rows count, and it is said.
 void say_contradictions(const Set& set, const LabviewSegment& segment, Times times,
-                        std::vector<std::string>& warnings) {
-  const auto say = [&](std::string warning) {
+                        std::vector<Notice>& notices) {
+  const auto say = [&](Notice notice) {
     constexpr std::size_t enough = 10;
-    const bool said = std::find(warnings.begin(), warnings.end(), warning) != warnings.end();
-    if (!said && warnings.size() < enough) warnings.push_back(std::move(warning));
+    const bool said = std::find(notices.begin(), notices.end(), notice) != notices.end();
+    if (!said && notices.size() < enough) notices.push_back(std::move(notice));
   };
   const double promised = number_of(segment["Samples"], 0);
   if (std::isfinite(promised) && promised != static_cast<double>(set.lines.size()))
-    say(concat({"the header says ", shortest(promised), " samples a channel, the rows are ",
-                std::to_string(set.lines.size()), ": the rows are taken"}));
+    say(Notice{"labview_samples", {{"promised", shortest(promised)}, {"rows", set.lines.size()}}});
   if (times == Times::none) return;
   std::vector<double> steps;
   const auto& t = set.columns.front().values;
@@ -112,8 +111,8 @@ void say_contradictions(const Set& set, const LabviewSegment& segment, Times tim
     if (std::isfinite(t[i] - t[i - 1])) steps.push_back(t[i] - t[i - 1]);
   const double step = median(std::move(steps)), delta = number_of(segment["Delta_X"], 0);
   if (std::isfinite(step) && std::isfinite(delta) && std::fabs(step - delta) > 0.01 * std::fabs(step))
-    say(concat({"the header says Delta_X ", shortest(delta), ", X_Value goes by steps of ",
-                shortest(read_cell(rounded(step, 6), '.').value), ": X_Value is taken"}));
+    say(Notice{"labview_step",
+               {{"promised", shortest(delta)}, {"step", shortest(read_cell(rounded(step, 6), '.').value)}}});
 }
 
 /// A segment whose times go on where the last set ended, with the same columns: appended.
@@ -140,7 +139,7 @@ bool is_labview(const Source& source) { return source.text.starts_with("LabVIEW 
 Result<Sets> read_labview(const Source& source) {
   const auto& lines = source.lines;
   const LabviewFile file = labview_file(lines);
-  Sets found{.dialect = "LabVIEW", .separator = file.separator, .decimal = '.', .sets = {}, .warnings = {}};
+  Sets found{.dialect = "LabVIEW", .separator = file.separator, .decimal = '.', .sets = {}, .notices = {}};
   for (std::size_t from = file.end; from < lines.size();) {
     const LabviewSegment segment = labview_segment(lines, from, file.separator);
     if (segment.names >= lines.size() || (segment.names + 1 == lines.size() && is_blank(lines.back()))) break;
@@ -151,9 +150,9 @@ Result<Sets> read_labview(const Source& source) {
     Set set;
     set.columns = columns_of(lines[segment.names], segment, file);
     if (set.columns.size() < 2)
-      return Error{concat({":", std::to_string(segment.names + 1), ": no channel is named"})};
+      return in_line(static_cast<long>(segment.names) + 1, Notice{"labview_without_channel"});
     if (set.columns.size() > most_columns)
-      return Error{concat({":", std::to_string(segment.names + 1), ": ", too_many_columns()})};
+      return in_line(static_cast<long>(segment.names) + 1, too_many_columns());
     const std::vector<std::string_view> part(lines.begin() + static_cast<std::ptrdiff_t>(segment.names) + 1,
                                              lines.begin() + static_cast<std::ptrdiff_t>(to));
     found.decimal = decimal_of(part, file.separator, source.options);
@@ -165,16 +164,16 @@ Result<Sets> read_labview(const Source& source) {
     if (rows->lines.empty()) continue;
     for (std::size_t j = 0; j < set.columns.size(); ++j) set.columns[j].values = std::move(rows->columns[j]);
     set.lines = std::move(rows->lines);
-    if (!rows->last_line.empty()) found.warnings.push_back(rows->last_line);
+    if (!rows->last_line.empty()) found.notices.push_back(rows->last_line);
     if (file.times == Times::none)
       if (const auto computed = compute_times(set, segment); !computed) return computed.error();
-    say_contradictions(set, segment, file.times, found.warnings);
+    say_contradictions(set, segment, file.times, found.notices);
     if (!found.sets.empty() && goes_on(found.sets.back(), set))
       append(found.sets.back(), std::move(set));
     else
       found.sets.push_back(std::move(set));
   }
-  if (found.sets.empty()) return Error{": the file holds no segment with rows"};
+  if (found.sets.empty()) return Error{"labview_without_rows"};
   return found;
 }
 

@@ -9,7 +9,7 @@ namespace cromer::core::dialects {
 bool is_labview(const Source& source);
 
 /// Segments that go on in time are joined, others are runs. Where rows carry an X_Value, the times are those,
-/// whatever Delta_X says; else they are X0 + i Delta_X. An Error begins with ": " or ":LINE: ".
+/// whatever Delta_X says; else they are X0 + i Delta_X.
 Result<Sets> read_labview(const Source& source);
 
 }  // namespace cromer::core::dialects

@@ -5,11 +5,10 @@
 #include <optional>
 
 #include "cromer/base/ascii.h"
-#include "cromer/base/concat.h"
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/cells.h"
-#include "cromer/read/columns.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/lines.h"
 #include "cromer/read/number_stream.h"
 
@@ -123,24 +122,22 @@ bool is_peer(const Source& source) {
 
 Result<Sets> read_peer(const Source& source) {
   const Counted head = *counted_line(source.lines);
-  const std::string at = concat({":", std::to_string(head.line + 1), ": "});
-  if (!is_step(head.step)) return Error{concat({at, "DT is not a step above 0"})};
-  if (!(head.count >= 1) || head.count != std::floor(head.count))
-    return Error{concat({at, "NPTS is not a number of values above 0"})};
+  const long at = static_cast<long>(head.line) + 1;
+  if (!is_step(head.step)) return in_line(at, Notice{"peer_step"});
+  if (!(head.count >= 1) || head.count != std::floor(head.count)) return in_line(at, Notice{"peer_count"});
   constexpr double most = 1e15;  // no file is that long; a whole number of it fits
   auto stream =
       read_numbers(source.lines, head.line + 1, static_cast<std::size_t>(std::min(head.count, most)), false);
   if (!stream) return stream.error();
   const std::size_t count = stream->values.size();
-  if (count == 0) return Error{concat({at, "no values follow"})};
+  if (count == 0) return in_line(at, Notice{"peer_without_values"});
 
-  Sets found{.dialect = "PEER", .separator = ' ', .decimal = '.', .sets = {}, .warnings = {}};
+  Sets found{.dialect = "PEER", .separator = ' ', .decimal = '.', .sets = {}, .notices = {}};
   if (static_cast<double>(count) < head.count)
-    found.warnings.push_back(
-        concat({"NPTS says ", shortest(head.count), " values, the file holds ", std::to_string(count)}));
+    found.notices.push_back(
+        Notice{"peer_fewer_values", {{"promised", shortest(head.count)}, {"values", count}}});
   else if (const std::size_t more = numbers_behind(source.lines, *stream); more > 0)
-    found.warnings.push_back(
-        concat({counted(more, "value"), " behind the ", std::to_string(count), " of NPTS left out"}));
+    found.notices.push_back(Notice{"peer_more_values", {{"more", more}, {"values", count}}});
   found.motion = motion_of(source.lines, head.line);
   Set set;
   set.columns.push_back({"Time", "time", "s", 1, {}});

@@ -10,7 +10,6 @@ namespace cromer::core::dialects {
 bool is_peer(const Source& source);
 
 /// Values are read one after the other, also where a minus sign stands at the digit before it, up to NPTS.
-/// An Error begins with ": " or ":LINE: ".
 Result<Sets> read_peer(const Source& source);
 
 }  // namespace cromer::core::dialects

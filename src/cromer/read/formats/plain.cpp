@@ -1,6 +1,5 @@
 #include "cromer/read/formats/plain.h"
 
-#include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/dialect_name.h"
@@ -32,21 +31,23 @@ void take_counted_step(Recording& recording, const Header& header, const ReadOpt
     for (std::size_t i = 0; i < columns.front().values.size(); ++i)
       time.values.push_back(static_cast<double>(i) * step.value);
     columns.insert(columns.begin(), std::move(time));
-    recording.warnings.push_back(concat({"the line ", quoted(trimmed(title)), " counts the rows: ",
-                                         shortest(step.value), " s is taken as their step"}));
+    recording.notices.push_back(
+        Notice{"line_counts_rows", {{"text", shown(trimmed(title))}, {"step", shortest(step.value)}}});
     return;
   }
 }
 
-void say_bad_rows(const Rows& rows, std::vector<std::string>& warnings) {
+void say_bad_rows(const Rows& rows, std::vector<Notice>& notices) {
   if (rows.bad_rows == 0) return;
   const std::size_t kept = rows.lines.size();
-  const bool most_lost = rows.bad_rows > kept;
-  warnings.push_back(
-      concat({most_lost ? "MOST ROWS ARE LOST: " : "", counted(rows.bad_rows, "bad row"), " left out",
-              most_lost ? concat({", ", counted(kept, "row"), " kept"}) : std::string{},
-              ", the first in line ", std::to_string(rows.first_bad_line),
-              most_lost ? concat({" (", rows.first_complaint, ")"}) : std::string{}}));
+  if (rows.bad_rows > kept)
+    notices.push_back(Notice{"most_rows_lost",
+                             {{"rows", rows.bad_rows},
+                              {"kept", kept},
+                              {"line", rows.first_bad_line},
+                              {"what", rows.first_complaint}}});
+  else
+    notices.push_back(Notice{"bad_rows_left_out", {{"rows", rows.bad_rows}, {"line", rows.first_bad_line}}});
 }
 
 }  // namespace
@@ -54,9 +55,9 @@ void say_bad_rows(const Rows& rows, std::vector<std::string>& warnings) {
 Result<Recording> read_plain(const std::vector<std::string_view>& lines, const ReadOptions& options,
                              std::size_t lines_before) {
   auto layout = find_layout(lines, options);
-  if (!layout) return Error{no_rows(lines, layout.error().message, lines_before)};
+  if (!layout) return no_rows(lines, layout.error(), lines_before);
   layout = settle_commas(lines, *layout, options);
-  if (!layout) return Error{concat({": ", layout.error().message})};
+  if (!layout) return layout.error();
 
   const std::size_t data = find_data(lines, *layout);
   Header header = find_header(lines, data, *layout);
@@ -70,18 +71,17 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   auto rows =
       read_rows(lines, *layout, names, {data, lines.size(), options.skip_bad_rows, false, lines_before});
   if (!rows) return rows.error();
+  if (rows->lines.empty() && rows->bad_rows == 0) return Error{"no_rows_left"};
   if (rows->lines.empty())
-    return Error{rows->bad_rows == 0 ? std::string(": no rows of numbers are left")
-                                     : concat({": no rows of numbers are left: ", rows->first_complaint,
-                                               ", in line ", std::to_string(rows->first_bad_line)})};
+    return Error{"no_rows_left_but", {{"what", rows->first_complaint}, {"line", rows->first_bad_line}}};
 
   recording.dialect.name = dialect_name(header);
   recording.dialect.separator = separator_name(layout->separator);
   recording.dialect.decimal = layout->decimal == ',' ? "comma" : "point";
   for (std::size_t j = 0; j < layout->columns; ++j) columns[j].values = std::move(rows->columns[j]);
   recording.named = !header.headings.empty();
-  say_bad_rows(*rows, recording.warnings);
-  if (!rows->last_line.empty()) recording.warnings.push_back(rows->last_line);
+  say_bad_rows(*rows, recording.notices);
+  if (!rows->last_line.empty()) recording.notices.push_back(rows->last_line);
   recording.lines = std::move(rows->lines);
   drop_unnamed_empty(recording);
   if (split_stacked_runs(recording))

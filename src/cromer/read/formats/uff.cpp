@@ -5,13 +5,16 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <string>
+#include <utility>
 
 #include "cromer/base/bit_cast.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
-#include "cromer/read/columns.h"
+#include "cromer/read/cells.h"
 #include "cromer/read/encoding.h"
 #include "cromer/read/formats/uff_function.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/lines.h"
 #include "cromer/read/number_stream.h"
 
@@ -72,9 +75,8 @@ Result<Binary> binary_of(std::string_view line) {
     return cell.kind == CellKind::number ? cell.value : 0;
   };
   if (trimmed(line) == "58") return Binary{};
-  if (field(13, 6) != 2)
-    return Error{"its binary numbers are not IEEE 754: convert the file to dataset 58 as text"};
-  if (field(7, 6) != 1 && field(7, 6) != 2) return Error{"its byte order is neither 1 nor 2"};
+  if (field(13, 6) != 2) return Error{"dataset_not_ieee"};
+  if (field(7, 6) != 1 && field(7, 6) != 2) return Error{"dataset_byte_order"};
   return Binary{true, field(7, 6) == 1, field(31, 12)};
 }
 
@@ -102,12 +104,32 @@ std::vector<double> binary_values(std::string_view bytes, const UffFunction& hea
   }
 }
 
+/// Why a dataset is left out; it is said in this order.
+enum class Why { no_step, no_values, no_time_response, other_kind, complex };
+using Reason = std::pair<Why, std::string>;  // with the kind
+
+Notice notice_of(const Reason& reason) {
+  switch (reason.first) {
+    case Why::no_step:
+      return Notice{"dataset_without_step"};
+    case Why::no_values:
+      return Notice{"dataset_without_values"};
+    case Why::no_time_response:
+      return Notice{"dataset_no_time_response"};
+    case Why::other_kind:
+      return Notice{"dataset_of_other_kind", {{"kind", reason.second}}};
+    case Why::complex:
+      break;
+  }
+  return Notice{"dataset_complex"};
+}
+
 /// Reads one dataset 58 behind its number; what cannot be a recording is left out with a reason.
 class Responses {
  public:
   Result<void> read(Reader& reader, std::string_view number_line, long begins) {
     const auto binary = binary_of(number_line);
-    if (!binary) return Error{concat({":", std::to_string(begins), ": ", binary.error().message})};
+    if (!binary) return in_line(begins, binary.error());
     std::array<std::string_view, uff_header_lines> lines;
     for (std::string_view& line : lines) line = reader.next_line();
     const UffFunction head = uff_function(lines);
@@ -115,8 +137,7 @@ class Responses {
     std::vector<double> numbers;
     std::vector<long> at;
     if (binary->used) {
-      if (!(binary->bytes >= 0 && binary->bytes < 1e15))
-        return Error{concat({":", std::to_string(begins), ": its number of bytes is not one"})};
+      if (!(binary->bytes >= 0 && binary->bytes < 1e15)) return in_line(begins, Notice{"dataset_bytes"});
       numbers =
           binary_values(reader.next_bytes(static_cast<std::size_t>(binary->bytes)), head, binary->little);
       at.assign(numbers.size(), first);
@@ -134,30 +155,31 @@ class Responses {
 
   Sets take() && {
     for (const auto& [reason, of] : left_out_)
-      found_.warnings.push_back(
-          concat({counted(of.count, "dataset"), " left out: ", reason,
-                  of.count > 1 ? ", the first in line " : ", in line ", std::to_string(of.line)}));
+      found_.notices.push_back(
+          Notice{of.count > 1 ? "datasets_left_out" : "dataset_left_out",
+                 {{"datasets", of.count}, {"what", notice_of(reason)}, {"line", of.line}}});
     return std::move(found_);
   }
-  void leave_out(const std::string& reason, long line) {
-    LeftOut& of = left_out_[reason];
+  /// `kind`: a number other than 58.
+  void leave_out(Why why, long line, const std::string& kind = "") {
+    LeftOut& of = left_out_[{why, kind}];
     if (of.count++ == 0) of.line = line;
   }
 
  private:
   void keep(const UffFunction& head, std::vector<double> numbers, const std::vector<long>& at, long begins) {
-    if (head.type != 2 && head.type != 4) return leave_out("its values are complex", begins);
+    if (head.type != 2 && head.type != 4) return leave_out(Why::complex, begins);
     const bool time = head.abscissa.kind == 17 || head.function == 1;
-    if (!time) return leave_out("it is no time response (a spectrum or a frequency response)", begins);
-    if (head.even && !is_step(head.step)) return leave_out("it has no time step above 0", begins);
+    if (!time) return leave_out(Why::no_time_response, begins);
+    if (head.even && !is_step(head.step)) return leave_out(Why::no_step, begins);
     const std::size_t stride = head.even ? 1 : 2;
     std::size_t count = numbers.size() / stride;
     if (static_cast<double>(count) > head.points && head.points > 0)
       count = static_cast<std::size_t>(head.points);
-    if (count == 0) return leave_out("it has no values", begins);
+    if (count == 0) return leave_out(Why::no_values, begins);
     if (head.points != static_cast<double>(count))
-      found_.warnings.push_back(concat({"the dataset in line ", std::to_string(begins), " announces ",
-                                        shortest(head.points), " points and holds ", std::to_string(count)}));
+      found_.notices.push_back(Notice{
+          "dataset_points", {{"line", begins}, {"promised", shortest(head.points)}, {"points", count}}});
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto finite = [](double value) { return std::isfinite(value) ? value : nan; };
     Set set;
@@ -175,12 +197,12 @@ class Responses {
     found_.sets.push_back(std::move(set));
   }
 
-  Sets found_{.dialect = "UFF 58", .separator = ' ', .decimal = '.', .sets = {}, .warnings = {}};
+  Sets found_{.dialect = "UFF 58", .separator = ' ', .decimal = '.', .sets = {}, .notices = {}};
   struct LeftOut {
     std::size_t count = 0;
     long line = 0;  ///< of the first
   };
-  std::map<std::string, LeftOut> left_out_;
+  std::map<Reason, LeftOut> left_out_;
 };
 
 }  // namespace
@@ -207,17 +229,15 @@ Result<Sets> read_uff(std::string_view bytes) {
     if (trimmed(number) == "58" || trimmed(number).starts_with("58b")) {
       if (const auto read = responses.read(reader, number, begins); !read) return read.error();
     } else if (trimmed(number) != "151" && trimmed(number) != "164") {  // of the model and its units
-      responses.leave_out(concat({"its kind ", quoted(readable(trimmed(number))), " is not 58"}), begins);
+      responses.leave_out(Why::other_kind, begins, shown(readable(trimmed(number))));
     }
     // To the delimiter that ends it; line ends may stand before it.
     while (!reader.at_end() && !is_delimiter(reader.next_line())) continue;
   }
   Sets found = std::move(responses).take();
-  if (found.sets.empty())
-    return Error{
-        concat({": the universal file holds no time response of a dataset 58",
-                found.warnings.empty() ? "" : "; ", found.warnings.empty() ? "" : found.warnings.front()})};
-  return found;
+  if (!found.sets.empty()) return found;
+  if (found.notices.empty()) return Error{"no_time_response"};
+  return Error{"no_time_response_but", {{"what", found.notices.front()}}};
 }
 
 }  // namespace cromer::core::dialects

@@ -14,7 +14,7 @@ bool is_uff(std::string_view bytes);
 
 /// Every time response is a column with its times; those at the same times share them. Other datasets, other
 /// functions (spectra, frequency responses) and complex values are left out and said. The bytes are the
-/// file's, since binary values stand between the lines. An Error begins with ": " or ":LINE: ".
+/// file's, since binary values stand between the lines.
 Result<Sets> read_uff(std::string_view bytes);
 
 }  // namespace cromer::core::dialects

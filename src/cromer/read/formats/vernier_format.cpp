@@ -6,6 +6,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/header.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
 #include "cromer/read/lines.h"
 #include "cromer/read/rows.h"
@@ -52,7 +53,7 @@ Result<Sets> read_vernier_format(const Source& source) {
              .separator = '\t',
              .decimal = '.',
              .sets = {},
-             .warnings = {}};
+             .notices = {}};
   ReadOptions tabs = source.options;
   tabs.delimiter = "tab";
   if (const auto layout = find_layout(lines, tabs); layout) found.decimal = layout->decimal;
@@ -67,10 +68,8 @@ Result<Sets> read_vernier_format(const Source& source) {
     set.label = trimmed(lines[i]);
     set.columns = columns_of(lines[i + 1], lines[i + 3]);
     if (set.columns.empty())
-      return Error{concat({":", std::to_string(i + 2), ": the names of the columns of set ",
-                           quoted(set.label), " are missing"})};
-    if (set.columns.size() > most_columns)
-      return Error{concat({":", std::to_string(i + 2), ": ", too_many_columns()})};
+      return in_line(static_cast<long>(i) + 2, Notice{"set_without_names", {{"set", shown(set.label)}}});
+    if (set.columns.size() > most_columns) return in_line(static_cast<long>(i) + 2, too_many_columns());
     const std::size_t from = i + 4;
     std::size_t to = from;
     while (to < lines.size() && may_be_row(lines[to], found.decimal)) ++to;
@@ -81,15 +80,15 @@ Result<Sets> read_vernier_format(const Source& source) {
     if (!rows) return rows.error();
     i = to;
     if (rows->lines.empty()) {
-      found.warnings.push_back(concat({"set ", quoted(set.label), " has no rows"}));
+      found.notices.push_back(Notice{"set_without_rows", {{"set", shown(set.label)}}});
       continue;
     }
     for (std::size_t j = 0; j < set.columns.size(); ++j) set.columns[j].values = std::move(rows->columns[j]);
     set.lines = std::move(rows->lines);
-    if (!rows->last_line.empty()) found.warnings.push_back(rows->last_line);
+    if (!rows->last_line.empty()) found.notices.push_back(rows->last_line);
     found.sets.push_back(std::move(set));
   }
-  if (found.sets.empty()) return Error{": the file holds no set of rows"};
+  if (found.sets.empty()) return Error{"no_set_of_rows"};
   return found;
 }
 

@@ -8,7 +8,7 @@ namespace cromer::core::dialects {
 
 bool is_vernier_format(const Source& source);
 
-/// Each set is a run. An Error begins with ": " or ":LINE: ".
+/// Each set is a run.
 Result<Sets> read_vernier_format(const Source& source);
 
 }  // namespace cromer::core::dialects

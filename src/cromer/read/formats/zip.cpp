@@ -18,7 +18,7 @@ std::size_t number_at(std::string_view bytes, std::size_t at, std::size_t count)
   return value;
 }
 
-Error damaged() { return Error{"the ZIP archive is damaged or not complete: export it again"}; }
+Error damaged() { return Error{"archive_damaged"}; }
 
 }  // namespace
 
@@ -31,7 +31,7 @@ Result<std::vector<ZipEntry>> zip_directory(std::string_view bytes) {
       bytes.size() - end > end_size + longest_comment)
     return damaged();
   const std::size_t count = number_at(bytes, end + 10, 2);
-  if (count > most_entries) return Error{"the ZIP archive holds more than 1000 files"};
+  if (count > most_entries) return Error{"archive_of_many_files", {{"most", most_entries}}};
   std::vector<ZipEntry> entries;
   std::size_t at = number_at(bytes, end + 16, 4), packed = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -56,16 +56,14 @@ Result<std::vector<ZipEntry>> zip_directory(std::string_view bytes) {
 
 Result<std::string> unzip(std::string_view bytes, const ZipEntry& entry) {
   constexpr std::size_t local_size = 30, most_times = 50, allowance = 10'000;
-  if (entry.encrypted) return Error{"the ZIP archive is locked with a password: export it without"};
-  if (entry.method != 0 && entry.method != 8)
-    return Error{"the ZIP archive is packed by a method other than deflate"};
+  if (entry.encrypted) return Error{"archive_locked"};
+  if (entry.method != 0 && entry.method != 8) return Error{"archive_method"};
   if (entry.offset + local_size > bytes.size() || bytes.substr(entry.offset, 4) != local_mark)
     return damaged();
   const std::size_t from = entry.offset + local_size + number_at(bytes, entry.offset + 26, 2) +
                            number_at(bytes, entry.offset + 28, 2);
   if (from > bytes.size() || entry.packed > bytes.size() - from) return damaged();
-  if (entry.size > most_times * entry.packed + allowance)
-    return Error{"the ZIP archive claims to hold far more than its size: unpack it by hand"};
+  if (entry.size > most_times * entry.packed + allowance) return Error{"archive_too_large"};
   const std::string_view packed = bytes.substr(from, entry.packed);
   std::string content(entry.size, '\0');
   if (entry.method == 0) {

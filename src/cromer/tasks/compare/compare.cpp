@@ -1,7 +1,5 @@
 #include "cromer/tasks/compare/compare.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +7,7 @@
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/methods/all.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/read/in_file.h"
 #include "cromer/tasks/compare/compared_curve.h"
 #include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/used_samples.h"
@@ -67,20 +66,19 @@ Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& wa
 Result<CompareResult> compare_fitted(const FittedRecording& recording, const CompareOptions& options,
                                      const Watch& watch) {
   if (const Result<void> known = check_method_name(options.method); !known)
-    return Error{"--method: " + known.error().message};
-  if (recording.driven)
-    return Error{fmt::format("{}: something drives this motion; compare lays free motions side by side",
-                             recording.file)};
+    return Error{"method_is_wrong", {{"what", known.error().notice}}};
+  if (recording.driven) return Error{"compared_is_driven", {{"file", recording.file}}};
   CompareResult result;
   result.recording = recording;
-  result.warnings = recording.warnings;
+  result.notices = recording.notices;
   const LawFit& fit = recording.fit;
   const bool fitted = fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit;
   if (!fitted || !(fit.angular_frequency().value > 0)) return result;
   if (derivative_order(recording.series.quantity) > 0)
-    return Error{fmt::format(
-        "{}: compare needs a position or an angle, and column \"{}\" holds {}; choose one by --column",
-        recording.file, recording.series.column, recording.series.quantity)};
+    return Error{"compared_is_no_position",
+                 {{"file", recording.file},
+                  {"column", recording.series.column},
+                  {"kind", kind_of(recording.series.quantity)}}};
 
   const Series& series = recording.series;
   FittedSamples samples = without_outliers(series);
@@ -95,13 +93,12 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   const double spacing = series.rate > 0 ? 1 / series.rate : period / default_steps_per_period;
   const double step = options.step.value_or(dividing_step(spacing, period));
   if (!(step > 0) || duration / step > most_steps)
-    return Error{fmt::format("--step {}: it must be positive and give at most {:.0e} steps over {:.6g} s",
-                             step, most_steps, duration)};
+    return Error{"compared_step", {{"step", step}, {"most", most_steps}, {"duration", duration}}};
 
   const Result<NamedLaw> constant = constant_rate(recording, part_of(watch, 0, 0.2));
   if (!constant) return constant.error();
   if (watch.interrupted()) {
-    result.warnings.emplace_back("interrupted before anything was simulated");
+    result.notices.push_back(Notice{"interrupted_before_simulating"});
     result.complete = false;
     return result;
   }
@@ -109,7 +106,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
   for (const NamedLaw& law : {*constant, chosen}) {
     const double done = result.curves.empty() ? 0.2 : 0.6;
     const Watch part = part_of(watch, done, done + 0.4);
-    Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.warnings, part);
+    Result<ComparedCurve> curve = simulate_curve(recording, law, options, step, result.notices, part);
     if (!curve) return curve.error();
     result.complete = result.complete && curve->complete;
     result.curves.push_back(std::move(*curve));
@@ -130,10 +127,10 @@ Result<CompareResult> compare_driven(std::string_view bytes, std::string_view fi
   if (!fits) return fits.error();
   Result<CompareResult> result = compare_fitted(fits->front(), free, part_of(watch, of_fits, 1));
   if (!result) return result;
-  result->doubts.insert(result->doubts.begin(), driven.warnings.back());
-  for (const std::string& warning : driven.warnings)
-    if (std::find(result->warnings.begin(), result->warnings.end(), warning) == result->warnings.end())
-      result->warnings.push_back(warning);
+  result->doubts.insert(result->doubts.begin(), driven.notices.back());
+  for (const Notice& notice : driven.notices)
+    if (std::find(result->notices.begin(), result->notices.end(), notice) == result->notices.end())
+      result->notices.push_back(notice);
   return result;
 }
 
@@ -142,15 +139,13 @@ Result<CompareResult> compare_driven(std::string_view bytes, std::string_view fi
 Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_view file,
                                            const CompareOptions& options, const Watch& watch) {
   if (const Result<void> known = check_method_name(options.method); !known)
-    return Error{"--method: " + known.error().message};
-  if (is_driven(options.fit))
-    return Error{
-        "--force-column and --drive-frequency are options of fit: compare lays free motions side by side"};
+    return Error{"method_is_wrong", {{"what", known.error().notice}}};
+  if (is_driven(options.fit)) return Error{"compare_has_no_drive"};
   const Result<std::vector<FittedRecording>> fits = fit(bytes, file, options.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
   for (const FittedRecording& recording : *fits) {
-    if (recording.wrong_input) return Error{std::string(file) + ": " + recording.fit.message};
+    if (recording.wrong_input) return Error{in_file(file, recording.fit.message)};
     const double each = (1 - of_fits) / static_cast<double>(fits->size()),
                  done = of_fits + each * static_cast<double>(results.size());
     const Watch part = part_of(watch, done, done + each);

@@ -32,10 +32,10 @@ struct ComparedCurve {
   double r_squared = 0;
   double amplitude_ratio_end = 0;  ///< simulated over measured, at the end (carried there from the last ten
                                    ///< periods); NaN where the measured motion has stopped
-  double phase_drift = 0;              // [rad] simulated minus measured, at the end; NaN likewise
-  bool measured_at_rest = false;       ///< the measured swing is below the noise at the end
-  bool at_rest = false;                ///< the simulated one is
-  double law_rms = 0;                  ///< the law itself leaves, without the method's error [as rms]
+  double phase_drift = 0;          // [rad] simulated minus measured, at the end; NaN likewise
+  bool measured_at_rest = false;   ///< the measured swing is below the noise at the end
+  bool at_rest = false;            ///< the simulated one is
+  double law_rms = 0;              ///< the law itself leaves, without the method's error [as rms]
   double law_amplitude_ratio_end = 0;  ///< of the law itself; NaN where the measured motion has stopped
   double method_amplitude_ratio =
       1;                    ///< simulated over the law itself, at the end; NaN where that has stopped
@@ -45,18 +45,18 @@ struct ComparedCurve {
 struct CompareResult {
   FittedRecording recording;
   std::vector<ComparedCurve> curves;
-  bool complete = true;               ///< all curves are, and none is missing but for the fit's status
-  bool others_tried = true;           ///< no law was asked for: the fit chose among several
-  std::vector<std::string> doubts;    ///< why no law tried says what the motion is; among the warnings
-  std::vector<std::string> warnings;  ///< the fit's first
+  bool complete = true;         ///< all curves are, and none is missing but for the fit's status
+  bool others_tried = true;     ///< no law was asked for: the fit chose among several
+  std::vector<Notice> doubts;   ///< why no law tried says what the motion is; among the notices
+  std::vector<Notice> notices;  ///< the fit's first
 };
 
 /// Whether one decay rate is enough, with its numbers, for people; empty where nothing was simulated to the
 /// end.
-std::string explanation(const CompareResult& comparison);
+Notice explanation(const CompareResult& comparison);
 
 /// The simulations beside one fitted recording; of a run that ended early (diverged, interrupted) the figures
-/// are NaN and a warning says when; one that grows tenfold is said to be unstable. A method that does not
+/// are NaN and a notice says when; one that grows tenfold is said to be unstable. A method that does not
 /// exist, or cannot integrate the law, and a step that is not positive or that no run could be made of, are
 /// Errors. No curves where the fit was refused.
 Result<CompareResult> compare_fitted(const FittedRecording& recording, const CompareOptions& options,

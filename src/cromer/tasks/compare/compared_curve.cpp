@@ -1,7 +1,5 @@
 #include "cromer/tasks/compare/compared_curve.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -89,16 +87,19 @@ void compare_with_law(ComparedCurve& curve, const FittedRecording& recording, co
   curve.method_phase = end.phase_drift;
 }
 
+Notice said(const NamedLaw& law) {
+  const std::string text = to_text(law.law);
+  return law.label == text ? Notice{"law_by_name", {{"law", text}}} : Notice{"one_constant_decay_rate"};
+}
+
 }  // namespace
 
 Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const NamedLaw& law,
-                                     const CompareOptions& options, double step,
-                                     std::vector<std::string>& warnings, const Watch& watch) {
+                                     const CompareOptions& options, double step, std::vector<Notice>& notices,
+                                     const Watch& watch) {
   if (options.method == "exact")
     if (const std::string_view term = why_no_closed_form(law); !term.empty())
-      return Error{fmt::format(
-          "--method exact: there is no closed form with {}; choose rk4 or another method, or --law viscous",
-          term)};
+      return Error{"compared_has_no_closed_form", {{"term", term}}};
   const Series& series = recording.series;
   const Motion& motion = law.motion;
   const double t0 = series.t.front(), duration = series.t.back() - t0;
@@ -123,17 +124,18 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   if (outcome.status != Status::reached_end || curve.trajectory.size() < series.t.size()) {
     curve.complete = false;
     curve.diverged = !outcome.interrupted;
-    warnings.push_back(outcome.interrupted
-                           ? fmt::format("{}: interrupted at {:.6g} s", law.label, outcome.t)
-                           : fmt::format("{}: {} ended at {:.6g} s with {}; a smaller --step may help",
-                                         law.label, options.method, outcome.t, name(outcome.status)));
+    notices.push_back(outcome.interrupted
+                          ? Notice{"curve_interrupted", {{"law", said(law)}, {"t", outcome.t}}}
+                          : Notice{"curve_ended",
+                                   {{"law", said(law)},
+                                    {"method", options.method},
+                                    {"t", outcome.t},
+                                    {"status", name(outcome.status)}}});
     return curve;
   }
   const double law_step = recording.fit.step > 0 ? recording.fit.step : step;
   const Trajectory itself = motion_states(motion, {}, series.t, law_step);
-  if (itself.size() < series.t.size())
-    return Error{
-        fmt::format("{}: the law runs away from the recording's start; choose another --law", law.label)};
+  if (itself.size() < series.t.size()) return Error{"law_runs_away", {{"law", said(law)}}};
   const Samples samples = good_samples(recording, curve.trajectory, itself);
   compare_with_measured(curve, recording, samples);
   compare_with_law(curve, recording, samples);
@@ -143,11 +145,9 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
   if (largest > 10 * start) {
     curve.diverged = true;
-    warnings.push_back(fmt::format(
-        "{}: {} with a step of {:.6g} s grows to {:.3g} times the amplitude that it started from: it is "
-        "unstable there, and the figures say nothing of the law; take a smaller --step or another "
-        "--method",
-        law.label, options.method, step, largest / start));
+    notices.push_back(
+        Notice{"curve_grows",
+               {{"law", said(law)}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
   }
   return curve;
 }

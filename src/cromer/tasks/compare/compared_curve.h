@@ -18,10 +18,10 @@ struct NamedLaw {
 };
 
 /// Runs the law by the method and step of the options over the recording's times. Samples set aside are in no
-/// figure. A run that ended early, or that grows tenfold, is a warning. The law must be one that the method
+/// figure. A run that ended early, or that grows tenfold, is a notice. The law must be one that the method
 /// can integrate, else an Error.
 Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const NamedLaw& law,
-                                     const CompareOptions& options, double step,
-                                     std::vector<std::string>& warnings, const Watch& watch);
+                                     const CompareOptions& options, double step, std::vector<Notice>& notices,
+                                     const Watch& watch);
 
 }  // namespace cromer::core

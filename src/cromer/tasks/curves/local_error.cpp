@@ -53,15 +53,11 @@ Result<LocalErrorResult> local_errors(const LocalErrorOptions& options) {
   if (!runs) return runs.error();
   LocalErrorResult result;
   for (const SimulatedRun& run : *runs) {
-    if (run.general)
-      return Error{
-          "--drive: the error of a step is measured on a smooth motion, free or under a harmonic drive"};
+    if (run.general) return Error{"local_error_under_drive"};
     if (const std::string_view term = why_not_exact(run.oscillator); !term.empty())
-      return Error{"--" + std::string(term) +
-                   ": the error of a step is measured against the closed form, which this law has not"};
+      return Error{"local_error_without_closed_form", {{"option", term}}};
     const double period = natural_period(run.oscillator);
-    if (!(period > 0))
-      return Error{"--stiffness: the steps are parts of a natural period, which this law has not"};
+    if (!(period > 0)) return Error{"local_error_without_period"};
     std::vector<double> steps;
     for (int i = halvings; i >= 0; --i) steps.push_back(period * longest_in_periods * std::ldexp(1.0, -i));
     const double t = options.phase * period;

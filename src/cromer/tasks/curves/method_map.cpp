@@ -1,8 +1,8 @@
 #include "cromer/tasks/curves/method_map.h"
 
-#include "cromer/model/linear_quantities.h"
 #include <cmath>
 #include <limits>
+#include "cromer/model/linear_quantities.h"
 
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
@@ -46,17 +46,16 @@ MethodMapCurve curve_of(const SimulatedRun& run, const LinearLaw<double>& law,
 }  // namespace
 
 Result<MethodMapResult> method_map(const MethodMapOptions& options) {
-  if (!(options.from > 0)) return Error{"--from: it must be positive"};
-  if (!(options.to > options.from)) return Error{"--to: it must be above --from"};
-  if (options.points < 2) return Error{"--points: at least 2"};
+  if (!(options.from > 0)) return Error{"from_not_positive"};
+  if (!(options.to > options.from)) return Error{"to_not_above_from"};
+  if (options.points < 2) return Error{"too_few_points"};
   const auto runs = set_up_runs(options.simulate);
   if (!runs) return runs.error();
   const Oscillator<double>& o = runs->front().oscillator;
   if (const std::string_view term = why_not_exact(o); !term.empty())
-    return Error{"--" + std::string(term) + ": only a linear law has one frequency and one decay rate"};
+    return Error{"method_map_not_linear", {{"option", term}}};
   const LinearLaw<double> law = linear_law(o);
-  if (!(law.stiffness > law.decay_rate * law.decay_rate))
-    return Error{"--damping: this law does not oscillate"};
+  if (!(law.stiffness > law.decay_rate * law.decay_rate)) return Error{"law_does_not_oscillate"};
   MethodMapResult result{std::sqrt(law.stiffness), law.decay_rate, {}};
   for (const SimulatedRun& run : *runs) result.curves.push_back(curve_of(run, law, options));
   return result;

@@ -1,6 +1,5 @@
 #include "cromer/tasks/curves/resonance.h"
 
-#include <fmt/format.h>
 #include "cromer/base/pi.h"
 #include "cromer/model/linear_quantities.h"
 
@@ -22,21 +21,18 @@ constexpr double transient_left = 1e-6;
 constexpr int measured_cycles = 4;
 
 Result<void> check(const ResonanceOptions& options, const Oscillator<double>& law) {
-  if (!(options.frequency_from > 0)) return Error{"--frequency-from: it must be positive"};
-  if (!(options.frequency_to > options.frequency_from))
-    return Error{"--frequency-to: it must be above --frequency-from"};
-  if (options.points < 2) return Error{"--points: at least 2"};
+  if (!(options.frequency_from > 0)) return Error{"frequency_from_not_positive"};
+  if (!(options.frequency_to > options.frequency_from)) return Error{"frequency_to_not_above_from"};
+  if (options.points < 2) return Error{"too_few_points"};
   const std::string_view drive = drive_name(options.simulate);
-  if (drive == "none") return Error{"--drive-amplitude: a resonance curve needs a force"};
+  if (drive == "none") return Error{"resonance_without_force"};
   if (drive != "harmonic" && drive != "unbalance" && drive != "base")
-    return Error{
-        fmt::format("--{}: a resonance curve is that of a harmonic force, an unbalance or a shaking base",
-                    options.simulate.drive.empty() ? drive : "drive")};
+    return Error{"resonance_of_other_drive",
+                 {{"option", options.simulate.drive.empty() ? drive : std::string_view("drive")}}};
   if (const std::string_view term = why_not_exact(law); !term.empty())
-    return Error{fmt::format("--{}: this resonance curve is of the linear law", term)};
-  if (!(law.damping > 0))
-    return Error{"--damping: without damping no transient dies down, and there is no steady amplitude"};
-  if (!(law.stiffness > 0)) return Error{"--stiffness: without a spring there is no resonance"};
+    return Error{"resonance_not_linear", {{"option", term}}};
+  if (!(law.damping > 0)) return Error{"resonance_without_damping"};
+  if (!(law.stiffness > 0)) return Error{"resonance_without_spring"};
   return {};
 }
 
@@ -45,10 +41,7 @@ Result<std::vector<SimulateOptions>> each_damping(const ResonanceOptions& option
   const SimulateOptions& given = options.simulate;
   if (options.damping_ratio.empty()) return std::vector{given};
   if (given.damping || given.damping_ratio || given.quality_factor)
-    return Error{
-        "--damping-ratios: the damping is set by --damping, --damping-ratio or --quality-factor already; "
-        "give "
-        "one of them"};
+    return Error{"damping_ratios_and_damping"};
   std::vector<SimulateOptions> all;
   for (const double ratio : options.damping_ratio) {
     all.push_back(given);
@@ -138,15 +131,14 @@ void add(ResonanceCurve& curve, const SimulateOptions& options, const SimulatedR
   curve.transmitted.push_back(point.transmission.amplitude * sent);
 }
 
-std::string warning_of(const ResonanceCurve& curve) {
+/// Empty where every run settled.
+Notice notice_of(const ResonanceCurve& curve) {
   const auto& amplitudes = curve.amplitude;
   const auto missing =
       std::count_if(amplitudes.begin(), amplitudes.end(), [](double a) { return std::isnan(a); });
-  if (missing == 0) return "";
-  return fmt::format(
-      "{} did not settle at {} of {} frequencies: its own damping is negative or its steps are too long "
-      "there",
-      curve.method, missing, amplitudes.size());
+  if (missing == 0) return {};
+  return Notice{"not_settled",
+                {{"method", curve.method}, {"unsettled", missing}, {"frequencies", amplitudes.size()}}};
 }
 
 }  // namespace
@@ -179,7 +171,7 @@ Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& 
         if (watch.progress) watch.progress((work_done + share) / work);
       }
       ++work_done;
-      if (auto warning = warning_of(curve); !warning.empty()) result.warnings.push_back(std::move(warning));
+      if (auto notice = notice_of(curve); !notice.empty()) result.notices.push_back(std::move(notice));
       result.curves.push_back(std::move(curve));
     }
   }

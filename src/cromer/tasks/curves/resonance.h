@@ -38,7 +38,7 @@ struct ResonanceCurve {
 struct ResonanceResult {
   bool of_motion = false;              ///< what is transmitted is a displacement
   std::vector<ResonanceCurve> curves;  ///< damping ratio outermost, in the order of the methods
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
 };
 
 /// Each point is a run from the exact steady motion, long enough for the method's own transient to fall to

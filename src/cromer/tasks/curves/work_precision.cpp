@@ -28,7 +28,7 @@ Result<Truth> truth_of(const SimulateOptions& options, const SimulatedRun& run) 
   if (!closed) reference.tolerance = finest;
   const auto result = simulate(reference);
   if (!result) return result.error();
-  if (!result->ok()) return Error{"the reference run failed: " + result->runs.front().message};
+  if (!result->ok()) return Error{"reference_run_failed", {{"what", result->runs.front().message}}};
   const SimulatedRun& fine = result->runs.front();
   Truth truth{fine.outcome.y, 0, 0};
   for (const double x : fine.trajectory.x) truth.position = std::max(truth.position, std::abs(x));
@@ -49,8 +49,8 @@ double slope_of(const WorkPrecisionCurve& curve) {
 }  // namespace
 
 Result<WorkPrecisionResult> work_precision(const WorkPrecisionOptions& options, const Watch& watch) {
-  if (!(options.longest > 0)) return Error{"--longest: it must be positive"};
-  if (options.halvings < 1 || options.halvings > 30) return Error{"--halvings: 1 to 30"};
+  if (!(options.longest > 0)) return Error{"longest_not_positive"};
+  if (options.halvings < 1 || options.halvings > 30) return Error{"halvings_out_of_range"};
   const auto runs = set_up_runs(options.simulate);
   if (!runs) return runs.error();
   const SimulatedRun& first = runs->front();

@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/fit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +7,7 @@
 #include "cromer/analysis/reynolds.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/without_file.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/doubts.h"
@@ -16,6 +15,7 @@
 #include "cromer/identify/diagnose/second_mode.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/in_file.h"
 #include "cromer/tasks/fit/derived_quantities.h"
 #include "cromer/tasks/fit/fit_forced.h"
 #include "cromer/tasks/fit/forced_options.h"
@@ -33,25 +33,16 @@ namespace {
 Result<void> check_options(FitOptions options) {
   for (const Option& option : options_of(options))
     if (auto good = check(option); !good) return good;
-  if (options.spring_mass && !options.mass) return Error{"--spring-mass needs --mass as well"};
-  if (options.monte_carlo && !options.mass)
-    return Error{"--monte-carlo needs --mass: it checks the uncertainty of the spring constant"};
-  if (options.temperature && !options.disc_diameter)
-    return Error{
-        "--temperature needs --disc-diameter: the air's warmth matters to the Reynolds number and the drag "
-        "coefficient of a disc only"};
-  if (options.seed_given && !options.monte_carlo)
-    return Error{"--seed needs --monte-carlo: it is the seed of its trials"};
+  if (options.spring_mass && !options.mass) return Error{"spring_mass_alone"};
+  if (options.monte_carlo && !options.mass) return Error{"monte_carlo_without_mass"};
+  if (options.temperature && !options.disc_diameter) return Error{"temperature_without_disc"};
+  if (options.seed_given && !options.monte_carlo) return Error{"seed_without_monte_carlo"};
   if (!options.goal.empty())
     if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
-  if (options.no_spring && options.force_column.empty())
-    return Error{
-        "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded force "
-        "tells "
-        "its law"};
+  if (options.no_spring && options.force_column.empty()) return Error{"no_spring_without_force"};
   if (const Result<void> good = check_forced_options(options); !good) return good;
   if (options.from && options.to && !(*options.from < *options.to))
-    return Error{fmt::format("--from {} must lie before --to {}", *options.from, *options.to)};
+    return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
   return {};
 }
 
@@ -60,19 +51,14 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
   const int order = derivative_order(result.series.quantity);
   const bool length = is_linear_quantity(result.series.quantity) && order < 2;
   if (!length) {
-    result.warnings.push_back(fmt::format(
-        "no Reynolds number: column \"{}\" is neither a position nor a velocity", result.series.column));
+    result.notices.push_back(Notice{"no_reynolds_number", {{"column", result.series.column}}});
     return;
   }
   constexpr double window = 0.5;  // [s]
   const LawFit& fit = result.fit;
   const double t0 = result.series.t.front(), duration = result.series.t.back() - t0;
   const double period = two_pi / fit.motion.angular_frequency();
-  if (period >= 1)
-    result.warnings.push_back(fmt::format(
-        "the period of {:.3g} s is longer than two windows of the Reynolds number: a window may hold no "
-        "turning of the speed",
-        period));
+  if (period >= 1) result.notices.push_back(Notice{"long_period_for_reynolds", {{"period", period}}});
   // A whole number of samples in each window, at least eighty in a period.
   const double step = window / std::ceil(80 * window / std::min(period, 80 * window));
   std::vector<double> t;
@@ -109,19 +95,17 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
 
 // The law asked for, or the one the record asks for.
 Result<LawChoice> law_of_record(const Record& record, const Series& series, const FitOptions& options,
-                                std::vector<std::string>& warnings, const Watch& watch) {
+                                std::vector<Notice>& notices, const Watch& watch) {
   LawFitOptions decay;
   decay.angle = series.quantity.starts_with("ang");
   decay.hysteresis_exponent = options.hysteresis_exponent;
-  if (record.derivative > 0) warnings.push_back(fitted_as_it_is(series.quantity, series.column));
+  if (record.derivative > 0) notices.push_back(fitted_as_it_is(series.quantity, series.column));
   const Result<std::optional<Law>> law = law_of(options);
   if (!law) return law.error();
   if (!*law) return choose_law(record, decay, watch);
   if ((*law)->has<Pendulum>() && !decay.angle && !series.quantity.empty())
-    return Error{fmt::format(
-        "--law {}: a pendulum's law is one of angles, and column \"{}\" holds {}; use cubic, or choose an "
-        "angle by --column",
-        options.law, series.column, series.quantity)};
+    return Error{"pendulum_without_angle",
+                 {{"law", options.law}, {"column", series.column}, {"kind", kind_of(series.quantity)}}};
   decay.law = **law;
   LawChoice choice;
   choice.chosen = fit_law(record, decay, watch);
@@ -146,15 +130,13 @@ Result<void> check_fit_options(const FitOptions& options) {
   return {};
 }
 
-FittedRecording not_fitted(std::string_view file, int run, std::string_view message) {
-  if (message.starts_with(file) && message.substr(file.size()).starts_with(": "))
-    message.remove_prefix(file.size() + 2);
+FittedRecording not_fitted(std::string_view file, int run, const Notice& why) {
   FittedRecording row;
   row.file = file;
   row.series.run = run;
   row.wrong_input = true;
   row.fit.status = FitStatus::no_oscillation;
-  row.fit.message = message;
+  row.fit.message = without_file(why, file);
   return row;
 }
 
@@ -163,9 +145,10 @@ Result<void> check_pauses(const Series& series) {
   constexpr double longest_pause = 1e6;  // [sample spacings]
   for (std::size_t i = 1; i < series.t.size(); ++i)
     if ((series.t[i] - series.t[i - 1]) * series.rate > longest_pause)
-      return Error{fmt::format(
-          "line {}: the time jumps from {:.9g} to {:.9g} s; choose one side of it with --from and --to",
-          i < series.lines.size() ? series.lines[i] : 0, series.t[i - 1], series.t[i])};
+      return Error{"time_jumps",
+                   {{"line", i < series.lines.size() ? series.lines[i] : 0},
+                    {"from", series.t[i - 1]},
+                    {"to", series.t[i]}}};
   return {};
 }
 
@@ -189,7 +172,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.samples = series.t.size();
   result.options = options;
   result.series = std::move(*used);
-  result.warnings = result.series.warnings;
+  result.notices = result.series.notices;
   FittedSamples samples = without_outliers(result.series);
   if (!options.from && !options.to) {
     const auto part = find_free_part({samples.t, samples.y, result.series.resolution});
@@ -199,10 +182,9 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
       const std::size_t before = result.series.t.size();
       result.series = *used_part(result.series, later);
       samples = without_outliers(result.series);
-      result.warnings.push_back(
-          fmt::format("{}: only what follows, {} of {} samples, is taken for a free motion; --from and --to "
-                      "choose another part",
-                      part->reason, result.series.t.size(), before));
+      result.notices.push_back(
+          Notice{"free_part_taken",
+                 {{"reason", part->reason}, {"kept", result.series.t.size()}, {"samples", before}}});
     }
   }
   // The law's motion begins at the first sample that the fit sees, and so does the series.
@@ -218,12 +200,12 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                       std::max(0, derivative_order(result.series.quantity))};
 
   if (result.series.quantity == "angle")
-    if (const std::string over = turning_over(record); !over.empty()) result.warnings.push_back(over);
-  Result<LawChoice> choice = law_of_record(record, result.series, options, result.warnings, watch);
+    if (Notice over = turning_over(record); !over.empty()) result.notices.push_back(std::move(over));
+  Result<LawChoice> choice = law_of_record(record, result.series, options, result.notices, watch);
   if (!choice) return choice.error();
   result.fit = choice->chosen;
-  list_outliers(result.series, samples, result.fit.outliers, result.warnings);
-  result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
+  list_outliers(result.series, samples, result.fit.outliers, result.notices);
+  result.notices.insert(result.notices.end(), result.fit.notices.begin(), result.fit.notices.end());
   for (const LawFit& candidate : choice->candidates)
     if (candidate.is_usable())
       result.candidates.push_back(
@@ -242,20 +224,20 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                                               options.segment, options.segments, watch);
   result.segments = segments.segments;
   result.decay_rate_mean = segments.mean;
-  result.warnings.insert(result.warnings.end(), segments.warnings.begin(), segments.warnings.end());
+  result.notices.insert(result.notices.end(), segments.notices.begin(), segments.notices.end());
   if (options.disc_diameter) add_reynolds(result, *options.disc_diameter, body.temperature, watch);
   if (const Result<void> asked = add_lab_quantities(result, kept, body, watch); !asked) return asked.error();
   if (watch.interrupted() && result.fit.status == FitStatus::converged) {
     result.fit.status = FitStatus::iteration_limit;
-    result.fit.message = "interrupted: the law is fitted, what follows from it is not all there";
+    result.fit.message = Notice{"fit_interrupted"};
     return result;
   }
   const std::string_view unit = si_unit_of(result.series.quantity);
-  for (const auto& sentences :
+  for (const auto& found :
        {doubts(record, result.fit, law_is_chosen(options), unit), second_modes(record, result.fit, unit)})
-    result.warnings.insert(result.warnings.end(), sentences.begin(), sentences.end());
-  if (const std::string wide = widening(result.fit, record.t.size()); !wide.empty())
-    result.warnings.push_back(wide);
+    result.notices.insert(result.notices.end(), found.begin(), found.end());
+  if (Notice wide = widening(result.fit, record.t.size()); !wide.empty())
+    result.notices.push_back(std::move(wide));
   return result;
 }
 
@@ -276,7 +258,7 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
     return recognise_drive(*std::move(free), *series, options, watch);
   }
   const Result<Series> force = take_series(recording, options.force_column, run, options.read);
-  if (!force) return Error{"--force-column: " + force.error().message};
+  if (!force) return Error{"of_force_column", {{"what", force.error().notice}}};
   return fit_forced(*series, *force, file, options, watch);
 }
 
@@ -297,18 +279,22 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
   if (fitted && !(fitted->succeeded() && fitted->fit.explained > well))
     if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
         !force.empty())
-      fitted->warnings.push_back(
-          fmt::format("if what column \"{0}\" holds drives the motion, say --force-column \"{0}\"", force));
+      fitted->notices.push_back(Notice{"may_be_the_force", {{"column", force}}});
   // The inner force is no parameter of the fit.
   if (fitted && options.from && fitted->fit.law.has<Hysteresis>())
-    fitted->warnings.push_back(
-        "the hysteretic force is taken as 0 at the first sample used, --from: where the body had moved before, "
-        "its coefficients and the stiffness are off, and their uncertainties do not hold");
+    fitted->notices.push_back(Notice{"hysteresis_from_zero"});
   if (fitted && options.hysteresis_exponent != 1 && !fitted->fit.law.has<Hysteresis>())
-    fitted->warnings.push_back(
-        fmt::format("--hysteresis-exponent has no effect on the law {}, which has no hysteresis",
-                    to_text(fitted->fit.law)));
+    fitted->notices.push_back(Notice{"exponent_without_hysteresis", {{"law", to_text(fitted->fit.law)}}});
   return fitted;
+}
+
+// Of an Error that names neither a file nor an option, but a column or a line.
+bool needs_a_file(const Notice& what) {
+  static constexpr std::string_view codes[] = {
+      "column_has_no_values", "values_too_small",   "values_too_large",    "time_jumps",
+      "all_set_aside",        "force_is_too_short", "force_never_changes", "force_has_a_gap",
+      "force_has_gaps",       "force_is_uneven",    "force_ends",          "force_at_other_times"};
+  return std::find(std::begin(codes), std::end(codes), what.code) != std::end(codes);
 }
 
 // Options are checked.
@@ -327,14 +313,14 @@ Result<std::vector<FittedRecording>> fit_runs(const Recording& recording, const 
       any_read = true;
       // What is said of the file is said once.
       if (fits.empty())
-        one->warnings.insert(one->warnings.begin(), recording.warnings.begin(), recording.warnings.end());
+        one->notices.insert(one->notices.begin(), recording.notices.begin(), recording.notices.end());
       fits.push_back(std::move(*one));
       continue;
     }
-    std::string message = one.error().message;
-    if (!message.starts_with("--") && !message.starts_with(file)) message = file + ": " + message;
-    fits.push_back(not_fitted(file, run, message));
-    if (!first_error) first_error = Error{std::move(message)};
+    const Notice& what = one.error().notice;
+    fits.push_back(not_fitted(file, run, what));
+    const bool nameless = needs_a_file(what) && !file.empty();
+    if (!first_error) first_error = nameless ? Error{in_file(file, what)} : one.error();
   }
   if (!any_read && first_error) return *first_error;
   return fits;

@@ -49,8 +49,7 @@ struct FitOptions {
 
 /// What textbooks would say of the damping; each empty where it cannot be had.
 struct TextbookDamping {
-  static constexpr const char* decrement_bias =
-      "noise lifts small peaks: too low; a mean where the damping changes with amplitude";
+  static Notice decrement_bias() { return Notice{"decrement_bias"}; }
   std::optional<PeakDecrement> decrement;
   std::optional<HalfPowerBandwidth> bandwidth;
 };
@@ -108,7 +107,7 @@ struct FittedRecording {
   std::vector<Mode> modes{};             ///< where two oscillations were found, the larger first
   std::string between_samples{};         ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
   bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here
 
   /// How many samples the fit saw: those of the series that are no outliers.
@@ -122,8 +121,8 @@ struct FittedRecording {
 /// What is wrong with the options whatever the recording is.
 Result<void> check_fit_options(const FitOptions& options);
 
-/// The row of a recording that could not be read: its message without the file's name before it.
-FittedRecording not_fitted(std::string_view file, int run, std::string_view message);
+/// The row of a recording that could not be read; what is said of it without the file's name before it.
+FittedRecording not_fitted(std::string_view file, int run, const Notice& why);
 
 /// The samples from --from to --to, without those of a sensor that has lost the motion for good where neither
 /// is given, drop-outs among their outliers. An Error where none is left.

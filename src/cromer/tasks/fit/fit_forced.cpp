@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/fit_forced.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,7 +29,7 @@ bool is_outlier(const Series& series, std::size_t i) {
 void describe(FittedRecording& result, LawChoice&& choice, const Record& record, const std::vector<double>& t,
               std::string_view force_unit, bool has_force_column, const Watch& watch) {
   result.fit = std::move(choice.chosen);
-  result.warnings.insert(result.warnings.end(), result.fit.warnings.begin(), result.fit.warnings.end());
+  result.notices.insert(result.notices.end(), result.fit.notices.begin(), result.fit.notices.end());
   for (const LawFit& candidate : choice.candidates)
     if (candidate.residual.rms > 0)
       result.candidates.push_back({candidate.law, candidate.residual.rms, candidate.bic,
@@ -43,8 +41,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
   const Body body = body_of(options);
   const std::string_view unit = si_unit_of(result.series.quantity);
   const int derivative = std::max(0, derivative_order(result.series.quantity));
-  if (derivative > 0)
-    result.warnings.push_back(fitted_as_it_is(result.series.quantity, result.series.column));
+  if (derivative > 0) result.notices.push_back(fitted_as_it_is(result.series.quantity, result.series.column));
   DrivenMotion& motion = result.driven.emplace();
   motion.states = motion_of(fit, t);
   motion.motion = observed_motion(fit.motion, fit.drive, t, derivative, fit.step);
@@ -56,41 +53,31 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
     if (options.monte_carlo)
       result.monte_carlo = stiffness_monte_carlo(fit, body, *options.monte_carlo, options.seed, watch);
   }
-  for (std::string& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency,
-                                          law_is_chosen(options), unit))
-    result.warnings.push_back(std::move(doubt));
+  for (Notice& doubt : driven_doubts(record, fit, residuals_of(fit, record), fit.motion.drive_frequency,
+                                     law_is_chosen(options), unit))
+    result.notices.push_back(std::move(doubt));
   if (fit.law.shares(springs) && fit.motion.decay_rate() >= fit.motion.angular_frequency())
-    result.warnings.emplace_back("the law is overdamped: it has no frequency and no period of its own");
+    result.notices.push_back(Notice{"overdamped_law"});
   if (fit.explained < 0.9 && fit.residual.autocorrelation > 0.5)
-    result.warnings.push_back(
-        fmt::format("the law accounts for {:.0f} % of the motion's variance, and what is left is no noise: "
-                    "something else drives it as well or instead, or its law is another",
-                    100 * fit.explained));
-  if (const std::string wide = widening(fit, result.series.t.size()); !wide.empty())
-    result.warnings.push_back(wide);
+    result.notices.push_back(Notice{"something_else_drives", {{"share", 100 * fit.explained}}});
+  if (Notice wide = widening(fit, result.series.t.size()); !wide.empty())
+    result.notices.push_back(std::move(wide));
 }
 
 void say_unused(FittedRecording& result) {
   const FitOptions& options = result.options;
   for (const std::string_view unused : unused_if_driven(options))
-    result.warnings.push_back(fmt::format("{} is not used: the motion is driven", unused));
+    result.notices.push_back(Notice{"unused_if_driven", {{"option", unused}}});
+  const bool has_drag = result.find("drag_coefficient") != nullptr;
   if (options.disc_diameter)
-    result.warnings.push_back(
-        fmt::format("--disc-diameter gives no Reynolds number of a driven motion{}",
-                    result.find("drag_coefficient")
-                        ? ""
-                        : "; and no drag coefficient: that needs --mass and drag in the law"));
+    result.notices.push_back(Notice{has_drag ? "driven_has_no_reynolds" : "driven_has_no_drag_number"});
 }
 
 }  // namespace
 
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch) {
-  if (motion.column == force.column)
-    return Error{
-        fmt::format("--force-column: \"{}\" is the column that is fitted; say which holds the motion "
-                    "with --column",
-                    force.column)};
+  if (motion.column == force.column) return Error{"force_is_the_motion", {{"column", force.column}}};
   Result<Series> used = samples_in_use(motion, options);
   if (!used) return used.error();
   const Series around = force_around(force, used->t.front(), used->t.back());
@@ -107,7 +94,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
     t.push_back(grid->time((*places)[i]));
     y.push_back(used->y[i]);
   }
-  if (t.empty()) return Error{fmt::format("column \"{}\" has no value that is not set aside", motion.column)};
+  if (t.empty()) return Error{"all_set_aside", {{"column", motion.column}}};
   const std::size_t fitted =
       options.hold_out
           ? static_cast<std::size_t>(std::lround((1 - *options.hold_out) * static_cast<double>(t.size())))
@@ -120,8 +107,9 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   result.file = file;
   result.samples = motion.t.size();
   result.options = options;
-  result.warnings = used->warnings;
-  for (const std::string& warning : force.warnings) result.warnings.push_back("force: " + warning);
+  result.notices = used->notices;
+  for (const Notice& notice : force.notices)
+    result.notices.push_back(Notice{"of_the_force", {{"what", notice}}});
   result.series = *std::move(used);
   // The law's motion begins at the first sample that the fit sees, and the series ends at the last.
   FitOptions cut;
@@ -171,16 +159,15 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   result.file = file;
   result.samples = motion.t.size();
   result.options = options;
-  result.warnings = used->warnings;
+  result.notices = used->notices;
   result.series = *std::move(used);
   const Series& series = result.series;
   const auto [t, y] = without_outliers(series);
-  if (t.empty()) return Error{fmt::format("column \"{}\" has no value that is not set aside", motion.column)};
+  if (t.empty()) return Error{"all_set_aside", {{"column", motion.column}}};
   const double highest = 0.5 * static_cast<double>(t.size() - 1) / (t.back() - t.front());  // [Hz]
   if (*drive && **drive > two_pi * highest)
-    return Error{
-        fmt::format("--drive-frequency: {:.6g} Hz is not seen in {:.4g} samples a second: up to {:.4g} Hz is",
-                    **drive / two_pi, 2 * highest, highest)};
+    return Error{"drive_not_seen",
+                 {{"asked", **drive / two_pi}, {"rate", 2 * highest}, {"highest", highest}}};
   // The law's motion begins at the first sample that the fit sees.
   if (series.t.front() < t.front()) {
     FitOptions later;
@@ -199,9 +186,8 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   const double found = fit.motion.drive_frequency;
   if (fit.status == FitStatus::converged && *drive &&
       std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))
-    result.warnings.push_back(
-        fmt::format("the steady oscillation has {:.6g} Hz, not the {:.6g} Hz of --drive-frequency",
-                    found / two_pi, **drive / two_pi));
+    result.notices.push_back(
+        Notice{"drive_is_another", {{"found", found / two_pi}, {"asked", **drive / two_pi}}});
   return result;
 }
 

@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/fit_static.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -33,17 +31,17 @@ Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& op
 }
 
 /// The first option given that says or asks something of a motion; empty where none does.
-std::string of_a_motion(const FitOptions& o) {
-  if (o.mass || o.spring_mass) return o.mass ? "--mass" : "--spring-mass";
-  if (law_is_chosen(o)) return "--law";
-  if (o.disc_diameter || o.temperature) return o.disc_diameter ? "--disc-diameter" : "--temperature";
-  if (o.segment || o.segments) return o.segment ? "--segment" : "--segments";
-  if (!o.force_column.empty() || o.hold_out) return o.hold_out ? "--hold-out" : "--force-column";
-  if (!o.drive_frequency.empty()) return "--drive-frequency";
-  if (o.no_spring || o.hysteresis_exponent != 1) return o.no_spring ? "--no-spring" : "--hysteresis-exponent";
-  if (!o.goal.empty() || o.textbook) return o.textbook ? "--textbook" : "--goal";
-  if (o.seed_given) return "--seed";
-  return o.monte_carlo ? "--monte-carlo" : "";
+std::string_view of_a_motion(const FitOptions& o) {
+  if (o.mass || o.spring_mass) return o.mass ? "mass" : "spring-mass";
+  if (law_is_chosen(o)) return "law";
+  if (o.disc_diameter || o.temperature) return o.disc_diameter ? "disc-diameter" : "temperature";
+  if (o.segment || o.segments) return o.segment ? "segment" : "segments";
+  if (!o.force_column.empty() || o.hold_out) return o.hold_out ? "hold-out" : "force-column";
+  if (!o.drive_frequency.empty()) return "drive-frequency";
+  if (o.no_spring || o.hysteresis_exponent != 1) return o.no_spring ? "no-spring" : "hysteresis-exponent";
+  if (!o.goal.empty() || o.textbook) return o.textbook ? "textbook" : "goal";
+  if (o.seed_given) return "seed";
+  return o.monte_carlo ? "monte-carlo" : "";
 }
 
 }  // namespace
@@ -51,10 +49,8 @@ std::string of_a_motion(const FitOptions& o) {
 Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options) {
   const auto masses = parse_masses(options.masses);
   if (!masses) return masses.error();
-  if (const std::string unused = of_a_motion(options.fit); !unused.empty())
-    return Error{fmt::format(
-        "{} has no meaning with --static: a mass at rest has no motion; leave it out, or leave out --static",
-        unused)};
+  if (const std::string_view unused = of_a_motion(options.fit); !unused.empty())
+    return Error{"no_meaning_with_static", {{"option", unused}}};
   std::vector<Hold> holds;
   std::size_t next = 0;
   for (const NamedBytes& file : files) {
@@ -63,8 +59,8 @@ Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const S
     const bool plateaus = files.size() == 1 && series->size() == 1;
     const std::size_t count = plateaus ? masses->size() : series->size();
     if (next + count > masses->size())
-      return Error{fmt::format("--masses: {} masses are given, and there are more holds: {} has {} run{}",
-                               masses->size(), file.first, series->size(), series->size() == 1 ? "" : "s")};
+      return Error{"more_holds_than_masses",
+                   {{"masses", masses->size()}, {"file", file.first}, {"runs", series->size()}}};
     const auto first = masses->begin() + static_cast<std::ptrdiff_t>(next);
     const auto found = find_holds(*series, file.first, {first, first + static_cast<std::ptrdiff_t>(count)});
     if (!found) return found.error();
@@ -72,8 +68,7 @@ Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const S
     next += count;
   }
   if (next < masses->size())
-    return Error{fmt::format("--masses: {} masses are given for {} hold{}", masses->size(), next,
-                             next == 1 ? "" : "s")};
+    return Error{"more_masses_than_holds", {{"masses", masses->size()}, {"holds", next}}};
   return static_stiffness(std::move(holds), options.gravity);
 }
 

@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/force_grid.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,29 +13,26 @@ constexpr double most_uneven = 0.02;  // of a sample spacing
 }  // namespace
 
 Result<ForceGrid> grid_of(const Series& force) {
-  const auto column = [&] { return fmt::format("force column \"{}\"", force.column); };
-  if (force.t.size() < 2) return Error{column() + " has fewer than two values"};
+  if (force.t.size() < 2) return Error{"force_is_too_short", {{"column", force.column}}};
   const auto [low, high] = std::minmax_element(force.y.begin(), force.y.end());
   if (*low == *high)
-    return Error{
-        fmt::format("{} is {} throughout: a force that never changes drives nothing; leave out "
-                    "--force-column to fit the free motion",
-                    column(), shortest(*low))};
+    return Error{"force_never_changes", {{"column", force.column}, {"value", shortest(*low)}}};
   if (!force.gaps.empty())
-    return Error{
-        fmt::format("{} has {}, the first {:.6g} s long at {:.6g} s: what the force did there is not known; "
-                    "choose one side of it with --from and --to, or fill it in",
-                    column(), force.gaps.size() == 1 ? "a gap" : fmt::format("{} gaps", force.gaps.size()),
-                    force.gaps.front().length, force.gaps.front().t)};
+    return Error{Notice{force.gaps.size() == 1 ? "force_has_a_gap" : "force_has_gaps",
+                        {{"column", force.column},
+                         {"gaps", force.gaps.size()},
+                         {"length", force.gaps.front().length},
+                         {"t", force.gaps.front().t}}}};
   ForceGrid grid{force.t.front(),
                  (force.t.back() - force.t.front()) / static_cast<double>(force.t.size() - 1),
                  force.t.size()};
   for (std::size_t i = 0; i < grid.size; ++i)
     if (std::abs(force.t[i] - grid.time(i)) > most_uneven * grid.spacing)
-      return Error{fmt::format(
-          "line {}: the times are not evenly spaced ({:.6g} s where {:.6g} s is expected, one sample each "
-          "{:.6g} s); a recorded force needs even samples: resample the recording first",
-          i < force.lines.size() ? force.lines[i] : 0, force.t[i], grid.time(i), grid.spacing)};
+      return Error{"force_is_uneven",
+                   {{"line", i < force.lines.size() ? force.lines[i] : 0},
+                    {"t", force.t[i]},
+                    {"expected", grid.time(i)},
+                    {"spacing", grid.spacing}}};
   return grid;
 }
 
@@ -65,15 +60,15 @@ Result<std::vector<std::size_t>> places_on(const ForceGrid& grid, const Series& 
   for (std::size_t i = 0; i < motion.t.size(); ++i) {
     const double at = (motion.t[i] - grid.begin) / grid.spacing, place = std::round(at);
     if (place < 0 || place >= static_cast<double>(grid.size))
-      return Error{fmt::format(
-          "force column \"{}\" goes from {:.6g} to {:.6g} s, and column \"{}\" has a value at {:.6g} s; "
-          "choose the part that both have with --from and --to",
-          force.column, grid.begin, grid.time(grid.size - 1), motion.column, motion.t[i])};
+      return Error{"force_ends",
+                   {{"force", force.column},
+                    {"from", grid.begin},
+                    {"to", grid.time(grid.size - 1)},
+                    {"column", motion.column},
+                    {"t", motion.t[i]}}};
     if (std::abs(at - place) > most_uneven)
-      return Error{
-          fmt::format("force column \"{}\" has other times than column \"{}\": {:.9g} s lies between "
-                      "two of its samples; resample one of them first",
-                      force.column, motion.column, motion.t[i])};
+      return Error{"force_at_other_times",
+                   {{"force", force.column}, {"column", motion.column}, {"t", motion.t[i]}}};
     places.push_back(static_cast<std::size_t>(place));
   }
   return places;

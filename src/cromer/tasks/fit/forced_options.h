@@ -13,7 +13,7 @@ bool is_driven(const FitOptions& options);
 /// Whether --law names one; else the data choose it.
 bool law_is_chosen(const FitOptions& options);
 
-/// The options given that ask for something of a free decay: --segment, --segments, --goal, --textbook.
+/// The names of the options given that ask for something of a free decay: segment, segments, goal, textbook.
 std::vector<std::string_view> unused_if_driven(const FitOptions& options);
 
 /// That each option of a forced or driven fit stands where it has a meaning and has one of its values.

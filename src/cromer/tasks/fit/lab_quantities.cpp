@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/lab_quantities.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "cromer/base/pi.h"
@@ -51,8 +49,7 @@ void add_force_parameters(FittedRecording& result, const Body& body) {
     const auto forces = force_parameters(result.fit, body);
     result.parameters.insert(result.parameters.end(), forces.begin(), forces.end());
   } else if (body.mass) {
-    result.warnings.push_back(
-        fmt::format("--mass gives no stiffness here: column \"{}\" is no length", result.series.column));
+    result.notices.push_back(Notice{"mass_gives_no_stiffness", {{"column", result.series.column}}});
   }
 }
 

@@ -8,7 +8,7 @@ namespace cromer::core {
 /// What the options say of the body.
 Body body_of(const FitOptions& options);
 
-/// Adds the force_parameters of a length, or the warning that a mass gives none.
+/// Adds the force_parameters of a length, or the notice that a mass gives none.
 void add_force_parameters(FittedRecording& result, const Body& body);
 
 /// Fills decay_by_amplitude, keulegan_carpenter (with a disc), stiffness_budget and monte_carlo (with a

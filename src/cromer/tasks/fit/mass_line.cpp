@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/mass_line.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "cromer/base/pi.h"
@@ -11,17 +9,15 @@ namespace cromer::core {
 
 Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses) {
   if (fits.size() != masses.size())
-    return Error{
-        fmt::format("--masses: {} masses are given for {} recording{}; each recording, and each run in one, "
-                    "needs its own",
-                    masses.size(), fits.size(), fits.size() == 1 ? "" : "s")};
+    return Error{"masses_unlike_recordings", {{"masses", masses.size()}, {"recordings", fits.size()}}};
   MassLine result;
   std::vector<UncertainPoint> points;
   for (std::size_t i = 0; i < fits.size(); ++i) {
     const FittedRecording& fitted = fits[i];
     if (!fitted.succeeded()) {
-      result.warnings.push_back(fmt::format("{}, run {} is left out of the line: {}", fitted.file,
-                                            fitted.series.run, fitted.fit.message));
+      result.notices.push_back(
+          Notice{"run_left_out_of_line",
+                 {{"file", fitted.file}, {"run", fitted.series.run}, {"why", fitted.fit.message}}});
       continue;
     }
     const Estimate w = fitted.fit.angular_frequency();
@@ -31,10 +27,8 @@ Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::
     points.push_back({masses[i].value, T2, masses[i].uncertainty, square.standard_error});
   }
   const auto line = fit_line_with_errors(points);
-  if (!line) return Error{"--mass-line needs at least two recordings of different masses"};
-  if (!(line->slope > 0))
-    return Error{
-        "--mass-line: the period does not grow with the mass; are --masses in the order of the recordings?"};
+  if (!line) return Error{"mass_line_of_one_mass"};
+  if (!(line->slope > 0)) return Error{"period_does_not_grow"};
   result.line = *line;
   const double t = line->extra_scatter > 0 ? student_95(line->degrees) : student_95(1e9);
   const double s = line->slope, a = line->intercept, k = two_pi * two_pi / s;
@@ -46,14 +40,10 @@ Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::
   const double error = std::sqrt(std::max(0.0, variance));
   result.effective_mass = make_estimate(a / s, error, t);
   result.spring_mass = make_estimate(3 * a / s, 3 * error, t);
-  if (points.size() == 2)
-    result.warnings.emplace_back("two masses give a line whatever they are: nothing shows whether it is one");
+  if (points.size() == 2) result.notices.push_back(Notice{"line_of_two"});
   if (line->extra_scatter > 0)
-    result.warnings.push_back(
-        fmt::format("the points scatter about the line by {:.2g} s², more than their errors say: this is "
-                    "added to all, and the "
-                    "intervals are those of {} degree{} of freedom",
-                    line->extra_scatter, line->degrees, line->degrees == 1 ? "" : "s"));
+    result.notices.push_back(
+        Notice{"points_scatter", {{"scatter", line->extra_scatter}, {"degrees", line->degrees}}});
   return result;
 }
 

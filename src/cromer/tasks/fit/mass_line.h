@@ -25,7 +25,7 @@ struct MassLine {
   Estimate stiffness;       // [N/m]
   Estimate effective_mass;  // [kg] m_e
   Estimate spring_mass;     // [kg] 3 m_e
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
 };
 
 /// One mass for each fit, in their order; fits that did not succeed are left out and said. Not as many masses

@@ -25,25 +25,21 @@ Result<std::vector<Quantity>> parse_masses(std::string_view text) {
   }
   std::size_t with_unit = 0;
   for (const std::string& part : parts) {
-    if (part.empty()) return Error{"--masses: a mass is missing between two commas"};
+    if (part.empty()) return Error{"mass_missing"};
     with_unit += !unit_in(part).empty();
   }
   // One unit at the end is that of all; some with and some without one could mean anything.
   const std::string unit(unit_in(parts.back()));
   for (std::string& part : parts) {
     if (with_unit == parts.size() || with_unit == 0 || !unit_in(part).empty()) continue;
-    if (with_unit > 1 || unit.empty())
-      return Error{
-          "--masses: " + part +
-          " has no unit and others have: give each its unit, or only the last one, which is then that "
-          "of all"};
+    if (with_unit > 1 || unit.empty()) return Error{"mass_without_unit", {{"mass", part}}};
     part += " " + unit;
   }
   std::vector<Quantity> masses;
   for (const std::string& part : parts) {
     const auto mass = parse_quantity(part, "kg");
-    if (!mass) return Error{"--masses: " + mass.error().message};
-    if (!(mass->value >= 0)) return Error{"--masses: " + part + " is negative"};
+    if (!mass) return Error{"of_masses", {{"what", mass.error().notice}}};
+    if (!(mass->value >= 0)) return Error{"mass_negative", {{"mass", part}}};
     masses.push_back(*mass);
   }
   return masses;

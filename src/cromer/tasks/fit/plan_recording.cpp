@@ -1,7 +1,6 @@
 #include "cromer/tasks/fit/plan_recording.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -131,65 +130,64 @@ bool is_of_the_place(std::string_view quantity) {
   return quantity == "equilibrium" || is_of_the_start(quantity);
 }
 
-std::string sentence(const RecordingPlan& plan, bool relative, double present, double rate, bool dies_down,
-                     bool linear) {
+/// Why a longer record does not reach the goal.
+Notice limits_of(const RecordingPlan& plan, const std::string& goal, const std::string& best,
+                 bool dies_down) {
+  return Notice{
+      dies_down ? "swing_dies_down_before" : "record_never_long_enough",
+      {{"goal", goal}, {"duration", seconds(plan.duration)}, {"quantity", plan.quantity}, {"best", best}}};
+}
+
+Notice sentence(const RecordingPlan& plan, bool relative, double present, double rate, bool dies_down,
+                bool linear) {
   const std::string goal = certainty(plan, relative, plan.goal), now = certainty(plan, relative, plan.now);
   if (plan.met)
-    return fmt::format("the goal is met: {} is known to {}, and {} were wanted; the first {} would do",
-                       plan.quantity, now, goal, seconds(plan.duration));
+    return Notice{
+        "plan_met",
+        {{"quantity", plan.quantity}, {"now", now}, {"goal", goal}, {"duration", seconds(plan.duration)}}};
   if (plan.possible)
-    return fmt::format(
-        "{} is known to {} from {}; for {} record {} from such a start ({:.0f} samples at {:.6g} a second)",
-        plan.quantity, now, seconds(present), goal, seconds(plan.duration), std::ceil(plan.duration * rate),
-        rate);
+    return Notice{"plan_possible",
+                  {{"quantity", plan.quantity},
+                   {"now", now},
+                   {"present", seconds(present)},
+                   {"goal", goal},
+                   {"duration", seconds(plan.duration)},
+                   {"samples", std::ceil(plan.duration * rate)},
+                   {"rate", rate}}};
   if (plan.noise_ratio == 0)
-    return fmt::format(
-        "a longer record does not reach {}: {} is known to {}, and what limits it are the values given, such "
-        "as the mass",
-        goal, plan.quantity, now);
-  const std::string best = certainty(plan, relative, plan.best);
-  const std::string limits =
-      dies_down
-          ? fmt::format(
-                "a longer record does not reach {}: after {} the swing has died down, and {} is known to "
-                "{} however long one records",
-                goal, seconds(plan.duration), plan.quantity, best)
-          : fmt::format("not even a record of {} reaches {}: {} is then known to {}", seconds(plan.duration),
-                        goal, plan.quantity, best);
+    return Notice{"plan_limited_by_values", {{"goal", goal}, {"quantity", plan.quantity}, {"now", now}}};
+  const Notice limits = limits_of(plan, goal, certainty(plan, relative, plan.best), dies_down);
   // What is said of the place gains nothing by a larger swing; the terms of a law that is not linear gain
   // more than in proportion, or less.
-  const std::string start = is_of_the_place(plan.quantity) ? ""
-                            : linear ? fmt::format(" or a start {:.2g} times as large", plan.noise_ratio)
-                                     : " or a larger start";
-  return fmt::format(
-      "{}; it takes {:.2g} times less noise{}, or {:.2g} times the samples per second if their noise is "
-      "white",
-      limits, plan.noise_ratio, start, plan.rate_ratio);
+  Notice start;
+  if (!is_of_the_place(plan.quantity))
+    start = Notice{linear ? "or_a_start_so_much_larger" : "or_a_larger_start", {{"times", plan.noise_ratio}}};
+  return Notice{
+      "plan_out_of_reach",
+      {{"limits", limits}, {"noise", plan.noise_ratio}, {"start", start}, {"rate", plan.rate_ratio}}};
 }
 
 /// "did you mean decay_rate?", also of "decay rate 1 %"; else all there are.
-std::string meant(std::string_view text, std::string_view quantity) {
+Notice meant(std::string_view text, std::string_view quantity) {
   std::string joined(text);
   std::replace(joined.begin(), joined.end(), ' ', '_');
   for (const std::string_view known : known_quantities())
-    if (joined.starts_with(known)) return fmt::format("did you mean {}?", known);
+    if (joined.starts_with(known)) return Notice{"quantity_meant", {{"quantity", known}}};
   if (const std::string near = nearest(quantity, known_quantities()); !near.empty())
-    return fmt::format("did you mean {}?", near);
-  return fmt::format("there are {}.", fmt::join(known_quantities(), ", "));
+    return Notice{"quantity_meant", {{"quantity", near}}};
+  const std::vector<std::string> all(known_quantities().begin(), known_quantities().end());
+  return Notice{"quantities_there_are", {{"quantities", all}}};
 }
 
 /// Why a fit lacks a quantity that others have, and the cure.
-std::string why_not_there(std::string_view quantity, const Law& law) {
+Notice why_not_there(std::string_view quantity, const Law& law) {
   std::string_view missing;
   for_each_term([&]<class T>() {
     for (const CoefficientInfo& info : T::coefficients)
       if (info.parameter == quantity && !law.has<T>()) missing = T::info.name;
   });
-  if (!missing.empty()) return fmt::format("its law is {}; fit one with {} by --law", to_text(law), missing);
-  return fmt::format(
-      "its law is {}, and quantities of force need a position (or velocity, acceleration) and --mass, a drag "
-      "coefficient --disc-diameter as well",
-      to_text(law));
+  if (!missing.empty()) return Notice{"term_not_in_law", {{"law", to_text(law)}, {"term", missing}}};
+  return Notice{"quantity_needs_more", {{"law", to_text(law)}}};
 }
 
 }  // namespace
@@ -199,22 +197,17 @@ Result<Goal> parse_goal(std::string_view text) {
   Goal goal{std::string(text.substr(0, blank)), false, ""};
   if (std::find(known_quantities().begin(), known_quantities().end(), goal.quantity) ==
       known_quantities().end()) {
-    return Error{fmt::format(
-        "--goal: \"{}\" is no quantity of a fit; {} Give a name and its standard uncertainty, for instance "
-        "\"decay_rate 0.5 %\"",
-        goal.quantity, meant(text, goal.quantity))};
+    return Error{"goal_unknown", {{"typed", goal.quantity}, {"hint", meant(text, goal.quantity)}}};
   }
   if (blank == std::string_view::npos)
-    return Error{fmt::format("--goal: how well is {} to be known? For instance \"{} 0.5 %\"", goal.quantity,
-                             goal.quantity)};
+    return Error{"goal_without_uncertainty", {{"quantity", goal.quantity}}};
   goal.text = text.substr(blank + 1);
   goal.relative = goal.text.find('%') != std::string::npos;
   if (goal.relative) {
     const auto part = parse_quantity(goal.text, "");
-    if (!part) return Error{"--goal: " + part.error().message};
+    if (!part) return Error{"of_goal", {{"what", part.error().notice}}};
     if (!(part->value > 0))
-      return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
-                               goal.text)};
+      return Error{"goal_not_positive", {{"quantity", goal.quantity}, {"uncertainty", goal.text}}};
   }
   return goal;
 }
@@ -228,16 +221,14 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
   };
   const auto now = look_up(fit);
   if (!now)
-    return Error{fmt::format("--goal: there is no {} in this fit: {}", goal.quantity,
-                             why_not_there(goal.quantity, fit.law))};
-  if (fit.law.has<Hysteresis>())
-    return Error{"--goal: how soon a swing with hysteresis dies down is not foretold; give another --law"};
+    return Error{"goal_not_in_fit",
+                 {{"quantity", goal.quantity}, {"why", why_not_there(goal.quantity, fit.law)}}};
+  if (fit.law.has<Hysteresis>()) return Error{"goal_with_hysteresis"};
   const bool plain = now->unit == "1";
   const auto wanted = parse_quantity(goal.text, goal.relative || plain ? "" : now->unit);
-  if (!wanted) return Error{"--goal: " + wanted.error().message};
+  if (!wanted) return Error{"of_goal", {{"what", wanted.error().notice}}};
   if (!(wanted->value > 0))
-    return Error{fmt::format("--goal: the uncertainty of {} must be positive, and {} is not", goal.quantity,
-                             goal.text)};
+    return Error{"goal_not_positive", {{"quantity", goal.quantity}, {"uncertainty", goal.text}}};
 
   RecordingPlan plan;
   plan.quantity = goal.quantity;

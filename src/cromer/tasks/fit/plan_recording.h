@@ -36,7 +36,7 @@ struct RecordingPlan {
   double noise_ratio =
       1;  ///< where it is not possible: how many times less noise it takes; 0: no less would do
   double rate_ratio = 1;  ///< or how many times the samples per second, if their noise is white
-  std::string text;       ///< all this in a sentence
+  Notice text;            ///< all this in a sentence
 };
 
 /// The named quantities of a fit, with the errors that its covariance gives them.

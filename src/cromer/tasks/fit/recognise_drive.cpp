@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/recognise_drive.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -49,58 +47,50 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
          driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
 }
 
-std::string said(const Mode& mode) {
+Notice said(const Mode& mode) {
   const Estimate &w = mode.angular_frequency, &g = mode.decay_rate;
-  return fmt::format("{} (amplitude {:.3g}, decay rate {})",
-                     format_quantity({w.value / two_pi, w.standard_error / two_pi}, "Hz"), mode.amplitude,
-                     format_quantity({g.value, g.standard_error}, "1/s"));
+  return Notice{"mode",
+                {{"frequency", format_quantity({w.value / two_pi, w.standard_error / two_pi}, "Hz")},
+                 {"amplitude", mode.amplitude},
+                 {"decay_rate", format_quantity({g.value, g.standard_error}, "1/s")}}};
 }
 
 // Of a motion in which neither line decays: where the drive was searched, and where it was named.
-std::string either_reading(const TwoModes& modes) {
-  return fmt::format(
-      "two oscillations whose decay hardly shows, at {} and {}: a drive on a swing without damping, two "
-      "drives, or "
-      "two modes, as of coupled pendulums, are the same signal; the numbers here are those of the first "
-      "reading",
-      said(modes.modes[0]), said(modes.modes[1]));
+Notice either_reading(const TwoModes& modes) {
+  return Notice{"two_steady_lines", {{"one", said(modes.modes[0])}, {"other", said(modes.modes[1])}}};
 }
 
-std::string either_reading(const TwoModes& modes, double drive) {
+Notice either_reading(const TwoModes& modes, double drive) {
   const auto& [one, other] = modes.modes;
   const bool other_is_drive =
       std::abs(other.angular_frequency.value - drive) < std::abs(one.angular_frequency.value - drive);
-  return fmt::format(
-      "beside the drive something oscillates at {} and does not decay: another drive, or an undamped body, "
-      "are the same signal; the numbers here are those of the second reading",
-      said(other_is_drive ? one : other));
+  return Notice{"line_beside_the_drive", {{"line", said(other_is_drive ? one : other)}}};
 }
 
-std::string of_two_modes(const TwoModes& found) {
+Notice of_two_modes(const TwoModes& found) {
   const double apart =
       std::abs(found.modes[0].angular_frequency.value - found.modes[1].angular_frequency.value);
-  return fmt::format(
-      "two modes swing here, and both decay, as of coupled pendulums: {} and {}; they beat every {:.3g} s",
-      said(found.modes[0]), said(found.modes[1]), two_pi / apart);
+  return Notice{"two_modes",
+                {{"one", said(found.modes[0])}, {"other", said(found.modes[1])}, {"beat", two_pi / apart}}};
 }
 
 // Which of two readings it is, no record can tell.
-void leave_undetermined(FittedRecording& result, const TwoModes& found, std::string readings) {
+void leave_undetermined(FittedRecording& result, const TwoModes& found, Notice readings) {
   result.modes.assign(found.modes.begin(), found.modes.end());
   result.fit.status = FitStatus::undetermined;
-  result.fit.message = "the record has two readings: " + readings;
-  result.warnings.push_back(std::move(readings));
+  result.fit.message = Notice{"two_readings", {{"readings", readings}}};
+  result.notices.push_back(std::move(readings));
 }
 
 void say_two_modes(FittedRecording& result, const TwoModes& found) {
   result.modes.assign(found.modes.begin(), found.modes.end());
   if (result.parameters.empty()) {
-    result.fit.message = "no single swing: " + of_two_modes(found) +
-                         ". Let one of them swing alone, or choose another --column";
+    result.fit.message = Notice{"no_single_swing", {{"modes", of_two_modes(found)}}};
     return;
   }
-  result.warnings.push_back(fmt::format("{}; together they leave {:.3g}, and the law {:.3g}",
-                                        of_two_modes(found), found.residual.rms, result.fit.residual.rms));
+  result.notices.push_back(Notice{
+      "modes_beside_the_law",
+      {{"modes", of_two_modes(found)}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
 }
 
 // A refused fit in which a line accounts for some of the variance, and what is left is no noise.
@@ -154,10 +144,10 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   if (undecided) {
     leave_undetermined(*driven, *judgement.modes, either_reading(*judgement.modes));
   } else {
-    driven->warnings.push_back(fmt::format(
-        "the motion is driven, at {:.6g} Hz: a free motion would leave {:.3g}, this leaves {:.3g}; say "
-        "fit --drive-frequency if it is known, or choose a free part with --from and --to",
-        driven->fit.motion.drive_frequency / two_pi, free.fit.residual.rms, driven->fit.residual.rms));
+    driven->notices.push_back(Notice{"motion_is_driven",
+                                     {{"frequency", driven->fit.motion.drive_frequency / two_pi},
+                                      {"free", free.fit.residual.rms},
+                                      {"driven", driven->fit.residual.rms}}});
   }
   return *std::move(driven);
 }
@@ -191,27 +181,20 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   }
   if (judgement.kind != MotionKind::free && (!settled || driven.fit["drive_amplitude"].low > 0))
     return driven;
-  const std::string compared = fmt::format("a free law leaves {:.4g}, the driven one {:.4g}",
-                                           free->fit.residual.rms, driven.fit.residual.rms);
+  const Notice compared{"free_beside_driven",
+                        {{"free", free->fit.residual.rms}, {"driven", driven.fit.residual.rms}}};
   free->options = options;
   if (searched) {
-    free->warnings.push_back(
-        fmt::format("no drive is seen at any frequency ({}): fitted as a free motion", compared));
+    free->notices.push_back(Notice{"no_drive_found", {{"compared", compared}}});
     return free;
   }
   const double asked = **drive_of(options) / two_pi;
   if (!free->fit.residual.white && free->fit.residual.autocorrelation > structured) {
     driven.fit.status = FitStatus::no_oscillation;
-    driven.fit.message = fmt::format(
-        "no drive is seen at {:.6g} Hz, and no free law describes the motion either ({}); "
-        "--drive-frequency auto looks for a drive",
-        asked, compared);
+    driven.fit.message = Notice{"neither_driven_nor_free", {{"asked", asked}, {"compared", compared}}};
     return driven;
   }
-  free->warnings.push_back(
-      fmt::format("nothing is seen to drive this motion at {:.6g} Hz ({}): fitted as a free motion; "
-                  "--drive-frequency auto looks for a drive elsewhere",
-                  asked, compared));
+  free->notices.push_back(Notice{"no_drive_there", {{"asked", asked}, {"compared", compared}}});
   return free;
 }
 

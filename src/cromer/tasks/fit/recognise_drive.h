@@ -13,7 +13,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
                                 const Watch& watch = {});
 
 /// A fit under --drive-frequency, held against a free one of the same samples. Where nothing drives, auto
-/// gives the free fit, and a frequency that was named a warning, or no_oscillation where the motion is driven
+/// gives the free fit, and a frequency that was named a notice, or no_oscillation where the motion is driven
 /// at another one. Two steady lines, of which the drive is one, are said to have two readings.
 Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
                                     const Watch& watch = {});

@@ -1,13 +1,12 @@
 #include "cromer/tasks/fit/static_stiffness.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "cromer/base/median.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
 namespace {
@@ -112,33 +111,30 @@ Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::strin
                                      const std::vector<Quantity>& masses) {
   for (const Series& series : runs) {
     if (series.quantity != "position")
-      return Error{fmt::format("{}: --static needs positions, and column \"{}\" holds {}", file,
-                               series.column,
-                               series.quantity.empty() ? "no known quantity" : series.quantity)};
-    if (series.y.empty()) return Error{fmt::format("{}: run {} has no values", file, series.run)};
+      return Error{"static_needs_positions",
+                   {{"file", file}, {"column", series.column}, {"kind", kind_of(series.quantity)}}};
+    if (series.y.empty()) return Error{"run_has_no_values", {{"file", file}, {"run", series.run}}};
   }
   std::vector<Hold> holds;
   if (runs.size() == 1 && masses.size() > 1) {
     const Series& series = runs.front();
     const std::vector<Plateau> found = plateaus(series, masses.size());
     if (found.size() != masses.size()) {
-      std::string list;
+      std::vector<Notice> list;
       for (const Plateau& each : found)
-        list += fmt::format("{}{:.4g} to {:.4g} s", list.empty() ? ": " : ", ", series.t[each.first],
-                            series.t[each.last - 1]);
-      return Error{
-          fmt::format("{}: {} masses are given, and {} plateau{} found{}; choose the part with --from and "
-                      "--to, or give "
-                      "each hold as a run or file of its own",
-                      file, masses.size(), found.size(), found.size() == 1 ? " is" : "s are", list)};
+        list.push_back(Notice{"stretch", {{"from", series.t[each.first]}, {"to", series.t[each.last - 1]}}});
+      return Error{"plateaus_unlike_masses",
+                   {{"file", file},
+                    {"masses", masses.size()},
+                    {"found", found.size()},
+                    {"where", list.empty() ? Notice{} : Notice{"stretches", {{"stretches", list}}}}}};
     }
     for (const Plateau& each : found) holds.push_back(hold_of(series, each.first, each.last, file));
   } else {
     for (const Series& series : runs) holds.push_back(hold_of(series, 0, series.y.size(), file));
   }
   if (holds.size() != masses.size())
-    return Error{fmt::format("{}: {} masses are given for {} runs; --masses needs one for each", file,
-                             masses.size(), holds.size())};
+    return Error{"masses_unlike_runs", {{"file", file}, {"masses", masses.size()}, {"runs", holds.size()}}};
   for (std::size_t i = 0; i < holds.size(); ++i) holds[i].mass = masses[i];
   return holds;
 }
@@ -148,10 +144,7 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
   for (const Hold& hold : holds)
     points.push_back({hold.mass.value, hold.position, hold.mass.uncertainty, hold.standard_error});
   const auto line = fit_line_with_errors(points);
-  if (!line)
-    return Error{
-        "--masses: a line needs at least two holds of different masses, and three where their errors are "
-        "not known"};
+  if (!line) return Error{"too_few_holds"};
   StaticStiffness result;
   result.line = *line;
   result.gravity = gravity;
@@ -162,22 +155,18 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
   const double t = line->extra_scatter > 0 ? student_95(line->degrees) : student_95(1e9);
   result.stiffness = make_estimate(k, relative * k, t);
   if (line->extra_scatter > 0)
-    result.warnings.push_back(
-        fmt::format("the holds scatter about the line by {:.2g} m, more than each hold's own errors say: "
-                    "this is added to all, "
-                    "and the interval is that of {} degree{} of freedom",
-                    line->extra_scatter, line->degrees, line->degrees == 1 ? "" : "s"));
+    result.notices.push_back(
+        Notice{"holds_scatter", {{"scatter", line->extra_scatter}, {"degrees", line->degrees}}});
   for (const Hold& hold : holds)
     if (hold.moves)
-      result.warnings.push_back(fmt::format(
-          "{}, run {}, {:.4g} to {:.4g} s is not at rest: it moves by {:.2g} m (rms), and its mean is taken; "
-          "choose a quiet part by --from and --to, or fit its swing without --static",
-          hold.file, hold.run, hold.from, hold.to, hold.scatter));
-  if (!goes_one_way(points))
-    result.warnings.emplace_back(
-        "the position does not go one way with the mass: are --masses in the order of the holds?");
-  if (holds.size() == 2)
-    result.warnings.emplace_back("two masses give a line whatever they are: nothing shows whether it is one");
+      result.notices.push_back(Notice{"hold_moves",
+                                      {{"file", hold.file},
+                                       {"run", hold.run},
+                                       {"from", hold.from},
+                                       {"to", hold.to},
+                                       {"scatter", hold.scatter}}});
+  if (!goes_one_way(points)) result.notices.push_back(Notice{"holds_out_of_order"});
+  if (holds.size() == 2) result.notices.push_back(Notice{"line_of_two"});
   result.holds = std::move(holds);
   return result;
 }

@@ -30,7 +30,7 @@ struct StaticStiffness {
   LineWithErrors line;  ///< position [m] against mass [kg]
   Estimate stiffness;   // [N/m]
   Quantity gravity;     // [m/s²]
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
 };
 
 /// Samples at rest, one hold for each run if there are as many runs as `masses`, else the so many plateaus of

@@ -1,7 +1,5 @@
 #include "cromer/tasks/fit/used_samples.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -20,25 +18,28 @@ Result<void> check_size(const Series& series) {
   const double largest = *std::max_element(sizes.begin(), sizes.end());
   constexpr double most = 1e100, least = 1e-100;
   if (*middle < most && (largest == 0 || largest > least)) return {};
-  return Error{
-      fmt::format("column \"{}\": values like {:.3g} are too {} to be squared; give them in another unit",
-                  series.column, *middle, *middle < 1 ? "small" : "large")};
+  return Error{Notice{*middle < 1 ? "values_too_small" : "values_too_large",
+                      {{"column", series.column}, {"value", *middle}}}};
+}
+
+Error nothing_left(const Series& series, const FitOptions& options) {
+  const double first = series.t.front(), last = series.t.back();
+  if (!options.to)
+    return Error{"nothing_left_from", {{"from", *options.from}, {"first", first}, {"last", last}}};
+  if (!options.from) return Error{"nothing_left_to", {{"to", *options.to}, {"first", first}, {"last", last}}};
+  return Error{"nothing_left_between",
+               {{"from", *options.from}, {"to", *options.to}, {"first", first}, {"last", last}}};
 }
 
 }  // namespace
 
 Result<Series> used_part(const Series& series, const FitOptions& options) {
-  if (series.t.empty()) return Error{fmt::format("column \"{}\" has no values", series.column)};
+  if (series.t.empty()) return Error{"column_has_no_values", {{"column", series.column}}};
   const double from = options.from.value_or(-HUGE_VAL), to = options.to.value_or(HUGE_VAL);
   const double slack = series.rate > 0 ? 1e-6 / series.rate : 0;  // 30 s as typed and as printed by a logger
   const auto first = std::lower_bound(series.t.begin(), series.t.end(), from - slack) - series.t.begin();
   const auto last = std::upper_bound(series.t.begin(), series.t.end(), to + slack) - series.t.begin();
-  if (first >= last)
-    return Error{fmt::format("{}: no sample is left, the recording goes from {:.6g} to {:.6g} s",
-                             !options.to     ? fmt::format("--from {}", from)
-                             : !options.from ? fmt::format("--to {}", to)
-                                             : fmt::format("--from {} --to {}", from, to),
-                             series.t.front(), series.t.back())};
+  if (first >= last) return nothing_left(series, options);
   if (const Result<void> good = check_size(series); !good) return good.error();
   Series used = series;
   const auto cut = [&](auto& values) {
@@ -78,12 +79,13 @@ void leave_lost_motion(Series& series) {
   before.to = series.t[lost->seen - 1];
   const double from = series.t[lost->seen];
   series = *used_part(series, before);
-  series.warnings.push_back(fmt::format(
-      "the sensor loses the motion at {:.6g} s: in full swing the column stays at {:.4g}{}{} from "
-      "there on, in {:.3g} % of the samples. Only what comes before, {} of {} samples, is fitted; "
-      "--from and --to choose another part",
-      from, lost->value, unit_of(series).empty() ? "" : " ", unit_of(series), 100 * lost->share, lost->seen,
-      all));
+  series.notices.push_back(Notice{"sensor_loses_motion",
+                                  {{"from", from},
+                                   {"value", lost->value},
+                                   {"unit", unit_of(series)},
+                                   {"share", 100 * lost->share},
+                                   {"seen", lost->seen},
+                                   {"samples", all}}});
 }
 
 void set_drop_outs_aside(Series& series) {
@@ -98,14 +100,11 @@ void set_drop_outs_aside(Series& series) {
   if (added == 0) return;
   std::sort(series.outliers.begin(), series.outliers.end(),
             [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  series.warnings.push_back(fmt::format(
-      "{} samples in flat runs far outside the motion, the first at {:.6g} s, are taken for drop-outs "
-      "of the sensor and set aside",
-      added, series.t[first]));
+  series.notices.push_back(Notice{"drop_outs_aside", {{"samples", added}, {"first", series.t[first]}}});
 }
 
 void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,
-                   std::vector<std::string>& warnings) {
+                   std::vector<Notice>& notices) {
   if (aside.empty()) return;
   for (const std::size_t i : aside) {
     const auto at = static_cast<std::size_t>(
@@ -114,12 +113,8 @@ void list_outliers(Series& series, const FittedSamples& samples, const std::vect
   }
   std::sort(series.outliers.begin(), series.outliers.end(),
             [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  warnings.push_back(fmt::format(
-      "{} {} far from the fitted motion and from {} neighbours, the first at {:.6g} s, and {} set "
-      "aside",
-      aside.size() == 1 ? "one sample" : fmt::format("{} samples", aside.size()),
-      aside.size() == 1 ? "lies" : "lie", aside.size() == 1 ? "its" : "their", samples.t[aside.front()],
-      aside.size() == 1 ? "is" : "are"));
+  notices.push_back(Notice{aside.size() == 1 ? "sample_aside" : "samples_aside",
+                           {{"samples", aside.size()}, {"first", samples.t[aside.front()]}}});
 }
 
 int derivative_order(std::string_view quantity) {
@@ -133,11 +128,24 @@ bool is_linear_quantity(std::string_view quantity) {
   return quantity.empty() || quantity == "position" || quantity == "velocity" || quantity == "acceleration";
 }
 
-std::string fitted_as_it_is(std::string_view quantity, std::string_view column) {
-  return fmt::format(
-      "column \"{}\" holds {}: it is fitted as that, and all but the equilibrium, which is the sensor's "
-      "offset, is said of the {}",
-      column, quantity, quantity.starts_with("ang") ? "angle" : "displacement");
+Notice kind_of(std::string_view quantity) {
+  if (quantity == "position") return Notice{"kind_position"};
+  if (quantity == "angle") return Notice{"kind_angle"};
+  if (quantity == "velocity") return Notice{"kind_velocity"};
+  if (quantity == "angular velocity") return Notice{"kind_angular_velocity"};
+  if (quantity == "acceleration") return Notice{"kind_acceleration"};
+  if (quantity == "angular acceleration") return Notice{"kind_angular_acceleration"};
+  if (quantity == "force") return Notice{"kind_force"};
+  if (quantity == "voltage") return Notice{"kind_voltage"};
+  if (quantity == "frequency") return Notice{"kind_frequency"};
+  if (quantity == "time") return Notice{"kind_time"};
+  return quantity.empty() ? Notice{"kind_unknown"} : Notice{"kind_of_its_own", {{"quantity", quantity}}};
+}
+
+Notice fitted_as_it_is(std::string_view quantity, std::string_view column) {
+  const bool angle = quantity.starts_with("ang");
+  return Notice{angle ? "fitted_as_it_is_of_angle" : "fitted_as_it_is",
+                {{"column", column}, {"kind", kind_of(quantity)}}};
 }
 
 }  // namespace cromer::core

@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
-#include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/base/without_file.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/time.h"
 
@@ -34,9 +33,7 @@ Result<Series> main_series(const Recording& recording, int run, const ReadOption
   if (!main) return series;
   auto first = take_series(recording, column_title(*main), run, options);
   if (first && main->quantity != "frequency")
-    first->warnings.push_back(
-        "several columns may be meant: what is said of times and outliers is that of \"" +
-        column_title(*main) + "\"; a fit needs --column");
+    first->notices.push_back(Notice{"inspected_one_of_several", {{"column", column_title(*main)}}});
   return first;
 }
 
@@ -52,18 +49,20 @@ InspectedColumn look_at(const Recording& recording, std::size_t j, std::optional
 
 /// What a run's other columns hold beside their motion: a description is not only of the one that a fit
 /// takes.
-std::vector<std::string> outliers_elsewhere(const Recording& recording, int run, const std::string& inspected,
-                                            const ReadOptions& options) {
-  std::vector<std::string> found;
+std::vector<Notice> outliers_elsewhere(const Recording& recording, int run, const std::string& inspected,
+                                       const ReadOptions& options) {
+  std::vector<Notice> found;
   for (const Column& column : recording.table.columns) {
     const std::string title = column_title(column);
     if (column.run != run || column.quantity == "time" || column.quantity == "index" || title == inspected)
       continue;
     const auto series = take_series(recording, title, run, options);
     if (!series || series->outliers.empty()) continue;
-    found.push_back(concat({"column \"", title, "\": ", counted(series->outliers.size(), "outlier"),
-                            ", the first in line ", std::to_string(series->outliers.front().line), ": ",
-                            shortest(series->outliers.front().value)}));
+    found.push_back(Notice{"outliers_in_column",
+                           {{"column", title},
+                            {"outliers", series->outliers.size()},
+                            {"line", series->outliers.front().line},
+                            {"value", shortest(series->outliers.front().value)}}});
   }
   return found;
 }
@@ -76,10 +75,10 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
   if (!recording) return recording.error();
   Inspection inspection;
   inspection.recording = std::move(*recording);
-  inspection.warnings = inspection.recording.warnings;
-  std::set<std::string> said(inspection.warnings.begin(), inspection.warnings.end());
-  const auto say = [&](const std::string& warning) {
-    if (said.insert(warning).second) inspection.warnings.push_back(warning);
+  inspection.notices = inspection.recording.notices;
+  const auto say = [&](const Notice& notice) {
+    auto& said = inspection.notices;
+    if (std::find(said.begin(), said.end(), notice) == said.end()) said.push_back(notice);
   };
   const auto times = dialects::time_columns_of(inspection.recording.table);
   for (std::size_t j = 0; j < times.size(); ++j)
@@ -92,14 +91,12 @@ Result<Inspection> inspect(std::string_view bytes, std::string_view file, const 
     if (inspection.column.empty() && (series || main))
       inspection.column = series ? series->column : column_title(*main);
     if (!series) {
-      const std::string prefix = std::string(file) + ": ";
-      const std::string& message = series.error().message;
-      say(message.starts_with(prefix) ? message.substr(prefix.size()) : message);
+      say(without_file(series.error().notice, file));
       continue;
     }
-    for (const std::string& warning : series->warnings) say(warning);
-    for (const std::string& warning : outliers_elsewhere(inspection.recording, run, series->column, options))
-      say(warning);
+    for (const Notice& notice : series->notices) say(notice);
+    for (const Notice& notice : outliers_elsewhere(inspection.recording, run, series->column, options))
+      say(notice);
     inspection.gaps.insert(inspection.gaps.end(), series->gaps.begin(), series->gaps.end());
     inspection.outliers.insert(inspection.outliers.end(), series->outliers.begin(), series->outliers.end());
     const double duration = series->t.back() - series->t.front();

@@ -31,11 +31,11 @@ struct Inspection {
   double jitter = 0;
   std::vector<Gap> gaps;
   std::vector<Outlier> outliers;
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
 };
 
 /// `column` is the one described, named as in --column; empty: the one that a fit would take, or the first of
-/// several alike. A run without it has a warning in place of a series.
+/// several alike. A run without it has a notice in place of a series.
 Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
                            std::string_view column = "");
 

@@ -1,10 +1,7 @@
 #include "cromer/tasks/methods/method_effect.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
-#include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
 
 namespace cromer::core {
@@ -21,33 +18,33 @@ bool keeps(double effective, double true_value, double frequency) {
   return std::abs(effective - true_value) <= 5e-5 * std::abs(true_value) + 1e-7 * frequency;
 }
 
-std::string damping_in_words(double effective, double b, double frequency) {
+Notice damping_notice(double effective, double b, double frequency) {
+  const bool grows = effective < 0;
   if (b == 0) {
-    if (keeps(effective, b, frequency)) return "adds no damping";
-    return fmt::format("adds {} of {:.4g} 1/s", effective < 0 ? "growth" : "damping", std::abs(effective));
+    if (keeps(effective, b, frequency)) return Notice{"adds_no_damping"};
+    return Notice{grows ? "adds_growth" : "adds_damping", {{"rate", std::abs(effective)}}};
   }
-  if (keeps(effective, b, frequency)) return fmt::format("keeps your damping of {:.4g} 1/s", b);
+  if (keeps(effective, b, frequency)) return Notice{"keeps_damping", {{"rate", b}}};
   constexpr double nearly = 0.01;
   if (std::abs(effective / b - 1) <= nearly)
-    return fmt::format("keeps your damping of {:.4g} 1/s nearly ({:.4g})", b, effective);
-  return fmt::format("turns your damping of {:.4g} 1/s into {}{:.4g} 1/s", b,
-                     effective < 0 ? "growth of " : "", std::abs(effective));
+    return Notice{"keeps_damping_nearly", {{"rate", b}, {"simulated", effective}}};
+  return Notice{grows ? "turns_damping_into_growth" : "turns_damping_into",
+                {{"rate", b}, {"simulated", std::abs(effective)}}};
 }
 
-std::string frequency_in_words(double effective, double frequency) {
-  if (keeps(effective, frequency, 0)) return fmt::format("keeps your {:.6g} rad/s", frequency);
+Notice frequency_notice(double effective, double frequency) {
+  if (keeps(effective, frequency, 0)) return Notice{"keeps_frequency", {{"frequency", frequency}}};
   const double off = effective / frequency - 1;
-  return fmt::format("swings at {:.6g} rad/s, {:.2g} % too {}", effective, 100 * std::abs(off),
-                     off > 0 ? "fast" : "slow");
+  return Notice{off > 0 ? "swings_too_fast" : "swings_too_slow",
+                {{"frequency", effective}, {"percent", 100 * std::abs(off)}}};
 }
 
 /// Of a motion with real eigenvalues.
-std::string without_swing(const MethodEffect& effect, bool law_swings) {
+Notice without_swing(const MethodEffect& effect, bool law_swings) {
   const bool hops = effect.effective.eigenvalues.front().re < 0;
-  if (!effect.stable) return hops ? "grows, with another sign each step" : "grows without swinging";
-  if (hops) return "dies down with another sign each step, which your law does not";
-  return law_swings ? "creeps back without swinging, where your law swings"
-                    : "creeps back without swinging, as your law does";
+  if (!effect.stable) return Notice{hops ? "grows_hopping" : "grows_without_swinging"};
+  if (hops) return Notice{"dies_down_hopping"};
+  return Notice{law_swings ? "creeps_unlike_the_law" : "creeps_as_the_law"};
 }
 
 }  // namespace
@@ -81,29 +78,31 @@ std::optional<MethodEffect> effect_at_step(std::string_view method, const Method
   return result;
 }
 
-std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law) {
+Notice effect_notice(const MethodEffect& effect, const LinearLaw<double>& law) {
   const auto frequency = free_frequency(law);
   const EffectiveOscillator& effective = effect.effective;
   if (!effective.decay_rate || !effective.angular_frequency)
     return without_swing(effect, frequency.has_value());
-  if (!frequency)
-    return fmt::format("swings at {:.4g} rad/s, where your law creeps back", *effective.angular_frequency);
+  if (!frequency) return Notice{"swings_unlike_the_law", {{"frequency", *effective.angular_frequency}}};
   if (law.decay_rate > 0 && keeps(*effective.decay_rate, law.decay_rate, *frequency) &&
       keeps(*effective.angular_frequency, *frequency, 0))
-    return fmt::format("keeps your damping of {:.4g} 1/s and your {:.6g} rad/s", law.decay_rate, *frequency);
-  return damping_in_words(*effective.decay_rate, law.decay_rate, *frequency) + " and " +
-         frequency_in_words(*effective.angular_frequency, *frequency);
+    return Notice{"keeps_damping_and_frequency", {{"rate", law.decay_rate}, {"frequency", *frequency}}};
+  return Notice{"damping_and_frequency",
+                {{"damping", damping_notice(*effective.decay_rate, law.decay_rate, *frequency)},
+                 {"frequency", frequency_notice(*effective.angular_frequency, *frequency)}}};
 }
 
-std::string instability_warning(std::string_view method, const MethodEffect& effect, double h,
-                                std::string_view motions) {
-  if (effect.stable || !effect.stability_limit) return "";
-  const std::string what = motions.empty() ? "this law" : fmt::format("{} under this law", motions);
-  const char* end = motions.empty() ? "the motion will grow" : "the motion may grow";
-  if (*effect.stability_limit == 0)
-    return fmt::format("{} is unstable for {} whatever the step: {}", method, what, end);
-  return fmt::format("--step: {} s is beyond the stability limit of {} for {}, {:.6g} s: {}", shortest(h),
-                     method, what, *effect.stability_limit, end);
+Notice instability_notice(std::string_view method, const MethodEffect& effect, double h,
+                          const Notice& motions) {
+  if (effect.stable || !effect.stability_limit) return {};
+  const double limit = *effect.stability_limit;
+  if (motions.empty()) {
+    if (limit == 0) return Notice{"unstable_at_any_step", {{"method", method}}};
+    return Notice{"step_beyond_stability", {{"step", h}, {"method", method}, {"limit", limit}}};
+  }
+  if (limit == 0) return Notice{"motions_unstable_at_any_step", {{"method", method}, {"motions", motions}}};
+  return Notice{"step_beyond_stability_of_motions",
+                {{"step", h}, {"method", method}, {"motions", motions}, {"limit", limit}}};
 }
 
 }  // namespace cromer::core

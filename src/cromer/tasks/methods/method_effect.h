@@ -1,13 +1,13 @@
-// What a method with a step really simulates, in numbers and in words.
+// What a method with a step really simulates, in numbers and to be said.
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "cromer/analysis/effective_oscillator.h"
 #include "cromer/methods/method_settings.h"
 #include "cromer/model/propagate.h"
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
@@ -34,11 +34,11 @@ EffectiveOscillator effective_oscillator_of(std::string_view method, const Metho
 
 /// What became of decay rate and frequency: "turns your damping of 0.15 1/s into growth of 0.02999 1/s and
 /// swings at 5.98 rad/s, 0.3 % too slow".
-std::string in_words(const MethodEffect& effect, const LinearLaw<double>& law);
+Notice effect_notice(const MethodEffect& effect, const LinearLaw<double>& law);
 
-/// Warning of a step beyond the limit, which it names; empty if there is none. Of a law that is not linear
-/// the effect is that of some motions only, which are named: "small motions".
-std::string instability_warning(std::string_view method, const MethodEffect& effect, double h,
-                                std::string_view motions);
+/// Says that a step is beyond the limit, which it names; empty if it is not. Of a law that is not linear the
+/// effect is that of some motions only, which are named: "small motions".
+Notice instability_notice(std::string_view method, const MethodEffect& effect, double h,
+                          const Notice& motions = {});
 
 }  // namespace cromer::core

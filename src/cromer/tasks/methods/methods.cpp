@@ -11,16 +11,14 @@ namespace {
 Result<void> check_options(MethodsOptions options) {
   for (const auto& option : options_of(options))
     if (auto good = check(option); !good) return good;
-  if (options.natural_frequency && !options.step)
-    return Error{"--natural-frequency: it needs a --step, to say what each method simulates with it"};
-  if (options.step && !options.natural_frequency)
-    return Error{"--step: it needs a --natural-frequency, to say what each method simulates of it"};
+  if (options.natural_frequency && !options.step) return Error{"natural_frequency_needs_step"};
+  if (options.step && !options.natural_frequency) return Error{"step_needs_natural_frequency"};
   if (!options.step && (options.damping_ratio || options.beta || options.gamma || options.rho_inf))
-    return Error{fmt::format("--{}: it needs a --natural-frequency and a --step",
-                             options.damping_ratio ? "damping-ratio"
+    return Error{"option_needs_frequency_and_step",
+                 {{"option", options.damping_ratio ? "damping-ratio"
                              : options.rho_inf     ? "rho-inf"
                              : options.beta        ? "beta"
-                                                   : "gamma")};
+                                                   : "gamma"}}};
   return {};
 }
 
@@ -56,9 +54,9 @@ Result<std::vector<MethodRow>> list_methods(const MethodsOptions& options) {
   for (auto& row : rows) {
     row.effect = method_effect(row.name, settings, law, *options.step, true);
     if (!row.effect) continue;
-    row.words = in_words(*row.effect, law);
+    row.words = effect_notice(*row.effect, law);
     if (row.effect->stable && row.effect->stability_limit && *options.step > *row.effect->stability_limit)
-      row.words += "; at some shorter steps it grows";
+      row.words = Notice{"grows_at_shorter_steps", {{"what", row.words}}};
   }
   return rows;
 }

@@ -33,7 +33,7 @@ struct MethodRow {
   bool a_stable = false;
   std::string_view source;               ///< where it is published
   std::optional<MethodEffect> effect{};  ///< with a step, of methods that do not choose their own
-  std::string words{};                   ///< the same for people
+  Notice words{};                        ///< the same for people
 };
 
 /// One row per method, in the order of the registry. An Error names option, value and constraint.

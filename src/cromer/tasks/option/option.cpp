@@ -1,7 +1,5 @@
 #include "cromer/tasks/option/option.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -13,8 +11,8 @@
 namespace cromer::core {
 namespace {
 
-Error wrong(const Option& option, std::string_view what) {
-  return Error{fmt::format("--{}: {}", option.name, what)};
+Error wrong(const Option& option, const Notice& what) {
+  return Error{"option_is_wrong", {{"option", option.name}, {"what", what}}};
 }
 
 bool in_range(Range range, double value) {
@@ -48,16 +46,16 @@ bool in_range(Range range, double value) {
 Result<void> check_value(const Option& option, double value) {
   if (in_range(option.range, value)) return {};
   const bool any = option.range == Range::any || option.range == Range::not_negative_unless_bounded;
-  const std::string_view rule = any ? "be a finite number" : constraint(option.range);
-  return wrong(option, fmt::format("it must {}, not {}{}{}", rule, shortest(value),
-                                   option.unit.empty() || option.unit == "1" ? "" : " ",
-                                   option.unit == "1" ? "" : option.unit));
+  return wrong(option, Notice{"must_keep_to",
+                              {{"rule", any ? Notice{"be_finite"} : constraint(option.range)},
+                               {"value", value},
+                               {"unit", option.unit == "1" ? std::string_view{} : option.unit}}});
 }
 
 Result<Quantity> parse_value(const Option& option, std::string_view text) {
-  if (trimmed(text).empty()) return wrong(option, "the value is empty");
+  if (trimmed(text).empty()) return wrong(option, Notice{"value_is_empty"});
   auto quantity = parse_quantity(text, option.unit);
-  if (!quantity) return wrong(option, quantity.error().message);
+  if (!quantity) return wrong(option, quantity.error().notice);
   return quantity;
 }
 
@@ -72,9 +70,7 @@ Result<Quantity> parse_in_range(const Option& option, std::string_view text) {
 Result<double> parse_certain(const Option& option, std::string_view text) {
   auto quantity = parse_in_range(option, text);
   if (!quantity) return quantity.error();
-  if (quantity->uncertainty != 0)
-    return wrong(
-        option, fmt::format("\"{}\" has an uncertainty, which is not used here; give the value alone", text));
+  if (quantity->uncertainty != 0) return wrong(option, Notice{"uncertainty_not_used", {{"text", text}}});
   return quantity->value;
 }
 
@@ -84,9 +80,9 @@ Result<Integer> parse_whole(const Option& option, std::string_view text) {
   Integer number = 0;
   const auto [rest, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (status != std::errc{} || rest != digits.data() + digits.size())
-    return wrong(option,
-                 fmt::format("\"{}\" is not a whole number{}", text,
-                             status == std::errc::result_out_of_range ? " of a size that can be used" : ""));
+    return wrong(option, Notice{status == std::errc::result_out_of_range ? "whole_number_too_large"
+                                                                         : "not_whole_number",
+                                {{"text", text}}});
   if (auto good = check_value(option, static_cast<double>(number)); !good) return good.error();
   return number;
 }
@@ -127,17 +123,17 @@ struct Assigner {
   }
   Result<void> operator()(bool* to) const {
     if (text != "true" && text != "false")
-      return wrong(option, fmt::format("\"{}\" is neither true nor false", text));
+      return wrong(option, Notice{"neither_true_nor_false", {{"text", text}}});
     *to = text == "true";
     return {};
   }
   Result<void> operator()(std::string* to) const {
-    if (text.empty()) return wrong(option, "the value is empty");
+    if (text.empty()) return wrong(option, Notice{"value_is_empty"});
     *to = text;
     return {};
   }
   Result<void> operator()(std::vector<std::string>* to) const {
-    if (text.empty()) return wrong(option, "the value is empty");
+    if (text.empty()) return wrong(option, Notice{"value_is_empty"});
     to->emplace_back(text);
     return {};
   }
@@ -162,8 +158,7 @@ struct Checker {
     if (!*value) return {};
     const double uncertainty = (*value)->uncertainty;
     if (!(uncertainty >= 0) || !std::isfinite(uncertainty))
-      return wrong(option,
-                   fmt::format("its uncertainty must be zero or more, not {}", shortest(uncertainty)));
+      return wrong(option, Notice{"uncertainty_is_wrong", {{"uncertainty", uncertainty}}});
     return check_value(option, (*value)->value);
   }
   Result<void> operator()(const std::optional<int>* value) const {
@@ -182,38 +177,38 @@ Error unknown(std::string_view name, const std::vector<Option>& options, std::st
   std::vector<std::string_view> names;
   for (const Option& option : options) names.push_back(option.name);
   const std::string near = nearest(name, names);
-  return Error{fmt::format("--{} is no option of {}{}", name, task,
-                           near.empty() ? "" : fmt::format("; did you mean --{}?", near))};
+  if (near.empty()) return Error{"no_option", {{"option", name}, {"task", task}}};
+  return Error{"no_option_but", {{"option", name}, {"task", task}, {"near", near}}};
 }
 
 }  // namespace
 
-std::string_view constraint(Range range) {
+Notice constraint(Range range) {
   switch (range) {
     case Range::any:
-      return "";
+      return {};
     case Range::positive:
-      return "be positive";
+      return Notice{"be_positive"};
     case Range::not_negative:
-      return "not be negative";
+      return Notice{"not_be_negative"};
     case Range::not_negative_unless_bounded:
-      return "not be negative without --van-der-pol";
+      return Notice{"not_be_negative_unless_bounded"};
     case Range::at_least_one:
-      return "be at least 1";
+      return Notice{"be_at_least_one"};
     case Range::fraction:
-      return "lie between 0 and 1";
+      return Notice{"be_a_fraction"};
     case Range::tolerance:
-      return "lie between 1e-15 and 1e-2";
+      return Notice{"be_a_tolerance"};
     case Range::accuracy:
-      return "lie between 1e-9 and 0.5";
+      return Notice{"be_an_accuracy"};
     case Range::air_temperature:
-      return "lie between 100 K and 1900 K (for instance \"20 °C\")";
+      return Notice{"be_an_air_temperature"};
     case Range::sampling_rate:
-      return "lie between 1e-6 and 1e12 Hz";
+      return Notice{"be_a_sampling_rate"};
     case Range::trials:
-      return "lie between 1000 and 10000000 trials";
+      return Notice{"be_a_number_of_trials"};
   }
-  return "";
+  return {};
 }
 
 Result<void> assign(const Option& option, std::string_view text) {

@@ -39,8 +39,8 @@ enum class Range {
   trials  ///< of a Monte Carlo
 };
 
-/// The constraint in words, to follow "it must": "be positive"; empty for any.
-std::string_view constraint(Range range);
+/// The constraint, to follow "it must": "be positive"; empty for any.
+Notice constraint(Range range);
 
 /// One option: where its value goes, in which unit, and what it means.
 struct Option {

@@ -52,21 +52,20 @@ Result<RecordSetup> check(const RecordOptions& options) {
   if (!options.time_unit.empty()) {
     const auto unit = parse_unit(options.time_unit);
     if (!unit || unit->dimension != Dimension{.second = 1} || !(unit->factor > 0))
-      return Error{
-          fmt::format("--time-unit \"{}\" is no unit of time; it is s, ms or us", options.time_unit)};
+      return Error{"no_unit_of_time", {{"unit", options.time_unit}}};
     setup.lines.time_unit = unit->factor;
   }
-  if (options.output.empty()) return Error{"-o FILE.csv is needed: where the recording is to go"};
-  if (!options.output.ends_with(".csv"))
-    return Error{fmt::format("--output: {}: a recording is written as .csv", options.output)};
+  if (options.output.empty()) return Error{"recording_needs_a_file"};
+  if (!options.output.ends_with(".csv")) return Error{"recording_is_csv", {{"path", options.output}}};
   if (auto good = check_writable(options.output); !good) return good.error();
   return setup;
 }
 
 std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
-                                        const std::string& path, const std::string& command) {
+                                        const std::string& path, const std::string& command,
+                                        std::string (*words)(const Notice&)) {
   RecorderSettings settings{
-      path, duration, {command + " (cromer " CROMER_VERSION ")", "begun " + now_utc()}, setup.column};
+      path, duration, {command + " (cromer " CROMER_VERSION ")", "begun " + now_utc()}, setup.column, words};
   return std::make_unique<Recorder>(make_source(setup.source, setup.lines), std::move(settings));
 }
 

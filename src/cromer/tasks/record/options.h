@@ -33,8 +33,10 @@ struct RecordSetup {
 /// That source, unit of time and the name of the file are good.
 Result<RecordSetup> check(const RecordOptions& options);
 
-/// A recorder to `path`, not started; the file's head says with which command line and when it began.
+/// A recorder to `path`, not started; the file's head says with which command line and when it began. `words`
+/// makes the sentences at its end.
 std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
-                                        const std::string& path, const std::string& command);
+                                        const std::string& path, const std::string& command,
+                                        std::string (*words)(const Notice&));
 
 }  // namespace cromer::core

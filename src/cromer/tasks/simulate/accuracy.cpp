@@ -1,6 +1,5 @@
 #include "cromer/tasks/simulate/accuracy.h"
 
-#include <fmt/format.h>
 #include "cromer/model/linear_quantities.h"
 
 #include <algorithm>
@@ -11,7 +10,6 @@
 
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/measured_oscillator.h"
-#include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
 #include "cromer/tasks/methods/method_effect.h"
@@ -147,10 +145,8 @@ Accuracy compared(const SimulateOptions& options, const SimulatedRun& run, doubl
 }
 
 Error none(double asked, double step, double until) {
-  return Error{
-      fmt::format("--accuracy: {} would need steps below {:.3g} s, more than {:.0e} up to {} s; ask "
-                  "for less, take a method of higher order, or a shorter --until",
-                  shortest(asked), step, most_steps, shortest(until))};
+  return Error{"accuracy_out_of_reach",
+               {{"accuracy", asked}, {"step", step}, {"steps", most_steps}, {"until", until}}};
 }
 
 /// The largest step below `longest` (within 1 %) whose trial keeps to what is asked, on the branch that
@@ -191,7 +187,7 @@ Result<std::optional<Accuracy>> find_step(const SimulateOptions& options, const 
   if (run.method == "exact") return std::optional<Accuracy>{};
   const double asked = *options.accuracy;
   if (find_method(run.method)->error_order > 0)
-    return Error{fmt::format("--accuracy: {} chooses its own steps; give --tolerance instead", run.method)};
+    return Error{"accuracy_of_adaptive_method", {{"method", run.method}}};
   const auto law = oscillating_law(run);
   // run.step is the default here: 1/200 of the shorter period.
   const Attempt trial = law ? Attempt([&](double h) { return predicted(run, *law, h); })

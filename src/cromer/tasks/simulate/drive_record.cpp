@@ -1,18 +1,23 @@
 #include "cromer/tasks/simulate/drive_record.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "cromer/base/quantity.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/read/in_file.h"
 
 namespace cromer::core {
 namespace {
 
 constexpr double most_uneven = 0.02;  // of a spacing
+
+bool wants_force(const DriveRequest& request) { return request.quantity == "force"; }
+
+Notice use_of(const DriveRequest& request) {
+  return request.use == "drive" ? Notice{"drive"} : Notice{"spectrum"};
+}
 
 /// The one column that can be meant: of the quantity, or the only one beside the time.
 Result<std::string> column_of(const Recording& recording, int run, const DriveRequest& request) {
@@ -23,21 +28,23 @@ Result<std::string> column_of(const Recording& recording, int run, const DriveRe
   }
   const auto& candidates = alike.empty() ? others : alike;
   if (candidates.size() == 1) return candidates.front();
-  if (candidates.empty()) return Error{"there is no column beside the time"};
-  std::string list;
-  for (const auto& name : candidates) list += (list.empty() ? "\"" : ", \"") + name + "\"";
-  return Error{fmt::format("which column is the {}? {}; say it with {}", request.quantity, list,
-                           request.column_option)};
+  if (candidates.empty()) return Error{"no_column_beside_time"};
+  std::vector<Notice> list;
+  for (const std::string& name : candidates) list.push_back(Notice{"quoted", {{"text", name}}});
+  return Error{wants_force(request) ? "which_column_is_the_force" : "which_column_is_the_acceleration",
+               {{"columns", list}, {"option", request.column_option}}};
 }
 
-Result<void> check_even(const Series& series, double spacing, std::string_view use) {
+Result<void> check_even(const Series& series, double spacing, const DriveRequest& request) {
   for (std::size_t i = 0; i < series.t.size(); ++i) {
     const double even = series.t.front() + static_cast<double>(i) * spacing;
     if (std::abs(series.t[i] - even) > most_uneven * spacing)
-      return Error{fmt::format(
-          "line {}: the times are not evenly spaced ({:.6g} s where {:.6g} s is expected, one sample "
-          "each {:.6g} s); a {} needs even samples: resample it first",
-          series.lines[i], series.t[i], even, spacing, use)};
+      return Error{"times_not_even",
+                   {{"line", series.lines[i]},
+                    {"t", series.t[i]},
+                    {"even", even},
+                    {"spacing", spacing},
+                    {"use", use_of(request)}}};
   }
   return {};
 }
@@ -46,52 +53,51 @@ Result<void> check_even(const Series& series, double spacing, std::string_view u
 
 Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view file,
                                       const DriveRequest& request, const ReadOptions& options) {
-  const auto refuse = [&](std::string_view why) { return Error{fmt::format("{}: {}", file, why)}; };
+  const auto refuse = [&](const Notice& why) { return Error{in_file(file, why)}; };
   const auto recording = read_recording(bytes, file, options);
   if (!recording) return recording.error();
   const std::vector<int> all = runs(*recording);
-  if (all.empty()) return refuse("there is no column of numbers");
+  if (all.empty()) return refuse(Notice{"no_column_of_numbers"});
   const int run = request.run > 0 ? request.run : all.front();
   if (std::find(all.begin(), all.end(), run) == all.end())
-    return refuse(fmt::format("there is no run {}; the file has {}", run, all.size()));
+    return refuse(Notice{"no_run_in_file", {{"run", run}, {"runs", all.size()}}});
   Result<std::string> name = std::string(request.column);
   if (name->empty()) name = column_of(*recording, run, request);
-  if (!name) return refuse(name.error().message);
+  if (!name) return refuse(name.error().notice);
   const auto series = take_series(*recording, *name, run, options);
   if (!series) return series.error();
 
   if (!series->quantity.empty() && series->quantity != request.quantity)
-    return refuse(fmt::format(
-        "column \"{}\" holds {}, not {}; choose another with {}", series->column, series->quantity,
-        request.quantity == "force" ? "a force (N)" : "an acceleration (m/s^2 or g)", request.column_option));
+    return refuse(Notice{
+        wants_force(request) ? "column_holds_no_force" : "column_holds_no_acceleration",
+        {{"column", series->column}, {"quantity", series->quantity}, {"option", request.column_option}}});
   if (series->t.size() < 2)
-    return refuse(fmt::format("column \"{}\" has {}, and a {} needs at least two samples", series->column,
-                              series->t.empty() ? "no sample" : "one sample", request.use));
+    return refuse(Notice{series->t.empty() ? "column_has_no_sample" : "column_has_one_sample",
+                         {{"column", series->column}, {"use", use_of(request)}}});
   if (!series->gaps.empty())
-    return refuse(fmt::format(
-        "the samples have {} of {:.6g} s after t = {:.6g} s; a {} needs even samples without "
-        "gaps: fill in what is missing, or cut or resample the recording",
-        series->gaps.size() == 1 ? "a gap" : fmt::format("{} gaps, the first", series->gaps.size()),
-        series->gaps.front().length, series->gaps.front().t, request.use));
+    return refuse(Notice{series->gaps.size() == 1 ? "samples_have_a_gap" : "samples_have_gaps",
+                         {{"gaps", series->gaps.size()},
+                          {"length", series->gaps.front().length},
+                          {"t", series->gaps.front().t},
+                          {"use", use_of(request)}}});
   DriveRecord record;
   record.spacing = (series->t.back() - series->t.front()) / static_cast<double>(series->t.size() - 1);
-  if (const auto even = check_even(*series, record.spacing, request.use); !even)
-    return refuse(even.error().message);
+  if (const auto even = check_even(*series, record.spacing, request); !even)
+    return refuse(even.error().notice);
   record.values = series->y;
   record.column = series->column;
   record.motion = recording->motion;
-  const auto target = parse_unit(request.quantity == "force" ? "N" : "m/s^2");
+  const auto target = parse_unit(wants_force(request) ? "N" : "m/s^2");
   const auto unit = parse_unit(series->unit, &target->dimension);
   record.unit_known = !series->unit.empty() && unit && unit->dimension == target->dimension;
-  record.warnings = recording->warnings;
-  for (const auto& warning : series->warnings)
-    record.warnings.push_back(fmt::format("{}: {}", file, warning));
+  record.notices = recording->notices;
+  for (const Notice& notice : series->notices) record.notices.push_back(in_file(file, notice));
   if (all.size() > 1 && request.run == 0)
-    record.warnings.push_back(
-        fmt::format("{}: run {} of {} is taken as the {}", file, run, all.size(), request.use));
+    record.notices.push_back(Notice{
+        "run_is_taken", {{"file", file}, {"run", run}, {"runs", all.size()}, {"use", use_of(request)}}});
   if (request.use == "drive" && std::abs(series->t.front()) > most_uneven * record.spacing)
-    record.warnings.push_back(fmt::format("{}: its first sample, at {:.6g} s, acts at the run's start, t = 0",
-                                          file, series->t.front()));
+    record.notices.push_back(
+        Notice{"recording_starts_elsewhere", {{"file", file}, {"t", series->t.front()}}});
   return record;
 }
 

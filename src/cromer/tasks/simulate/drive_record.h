@@ -14,19 +14,19 @@ namespace cromer::core {
 struct DriveRecord {
   std::vector<double> values;  ///< at least two; all finite
   double spacing = 0;          // [s] > 0
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
   std::string column{};    ///< as the file names it, with unit
   std::string motion{};    ///< as Recording has it
   bool unit_known = true;  ///< else the values are as they stand in the file
 };
 
-/// What is wanted of a file, and how messages call it.
+/// What is wanted of a file, and how notices call it.
 struct DriveRequest {
-  std::string_view quantity;                          ///< "force" or "acceleration"
-  std::string_view column{};                          ///< "" where only one can be meant
-  int run = 0;                                        ///< 0: the first
-  std::string_view column_option = "--drive-column";  ///< that says another column
-  std::string_view use = "drive";                     ///< what the samples are for
+  std::string_view quantity;                        ///< "force" or "acceleration"
+  std::string_view column{};                        ///< "" where only one can be meant
+  int run = 0;                                      ///< 0: the first
+  std::string_view column_option = "drive-column";  ///< that says another column
+  std::string_view use = "drive";                   ///< what the samples are for: "drive" or "spectrum"
 };
 
 /// An Error for what is no such recording: another quantity, gaps or missing values, times that are not even.

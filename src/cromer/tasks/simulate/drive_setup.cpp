@@ -1,7 +1,5 @@
 #include "cromer/tasks/simulate/drive_setup.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,7 +67,12 @@ std::string_view asked_kind(const SimulateOptions& o) {
   return o.drive.empty() ? std::string_view("harmonic") : std::string_view(o.drive);
 }
 
-Result<void> check_needs(const SimulateOptions& o, const Kind& kind, const std::string& subject) {
+/// The option that names the file.
+Notice file_option(const SimulateOptions& o) {
+  return o.base_motion.empty() ? Notice{"drive_file_option"} : Notice{"base_motion_option"};
+}
+
+Result<void> check_needs(const SimulateOptions& o, const Kind& kind, const Notice& subject) {
   const bool reading = o.read.rate > 0 || !o.read.time_column.empty() || !o.read.delimiter.empty() ||
                        !o.read.decimal.empty() || o.read.skip_bad_rows;
   struct Given {
@@ -90,14 +93,11 @@ Result<void> check_needs(const SimulateOptions& o, const Kind& kind, const std::
                        {"between-samples", file, !o.between_samples.empty()}};
   for (const Given& one : all) {
     if (one.given && !((kind.needs | kind.takes) & one.bit))
-      return Error{fmt::format("--{} has no effect with {}; leave one of them out", one.option, subject)};
+      return Error{"no_effect_with_drive", {{"option", one.option}, {"drive", subject}}};
     if (!one.given && (kind.needs & one.bit) && one.bit != file)
-      return Error{fmt::format("{} needs --{}", subject, one.option)};
+      return Error{"drive_needs_option", {{"drive", subject}, {"option", one.option}}};
   }
-  if (reading && !(kind.needs & file))
-    return Error{
-        "--rate, --time-column, --delimiter, --decimal and --skip-bad-rows read a --drive-file or a "
-        "--base-motion, and none is given"};
+  if (reading && !(kind.needs & file)) return Error{"nothing_to_read"};
   return {};
 }
 
@@ -136,39 +136,28 @@ std::string_view drive_name(const SimulateOptions& o) {
 }
 
 Result<void> check_drive(const SimulateOptions& o) {
-  if (!o.drive_file.empty() && !o.base_motion.empty())
-    return Error{"--drive-file and --base-motion both drive; give one of them"};
+  if (!o.drive_file.empty() && !o.base_motion.empty()) return Error{"two_recorded_drives"};
   if (reads_file(o)) {
-    const std::string option = o.base_motion.empty() ? "--drive-file" : "--base-motion";
-    if (!o.drive.empty())
-      return Error{fmt::format("{} and --drive {} both drive; give one of them", option, o.drive)};
+    const Notice option = file_option(o);
+    if (!o.drive.empty()) return Error{"recording_and_drive", {{"recording", option}, {"drive", o.drive}}};
     if (!o.between_samples.empty() && !between_samples_of(o.between_samples))
-      return Error{
-          fmt::format("--between-samples: \"{}\" is none of linear, hold, band-limited", o.between_samples)};
-    if (!o.drive_record) return Error{fmt::format("{}: the file's samples were not read", option)};
+      return Error{"no_such_between_samples", {{"word", o.between_samples}}};
+    if (!o.drive_record) return Error{"samples_not_read", {{"recording", option}}};
     return check_needs(o, from_file, option);
   }
   const Kind* kind = find_kind(asked_kind(o));
   if (!kind) {
-    std::string message = fmt::format("--drive: there is no drive \"{}\"", o.drive);
-    if (const std::string guess = nearest(o.drive, kind_names); !guess.empty())
-      message += "; did you mean " + guess + "?";
-    message += " (";
-    for (std::size_t i = 0; i < kind_names.size(); ++i)
-      message += (i ? ", " : "") + std::string(kind_names[i]);
-    return Error{message + ")"};
+    const std::vector<std::string> all(kind_names.begin(), kind_names.end());
+    if (const std::string near = nearest(o.drive, kind_names); !near.empty())
+      return Error{"no_drive_but", {{"drive", o.drive}, {"near", near}, {"drives", all}}};
+    return Error{"no_drive", {{"drive", o.drive}, {"drives", all}}};
   }
-  if (auto good = check_needs(o, *kind, "--drive " + std::string(kind->name)); !good) return good;
+  if (auto good = check_needs(o, *kind, Notice{"drive_option", {{"drive", kind->name}}}); !good) return good;
   if (kind->name == "harmonic" && o.drive_amplitude > 0 && o.drive_frequency.empty())
-    return Error{fmt::format("--drive-amplitude: {} N needs a --drive-frequency (0 is a constant force)",
-                             shortest(o.drive_amplitude))};
+    return Error{"drive_needs_frequency", {{"amplitude", o.drive_amplitude}}};
   if (kind->name == "logarithmic-chirp")
     for (const double from : o.drive_frequency)
-      if (!(from > 0 && *o.drive_to > 0))
-        return Error{
-            "--drive logarithmic-chirp: --drive-frequency and --drive-to must be positive; a sweep from or "
-            "to 0 "
-            "is --drive chirp"};
+      if (!(from > 0 && *o.drive_to > 0)) return Error{"logarithmic_chirp_not_positive"};
   return {};
 }
 
@@ -188,8 +177,7 @@ Result<void> set_drive(const SimulateOptions& o, double w, SimulatedRun& run) {
     run.general = sampled_drive(o);
   } else if (const auto harmonic = harmonic_drive(o, w, run.oscillator.mass)) {
     if (kind == "unbalance" && *o.unbalance_mass > o.mass)
-      return Error{fmt::format("--unbalance-mass: it is part of --mass ({} kg), and cannot be {} kg",
-                               shortest(o.mass), shortest(*o.unbalance_mass))};
+      return Error{"unbalance_heavier_than_mass", {{"mass", o.mass}, {"unbalance", *o.unbalance_mass}}};
     run.drive = *harmonic;
   } else if (kind == "chirp" || kind == "logarithmic-chirp") {
     run.drive.frequency = w;  // by which runs are told apart
@@ -207,8 +195,7 @@ Result<void> set_drive(const SimulateOptions& o, double w, SimulatedRun& run) {
                                      .duration = o.drive_duration.value_or(0)};
   }
   if (!std::isfinite(run.drive.amplitude))
-    return Error{
-        fmt::format("--drive {}: the force at {} rad/s is beyond the largest number", kind, shortest(w))};
+    return Error{"drive_too_large", {{"drive", kind}, {"frequency", w}}};
   return {};
 }
 
@@ -242,27 +229,17 @@ double drive_end(const SimulatedRun& run) {
 Result<void> end_drive(const SimulateOptions& o, SimulatedRun& run) {
   if (!run.general) return {};
   if (auto* chirp = std::get_if<ChirpDrive<double>>(&*run.general)) {
-    if (run.method == "exact")
-      return Error{
-          fmt::format("--method exact: there is no closed form for --drive {}; choose another method, for "
-                      "instance dormand-prince or rk4 with a short step",
-                      o.drive)};
+    if (run.method == "exact") return Error{"exact_under_chirp", {{"drive", o.drive}}};
     if (!o.drive_duration) chirp->duration = run.until - chirp->start;
     if (!(chirp->duration > 0))
-      return Error{
-          fmt::format("--drive-start: the chirp begins at {} s, and the run ends at {} s; give --until",
-                      shortest(chirp->start), shortest(run.until))};
+      return Error{"chirp_begins_after_end", {{"start", chirp->start}, {"until", run.until}}};
   }
   if (run.method == "exact" && law_of(run.oscillator).has<Friction>())
-    return Error{fmt::format(
-        "--method exact: with friction there is no closed form under a drive ({}); leave one out or "
-        "choose another method",
-        drive_name(o))};
+    return Error{"exact_with_friction_under", {{"drive", drive_name(o)}}};
   if (const auto* sampled = std::get_if<SampledDrive>(&*run.general);
       sampled && run.until > sampled->duration() * (1 + 1e-9))
-    return Error{
-        fmt::format("--{}: the recording ends at {:.6g} s, before the run does ({} s); shorten --until",
-                    drive_name(o), sampled->duration(), shortest(run.until))};
+    return Error{"recording_ends_before_run",
+                 {{"recording", file_option(o)}, {"end", sampled->duration()}, {"until", run.until}}};
   return {};
 }
 

@@ -17,8 +17,8 @@ std::string_view drive_name(const SimulateOptions& options);
 /// the option.
 Result<void> check_drive(const SimulateOptions& options);
 
-/// The drive at this frequency of a law of that mass, where it is a harmonic one (none, a force, an unbalance, a
-/// shaking base); empty for the others.
+/// The drive at this frequency of a law of that mass, where it is a harmonic one (none, a force, an
+/// unbalance, a shaking base); empty for the others.
 std::optional<HarmonicDrive<double>> harmonic_drive(const SimulateOptions& options, double frequency,
                                                     double mass);
 

@@ -1,7 +1,5 @@
 #include "cromer/tasks/simulate/event_option.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "cromer/base/quantity.h"
@@ -9,11 +7,8 @@
 namespace cromer::core {
 namespace {
 
-Error wrong(std::string_view text, std::string_view why) {
-  return Error{
-      fmt::format("--event \"{}\": {}; expected position=VALUE, velocity=VALUE or turning-point, then "
-                  "any of :rising, :falling and :stop, for instance \"position=1 cm:falling:stop\"",
-                  text, why)};
+Error wrong(std::string_view text, const Notice& why) {
+  return Error{"event_is_wrong", {{"event", text}, {"what", why}}};
 }
 
 /// Cuts the part up to the next separator off the text.
@@ -35,12 +30,12 @@ Result<Event> parse_event(std::string_view text) {
   if (quantity == "position")
     event.quantity = Event::Quantity::position;
   else if (quantity != "velocity" && quantity != "turning-point")
-    return wrong(text, fmt::format("\"{}\" is no event that can be watched", quantity));
+    return wrong(text, Notice{"no_such_event", {{"event", quantity}}});
   if (has_value == (quantity == "turning-point"))
-    return wrong(text, has_value ? "a turning point has no value" : "the value is missing");
+    return wrong(text, Notice{has_value ? "turning_point_has_no_value" : "event_value_missing"});
   if (has_value) {
     const auto value = parse_quantity(threshold, event.quantity == Event::Quantity::position ? "m" : "m/s");
-    if (!value) return wrong(text, value.error().message);
+    if (!value) return wrong(text, value.error().notice);
     event.value = value->value;
   }
   while (!words.empty()) {
@@ -51,8 +46,8 @@ Result<Event> parse_event(std::string_view text) {
     else if ((rising || falling) && event.crossing == Crossing::any)
       event.crossing = rising ? Crossing::rising : Crossing::falling;
     else
-      return wrong(text, rising || falling ? "only one of rising and falling; without them both count"
-                                           : fmt::format("\"{}\" is not known", word));
+      return wrong(text, rising || falling ? Notice{"rising_and_falling"}
+                                           : Notice{"event_word_unknown", {{"word", word}}});
   }
   return event;
 }

@@ -11,7 +11,8 @@ Result<void> load_drive(SimulateOptions& options, const std::string& folder) {
   const std::string& file = ground ? options.base_motion : options.drive_file;
   if (file.empty()) return {};
   const auto bytes = read_file((std::filesystem::path(folder) / file).string());
-  if (!bytes) return Error{(ground ? "--base-motion: " : "--drive-file: ") + bytes.error().message};
+  if (!bytes)
+    return Error{ground ? "base_motion_not_read" : "drive_file_not_read", {{"what", bytes.error().notice}}};
   auto record = read_drive_record(
       *bytes, file, {.quantity = ground ? "acceleration" : "force", .column = options.drive_column},
       options.read);

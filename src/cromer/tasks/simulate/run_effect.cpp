@@ -1,11 +1,12 @@
 #include "cromer/tasks/simulate/run_effect.h"
 
-#include <fmt/format.h>
 #include "cromer/model/linear_quantities.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
+#include <vector>
 
 #include "cromer/methods/all.h"
 #include "cromer/model/terms.h"
@@ -18,56 +19,71 @@ namespace {
 constexpr double nothing_to_speak_of = 1e-6;  // of the energy that was there
 
 /// "swung at 0.9987 rad/s on average, from 0.934 m down to 0.0893 m".
-std::string swing_in_words(const MeasuredOscillator& swing) {
+Notice swing_notice(const MeasuredOscillator& swing) {
   const double change = swing.last_amplitude / swing.first_amplitude - 1;
-  const std::string words = fmt::format("swung at {:.6g} rad/s on average, ", swing.angular_frequency);
-  if (std::abs(change) < 1e-3) return words + fmt::format("{:.4g} m to each side", swing.last_amplitude);
-  return words + fmt::format("from {:.4g} m {} to {:.4g} m", swing.first_amplitude,
-                             change < 0 ? "down" : "up", swing.last_amplitude);
+  if (std::abs(change) < 1e-3)
+    return Notice{"swung_evenly",
+                  {{"frequency", swing.angular_frequency}, {"amplitude", swing.last_amplitude}}};
+  return Notice{change < 0 ? "swung_less_and_less" : "swung_more_and_more",
+                {{"frequency", swing.angular_frequency},
+                 {"first", swing.first_amplitude},
+                 {"last", swing.last_amplitude}}};
 }
 
 /// Of a law that keeps its energy.
-std::string kept_energy_in_words(const EnergyBalance& balance, bool symplectic) {
+Notice kept_energy_notice(const EnergyBalance& balance, bool symplectic) {
   const double off = balance.end / balance.start - 1;
-  if (std::abs(off) < nothing_to_speak_of) return fmt::format("kept its {:.4g} J", balance.start);
-  const std::string percent = fmt::format("{:.2g} %", 100 * std::abs(off));
+  if (std::abs(off) < nothing_to_speak_of) return Notice{"kept_its_energy", {{"energy", balance.start}}};
+  const double percent = 100 * std::abs(off);
   if (symplectic)
-    return fmt::format("had {:.4g} J and at the end {} {}, which comes and goes", balance.start, percent,
-                       off < 0 ? "less" : "more");
-  return fmt::format("had {:.4g} J, {} the method itself {} {}", balance.start,
-                     off < 0 ? "of which" : "to which", off < 0 ? "took" : "added", percent);
+    return Notice{off < 0 ? "energy_comes_back" : "energy_goes_again",
+                  {{"energy", balance.start}, {"percent", percent}}};
+  return Notice{off < 0 ? "method_alone_took" : "method_alone_added",
+                {{"energy", balance.start}, {"percent", percent}}};
+}
+
+/// What gives or takes energy.
+template <class T>
+Notice name_of() {
+  if constexpr (std::is_same_v<T, Viscous>) return Notice{"damping"};
+  if constexpr (std::is_same_v<T, Drag>) return Notice{"drag"};
+  if constexpr (std::is_same_v<T, Friction>) return Notice{"friction"};
+  return Notice{"term", {{"name", T::coefficients[0].option}}};
 }
 
 /// "had 0.5 J, of which drag took 75.6 %, the method itself 24 %".
-std::string energy_in_words(const EnergyBalance& balance, bool symplectic) {
+Notice energy_notice(const EnergyBalance& balance, bool symplectic) {
   double there = balance.start;
-  std::string givers, takers;
-  const auto gain = [&](std::string_view what, double part) {
+  Notice givers;
+  const auto gain = [&](const Notice& what, double part) {
     if (part <= 0) return;
     there += part;
-    givers += fmt::format("{}{}", givers.empty() ? " with what the " : " and the ", what);
+    givers = givers.empty() ? what : Notice{"and_the", {{"one", givers}, {"other", what}}};
   };
-  gain("drive", balance.drive);
-  for_each_resistance([&]<class T>() { gain(T::coefficients[0].option, -balance.taken_by<T>()); });
-  if (!(there > 0)) return "";
-  const auto add = [&](std::string_view what, double part) {
+  gain(Notice{"drive"}, balance.drive);
+  for_each_resistance([&]<class T>() { gain(name_of<T>(), -balance.taken_by<T>()); });
+  if (!(there > 0)) return {};
+  std::vector<Notice> takers;
+  const auto add = [&](const Notice& what, double part) {
     if (part > 0)
-      takers +=
-          fmt::format("{}{} {:.3g} %", takers.empty() ? "" : ", ",
-                      takers.empty() ? std::string(what) + " took" : std::string(what), 100 * part / there);
+      takers.push_back(Notice{takers.empty() ? "first_taker" : "next_taker",
+                              {{"what", what}, {"percent", 100 * part / there}}});
   };
-  for_each_resistance([&]<class T>() { add(T::coefficients[0].option, balance.taken_by<T>()); });
-  if (takers.empty()) return balance.drive == 0 ? kept_energy_in_words(balance, symplectic) : "";
+  for_each_resistance([&]<class T>() { add(name_of<T>(), balance.taken_by<T>()); });
+  if (takers.empty()) return balance.drive == 0 ? kept_energy_notice(balance, symplectic) : Notice{};
+  if (!givers.empty()) givers = Notice{"with_what_gave", {{"givers", givers}}};
   const double made = balance.method() / there;
-  const std::string method = std::abs(made) < nothing_to_speak_of ? "nothing"
-                             : made < 0                           ? fmt::format("{:.2g} %", -100 * made)
-                                                                  : fmt::format("added {:.2g} %", 100 * made);
-  return fmt::format("had {:.4g} J{}, of which {}, the method itself {}", there,
-                     givers.empty() ? "" : givers + " gave", takers, method);
+  const Notice method =
+      std::abs(made) < nothing_to_speak_of
+          ? Notice{"nothing"}
+          : Notice{made < 0 ? "took_percent" : "added_percent", {{"percent", 100 * std::abs(made)}}};
+  return Notice{"energy_went_to",
+                {{"energy", there}, {"givers", givers}, {"takers", takers}, {"method", method}}};
 }
 
-std::string joined(const std::string& first, const std::string& second) {
-  return first.empty() || second.empty() ? first + second : first + "; " + second;
+Notice joined(const Notice& first, const Notice& second) {
+  if (first.empty() || second.empty()) return first.empty() ? second : first;
+  return Notice{"both", {{"first", first}, {"second", second}}};
 }
 
 }  // namespace
@@ -78,50 +94,50 @@ std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
   return method_effect(run.method, run.settings, linear_law(run.oscillator, run.drive), run.step, false);
 }
 
-std::string step_warning(const SimulatedRun& run) {
-  if (run.effect) return instability_warning(run.method, *run.effect, run.step, "");
+Notice step_notice(const SimulatedRun& run) {
+  if (run.effect) return instability_notice(run.method, *run.effect, run.step);
   // Of a law that is not linear the small motions about the rest position tell, as long as they swing; of a
   // spring that hardens also its stiffness where the motion begins.
   const Oscillator<double>& o = run.oscillator;
   const double period = natural_period(o);
-  if (!(period > 0)) return "";
+  if (!(period > 0)) return {};
   const double w = 2 * std::numbers::pi / period;
   // What drag, friction and their like take may outweigh a growth that only vanishes with the step.
   const bool braked = law_of(o).shares(dissipative_terms.without(law_with<Viscous>));
-  const auto warning = [&](double stiffness, std::string_view motions) -> std::string {
+  const auto of_motions = [&](double stiffness, const Notice& motions) -> Notice {
     const LinearLaw<double> tangent{.decay_rate = decay_rate(o), .stiffness = stiffness};
     const auto effect = method_effect(run.method, run.settings, tangent, run.step, false);
-    if (!effect || (braked && effect->stability_limit == 0)) return "";
-    return instability_warning(run.method, *effect, run.step, motions);
+    if (!effect || (braked && effect->stability_limit == 0)) return {};
+    return instability_notice(run.method, *effect, run.step, motions);
   };
-  if (auto small = warning(w * w, "small motions"); !small.empty()) return small;
+  if (auto small = of_motions(w * w, Notice{"small_motions"}); !small.empty()) return small;
   const double there = stiffness_at(o, run.start.x) / o.mass;
-  return there > w * w ? warning(there, "motions as wide as at the start") : "";
+  return there > w * w ? of_motions(there, Notice{"motions_as_at_start"}) : Notice{};
 }
 
-std::string effect_in_words(const SimulatedRun& run) {
-  if (run.effect) return in_words(*run.effect, linear_law(run.oscillator, run.drive));
-  if (is_linear(law_of(run.oscillator))) return "";
-  return joined(
-      run.measured ? swing_in_words(*run.measured) : "",
-      run.energy_balance ? energy_in_words(*run.energy_balance, find_method(run.method)->symplectic) : "");
+Notice effect_notice(const SimulatedRun& run) {
+  if (run.effect) return effect_notice(*run.effect, linear_law(run.oscillator, run.drive));
+  if (is_linear(law_of(run.oscillator))) return {};
+  return joined(run.measured ? swing_notice(*run.measured) : Notice{},
+                run.energy_balance ? energy_notice(*run.energy_balance, find_method(run.method)->symplectic)
+                                   : Notice{});
 }
 
-std::string steady_in_words(const SimulatedRun& run) {
-  if (!run.effect || !run.effect->effective.steady_state) return "";
+Notice steady_notice(const SimulatedRun& run) {
+  if (!run.effect || !run.effect->effective.steady_state) return {};
   const SteadyState& steady = *run.effect->effective.steady_state;
   const SteadyState exact = frequency_response(run.oscillator, run.drive.amplitude, run.drive.frequency);
-  std::string words =
-      fmt::format("settles at {:.6g} m{}, {:.4g} rad behind the drive", steady.amplitude,
-                  run.transmission && run.transmission->of_motion ? " from the base" : "", steady.phase_lag);
+  Notice law;
   if (run.method != "exact" && std::isfinite(exact.amplitude))
-    words += fmt::format(" (your law: {:.6g} m, {:.4g} rad)", exact.amplitude, exact.phase_lag);
-  return words;
+    law = Notice{"where_the_law_settles", {{"amplitude", exact.amplitude}, {"lag", exact.phase_lag}}};
+  const bool of_base = run.transmission && run.transmission->of_motion;
+  return Notice{of_base ? "settles_from_base" : "settles",
+                {{"amplitude", steady.amplitude}, {"lag", steady.phase_lag}, {"law", law}}};
 }
 
-std::string run_in_words(const SimulatedRun& run) {
-  const std::string words = joined(effect_in_words(run), steady_in_words(run));
-  return words.empty() ? "" : run.label + " " + words;
+Notice run_notice(const SimulatedRun& run) {
+  const Notice what = joined(effect_notice(run), steady_notice(run));
+  return what.empty() ? what : Notice{"of_run", {{"run", run.label}, {"what", what}}};
 }
 
 }  // namespace cromer::core

@@ -2,8 +2,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "cromer/notice.h"
 #include "cromer/tasks/methods/method_effect.h"
 
 namespace cromer::core {
@@ -14,19 +14,19 @@ struct SimulatedRun;
 /// the steady motion. Empty otherwise.
 std::optional<MethodEffect> effect_of(const SimulatedRun& run);
 
-/// Warning of a step beyond the method's stability limit, which it names: of the linear law, else of small
-/// motions about the rest position; empty where there is nothing to warn of.
-std::string step_warning(const SimulatedRun& run);
+/// Says that the step is beyond the method's stability limit, which it names: of the linear law, else of
+/// small motions about the rest position; empty where it is not.
+Notice step_notice(const SimulatedRun& run);
 
 /// What the method makes of the law: of a linear one "turns your damping of ..."; of others, once run, what
 /// was measured and where the energy went: "swung at ...; had 0.5 J, of which drag took ...". Empty where
 /// neither is known.
-std::string effect_in_words(const SimulatedRun& run);
+Notice effect_notice(const SimulatedRun& run);
 
 /// "settles at 0.38 m, 2.9 rad behind the drive (your law: ...)"; empty where nothing settles.
-std::string steady_in_words(const SimulatedRun& run);
+Notice steady_notice(const SimulatedRun& run);
 
 /// Both, with the run's label before them; empty where both are.
-std::string run_in_words(const SimulatedRun& run);
+Notice run_notice(const SimulatedRun& run);
 
 }  // namespace cromer::core

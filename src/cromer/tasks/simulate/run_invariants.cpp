@@ -1,7 +1,5 @@
 #include "cromer/tasks/simulate/run_invariants.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "cromer/analysis/energy.h"
@@ -50,14 +48,16 @@ std::optional<ModifiedEnergy> modified_energy_of(const SimulatedRun& run) {
   return found;
 }
 
-std::string modified_energy_in_words(const SimulatedRun& run) {
-  if (!run.modified_energy) return "";
+Notice modified_energy_notice(const SimulatedRun& run) {
+  if (!run.modified_energy) return {};
   const ModifiedEnergy& found = *run.modified_energy;
-  return fmt::format(
-      "{} conserves a modified energy, m/2 (v^2 + w^2 x^2 - h w^2 x v) = {:.6g} J, to {:.2g} of itself over "
-      "{} kept states{}; the energy swings by {:.3g} % about its mean",
-      run.label, found.start, found.drift, found.states, run.compensated ? " (compensated sums)" : "",
-      100 * found.energy_swing);
+  return Notice{"conserves_modified_energy",
+                {{"run", run.label},
+                 {"energy", found.start},
+                 {"drift", found.drift},
+                 {"states", found.states},
+                 {"sums", run.compensated ? Notice{"of_compensated_sums"} : Notice{}},
+                 {"swing", 100 * found.energy_swing}}};
 }
 
 }  // namespace cromer::core

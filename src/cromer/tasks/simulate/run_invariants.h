@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "cromer/analysis/invariants.h"
+#include "cromer/notice.h"
 
 namespace cromer::core {
 
@@ -15,6 +15,6 @@ struct SimulatedRun;
 std::optional<ModifiedEnergy> modified_energy_of(const SimulatedRun& run);
 
 /// "euler-cromer conserves ..."; empty where there is none.
-std::string modified_energy_in_words(const SimulatedRun& run);
+Notice modified_energy_notice(const SimulatedRun& run);
 
 }  // namespace cromer::core

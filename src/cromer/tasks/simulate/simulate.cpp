@@ -1,7 +1,5 @@
 #include "cromer/tasks/simulate/simulate.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,24 +19,23 @@ namespace cromer::core {
 namespace {
 
 /// Why the run ended early, with the last good time and step; empty if it did not, or was asked to.
-std::string message_of(const Outcome& outcome) {
-  const std::string place = fmt::format("t = {:.6g} s (step {})", outcome.t, outcome.step);
+Notice message_of(const Outcome& outcome) {
   switch (outcome.status) {
     case Status::reached_end:
-      return "";
+      return {};
     case Status::stopped_by_event:
-      return outcome.interrupted ? "interrupted after " + place : "";
+      if (!outcome.interrupted) return {};
+      return Notice{"run_interrupted", {{"t", outcome.t}, {"step", outcome.step}}};
     case Status::step_limit:
-      return "the step limit was reached at " + place;
+      return Notice{"run_at_step_limit", {{"t", outcome.t}, {"step", outcome.step}}};
     case Status::step_too_small:
-      return "the step became too small to go on at " + place +
-             ": the motion runs away there, or --tolerance asks for too much";
+      return Notice{"run_step_too_small", {{"t", outcome.t}, {"step", outcome.step}}};
     case Status::no_convergence:
-      return "no convergence in Newton's iteration after " + place + "; take a shorter --step";
+      return Notice{"run_without_convergence", {{"t", outcome.t}, {"step", outcome.step}}};
     case Status::not_finite:
-      return "diverged: not finite after " + place;
+      return Notice{"run_diverged", {{"t", outcome.t}, {"step", outcome.step}}};
   }
-  return "";
+  return {};
 }
 
 /// States whose energy overflows have left the numbers too: the run then ends at the last kept state before
@@ -108,8 +105,7 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
     if (!options.motion_only) run.transmission = transmission_of(options, run);
   }
   SimulateResult result;
-  result.warnings = setup_warnings(options, *runs);
-  if (watch.warn) watch.warn(result.warnings);
+  result.notices = setup_notices(options, *runs);
   result.options = with_defaults(options, runs->front());
   result.runs = *std::move(runs);
   const auto all = static_cast<double>(result.runs.size());
@@ -118,8 +114,9 @@ Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& wat
     integrate(run, options.every, part_of(watch, done / all, (done + 1) / all));
     ++done;
     if (run.events.missed > 0)
-      result.warnings.push_back(fmt::format("{}: only the first {} of {} events are listed", run.label,
-                                            EventLog::most, EventLog::most + run.events.missed));
+      result.notices.push_back(Notice{
+          "events_not_listed",
+          {{"run", run.label}, {"listed", EventLog::most}, {"events", EventLog::most + run.events.missed}}});
     if (!options.motion_only) {
       run.energy_balance = energy_balance_of(run);
       run.modified_energy = modified_energy_of(run);

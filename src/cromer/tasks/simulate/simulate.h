@@ -97,7 +97,7 @@ struct SimulatedRun {
   Outcome outcome;
   Trajectory trajectory;
   std::vector<double> sensor{};                     ///< one sample per kept state; empty without a sensor
-  std::string message;                              ///< why it ended early, with time and step
+  Notice message;                                   ///< why it ended early, with time and step
   EventLog events{};                                ///< what was watched for and found
   std::optional<Accuracy> accuracy{};               ///< where it was asked for
   std::optional<MeasuredOscillator> measured{};     ///< of a free motion that is not the linear law's
@@ -114,7 +114,7 @@ struct SimulatedRun {
 struct SimulateResult {
   SimulateOptions options;  ///< as used, defaults filled in
   std::vector<SimulatedRun> runs{};
-  std::vector<std::string> warnings{};
+  std::vector<Notice> notices{};
   bool ok() const {
     for (const auto& run : runs)
       if (!run.done()) return false;

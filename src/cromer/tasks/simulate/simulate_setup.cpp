@@ -33,23 +33,20 @@ Result<void> check_ranges(SimulateOptions options) {
 
 /// At most one of the options that set the same thing.
 Result<void> check_alternatives(const SimulateOptions& o) {
-  if (o.stiffness && o.natural_frequency)
-    return Error{"--stiffness and --natural-frequency both set the spring; give one of them"};
+  if (o.stiffness && o.natural_frequency) return Error{"spring_set_twice"};
   if (o.static_friction && *o.static_friction < o.law.friction)
-    return Error{fmt::format("--static-friction: it must be at least --friction ({} N), not {} N",
-                             shortest(o.law.friction), shortest(*o.static_friction))};
+    return Error{"static_friction_too_small",
+                 {{"friction", o.law.friction}, {"static_friction", *o.static_friction}}};
   if (o.damping.has_value() + o.damping_ratio.has_value() + o.quality_factor.has_value() > 1)
-    return Error{"--damping, --damping-ratio and --quality-factor all set the damping; give one of them"};
-  if (o.step && o.accuracy) return Error{"--step and --accuracy both set the step; give one of them"};
+    return Error{"damping_set_twice"};
+  if (o.step && o.accuracy) return Error{"step_set_twice"};
   return {};
 }
 
 /// Energies are part of the answer, so they must be numbers too.
 Result<void> check_start(const SimulatedRun& run) {
   if (std::isfinite(energy(run.oscillator, run.start))) return {};
-  return Error{
-      fmt::format("--position: the energy at the start (x = {} m, v = {} m/s) is beyond the largest number",
-                  shortest(run.start.x), shortest(run.start.v))};
+  return Error{"start_energy_too_large", {{"x", run.start.x}, {"v", run.start.v}}};
 }
 
 /// Where a body that x = 0 pushes away comes to rest [m]: the first such place on either side, looked for
@@ -94,32 +91,25 @@ Result<void> check_exact(const SimulatedRun& run) {
   if (run.method != "exact" || option.empty()) return {};
   if (option == Friction::coefficients[0].option) {
     if (run.drive.amplitude == 0 && !run.general) return {};
-    return Error{fmt::format(
-        "--method exact: with friction ({} N) there is no closed form under a drive; leave one of them "
-        "out or choose another method, for instance dormand-prince",
-        shortest(law.friction))};
+    return Error{"exact_with_friction", {{"friction", law.friction}}};
   }
-  std::string value;
+  double value = 0;
+  std::string unit;
   for_each_term([&]<class T>() {
-    if (T::coefficients[0].option == option)
-      value =
-          fmt::format("{} {}", shortest(law.*T::template members<double>[0]), unit_of(T::coefficients[0]));
+    if (T::coefficients[0].option != option) return;
+    value = law.*T::template members<double>[0];
+    unit = unit_of(T::coefficients[0]);
   });
-  return Error{fmt::format(
-      "--method exact: there is no closed form with {} ({}); leave it out or choose another method, "
-      "for instance rk4 with a short step",
-      option, value)};
+  return Error{"exact_with_term", {{"term", option}, {"value", value}, {"unit", unit}}};
 }
 
 /// What the states that carry an inner state along are not made for.
 Result<void> check_hysteresis(const SimulateOptions& o, const SimulatedRun& run) {
   const Law law = law_of(run.oscillator);
   if (!law.has<Hysteresis>()) return {};
-  if (!each_set_of_terms)
-    return Error{"--hysteresis-stiffness: the page does not run a force with memory; take cromer simulate"};
+  if (!each_set_of_terms) return Error{"hysteresis_on_page"};
   const auto refuse = [](std::string_view other) {
-    return Error{
-        fmt::format("--hysteresis-stiffness and --{} are not for one run; leave one of them out", other)};
+    return Error{"hysteresis_with_other", {{"option", other}}};
   };
   if (law.has<Friction>()) return refuse(o.law.friction != 0 ? "friction" : "static-friction");
   if (o.compensated) return refuse("compensated");
@@ -131,25 +121,13 @@ Result<void> check_hysteresis(const SimulateOptions& o, const SimulatedRun& run)
 Result<void> check_compensated(const SimulateOptions& o, const SimulatedRun& run) {
   if (!o.compensated) return {};
   if (!takes_compensated_sums(*find_method(run.method)))
-    return Error{fmt::format(
-        "--compensated: {} {}; leave it out or choose another method, for instance "
-        "euler-cromer",
-        run.method,
-        is_adaptive(run.method) ? "chooses its own steps, whose errors are larger than those of the sums"
-                                : "adds nothing up, it takes each state from the closed form")};
+    return Error{is_adaptive(run.method) ? "compensated_of_adaptive_method" : "compensated_of_exact_method",
+                 {{"method", run.method}}};
   if (law_of(run.oscillator).has<Friction>())
-    return Error{
-        fmt::format("--compensated: with --friction ({} N) steps end where the mass stops; leave one of them "
-                    "out",
-                    shortest(std::max(run.oscillator.friction, run.oscillator.static_friction)))};
-  if (run.general)
-    return Error{
-        fmt::format("--compensated: under {} steps end where the drive jumps or bends; leave one of them out",
-                    drive_name(o))};
-  if (!o.event.empty())
-    return Error{
-        fmt::format("--compensated: --event \"{}\" is looked for in ordinary sums; leave one of them out",
-                    o.event.front())};
+    return Error{"compensated_with_friction",
+                 {{"friction", std::max(run.oscillator.friction, run.oscillator.static_friction)}}};
+  if (run.general) return Error{"compensated_under_drive", {{"drive", drive_name(o)}}};
+  if (!o.event.empty()) return Error{"compensated_with_event", {{"event", o.event.front()}}};
   return {};
 }
 
@@ -159,18 +137,14 @@ Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedR
   for (const auto& run : runs) {
     const double count = run.until / run.step;
     if (!(count < most_steps))
-      return Error{fmt::format(
-          "--step: {} s up to {} s are {:.3g} steps, too many to be told apart; take a longer step",
-          shortest(run.step), shortest(run.until), count)};
+      return Error{"run_of_too_many_steps", {{"step", run.step}, {"until", run.until}, {"steps", count}}};
     states += static_cast<double>(number_of_kept_states(count_steps({0, run.until}, run.step), o.every));
   }
   const double bytes = states * (o.sensor.used ? 4 : 3) * sizeof(double);
   const double memory = o.memory > 0 ? o.memory : 1e18;  // no machine has more, and vectors cannot be longer
   if (bytes <= memory) return {};
-  return Error{fmt::format(
-      "--step: keeping {:.3g} states needs {} of memory, and there are {}; take a longer --step, a "
-      "shorter --until, or keep every Nth state with --every N",
-      states, bytes_in_words(bytes), bytes_in_words(memory))};
+  return Error{"states_beyond_memory",
+               {{"states", states}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
 }
 
 /// Methods that choose their steps, or solve an equation in every step or where the force depends on the
@@ -205,21 +179,22 @@ Result<Oscillator<double>> oscillator_of(const SimulateOptions& o) {
   double c = o.damping.value_or(0);
   if (o.damping_ratio || o.quality_factor) {
     if (!(k > 0))
-      return Error{fmt::format("--{}: it needs a positive stiffness, not {} N/m; give --damping instead",
-                               o.damping_ratio ? "damping-ratio" : "quality-factor", shortest(k))};
+      return Error{o.damping_ratio ? "damping_ratio_without_spring" : "quality_factor_without_spring",
+                   {{"stiffness", k}}};
     c = o.damping_ratio ? 2 * *o.damping_ratio * std::sqrt(k * m) : std::sqrt(k * m) / *o.quality_factor;
   }
-  if (!std::isfinite(k) || !std::isfinite(c))
-    return Error{
-        "--natural-frequency: with this mass the stiffness or the damping is beyond the largest number"};
+  if (!std::isfinite(k) || !std::isfinite(c)) return Error{"law_too_large"};
   Oscillator<double> oscillator = o.law;
   oscillator.mass = m;
   oscillator.stiffness = k;
   oscillator.damping = c;
   oscillator.static_friction = o.static_friction.value_or(0);
   if (c < 0 && !law_of(oscillator).shares(bounding_terms))
-    return Error{fmt::format("--damping: it must {}, not {} kg/s",
-                             constraint(Range::not_negative_unless_bounded), shortest(c))};
+    return Error{"damping_is_wrong",
+                 {{"what", Notice{"must_keep_to",
+                                  {{"rule", constraint(Range::not_negative_unless_bounded)},
+                                   {"value", c},
+                                   {"unit", "kg/s"}}}}}};
   return oscillator;
 }
 
@@ -253,17 +228,18 @@ double natural_period(const Oscillator<double>& oscillator) {
 }
 
 Error no_period(const Oscillator<double>& oscillator, const SimulateOptions& o) {
-  std::string terms;
+  std::vector<Notice> terms;
   for_each_term([&]<class T>() {
     const double value = oscillator.*T::template members<double>[0];
     if (std::is_same_v<T, Spring> || (terms_of_position.has<T>() && value != 0))
-      terms += fmt::format("{}{} {} {}", terms.empty() ? "" : ", ", T::coefficients[0].option,
-                           shortest(value), unit_of(T::coefficients[0]));
+      terms.push_back(Notice{
+          "coefficient_in_unit",
+          {{"name", T::coefficients[0].option}, {"value", value}, {"unit", unit_of(T::coefficients[0])}}});
   });
-  return Error{fmt::format("this law has no natural period ({}) and no periodic drive: give {}", terms,
-                           o.step    ? "--until"
-                           : o.until ? "--step"
-                                     : "--step and --until")};
+  return Error{o.step    ? "no_period_for_until"
+               : o.until ? "no_period_for_step"
+                         : "no_period_for_step_and_until",
+               {{"terms", terms}}};
 }
 
 Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
@@ -282,7 +258,8 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
 
   std::vector<SimulatedRun> runs;
   for (const auto& method : methods) {
-    if (auto good = check_method_name(method); !good) return Error{"--method: " + good.error().message};
+    if (auto good = check_method_name(method); !good)
+      return Error{"method_is_wrong", {{"what", good.error().notice}}};
     for (const double frequency : frequencies) {
       SimulatedRun run;
       run.method = method;
@@ -307,44 +284,43 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {
   return runs;
 }
 
-std::vector<std::string> setup_warnings(const SimulateOptions& options,
-                                        const std::vector<SimulatedRun>& runs) {
-  std::vector<std::string> warnings;
-  const auto add_once = [&](std::string warning) {
-    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
-      warnings.push_back(std::move(warning));
+std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vector<SimulatedRun>& runs) {
+  std::vector<Notice> notices;
+  const auto add_once = [&](Notice notice) {
+    if (std::find(notices.begin(), notices.end(), notice) == notices.end())
+      notices.push_back(std::move(notice));
   };
   if (options.drive_record)
-    for (const auto& warning : options.drive_record->warnings) add_once(warning);
+    for (const Notice& notice : options.drive_record->notices) add_once(notice);
   if (!options.drive_frequency.empty() && drive_name(options) == "none")
-    add_once("--drive-frequency has no effect without a --drive-amplitude");
+    add_once(Notice{"drive_frequency_alone"});
   for_each_term([&]<class T>() {
     if (options.law.*T::template members<double>[0] != 0) return;
+    const std::string_view needed = T::coefficients[0].option;
     for (std::size_t i = 1; i < coefficients_of<T>; ++i)
       if (options.law.*T::template members<double>[i] != 0)
-        add_once(fmt::format("--{} has no effect without --{}", T::coefficients[i].option,
-                             T::coefficients[0].option));
+        add_once(Notice{"no_effect_without", {{"option", T::coefficients[i].option}, {"needed", needed}}});
     if (HasInnerState<T> && options.law.hysteresis_exponent != 1)
-      add_once(fmt::format("--hysteresis-exponent has no effect without --{}", T::coefficients[0].option));
+      add_once(Notice{"no_effect_without", {{"option", "hysteresis-exponent"}, {"needed", needed}}});
   });
   for (const auto& run : runs) {
-    if (options.tolerance && !uses_tolerance(run.method))
-      add_once(fmt::format("--tolerance has no effect on {}", run.method));
+    const auto no_effect = [&](std::string_view option) {
+      add_once(Notice{"no_effect_on_method", {{"option", option}, {"method", run.method}}});
+    };
+    if (options.tolerance && !uses_tolerance(run.method)) no_effect("tolerance");
     if ((options.beta || options.gamma) && run.method != Newmark::info.name)
-      add_once(fmt::format("--{} has no effect on {}", options.beta ? "beta" : "gamma", run.method));
-    if (options.rho_inf && run.method != GeneralizedAlpha::info.name)
-      add_once(fmt::format("--rho-inf has no effect on {}", run.method));
-    if (auto warning = step_warning(run); !warning.empty()) add_once(std::move(warning));
+      no_effect(options.beta ? "beta" : "gamma");
+    if (options.rho_inf && run.method != GeneralizedAlpha::info.name) no_effect("rho-inf");
+    if (auto notice = step_notice(run); !notice.empty()) add_once(std::move(notice));
     if (const double begin = drive_begin(run); begin >= run.until)
-      add_once(fmt::format("--drive-start: the drive begins at {} s, and the run ends at {} s",
-                           shortest(begin), shortest(run.until)));
+      add_once(Notice{"drive_begins_after_end", {{"start", begin}, {"until", run.until}}});
     const Steps steps = count_steps({0, run.until}, run.step);
     // Where one of them is ours, so is the remainder.
     if (steps.last > 0 && options.step && options.until)
-      add_once(fmt::format("{} s are not a whole number of steps of {} s: the last step is {:.6g} s",
-                           shortest(run.until), shortest(run.step), steps.last));
+      add_once(
+          Notice{"last_step_is_shorter", {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});
   }
-  return warnings;
+  return notices;
 }
 
 }  // namespace cromer::core

@@ -14,8 +14,7 @@ namespace cromer::core {
 Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options);
 
 /// What the options say that has no effect or is not exact.
-std::vector<std::string> setup_warnings(const SimulateOptions& options,
-                                        const std::vector<SimulatedRun>& runs);
+std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vector<SimulatedRun>& runs);
 
 /// The law, or an Error that names the option which prevents it.
 Result<Oscillator<double>> oscillator_of(const SimulateOptions& options);

@@ -1,7 +1,5 @@
 #include "cromer/tasks/spectrum/response_spectrum.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -105,14 +103,12 @@ void measure(Component& component, BetweenSamples between) {
 /// Steady states are summed as they are: there is nothing to choose, and nothing before or after them.
 Result<void> check_hysteretic(const SpectrumOptions& options, std::size_t components) {
   const auto alone = [](std::string_view other) {
-    return Error{
-        fmt::format("--loss-factor sums steady states of a band-limited ground; leave {} out", other)};
+    return Error{"loss_factor_sums_steady_states", {{"option", other}}};
   };
-  if (!options.peaks.empty()) return alone("--peaks");
-  if (!options.between_samples.empty()) return alone("--between-samples");
-  if (options.shock) return alone("--shock");
-  if (components > 1)
-    return Error{"--loss-factor takes one recording; ask for the components one after the other"};
+  if (!options.peaks.empty()) return alone("peaks");
+  if (!options.between_samples.empty()) return alone("between-samples");
+  if (options.shock) return alone("shock");
+  if (components > 1) return Error{"one_recording", {{"option", "loss-factor"}}};
   return {};
 }
 
@@ -123,30 +119,22 @@ Result<void> check_hysteretic_memory(const SpectrumResult& result, std::span<con
   const double samples = hysteretic_samples(component.acceleration.size(), component.spacing, longest, least);
   const auto fits = fits_in_memory(2 * samples, 64, result.options.memory > 0 ? result.options.memory : 16e9);
   if (fits) return {};
-  return Error{"--loss-factor: until the slowest oscillator rests, " + fits.error().message +
-               ": shorter periods or more damping"};
+  return Error{"loss_factor_takes_long", {{"what", fits.error().notice}}};
 }
 
 /// Peaks that come after the end are those of a ground that has stopped accelerating, not of one at rest.
-std::optional<std::string> after_the_end_warning(const SpectrumResult& result) {
+Notice after_the_end_notice(const SpectrumResult& result) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& spectrum : result.spectra)
     for (const std::size_t i : spectrum.after_the_end) least = std::min(least, result.periods[i]);
-  if (!std::isfinite(least)) return std::nullopt;
-  return fmt::format(
-      "from a period of {:.4g} s on there are peaks that come after the recording's end, on a ground that "
-      "goes on at "
-      "the speed it has then; --peaks samples looks no further than the recording",
-      least);
+  return std::isfinite(least) ? Notice{"peaks_after_the_end", {{"period", least}}} : Notice{};
 }
 
 Result<void> check_together(const SpectrumOptions& options, Peaks peaks, BetweenSamples between,
                             std::size_t components) {
-  if (peaks == Peaks::peer && between != BetweenSamples::linear)
-    return Error{"--peaks peer joins the samples by straight lines; leave --between-samples out"};
+  if (peaks == Peaks::peer && between != BetweenSamples::linear) return Error{"peer_joins_samples"};
   if (!options.loss_factor.empty()) return check_hysteretic(options, components);
-  if (options.shock && components > 1)
-    return Error{"--shock takes one recording; ask for the components one after the other"};
+  if (options.shock && components > 1) return Error{"one_recording", {{"option", "shock"}}};
   return {};
 }
 
@@ -162,8 +150,8 @@ double pseudo_acceleration(double displacement, double period) {
 
 namespace {
 
-/// Makes the components once the options are known to be right; its warnings come first.
-using MakeComponents = FunctionRef<Result<std::vector<Component>>(std::vector<std::string>& warnings)>;
+/// Makes the components once the options are known to be right; its notices come first.
+using MakeComponents = FunctionRef<Result<std::vector<Component>>(std::vector<Notice>& notices)>;
 
 Result<SpectrumResult> spectrum_of(MakeComponents make_components, const SpectrumOptions& options,
                                    const Watch& watch) {
@@ -184,7 +172,7 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   if (options.between_samples.empty())
     result.options.between_samples = result.hysteretic() ? "band-limited" : "linear";
 
-  auto components = make_components(result.warnings);
+  auto components = make_components(result.notices);
   if (!components) return components.error();
   result.components = *std::move(components);
   if (auto good = check_together(options, *peaks, *between, result.components.size()); !good)
@@ -194,9 +182,8 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   result.periods = *std::move(periods);
   if (result.hysteretic())
     if (auto good = check_hysteretic_memory(result, *ratios); !good) return good.error();
-  for (auto& warning : period_warnings(result.options, result.periods, result.components[0], *peaks))
-    result.warnings.push_back(std::move(warning));
-  if (watch.warn) watch.warn(result.warnings);
+  for (Notice& notice : period_notices(result.options, result.periods, result.components[0], *peaks))
+    result.notices.push_back(std::move(notice));
 
   std::vector<Shaking> shaking;
   for (auto& component : result.components) {
@@ -205,9 +192,9 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
   }
   for (const Component& component : result.components)
     if (std::isnan(component.intensity.arias))
-      result.warnings.push_back(fmt::format(
-          "{}: its Arias intensity, about 10^{:.0f} m/s, is {} any number that a computer holds",
-          component.file, component.intensity.decades, component.intensity.decades > 0 ? "above" : "below"));
+      result.notices.push_back(
+          Notice{component.intensity.decades > 0 ? "intensity_too_large" : "intensity_too_small",
+                 {{"file", component.file}, {"decades", component.intensity.decades}}});
   const std::size_t all = result.periods.size();
   const auto samples = static_cast<double>(shaking[0].ground.acceleration.size());
   const auto of_one = std::clamp(static_cast<std::size_t>(slice_of_work / samples), least_slice, slice);
@@ -235,7 +222,8 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
                        static_cast<double>(ratios->size()));
     }
   }
-  if (auto warning = after_the_end_warning(result)) result.warnings.push_back(*std::move(warning));
+  if (Notice notice = after_the_end_notice(result); !notice.empty())
+    result.notices.push_back(std::move(notice));
   return result;
 }
 
@@ -243,15 +231,13 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
 
 Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
                                          const Watch& watch) {
-  const auto read = [&](std::vector<std::string>& warnings) {
-    return read_components(files, options, warnings);
-  };
+  const auto read = [&](std::vector<Notice>& notices) { return read_components(files, options, notices); };
   return spectrum_of(read, options, watch);
 }
 
 Result<SpectrumResult> response_spectrum(std::vector<Component> components, const SpectrumOptions& options,
                                          const Watch& watch) {
-  const auto given = [&](std::vector<std::string>&) -> Result<std::vector<Component>> {
+  const auto given = [&](std::vector<Notice>&) -> Result<std::vector<Component>> {
     return std::move(components);
   };
   return spectrum_of(given, options, watch);

@@ -82,7 +82,7 @@ struct SpectrumResult {
   std::vector<double> periods{};  // [s] in the order asked for
   std::vector<Component> components{};
   std::vector<ResponseSpectrum> spectra{};
-  std::vector<std::string> warnings{};
+  std::vector<Notice> notices{};
   /// The springs have hysteretic damping, and damping_ratio is their loss factor.
   bool hysteretic() const { return !options.loss_factor.empty(); }
   bool by_frequency() const { return options.by_frequency(); }

@@ -1,9 +1,6 @@
 #include "cromer/tasks/sweep/loss_factor.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,9 +27,7 @@ bool has_loss_factor(const SweepOptions& options) {
 Result<void> check_loss_factor(const SweepOptions& options, const SweepWork& work) {
   if (!has_loss_factor(options)) return {};
   const auto refuse = [](std::string_view other) {
-    return Error{fmt::format(
-        "--loss-factor is said of the settled motion of a linear law, in closed form; leave --{} out",
-        other)};
+    return Error{"loss_factor_in_closed_form", {{"option", other}}};
   };
   std::vector<std::string_view> others{"damping", "damping-ratio", "quality-factor", "static-friction",
                                        "until"};
@@ -47,21 +42,16 @@ Result<void> check_loss_factor(const SweepOptions& options, const SweepWork& wor
   if (options.settle) return refuse("settle");
   if (!options.direction.empty()) return refuse("direction");
   if (options.check) return refuse("check");
-  if (work.base.drive == "base") return refuse("drive base");
-  if (work.method != "exact")
-    return Error{
-        fmt::format("--loss-factor has no law in time that {} could step; leave --method out", work.method)};
+  if (work.base.drive == "base") return Error{"loss_factor_of_base"};
+  if (work.method != "exact") return Error{"loss_factor_not_stepped", {{"method", work.method}}};
   return {};
 }
 
 Result<void> check_settled_loss(const SweepOptions& options, const SweepWork& work) {
   if (!has_loss_factor(options)) return {};
-  if (!work.driven)
-    return Error{"--loss-factor: nothing drives the motion; give --drive-amplitude and --drive-frequency"};
+  if (!work.driven) return Error{"loss_factor_undriven"};
   for (const Measure* measure : work.measures)
-    if (!measure->in_closed_form)
-      return Error{fmt::format("--loss-factor is said of the settled motion; --measure {} looks at another",
-                               measure->name)};
+    if (!measure->in_closed_form) return Error{"loss_factor_measure", {{"measure", measure->name}}};
   return {};
 }
 

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <variant>
 
@@ -34,37 +32,24 @@ constexpr std::string_view with_grid[] = {"mass",
                                           "rho-inf"};
 constexpr std::string_view as_it_is[] = {"drive", "method"};
 
-/// Options of simulate that would change nothing of a sweep's rows, or have no sense in it.
-struct LeftOut {
-  std::string_view name, why;
-};
-constexpr std::string_view drives_end =
-    "a sweep takes drives that go on (harmonic, unbalance, base); run pulses and chirps with simulate";
-constexpr std::string_view no_records =
-    "a sweep takes drives that go on (harmonic, unbalance, base); run recorded ones with simulate";
-constexpr std::string_view no_sensor =
-    "a sweep measures the motion itself, not a sensor's samples; leave it out, or take simulate";
-constexpr LeftOut left_out[] = {
-    {"drive-to", drives_end},
-    {"drive-start", drives_end},
-    {"drive-duration", drives_end},
-    {"drive-file", no_records},
-    {"base-motion", no_records},
-    {"drive-column", no_records},
-    {"between-samples", no_records},
-    {"accuracy", "a sweep takes the step itself, which may be a grid: --step 0.001:0.1:20:log"},
-    {"event", "a sweep measures whole runs; look for events with simulate"},
-    {"every", "a sweep keeps measures and no states, so there is nothing to thin out; leave it out"},
-    {"compensated", "a sweep's runs are too short to need it; take simulate for millions of steps"},
-    {"sensor-noise", no_sensor},
-    {"sensor-resolution", no_sensor},
-    {"sensor-offset", no_sensor},
-    {"seed", no_sensor},
-};
-
 template <std::size_t n>
 bool is_in(const std::string_view (&names)[n], std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+/// Options of simulate that would change nothing of a sweep's rows, or have no sense in it.
+Notice left_out(std::string_view option) {
+  constexpr std::string_view of_drives_that_end[] = {"drive-to", "drive-start", "drive-duration"};
+  constexpr std::string_view of_records[] = {"drive-file", "base-motion", "drive-column", "between-samples"};
+  constexpr std::string_view of_sensors[] = {"sensor-noise", "sensor-resolution", "sensor-offset", "seed"};
+  if (is_in(of_drives_that_end, option)) return Notice{"sweep_takes_no_pulse", {{"option", option}}};
+  if (is_in(of_records, option)) return Notice{"sweep_takes_no_record", {{"option", option}}};
+  if (is_in(of_sensors, option)) return Notice{"sweep_has_no_sensor", {{"option", option}}};
+  if (option == "accuracy") return Notice{"sweep_takes_the_step"};
+  if (option == "event") return Notice{"sweep_has_no_event"};
+  if (option == "every") return Notice{"sweep_keeps_no_states"};
+  if (option == "compensated") return Notice{"sweep_runs_are_short"};
+  return {};
 }
 
 /// Whether the option is a coefficient of a term with an inner state, or of one without.
@@ -80,20 +65,13 @@ bool is_coefficient(std::string_view name) {
 
 }  // namespace
 
-std::string sweep_refusal(std::string_view option, std::string_view text) {
-  for (const LeftOut& each : left_out)
-    if (each.name == option) return fmt::format("--{}: {}", option, each.why);
-  if (is_coefficient<true>(option))
-    return fmt::format(
-        "--{}: a sweep steps position and velocity alone, not a force with memory; run it with simulate, "
-        "once "
-        "for each value",
-        option);
-  const bool of_all = option == "settle" || option == "threads";
-  if (of_all && text.find_first_of(",:") != std::string_view::npos)
-    return fmt::format("--{}: \"{}\" looks like a grid, and this is one number for all points{}", option,
-                       text, option == "settle" ? "; it says how they are found, not what they are" : "");
-  return "";
+Notice sweep_refusal(std::string_view option, std::string_view text) {
+  if (Notice why = left_out(option); !why.empty()) return why;
+  if (is_coefficient<true>(option)) return Notice{"sweep_has_no_memory", {{"option", option}}};
+  if (text.find_first_of(",:") == std::string_view::npos) return {};
+  if (option == "settle") return Notice{"settle_is_no_grid", {{"typed", text}}};
+  if (option == "threads") return Notice{"threads_are_no_grid", {{"typed", text}}};
+  return {};
 }
 
 std::vector<Option> options_of(SweepOptions& o) {

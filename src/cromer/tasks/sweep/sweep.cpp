@@ -14,6 +14,13 @@ namespace {
 
 constexpr std::size_t checked_points = 8;
 
+/// Of a point in closed form and when stepped, one of which has no numbers.
+Notice why_left_out(PointStatus known, PointStatus stepped) {
+  if (known == PointStatus::unstable) return Notice{"grows_without_end"};
+  if (!has_numbers(known)) return Notice{"undamped_never_settles"};
+  return Notice{stepped == PointStatus::not_settled ? "stepped_not_settled" : "stepped_runs_away"};
+}
+
 }  // namespace
 
 std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch) {
@@ -34,10 +41,7 @@ std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& 
     if (!has_numbers(known.status) || stepped->status != PointStatus::done) {
       if (check.left_out++ > 0) continue;
       check.first_left_out = row;
-      check.why = known.status == PointStatus::unstable         ? "its motion grows without end"
-                  : !has_numbers(known.status)                  ? "it has no settled motion, without damping"
-                  : stepped->status == PointStatus::not_settled ? "when stepped it does not settle in time"
-                                                                : "when stepped it runs away";
+      check.why = why_left_out(known.status, stepped->status);
       continue;
     }
     ++check.points;
@@ -62,7 +66,7 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
   if (auto good = fits_in_memory(static_cast<double>(work.rows),
                                  static_cast<double>(width) * sizeof(double) + 1, options.memory);
       !good)
-    return Error{good.error().message + ", or let them stream to a file: -o FILE.h5"};
+    return Error{"rows_can_stream", {{"what", good.error().notice}}};
   SweepResult result{.plan = std::move(plan), .rows = {}, .counts = {}};
   const ChunkedRows& rows = result.plan.rows;
   result.rows.assign(rows.rows * width, std::numeric_limits<double>::quiet_NaN());

@@ -50,7 +50,7 @@ struct SweepPlan {
   std::string method;
   std::string simd;  ///< the unit of the kernel: baseline, avx2, avx512
   ChunkedRows rows;  ///< the swept values, the measures, and last the status (PointStatus)
-  std::vector<std::string> warnings;
+  std::vector<Notice> notices;
   std::shared_ptr<const SweepWork> work;  ///< what the rows depend on (sweep_rows.h)
 };
 
@@ -76,7 +76,7 @@ struct SweepCheck {
   double difference = 0;             ///< largest of the amplitude, relative
   std::size_t left_out = 0;          ///< points without a settled motion in closed form, or when stepped
   std::uint64_t first_left_out = 0;  ///< the row of the first of them
-  std::string why{};                 ///< why that one is left out
+  Notice why{};                      ///< why that one is left out
 };
 
 struct SweepResult {
@@ -111,11 +111,11 @@ std::string_view status_word(const SweepPlan& plan, unsigned char status);
 /// "60 points: 58 settled, 2 not_settled".
 std::string status_counts(const SweepResult& result);
 
-/// The plan's warnings, and those that only the rows give.
-std::vector<std::string> warnings_of(const SweepResult& result);
+/// The plan's notices, and those that only the rows give.
+std::vector<Notice> notices_of(const SweepResult& result);
 
 /// Why a sweep does not take this option of simulate, or this text for one of its own that has no grid; empty
 /// where there is nothing particular to say.
-std::string sweep_refusal(std::string_view option, std::string_view text);
+Notice sweep_refusal(std::string_view option, std::string_view text);
 
 }  // namespace cromer::core

@@ -1,7 +1,5 @@
 #include "cromer/tasks/sweep/sweep_measures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "cromer/base/ascii.h"
@@ -49,18 +47,15 @@ Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>
     const auto at = std::find(known.begin(), known.end(), word);
     if (at == known.end()) {
       const std::string near = nearest(word, known);
-      return Error{fmt::format("--measure: there is no measure \"{}\"{} ({})", word,
-                               near.empty() ? "" : fmt::format("; did you mean {}?", near),
-                               fmt::join(known, ", "))};
+      return Error{"no_such_measure",
+                   {{"typed", word},
+                    {"near", near.empty() ? Notice{} : Notice{"perhaps_measure", {{"near", near}}}},
+                    {"measures", std::vector<std::string>(known.begin(), known.end())}}};
     }
     const Measure* measure = &measures()[static_cast<std::size_t>(at - known.begin())];
     if (std::find(found.begin(), found.end(), measure) != found.end())
-      return Error{fmt::format("--measure: {} is asked for twice", word)};
-    if (measure->of_settled_motion && !driven)
-      return Error{fmt::format(
-          "--measure {}: without a drive the motion dies away; measure peak, final or energy, or give "
-          "--drive-amplitude and --drive-frequency",
-          word)};
+      return Error{"measure_twice", {{"measure", word}}};
+    if (measure->of_settled_motion && !driven) return Error{"measure_undriven", {{"measure", word}}};
     found.push_back(measure);
   }
   return found;

@@ -21,7 +21,7 @@ constexpr double most_rows = 9007199254740992.0;  // 2^53: beyond, rows cannot b
 
 constexpr std::uint64_t most_looked_at = 100000;  // values of a grid
 
-constexpr double enough_steps = 10;  // in a cycle of the drive, not to be warned of
+constexpr double enough_steps = 10;  // in a cycle of the drive, to say nothing of it
 
 /// Grids into axes, single values into the base. A range is a grid of however few points; where there is
 /// nothing else to sweep, one point is swept: along the drive's frequency, or all that has a value.
@@ -31,7 +31,7 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
     const auto typed = options.values.find(option.name);
     if (typed == options.values.end() || typed->second.empty()) continue;
     const auto wrong = [&](const Error& error) {
-      return Error{fmt::format("--{}: {}", option.name, error.message)};
+      return Error{"option_is_wrong", {{"option", option.name}, {"what", error.notice}}};
     };
     const auto grid = parse_grid(typed->second, option.unit);
     if (!grid) return wrong(grid.error());
@@ -48,10 +48,7 @@ Result<void> read_values(const SweepOptions& options, SweepWork& work) {
                     unit_of_grid(typed->second, option.unit)});
   }
   if (!work.axes.empty()) return {};
-  if (single.empty())
-    return Error{
-        "nothing is swept: give at least one numeric option a grid, for instance --drive-amplitude 1 "
-        "--drive-frequency 0.1:10:1000, or --position 0.5,1,1.5 --until 20"};
+  if (single.empty()) return Error{"nothing_swept"};
   const auto frequency = std::find_if(single.begin(), single.end(),
                                       [](const SweepAxis& a) { return a.name == "drive-frequency"; });
   if (frequency != single.end())
@@ -66,7 +63,7 @@ Result<SweepDirection> direction_of(std::string_view name) {
   if (name == "up") return SweepDirection::up;
   if (name == "down") return SweepDirection::down;
   if (name == "both") return SweepDirection::both;
-  return Error{fmt::format("--direction: \"{}\" is none of up, down and both", name)};
+  return Error{"no_such_direction", {{"typed", name}}};
 }
 
 /// The axis along which points follow each other comes last: the drive's frequency by nature. The method's
@@ -83,10 +80,7 @@ Result<void> order_axes(SweepWork& work) {
   };
   const bool along = move_last("drive-frequency") ||
                      (work.direction != SweepDirection::none && move_last("drive-amplitude"));
-  if (work.direction != SweepDirection::none && !along)
-    return Error{
-        "--direction: the points follow each other along --drive-frequency or --drive-amplitude, and neither "
-        "has a grid"};
+  if (work.direction != SweepDirection::none && !along) return Error{"direction_along_nothing"};
   return {};
 }
 
@@ -109,11 +103,7 @@ SimulateOptions options_at(const SweepWork& work, double (*value_of)(const Grid&
 Result<SimulatedRun> run_of(const SimulateOptions& options) {
   auto runs = set_up_runs(options);
   if (!runs) return runs.error();
-  if (runs->front().general)
-    return Error{fmt::format(
-        "--drive {}: a sweep takes drives that go on: harmonic, unbalance or base; run the others with "
-        "simulate",
-        options.drive)};
+  if (runs->front().general) return Error{"sweep_drives_go_on", {{"drive", options.drive}}};
   return std::move(runs->front());
 }
 
@@ -137,14 +127,9 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
   const bool to_end = work.runs_to_end();
   for (const Measure* measure : work.measures)
     if (to_end && measure->of_settled_motion)
-      return Error{fmt::format(
-          "--until: {} is that of the settled motion, which has no end; leave --until out, or measure peak, "
-          "final or energy",
-          measure->name)};
-  if (to_end && options.settle)
-    return Error{"--settle: a run to its end drops no cycles; leave --settle or --until out"};
-  if (to_end && work.direction != SweepDirection::none)
-    return Error{"--direction: points follow each other where the motion has settled; leave --until out"};
+      return Error{"until_of_settled_motion", {{"measure", measure->name}}};
+  if (to_end && options.settle) return Error{"settle_and_until"};
+  if (to_end && work.direction != SweepDirection::none) return Error{"direction_and_until"};
 
   const bool in_closed_form = std::all_of(work.measures.begin(), work.measures.end(),
                                           [](const Measure* m) { return m->in_closed_form; });
@@ -160,10 +145,8 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
     work.way = to_end ? SweepWay::to_end : SweepWay::settled;
   if (work.way == SweepWay::one_by_one && work.direction != SweepDirection::none)
     return Error{
-        fmt::format("--direction: with {} each point is a run of its own; take a method of fixed steps, for "
-                    "instance rk4, "
-                    "and no friction",
-                    rubs ? "friction" : work.method)};
+        "direction_one_by_one",
+        {rubs ? NoticeValue{"what", Notice{"sweep_with_friction"}} : NoticeValue{"what", work.method}}};
   return {};
 }
 
@@ -173,9 +156,7 @@ Result<void> check_cycles(const SweepWork& work) {
   for (const SweepAxis& axis : work.axes) {
     if (axis.name != "drive-frequency" && axis.name != "drive-amplitude") continue;
     const double low = axis.grid.lowest();
-    if (!(low > 0))
-      return Error{fmt::format("--{}: at {} nothing swings, so nothing settles; begin above it", axis.name,
-                               shortest(low))};
+    if (!(low > 0)) return Error{"nothing_swings", {{"axis", axis.name}, {"low", shortest(low)}}};
   }
   return {};
 }
@@ -192,46 +173,38 @@ Result<void> check_along_axes(const SweepWork& work) {
       values[k] = axis.grid[i];
       const auto at = points.at(values.data());
       if (!at)
-        return Error{fmt::format("--{} {}{}{}: {}", axis.name, shortest(values[k]),
-                                 axis.unit.empty() ? "" : " ", axis.unit, at.error().message)};
+        return Error{"point_cannot_run",
+                     {{"axis", axis.name},
+                      {"value", shortest(values[k])},
+                      {"unit", axis.unit},
+                      {"what", at.error().notice}}};
     }
   }
   return {};
 }
 
 /// Why --check finds no closed form to check; empty where there is one.
-std::string nothing_to_check(const SweepOptions& options, const SweepWork& work) {
-  const auto none = [](std::string_view why) {
-    return fmt::format("--check: there is no closed form to check at any point: {}", why);
-  };
+Notice nothing_to_check(const SweepOptions& options, const SweepWork& work) {
+  const auto none = [](const Notice& why) { return Notice{"nothing_to_check", {{"why", why}}}; };
   const MethodInfo& info = *find_method(work.method);
   if (work.way == SweepWay::closed_form)
-    return info.order > 0 ? ""
-                          : fmt::format(
-                                "--check: {} is the closed form of the law itself and takes no steps to "
-                                "check it by; take another method",
-                                work.method);
-  if (work.direction != SweepDirection::none)
-    return none("with --direction each starts where the one before ended");
-  if (options.settle) return none("--settle asks for stepping");
-  if (work.runs_to_end()) return none("they are stepped to an end, not settled under a drive");
+    return info.order > 0 ? Notice{} : Notice{"nothing_to_check_by", {{"method", work.method}}};
+  if (work.direction != SweepDirection::none) return none(Notice{"each_goes_on"});
+  if (options.settle) return none(Notice{"settle_asks_for_steps"});
+  if (work.runs_to_end()) return none(Notice{"stepped_to_an_end"});
   for (const Measure* measure : work.measures)
-    if (!measure->in_closed_form) return none(fmt::format("{} comes from stepping alone", measure->name));
-  if (info.error_order > 0) return none(fmt::format("{} chooses its own steps", work.method));
-  return none("the law is not linear");
+    if (!measure->in_closed_form) return none(Notice{"measure_by_steps", {{"measure", measure->name}}});
+  if (info.error_order > 0) return none(Notice{"chooses_its_steps", {{"method", work.method}}});
+  return none(Notice{"law_not_linear"});
 }
 
 /// A drive that the steps hardly see.
-std::string few_steps(const SimulatedRun& one, const SimulatedRun& other) {
+Notice few_steps(const SimulatedRun& one, const SimulatedRun& other) {
   double fewest = enough_steps;
   for (const SimulatedRun* run : {&one, &other})
     if (run->drive.amplitude > 0 && run->drive.frequency > 0 && run->method != "exact")
       fewest = std::min(fewest, drive_period(*run) / run->step);
-  if (fewest >= enough_steps) return "";
-  return fmt::format(
-      "--step: at an end of the grid a cycle of the drive has {:.2g} steps only: what is found there is the "
-      "method's doing, not the law's",
-      fewest);
+  return fewest < enough_steps ? Notice{"few_steps_in_a_cycle", {{"steps", fewest}}} : Notice{};
 }
 
 std::string column_of(const SweepAxis& axis, std::string_view unit) {
@@ -267,9 +240,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
   auto work = std::make_shared<SweepWork>();
   work->base = options.simulate;
   if (work->base.method.empty()) work->base.method = {has_loss_factor(options) ? "exact" : "euler-cromer"};
-  if (work->base.method.size() > 1)
-    return Error{fmt::format("--method: a sweep goes by one method, not by {}; run it once for each",
-                             work->base.method.size())};
+  if (work->base.method.size() > 1) return Error{"one_method", {{"methods", work->base.method.size()}}};
   work->method = work->base.method.front();
   if (auto good = read_values(options, *work); !good) return good.error();
   const auto direction = direction_of(options.direction);
@@ -280,9 +251,7 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
 
   double rows = 1;
   for (const SweepAxis& axis : work->axes) rows *= static_cast<double>(axis.grid.size());
-  if (!(rows < most_rows))
-    return Error{fmt::format(
-        "the grids multiply to {:.3g} points, too many to be told apart; take coarser ones", rows)};
+  if (!(rows < most_rows)) return Error{"too_many_points", {{"points", rows}}};
   if (const auto first = run_of(options_at(*work, first_of)); !first) return first.error();
   if (auto good = check_along_axes(*work); !good) return good.error();
   const SimulateOptions highest = options_at(*work, highest_of);
@@ -311,14 +280,12 @@ Result<SweepPlan> plan_sweep(const SweepOptions& options) {
     const std::uint64_t first = chunk * per_chunk;
     return make_rows(*work, first, std::min(per_chunk, all - first), to, watch);
   };
-  plan.warnings = setup_warnings(highest, {*low, *high});
-  std::erase_if(plan.warnings, [](const std::string& warning) {
-    return warning.find("whole number of steps") != std::string::npos;
-  });
-  if (const std::string few = few_steps(*low, *high); !few.empty()) plan.warnings.push_back(few);
+  plan.notices = setup_notices(highest, {*low, *high});
+  std::erase_if(plan.notices, [](const Notice& notice) { return notice.code == "last_step_is_shorter"; });
+  if (Notice few = few_steps(*low, *high); !few.empty()) plan.notices.push_back(std::move(few));
   if (options.check)
-    if (std::string none = nothing_to_check(options, *work); !none.empty())
-      plan.warnings.push_back(std::move(none));
+    if (Notice none = nothing_to_check(options, *work); !none.empty())
+      plan.notices.push_back(std::move(none));
   plan.work = work;
   return plan;
 }

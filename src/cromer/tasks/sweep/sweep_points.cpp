@@ -1,7 +1,5 @@
 #include "cromer/tasks/sweep/sweep_points.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 #include <optional>

@@ -26,44 +26,41 @@ std::string place_of(const SweepPlan& plan, std::uint64_t row) {
   return text;
 }
 
-std::string of_points(std::uint64_t count, const SweepPlan& plan) {
-  return fmt::format("{} of {} points", count, plan.rows.rows);
-}
-
 /// What the settled motion of an undamped law rests on.
-std::string own_damping_warning(const SweepPlan& plan, const SweepCounts& counts) {
+Notice own_damping_notice(const SweepPlan& plan, const SweepCounts& counts) {
   SweepPoints points(plan.work->base, plan.work->axes);
   std::vector<double> values(plan.swept.size());
   points.values_of(counts.first_own_damping, values.data());
   const auto at = points.at(values.data());
   const auto rate = at ? own_decay_rate(*plan.work, at->settings, at->point) : std::nullopt;
-  std::string number;
+  Notice number;
   if (rate && *rate > 0) {
     // Down to a millionth, as stepping would have it.
     const double cycles = std::log(1e6) / *rate * at->point.drive.frequency / (2 * std::numbers::pi);
-    number = fmt::format(": decay rate {:.2g} 1/s at {}, {:.2g} cycles of the drive", *rate,
-                         place_of(plan, counts.first_own_damping), cycles);
+    number =
+        Notice{"own_decay_rate",
+               {{"rate", *rate}, {"place", place_of(plan, counts.first_own_damping)}, {"cycles", cycles}}};
   }
-  return fmt::format(
-      "{} have no damping by the law: what settles there settles by {}'s own damping alone{}; give --damping "
-      "or --damping-ratio, or --until to see the motion that does not settle",
-      of_points(counts.own_damping, plan), plan.method, number);
+  return Notice{
+      "settles_by_own_damping",
+      {{"points", counts.own_damping}, {"all", plan.rows.rows}, {"method", plan.method}, {"number", number}}};
 }
 
-std::string phase_warning(const SweepPlan& plan, const SweepCounts& counts) {
+Notice phase_notice(const SweepPlan& plan, const SweepCounts& counts) {
   const SweepWork& work = *plan.work;
-  std::string why;
+  Notice why;
   // Stepping leaves something of the free motion, and of it in the lag.
   if (work.way != SweepWay::closed_form && work.settling.dropped)
-    why = fmt::format("after {:g} cycles the free motion may still be there (drop more), or ",
-                      *work.settling.dropped);
+    why = Notice{"free_motion_may_be_there", {{"cycles", *work.settling.dropped}}};
   else if (work.way != SweepWay::closed_form && counts.phase_excess < 10 * work.settling.tolerance)
-    why = fmt::format("settling leaves {:g}, or ", work.settling.tolerance);
-  return fmt::format(
-      "the lag of {} lies outside 0 to pi, by {:.2g} rad at {}: {}{}'s own error feeds the motion there, "
-      "where a damper only takes energy; a shorter --step brings the lag back",
-      of_points(counts.phase_outside, plan), counts.phase_excess, place_of(plan, counts.phase_worst), why,
-      plan.method);
+    why = Notice{"settling_leaves", {{"left", work.settling.tolerance}}};
+  return Notice{"lag_outside",
+                {{"points", counts.phase_outside},
+                 {"all", plan.rows.rows},
+                 {"excess", counts.phase_excess},
+                 {"place", place_of(plan, counts.phase_worst)},
+                 {"why", why},
+                 {"method", plan.method}}};
 }
 
 }  // namespace
@@ -148,11 +145,11 @@ std::string status_counts(const SweepResult& result) {
   return text;
 }
 
-std::vector<std::string> warnings_of(const SweepResult& result) {
-  std::vector<std::string> warnings = result.plan.warnings;
-  if (result.counts.own_damping > 0) warnings.push_back(own_damping_warning(result.plan, result.counts));
-  if (result.counts.phase_outside > 0) warnings.push_back(phase_warning(result.plan, result.counts));
-  return warnings;
+std::vector<Notice> notices_of(const SweepResult& result) {
+  std::vector<Notice> notices = result.plan.notices;
+  if (result.counts.own_damping > 0) notices.push_back(own_damping_notice(result.plan, result.counts));
+  if (result.counts.phase_outside > 0) notices.push_back(phase_notice(result.plan, result.counts));
+  return notices;
 }
 
 }  // namespace cromer::core

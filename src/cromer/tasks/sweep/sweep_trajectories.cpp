@@ -48,11 +48,7 @@ class Blocks {
 
 Result<double> count_trajectory_states(const SweepPlan& plan, long long every) {
   const SweepWork& work = *plan.work;
-  if (!work.runs_to_end())
-    return Error{
-        "--trajectories: this sweep looks for settled motion, which has no end; say with --until how long "
-        "the "
-        "runs are"};
+  if (!work.runs_to_end()) return Error{"trajectories_have_no_end"};
   SweepPoints points(work.base, work.axes);
   std::vector<double> values(work.axes.size());
   const std::uint64_t looked_at = std::min(points_counted, plan.rows.rows);

@@ -1,3 +1,5 @@
+import { english, type Said } from '../said'
+
 // What the core and the server say is English already; what they name by options stands elsewhere in the page.
 const inThePage: [RegExp, string][] = [
   [/; say fit --drive-frequency if it is known, or choose a free part with --from and --to/, '; choose a free part with the handles'],
@@ -10,5 +12,5 @@ const inThePage: [RegExp, string][] = [
   [/a fit needs --column/, 'a fit needs one to be chosen'],
 ]
 
-export const core = (text: string): string =>
-  inThePage.reduce((said, [option, page]) => said.replace(option, page), text)
+export const core = (said: Said): string =>
+  inThePage.reduce((text, [option, page]) => text.replace(option, page), english(said))

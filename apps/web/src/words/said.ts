@@ -1,0 +1,16 @@
+// What the core and the server say: a sentence in both languages, or a text of the page's own.
+export type Said = string | { en: string; de: string }
+
+export const english = (said: Said): string => (typeof said === 'string' ? said : said.en)
+
+/// Without the option that it begins with: its field stands beside it.
+export const withoutOption = (said: Said): Said => {
+  const bare = (text: string) => text.replace(/^--[a-z-]+: /, '')
+  return typeof said === 'string' ? bare(said) : { en: bare(said.en), de: bare(said.de) }
+}
+
+/// Of a file: its name before it, where the sentence does not begin with it.
+export const ofFile = (name: string, said: Said): Said => {
+  const named = (text: string) => (name === '' || text.startsWith(name) ? text : `${name}: ${text}`)
+  return typeof said === 'string' ? named(said) : { en: named(said.en), de: named(said.de) }
+}

@@ -1,0 +1,73 @@
+// What there is to say beside the numbers: data, of which text() makes a sentence.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <cromer/export.h>
+
+namespace cromer {
+
+enum class Language { english, german };
+
+/// What hangs on a notice.
+enum class Severity {
+  wrong_if_ignored,  ///< a number does not mean what it seems to mean
+  worth_knowing,     ///< how far the numbers go, and what was assumed
+  detail,            ///< what was done on the way
+};
+
+struct NoticeValue;
+
+/// One thing to say: a code that stays the same from version to version, and what stands in its sentence.
+struct Notice {
+  std::string code;  ///< "unit_assumed"; "" where there is nothing to say
+  std::vector<NoticeValue> values;
+  bool of_arrays = false;  ///< said of arrays: samples are counted, not the lines of a file
+
+  Notice();
+  Notice(std::string code, std::vector<NoticeValue> values = {});  // NOLINT: implicit on purpose
+  bool empty() const { return code.empty(); }
+  friend bool operator==(const Notice&, const Notice&);
+};
+
+/// A number in SI units, a count, a name as the file or its user wrote it, several of them, or what is a
+/// notice itself.
+struct NoticeValue {
+  std::string name;  ///< "column"
+  std::variant<double, long long, std::string, std::vector<std::string>, std::vector<Notice>> value;
+
+  template <std::floating_point Number>
+  NoticeValue(std::string_view value_name, Number number) : name(value_name), value(double{number}) {}
+  template <std::integral Count>
+  NoticeValue(std::string_view value_name, Count count)
+      : name(value_name), value(static_cast<long long>(count)) {}
+  template <std::convertible_to<std::string_view> Text>
+  NoticeValue(std::string_view value_name, const Text& text)
+      : name(value_name), value(std::string(std::string_view(text))) {}
+  NoticeValue(std::string_view value_name, std::vector<std::string> names)
+      : name(value_name), value(std::move(names)) {}
+  NoticeValue(std::string_view value_name, Notice notice)
+      : name(value_name), value(std::vector<Notice>{std::move(notice)}) {}
+  NoticeValue(std::string_view value_name, std::vector<Notice> notices)
+      : name(value_name), value(std::move(notices)) {}
+  friend bool operator==(const NoticeValue&, const NoticeValue&) = default;
+};
+
+inline Notice::Notice() = default;
+inline Notice::Notice(std::string notice_code, std::vector<NoticeValue> notice_values)
+    : code(std::move(notice_code)), values(std::move(notice_values)) {}
+inline bool operator==(const Notice& a, const Notice& b) {
+  return a.code == b.code && a.values == b.values && a.of_arrays == b.of_arrays;
+}
+
+CROMER_API Severity severity(const Notice& notice);
+
+/// One sentence without a full stop, for people. It names arguments as their fields are called.
+CROMER_API std::string text(const Notice& notice, Language language = Language::english);
+
+}  // namespace cromer

@@ -1,0 +1,62 @@
+#include "cromer/documents/json/notices.h"
+
+#include <type_traits>
+#include <utility>
+#include <variant>
+
+namespace cromer::core {
+namespace {
+
+Json values_object(const Notice& notice);
+
+Json value_of(const std::vector<Notice>& parts) {
+  const auto part = [](const Notice& notice) {
+    return Json{{"code", notice.code}, {"values", values_object(notice)}};
+  };
+  if (parts.size() == 1) return part(parts.front());
+  Json list = Json::array();
+  for (const Notice& each : parts) list.push_back(part(each));
+  return list;
+}
+
+template <class Value>
+Json value_of(const Value& value) {
+  return value;
+}
+
+Json values_object(const Notice& notice) {
+  Json object = Json::object();
+  for (const NoticeValue& each : notice.values)
+    object[each.name] = std::visit([](const auto& value) { return value_of(value); }, each.value);
+  return object;
+}
+
+}  // namespace
+
+Json said(const Notice& notice, const Voice& voice) {
+#ifdef CROMER_PAGE
+  return {{"en", in_words(notice, {Language::english, voice.audience})},
+          {"de", in_words(notice, {Language::german, voice.audience})}};
+#else
+  return in_words(notice, voice);
+#endif
+}
+
+Json notice_object(const Notice& notice, const Voice& voice) {
+  return {{"code", notice.code},
+          {"severity", name(severity(notice))},
+          {"text", said(notice, voice)},
+          {"values", values_object(notice)}};
+}
+
+void add_notices(Json& object, std::span<const Notice> notices, const Voice& voice) {
+  Json texts = Json::array(), objects = Json::array();
+  for (const Notice& notice : notices) {
+    texts.push_back(said(notice, voice));
+    objects.push_back(notice_object(notice, voice));
+  }
+  object["warnings"] = std::move(texts);
+  object["notices"] = std::move(objects);
+}
+
+}  // namespace cromer::core

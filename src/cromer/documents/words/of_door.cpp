@@ -1,0 +1,108 @@
+#include "cromer/documents/words/catalogue.h"
+
+namespace cromer::core {
+namespace {
+
+using enum Use;
+
+constexpr Entry entries[] = {
+    // Arrays
+    {"no_times", error, "t has no values: a record has samples",
+     "t hat keine Werte: eine Aufnahme hat Messwerte"},
+    {"time_not_finite", error, "t[{index}] is {value}: times must be finite",
+     "t[{index}] ist {value}: Zeiten müssen endlich sein"},
+    {"times_do_not_increase", error, "t must increase strictly: t[{index}] = {time} s follows {before} s",
+     "t muss stets wachsen: t[{index}] = {time} s folgt auf {before} s"},
+    {"lengths_differ", error, "{argument} has {values} values and {other} has {others}: they must be as many",
+     "{argument} hat {values} Werte und {other} hat {others}: es müssen gleich viele sein"},
+    {"too_few_values", error, "{argument} needs at least {least} values, not {values}",
+     "{argument} braucht mindestens {least} Werte, nicht {values}"},
+    {"value_not_finite", error, "{argument}[{index}] is {value}: all values must be finite",
+     "{argument}[{index}] ist {value}: alle Werte müssen endlich sein"},
+    {"value_is_infinite", error, "{argument}[{index}] is {value}: a missing value is NaN",
+     "{argument}[{index}] ist {value}: ein fehlender Wert ist NaN"},
+    {"spacing_not_positive", error, "spacing {spacing}: it must be positive, in seconds",
+     "spacing {spacing}: das muss größer als 0 sein, in Sekunden"},
+    {"array_without_name_or_values", error, "an array needs a name and its values",
+     "zu einem Feld gehören ein Name und seine Werte"},
+    {"array_given_twice", error, "there are two arrays {array}", "das Feld {array} steht zweimal da"},
+    {"array_is_missing", error, "the array {array} is missing", "das Feld {array} fehlt"},
+    {"not_an_array_of", error, "{array} is no array that {verb} takes",
+     "ein Feld {array} nimmt {verb} nicht"},
+    {"not_an_array_here", error, "{array} is no array that {verb} takes here",
+     "ein Feld {array} nimmt {verb} hier nicht"},
+    {"spacing_of_nothing", error, "spacing is that of the arrays force or acceleration, and none is given",
+     "spacing gehört zu den Feldern force oder acceleration, und keines ist angegeben"},
+    {"spacing_is_missing", error, "{array} needs its spacing as well, in seconds",
+     "zu {array} gehört spacing, der Abstand der Werte in Sekunden"},
+    {"force_and_acceleration", error, "force and acceleration both drive the mass; leave one of them out",
+     "force und acceleration treiben beide die Masse an; bitte eines weglassen"},
+
+    // What is fitted, and what was
+    {"file_and_arrays", error, "file and the arrays t and y both give a record; leave one of them out",
+     "file und die Felder t und y nennen beide eine Aufnahme; bitte eines weglassen"},
+    {"said_of_a_file", error, "{argument} is said of a file, and arrays are given; leave it out",
+     "{argument} gehört zu einer Datei, und Felder sind angegeben; bitte weglassen"},
+    {"observed_of_file", error, "observed is said of the array y; a file's column says it itself",
+     "observed gehört zum Feld y; die Spalte einer Datei sagt es selbst"},
+    {"no_record", error, "there is nothing to {verb}: give the arrays t and y, or a file",
+     "eine Aufnahme fehlt: bitte die Felder t und y oder eine Datei angeben"},
+    {"no_file", error, "there is nothing to read: give a file",
+     "es gibt nichts zu lesen: bitte eine Datei angeben"},
+    {"no_acceleration", error, "there is no acceleration: give the array, or a file",
+     "eine Beschleunigung fehlt: bitte das Feld oder eine Datei angeben"},
+    {"recording_is_empty", error, "the recording is empty: read() or read_file() fills one",
+     "die Aufnahme ist leer: read() oder read_file() füllt eine"},
+    {"force_is_a_column", error,
+     "force: the force of a recording is one of its columns, force_column of the selection",
+     "force: die Kraft einer Aufnahme ist eine ihrer Spalten, force_column der Auswahl"},
+    {"fit_is_empty", error, "the fit is empty: fit() fills one", "die Anpassung ist leer: fit() füllt eine"},
+    {"fit_without_values", error, "the fit has no values: {what}", "die Anpassung hat keine Werte: {what}"},
+    {"fit_without_law", error, "the fit has no law to be compared: {what}",
+     "die Anpassung hat kein Gesetz zum Vergleichen: {what}"},
+    {"motion_known_at_samples", error,
+     "a recorded force drives this motion, which is known at its samples alone: ask motion()",
+     "eine aufgenommene Kraft treibt diese Bewegung, die nur an ihren Messwerten bekannt ist: motion() hat "
+     "sie"},
+    {"times_before_the_first", error,
+     "t begins at {begin} s, before the first used sample, {first} s: the law says nothing of what was "
+     "before",
+     "t beginnt bei {begin} s, vor dem ersten benutzten Messwert bei {first} s: was davor war, sagt das "
+     "Gesetz nicht"},
+    {"times_too_late", error, "t ends at {end} s, more steps from the record than can be followed",
+     "t endet bei {end} s, mehr Schritte von der Aufnahme, als sich rechnen lassen"},
+
+    // Arguments
+    {"no_enumerator", error, "{argument}: there is no enumerator {number}",
+     "{argument}: einen Aufzählungswert {number} gibt es nicht"},
+    {"drive_amplitude_not_positive", error, "drive_amplitude must be positive, not {amplitude}",
+     "drive_amplitude muss größer als 0 sein, nicht {amplitude}"},
+    {"too_few_threads", error, "threads must be 0 (one for each processor) or more",
+     "threads muss 0 (einer je Prozessor) oder mehr sein"},
+    {"period_of_too_many_steps", error,
+     "a period of the drive takes more steps than can be held: take a longer step, or a higher frequency",
+     "eine Periode des Antriebs braucht mehr Schritte, als in den Speicher gehen: bitte einen längeren "
+     "Schritt oder eine höhere Frequenz wählen"},
+
+    // Requests
+    {"no_verb", error, "there is no verb \"{verb}\"; there are {verbs:and}",
+     "das Verb „{verb}“ gibt es nicht; es gibt {verbs:and}"},
+    {"request_is_no_object", error, "the request is no JSON object", "die Anfrage ist kein JSON-Objekt"},
+    {"must_be_text", error, "{argument} must be a text", "{argument} muss ein Text sein"},
+    {"must_be_number", error, "{argument} must be a number", "{argument} muss eine Zahl sein"},
+    {"must_be_value", error, "{argument} must be a number, a text or a list of them",
+     "{argument} muss eine Zahl, ein Text oder eine Liste davon sein"},
+    {"word_not_known", error, "{argument} \"{word}\" is not known; it takes {known:or}",
+     "{argument} „{word}“ ist nicht bekannt; es nimmt {known:or}"},
+    {"unknown_argument", error, "\"{argument}\" is nothing that {verb} takes",
+     "„{argument}“ ist nichts, was {verb} nimmt"},
+    {"unknown_argument_but", error, "\"{argument}\" is nothing that {verb} takes; did you mean {near}?",
+     "„{argument}“ ist nichts, was {verb} nimmt; ist {near} gemeint?"},
+    {"call_failed", error, "{what}", "der Aufruf ist gescheitert: {what}"},
+};
+
+}  // namespace
+
+const std::span<const Entry> words_of_door = entries;
+
+}  // namespace cromer::core

@@ -1,0 +1,564 @@
+#include "cromer/documents/words/catalogue.h"
+
+namespace cromer::core {
+namespace {
+
+using enum Use;
+
+constexpr Entry entries[] = {
+    // What the options ask of each other
+    {"spring_mass_alone", error, "{--spring-mass} needs {--mass} as well",
+     "{--spring-mass} braucht auch {--mass}"},
+    {"monte_carlo_without_mass", error,
+     "{--monte-carlo} needs {--mass}: it checks the uncertainty of the spring constant",
+     "{--monte-carlo} braucht {--mass}: damit wird die Unsicherheit der Federkonstante geprüft"},
+    {"temperature_without_disc", error,
+     "{--temperature} needs {--disc-diameter}: the air's warmth matters to the Reynolds number and the drag "
+     "coefficient of a disc only",
+     "zur Lufttemperatur gehört der Durchmesser einer Scheibe"},
+    {"seed_without_monte_carlo", error, "{--seed} needs {--monte-carlo}: it is the seed of its trials",
+     "{--seed} braucht {--monte-carlo}: damit beginnen dessen Versuche"},
+    {"no_spring_without_force", error,
+     "{--no-spring} needs {--force-column}: a body without a spring does not swing, and only a recorded "
+     "force tells its law",
+     "{--no-spring} braucht {--force-column}: ein Körper ohne Feder schwingt nicht, und nur eine "
+     "aufgenommene Kraft zeigt sein Gesetz"},
+    {"pendulum_without_spring", error,
+     "{--no-spring} and {--law} pendulum exclude each other: a pendulum's weight is its spring",
+     "{--no-spring} und {--law} pendulum schließen einander aus: beim Pendel ist das Gewicht die Feder"},
+    {"from_behind_to", error, "{--from} {from} must lie before {--to} {to}",
+     "der Anfang, {from} s, muss vor dem Ende, {to} s, liegen"},
+    {"two_drives", error,
+     "{--force-column} and {--drive-frequency} exclude each other: the drive is recorded, or it is harmonic",
+     "{--force-column} und {--drive-frequency} schließen einander aus: der Antrieb ist aufgenommen oder "
+     "harmonisch"},
+    {"between_samples_without_force", error,
+     "{--between-samples} needs {--force-column}: only a recorded force has anything between its samples",
+     "{--between-samples} braucht {--force-column}: nur bei einer aufgenommenen Kraft liegt etwas zwischen "
+     "den Messwerten"},
+    {"between_samples_unknown", error,
+     "{--between-samples}: \"{typed}\" is none of linear, hold, band-limited and auto",
+     "{--between-samples}: „{typed}“ ist weder linear noch hold, band-limited oder auto"},
+    {"hold_out_without_force", error,
+     "{--hold-out} needs {--force-column}: only a motion whose force is known can be foretold",
+     "{--hold-out} braucht {--force-column}: nur eine Bewegung, deren Kraft bekannt ist, lässt sich "
+     "vorhersagen"},
+    {"hold_out_outside", error, "{--hold-out} {share}: it must lie above 0 and at most at 90 %",
+     "{--hold-out} {share}: das muss über 0 und höchstens bei 90 % liegen"},
+    {"not_of_a_driven_motion", error,
+     "{option:option} cannot be had of a driven motion, whose amplitude the drive keeps up; fit a free "
+     "decay, for instance a part of the record after the drive has stopped, by {--from} and {--to}",
+     "{option:option} gibt es nicht zu einer angetriebenen Bewegung, deren Amplitude der Antrieb erhält; "
+     "bitte ein freies Abklingen anpassen, zum Beispiel den Teil nach dem Ende des Antriebs, mit {--from} "
+     "und {--to}"},
+    {"drive_frequency_or_auto", error, "{--drive-frequency}: {what}; or auto, to find it in the record",
+     "{--drive-frequency}: {what}; oder auto, dann wird sie in der Aufnahme gesucht"},
+    {"drive_frequency_not_positive", error, "{--drive-frequency} {frequency}: it must be positive",
+     "{--drive-frequency} {frequency}: das muss größer als 0 sein"},
+    {"drive_not_seen", error,
+     "{--drive-frequency}: {asked:.6g} Hz is not seen in {rate:.4g} samples a second: up to {highest:.4g} "
+     "Hz is",
+     "{--drive-frequency}: {asked:.6g} Hz sind in {rate:.4g} Messwerten je Sekunde nicht zu sehen: bis "
+     "{highest:.4g} Hz ginge es"},
+    {"pendulum_without_angle", error,
+     "{--law} {law}: a pendulum's law is one of angles, and column \"{column}\" holds {kind}; use cubic, or "
+     "choose an angle by {--column}",
+     "das Pendelgesetz ist eines für Winkel: bitte die kubische Feder oder einen Winkel wählen"},
+
+    // Which samples
+    {"nothing_left_from", error,
+     "{--from} {from}: no sample is left, the recording goes from {first:.6g} to {last:.6g} s",
+     "{--from} {from}: kein Messwert bleibt, die Aufnahme geht von {first:.6g} bis {last:.6g} s"},
+    {"nothing_left_to", error,
+     "{--to} {to}: no sample is left, the recording goes from {first:.6g} to {last:.6g} s",
+     "{--to} {to}: kein Messwert bleibt, die Aufnahme geht von {first:.6g} bis {last:.6g} s"},
+    {"nothing_left_between", error,
+     "{--from} {from} {--to} {to}: no sample is left, the recording goes from {first:.6g} to {last:.6g} s",
+     "{--from} {from} {--to} {to}: kein Messwert bleibt, die Aufnahme geht von {first:.6g} bis {last:.6g} s"},
+    {"column_has_no_values", error, "column \"{column}\" has no values",
+     "die Spalte „{column}“ hat keine Werte"},
+    {"values_too_small", error,
+     "column \"{column}\": values like {value:.3g} are too small to be squared; give them in another unit",
+     "Spalte „{column}“: Werte wie {value:.3g} lassen sich nicht quadrieren; bitte in einer anderen Einheit "
+     "angeben"},
+    {"values_too_large", error,
+     "column \"{column}\": values like {value:.3g} are too large to be squared; give them in another unit",
+     "Spalte „{column}“: Werte wie {value:.3g} lassen sich nicht quadrieren; bitte in einer anderen Einheit "
+     "angeben"},
+    {"time_jumps", error,
+     "{@line}: the time jumps from {from:.9g} to {to:.9g} s; choose one side of it with {--from} and {--to}",
+     "{@line}: die Zeit springt von {from:.9g} auf {to:.9g} s; bitte mit den Griffen eine Seite wählen"},
+    {"all_set_aside", error, "column \"{column}\" has no value that is not set aside",
+     "in der Spalte „{column}“ ist jeder Wert beiseitegelegt"},
+    {"free_part_taken", worth_knowing,
+     "{reason}: only what follows, {kept} of {samples} samples, is taken for a free motion; {--from} and "
+     "{--to} choose another part",
+     "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung"},
+    {"sensor_loses_motion", worth_knowing,
+     "the sensor loses the motion at {from:.6g} s: in full swing the column stays at {value:.4g}{unit: } "
+     "from there on, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, "
+     "is fitted; {--from} and {--to} choose another part",
+     "der Sensor verliert die Bewegung bei {from:.6g} s: mitten im Schwingen bleibt die Spalte von da an "
+     "bei {value:.4g}{unit: }, in {share:.3g} % der Messwerte. Angepasst wird nur, was davor liegt, {seen} "
+     "von {samples} Messwerten"},
+    {"drop_outs_aside", detail,
+     "{samples} samples in flat runs far outside the motion, the first at {first:.6g} s, are taken for "
+     "drop-outs of the sensor and set aside",
+     "{samples:Messwert|Messwerte} in flachen Stücken weit außerhalb der Bewegung, der erste bei "
+     "{first:.6g} s, {samples?ist|sind} als Aussetzer des Sensors beiseitegelegt"},
+    {"sample_aside", detail,
+     "one sample lies far from the fitted motion and from its neighbours, the first at {first:.6g} s, and "
+     "is set aside",
+     "ein Messwert liegt weit von Bewegung und Nachbarn, bei {first:.6g} s, und ist beiseitegelegt"},
+    {"samples_aside", detail,
+     "{samples} samples lie far from the fitted motion and from their neighbours, the first at {first:.6g} "
+     "s, and are set aside",
+     "{samples} Messwerte liegen weit von Bewegung und Nachbarn, der erste bei {first:.6g} s, und sind "
+     "beiseitegelegt"},
+    {"fitted_as_it_is", worth_knowing,
+     "column \"{column}\" holds {kind}: it is fitted as that, and all but the equilibrium, which is the "
+     "sensor's offset, is said of the displacement",
+     "die Spalte „{column}“ enthält {kind} und wird so angepasst"},
+    {"fitted_as_it_is_of_angle", worth_knowing,
+     "column \"{column}\" holds {kind}: it is fitted as that, and all but the equilibrium, which is the "
+     "sensor's offset, is said of the angle",
+     "die Spalte „{column}“ enthält {kind} und wird so angepasst"},
+    {"kind_position", clause, "position", "Orte"},
+    {"kind_angle", clause, "angle", "Winkel"},
+    {"kind_velocity", clause, "velocity", "Geschwindigkeiten"},
+    {"kind_angular_velocity", clause, "angular velocity", "Winkelgeschwindigkeiten"},
+    {"kind_acceleration", clause, "acceleration", "Beschleunigungen"},
+    {"kind_angular_acceleration", clause, "angular acceleration", "Winkelbeschleunigungen"},
+    {"kind_force", clause, "force", "Kräfte"},
+    {"kind_voltage", clause, "voltage", "Spannungen"},
+    {"kind_frequency", clause, "frequency", "Frequenzen"},
+    {"kind_time", clause, "time", "Zeiten"},
+    {"kind_unknown", clause, "no known quantity", "keine bekannte Größe"},
+    {"kind_of_its_own", clause, "{quantity}", "{quantity}"},
+
+    // What a fit says
+    {"mass_gives_no_stiffness", worth_knowing,
+     "{--mass} gives no stiffness here: column \"{column}\" is no length",
+     "aus der Masse folgt hier keine Federkonstante: die Spalte „{column}“ ist keine Länge"},
+    {"no_reynolds_number", worth_knowing,
+     "no Reynolds number: column \"{column}\" is neither a position nor a velocity",
+     "keine Reynolds-Zahl: die Spalte „{column}“ ist weder Ort noch Geschwindigkeit"},
+    {"long_period_for_reynolds", worth_knowing,
+     "the period of {period:.3g} s is longer than two windows of the Reynolds number: a window may hold no "
+     "turning of the speed",
+     "die Periode von {period:.3g} s ist lang für die Fenster der Reynolds-Zahl"},
+    {"fit_interrupted", error, "interrupted: the law is fitted, what follows from it is not all there",
+     "abgebrochen: das Gesetz ist angepasst, was daraus folgt, ist nicht alles da"},
+    {"may_be_the_force", worth_knowing,
+     "if what column \"{column}\" holds drives the motion, say {--force-column} \"{column}\"",
+     "falls die Spalte „{column}“ enthält, was die Bewegung antreibt: mit cromer fit {--force-column} "
+     "anpassen"},
+    {"hysteresis_from_zero", wrong_if_ignored,
+     "the hysteretic force is taken as 0 at the first sample used, {--from}: where the body had moved "
+     "before, its coefficients and the stiffness are off, and their uncertainties do not hold",
+     "die hysteretische Kraft gilt beim ersten benutzten Messwert, {--from}, als 0: hat der Körper sich "
+     "vorher bewegt, so stimmen ihre Beiwerte und die Federkonstante nicht, und ihre Unsicherheiten gelten "
+     "nicht"},
+    {"exponent_without_hysteresis", worth_knowing,
+     "{--hysteresis-exponent} has no effect on the law {law}, which has no hysteresis",
+     "{--hysteresis-exponent} bewirkt beim Gesetz {law} nichts: es hat keine Hysterese"},
+    {"decrement_bias", clause,
+     "noise lifts small peaks: too low; a mean where the damping changes with amplitude",
+     "Rauschen hebt kleine Gipfel: zu klein; ein Mittelwert, wo die Dämpfung von der Amplitude abhängt"},
+    {"of_force_column", error, "{--force-column}: {what}", "{--force-column}: {what}"},
+    {"of_the_force", clause, "force: {what}", "Kraft: {what}"},
+
+    // Segments
+    {"segment_too_short", worth_knowing,
+     "no decay rates by segment: those of {--segment} {length:.3g} would be {length:.3g} s long, and a "
+     "segment must hold 1.5 periods and 8 samples, {shortest:.3g} s here",
+     "keine Abklingraten nach Abschnitten: sie wären {length:.3g} s lang, und ein Abschnitt muss 1,5 "
+     "Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
+    {"segments_too_short", worth_knowing,
+     "no decay rates by segment: those of {--segments} {count} would be {length:.3g} s long, and a segment "
+     "must hold 1.5 periods and 8 samples, {shortest:.3g} s here",
+     "keine Abklingraten nach Abschnitten: von {count} wäre jeder {length:.3g} s lang, und ein Abschnitt "
+     "muss 1,5 Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
+    {"fewer_segments", worth_knowing,
+     "the record of {duration:.6g} s holds {whole} of the {count} segments of {length:.6g} s",
+     "in die Aufnahme von {duration:.6g} s passen {whole} der {count} Abschnitte von {length:.6g} s"},
+    {"rest_in_no_segment", detail,
+     "the last {rest:.6g} s are shorter than a segment of {length:.6g} s, and in none",
+     "die letzten {rest:.6g} s sind kürzer als ein Abschnitt von {length:.6g} s und gehören zu keinem"},
+    {"shorter_than_a_segment", worth_knowing,
+     "the record of {duration:.6g} s is shorter than one segment of {length:.6g} s",
+     "die Aufnahme von {duration:.6g} s ist kürzer als ein Abschnitt von {length:.6g} s"},
+    {"segments_interrupted", worth_knowing, "interrupted after {done} of the {count} segments",
+     "abgebrochen nach {done} von {count} Abschnitten"},
+    {"segment_left_out", worth_knowing, "the segment from {from:.6g} to {to:.6g} s is left out: {why}",
+     "der Abschnitt von {from:.6g} bis {to:.6g} s bleibt weg: {why}"},
+    {"segments_left_out", worth_knowing,
+     "{left_out} of the {count} segments are left out; the first, from {from:.6g} to {to:.6g} s is left "
+     "out: {why}",
+     "{left_out} von {count} Abschnitten bleiben weg; der erste, von {from:.6g} bis {to:.6g} s: {why}"},
+
+    // What drives it
+    {"unused_if_driven", worth_knowing, "{option:option} is not used: the motion is driven",
+     "{option:option} wird nicht gebraucht: die Bewegung ist angetrieben"},
+    {"driven_has_no_reynolds", worth_knowing, "{--disc-diameter} gives no Reynolds number of a driven motion",
+     "zu einer angetriebenen Bewegung gibt es keine Reynolds-Zahl"},
+    {"driven_has_no_drag_number", worth_knowing,
+     "{--disc-diameter} gives no Reynolds number of a driven motion; and no drag coefficient: that needs "
+     "{--mass} and drag in the law",
+     "zu einer angetriebenen Bewegung gibt es keine Reynolds-Zahl; auch keinen Widerstandsbeiwert: der "
+     "braucht {--mass} und den Luftwiderstand im Gesetz"},
+    {"overdamped_law", worth_knowing, "the law is overdamped: it has no frequency and no period of its own",
+     "das Gesetz ist überdämpft: es hat keine eigene Frequenz und Periode"},
+    {"something_else_drives", wrong_if_ignored,
+     "the law accounts for {share:.0f} % of the motion's variance, and what is left is no noise: something "
+     "else drives it as well or instead, or its law is another",
+     "das Gesetz erklärt {share:.0f} % der Streuung, und was übrig bleibt, ist kein Rauschen: etwas anderes "
+     "treibt die Bewegung auch oder stattdessen, oder ihr Gesetz ist ein anderes"},
+    {"force_is_the_motion", error,
+     "{--force-column}: \"{column}\" is the column that is fitted; say which holds the motion with "
+     "{--column}",
+     "{--force-column}: „{column}“ ist die Spalte, die angepasst wird; bitte mit {--column} sagen, welche "
+     "die Bewegung enthält"},
+    {"force_is_too_short", error, "force column \"{column}\" has fewer than two values",
+     "die Kraftspalte „{column}“ hat weniger als zwei Werte"},
+    {"force_never_changes", error,
+     "force column \"{column}\" is {value:n} throughout: a force that never changes drives nothing; leave "
+     "out {--force-column} to fit the free motion",
+     "die Kraftspalte „{column}“ ist durchweg {value:n}: eine Kraft, die sich nie ändert, treibt nichts an; "
+     "bitte {--force-column} weglassen und die freie Bewegung anpassen"},
+    {"force_has_a_gap", error,
+     "force column \"{column}\" has a gap, the first {length:.6g} s long at {t:.6g} s: what the force did "
+     "there is not known; choose one side of it with {--from} and {--to}, or fill it in",
+     "die Kraftspalte „{column}“ hat eine Lücke, {length:.6g} s lang bei {t:.6g} s: was die Kraft da tat, "
+     "ist nicht bekannt; bitte mit {--from} und {--to} eine Seite wählen oder sie füllen"},
+    {"force_has_gaps", error,
+     "force column \"{column}\" has {gaps} gaps, the first {length:.6g} s long at {t:.6g} s: what the force "
+     "did there is not known; choose one side of it with {--from} and {--to}, or fill it in",
+     "die Kraftspalte „{column}“ hat {gaps} Lücken, die erste {length:.6g} s lang bei {t:.6g} s: was die "
+     "Kraft da tat, ist nicht bekannt; bitte mit {--from} und {--to} eine Seite wählen oder sie füllen"},
+    {"force_is_uneven", error,
+     "{@line}: the times are not evenly spaced ({t:.6g} s where {expected:.6g} s is expected, one sample "
+     "each {spacing:.6g} s); a recorded force needs even samples: resample the recording first",
+     "{@line}: die Zeiten haben nicht gleiche Abstände ({t:.6g} s, wo {expected:.6g} s erwartet wird, ein "
+     "Messwert je {spacing:.6g} s); eine aufgenommene Kraft braucht gleichmäßige Messwerte: bitte die "
+     "Aufnahme erst auf solche umrechnen"},
+    {"force_ends", error,
+     "force column \"{force}\" goes from {from:.6g} to {to:.6g} s, and column \"{column}\" has a value at "
+     "{t:.6g} s; choose the part that both have with {--from} and {--to}",
+     "die Kraftspalte „{force}“ geht von {from:.6g} bis {to:.6g} s, und die Spalte „{column}“ hat einen "
+     "Wert bei {t:.6g} s; bitte mit {--from} und {--to} den Teil wählen, den beide haben"},
+    {"force_at_other_times", error,
+     "force column \"{force}\" has other times than column \"{column}\": {t:.9g} s lies between two of its "
+     "samples; resample one of them first",
+     "die Kraftspalte „{force}“ hat andere Zeiten als die Spalte „{column}“: {t:.9g} s liegt zwischen zwei "
+     "ihrer Messwerte; bitte erst eine von beiden umrechnen"},
+    {"drive_is_another", wrong_if_ignored,
+     "the steady oscillation has {found:.6g} Hz, not the {asked:.6g} Hz of {--drive-frequency}",
+     "die gleichbleibende Schwingung hat {found:.6g} Hz, nicht die {asked:.6g} Hz von {--drive-frequency}"},
+
+    // Driven, free or two swings at once
+    {"motion_is_driven", worth_knowing,
+     "the motion is driven, at {frequency:.6g} Hz: a free motion would leave {free:.3g}, this leaves "
+     "{driven:.3g}; say fit {--drive-frequency} if it is known, or choose a free part with {--from} and "
+     "{--to}",
+     "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: eine freie ließe {free:.3g} übrig, diese "
+     "{driven:.3g}; bitte mit den Griffen einen freien Teil wählen"},
+    {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}, decay rate {decay_rate:n})",
+     "{frequency:n} (Amplitude {amplitude:.3g}, Abklingrate {decay_rate:n})"},
+    {"two_steady_lines", wrong_if_ignored,
+     "two oscillations whose decay hardly shows, at {one} and {other}: a drive on a swing without damping, "
+     "two drives, or two modes, as of coupled pendulums, are the same signal; the numbers here are those of "
+     "the first reading",
+     "zwei Schwingungen, deren Abklingen sich kaum zeigt, mit {one} und {other}: ein Antrieb ohne Dämpfung, "
+     "zwei Antriebe und gekoppelte Pendel sehen so aus"},
+    {"line_beside_the_drive", wrong_if_ignored,
+     "beside the drive something oscillates at {line} and does not decay: another drive, or an undamped "
+     "body, are the same signal; the numbers here are those of the second reading",
+     "neben dem Antrieb schwingt etwas mit {line} und klingt nicht ab: ein anderer Antrieb und ein Körper "
+     "ohne Dämpfung sehen so aus; die Zahlen hier gelten für den Körper"},
+    {"two_readings", error, "the record has two readings: {readings}",
+     "die Aufnahme lässt sich auf zwei Arten lesen: {readings}"},
+    {"two_modes", clause,
+     "two modes swing here, and both decay, as of coupled pendulums: {one} and {other}; they beat every "
+     "{beat:.3g} s",
+     "hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {one} und {other}; sie "
+     "schweben mit einer Periode von {beat:.3g} s"},
+    {"no_single_swing", error,
+     "no single swing: {modes}. Let one of them swing alone, or choose another {--column}",
+     "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder eine andere Spalte wählen"},
+    {"modes_beside_the_law", wrong_if_ignored,
+     "{modes}; together they leave {together:.3g}, and the law {law:.3g}",
+     "{modes}; zusammen lassen sie {together:.3g} übrig, das Gesetz {law:.3g}"},
+    {"free_beside_driven", clause, "a free law leaves {free:.4g}, the driven one {driven:.4g}",
+     "ein freies Gesetz lässt {free:.4g} übrig, das angetriebene {driven:.4g}"},
+    {"no_drive_found", worth_knowing,
+     "no drive is seen at any frequency ({compared}): fitted as a free motion",
+     "bei keiner Frequenz ist ein Antrieb zu sehen ({compared}): als freie Bewegung angepasst"},
+    {"no_drive_there", worth_knowing,
+     "nothing is seen to drive this motion at {asked:.6g} Hz ({compared}): fitted as a free motion; "
+     "{--drive-frequency} auto looks for a drive elsewhere",
+     "mit {asked:.6g} Hz treibt nichts diese Bewegung, soweit zu sehen ist ({compared}): als freie Bewegung "
+     "angepasst; {--drive-frequency} auto sucht anderswo nach einem Antrieb"},
+    {"neither_driven_nor_free", error,
+     "no drive is seen at {asked:.6g} Hz, and no free law describes the motion either ({compared}); "
+     "{--drive-frequency} auto looks for a drive",
+     "mit {asked:.6g} Hz ist kein Antrieb zu sehen, und auch kein freies Gesetz beschreibt die Bewegung "
+     "({compared}); {--drive-frequency} auto sucht nach einem Antrieb"},
+
+    // How long to record
+    {"of_goal", error, "{--goal}: {what}", "{--goal}: {what}"},
+    {"goal_unknown", error,
+     "{--goal}: \"{typed}\" is no quantity of a fit; {hint} Give a name and its standard uncertainty, for "
+     "instance \"decay_rate 0.5 %\"",
+     "{--goal}: „{typed}“ ist keine Größe einer Anpassung; {hint} Bitte einen Namen und die "
+     "Standardunsicherheit angeben, zum Beispiel „decay_rate 0.5 %“"},
+    {"quantity_meant", clause, "did you mean {quantity}?", "ist {quantity} gemeint?"},
+    {"quantities_there_are", clause, "there are {quantities}.", "es gibt {quantities}."},
+    {"goal_without_uncertainty", error,
+     "{--goal}: how well is {quantity} to be known? For instance \"{quantity} 0.5 %\"",
+     "{--goal}: wie genau soll {quantity} bekannt sein? Zum Beispiel „{quantity} 0.5 %“"},
+    {"goal_not_positive", error,
+     "{--goal}: the uncertainty of {quantity} must be positive, and {uncertainty} is not",
+     "{--goal}: die Unsicherheit von {quantity} muss größer als 0 sein, und {uncertainty} ist es nicht"},
+    {"goal_not_in_fit", error, "{--goal}: there is no {quantity} in this fit: {why}",
+     "{--goal}: {quantity} gibt es in dieser Anpassung nicht: {why}"},
+    {"term_not_in_law", clause, "its law is {law}; fit one with {term} by {--law}",
+     "ihr Gesetz ist {law}; bitte mit {--law} eines mit {term} anpassen"},
+    {"quantity_needs_more", clause,
+     "its law is {law}, and quantities of force need a position (or velocity, acceleration) and {--mass}, a "
+     "drag coefficient {--disc-diameter} as well",
+     "ihr Gesetz ist {law}, und Größen der Kraft brauchen einen Ort (oder eine Geschwindigkeit, eine "
+     "Beschleunigung) und {--mass}, ein Widerstandsbeiwert auch {--disc-diameter}"},
+    {"goal_with_hysteresis", error,
+     "{--goal}: how soon a swing with hysteresis dies down is not foretold; give another {--law}",
+     "{--goal}: wie bald eine Schwingung mit Hysterese abklingt, wird nicht vorhergesagt; bitte ein anderes "
+     "{--law} angeben"},
+    {"plan_met", clause,
+     "the goal is met: {quantity} is known to {now:n}, and {goal:n} were wanted; the first {duration:n} "
+     "would do",
+     "das Ziel ist erreicht: {quantity} ist auf {now:n} bekannt, und {goal:n} waren gewünscht; die ersten "
+     "{duration:n} hätten genügt"},
+    {"plan_possible", clause,
+     "{quantity} is known to {now:n} from {present:n}; for {goal:n} record {duration:n} from such a start "
+     "({samples:.0f} samples at {rate:.6g} a second)",
+     "{quantity} ist aus {present:n} auf {now:n} bekannt; für {goal:n} bitte {duration:n} von einem solchen "
+     "Anfang an aufnehmen ({samples:.0f} Messwerte, {rate:.6g} je Sekunde)"},
+    {"plan_limited_by_values", clause,
+     "a longer record does not reach {goal:n}: {quantity} is known to {now:n}, and what limits it are the "
+     "values given, such as the mass",
+     "eine längere Aufnahme erreicht {goal:n} nicht: {quantity} ist auf {now:n} bekannt, und was das "
+     "begrenzt, sind die angegebenen Werte, etwa die Masse"},
+    {"plan_out_of_reach", clause,
+     "{limits}; it takes {noise:.2g} times less noise{start}, or {rate:.2g} times the samples per second if "
+     "their noise is white",
+     "{limits}; dazu gehört {noise:.2g}-mal weniger Rauschen{start} oder {rate:.2g}-mal so viele Messwerte "
+     "je Sekunde, wenn ihr Rauschen weiß ist"},
+    {"swing_dies_down_before", clause,
+     "a longer record does not reach {goal:n}: after {duration:n} the swing has died down, and {quantity} "
+     "is known to {best:n} however long one records",
+     "eine längere Aufnahme erreicht {goal:n} nicht: nach {duration:n} ist die Schwingung abgeklungen, und "
+     "{quantity} ist auf {best:n} bekannt, wie lange man auch aufnimmt"},
+    {"record_never_long_enough", clause,
+     "not even a record of {duration:n} reaches {goal:n}: {quantity} is then known to {best:n}",
+     "nicht einmal eine Aufnahme von {duration:n} erreicht {goal:n}: {quantity} ist dann auf {best:n} "
+     "bekannt"},
+    {"or_a_start_so_much_larger", clause, " or a start {times:.2g} times as large",
+     " oder ein {times:.2g}-mal so großer Anfang"},
+    {"or_a_larger_start", clause, " or a larger start", " oder ein größerer Anfang"},
+
+    // Lines through several masses
+    {"of_masses", error, "{--masses}: {what}", "{--masses}: {what}"},
+    {"mass_missing", error, "{--masses}: a mass is missing between two commas",
+     "{--masses}: zwischen zwei Kommas fehlt eine Masse"},
+    {"mass_without_unit", error,
+     "{--masses}: {mass} has no unit and others have: give each its unit, or only the last one, which is "
+     "then that of all",
+     "{--masses}: {mass} hat keine Einheit, und andere haben eine: bitte jeder ihre Einheit geben oder nur "
+     "der letzten, dann gilt sie für alle"},
+    {"mass_negative", error, "{--masses}: {mass} is negative", "{--masses}: {mass} ist negativ"},
+    {"masses_unlike_recordings", error,
+     "{--masses}: {masses} masses are given for {recordings:recording|recordings}; each recording, and each "
+     "run in one, needs its own",
+     "{--masses}: {masses:Masse|Massen} für {recordings:Aufnahme|Aufnahmen}; jede Aufnahme und jeder Lauf "
+     "darin braucht eine eigene"},
+    {"run_left_out_of_line", worth_knowing, "{file}, run {run} is left out of the line: {why}",
+     "{file}, Lauf {run} bleibt aus der Geraden weg: {why}"},
+    {"mass_line_of_one_mass", error, "{--mass-line} needs at least two recordings of different masses",
+     "{--mass-line} braucht mindestens zwei Aufnahmen verschiedener Massen"},
+    {"period_does_not_grow", error,
+     "{--mass-line}: the period does not grow with the mass; are {--masses} in the order of the recordings?",
+     "{--mass-line}: die Periode wächst nicht mit der Masse; stehen {--masses} in der Reihenfolge der "
+     "Aufnahmen?"},
+    {"line_of_two", worth_knowing,
+     "two masses give a line whatever they are: nothing shows whether it is one",
+     "zwei Massen geben immer eine Gerade: nichts zeigt, ob es eine ist"},
+    {"points_scatter", worth_knowing,
+     "the points scatter about the line by {scatter:.2g} s², more than their errors say: this is added to "
+     "all, and the intervals are those of {degrees:degree|degrees} of freedom",
+     "die Punkte streuen um die Gerade um {scatter:.2g} s², mehr als ihre Fehler sagen: das ist allen "
+     "zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
+
+    // Masses at rest
+    {"no_meaning_with_static", error,
+     "{option:option} has no meaning with {--static}: a mass at rest has no motion; leave it out, or leave "
+     "out {--static}",
+     "{option:option} hat mit {--static} keinen Sinn: eine Masse in Ruhe bewegt sich nicht; bitte das eine "
+     "oder das andere weglassen"},
+    {"static_needs_positions", error,
+     "{file}: {--static} needs positions, and column \"{column}\" holds {kind}",
+     "{file}: {--static} braucht Orte, und die Spalte „{column}“ enthält {kind}"},
+    {"run_has_no_values", error, "{file}: run {run} has no values", "{file}: Lauf {run} hat keine Werte"},
+    {"plateaus_unlike_masses", error,
+     "{file}: {masses} masses are given, and {found:plateau is|plateaus are} found{where}; choose the part "
+     "with {--from} and {--to}, or give each hold as a run or file of its own",
+     "{file}: {masses} Massen sind angegeben und {found:Ruhelage|Ruhelagen} gefunden{where}; bitte mit "
+     "{--from} und {--to} den Teil wählen oder jede Ruhelage als eigenen Lauf oder eigene Datei geben"},
+    {"stretches", clause, ": {stretches:,}", ": {stretches:,}"},
+    {"stretch", clause, "{from:.4g} to {to:.4g} s", "{from:.4g} bis {to:.4g} s"},
+    {"masses_unlike_runs", error,
+     "{file}: {masses} masses are given for {runs} runs; {--masses} needs one for each",
+     "{file}: {masses:Masse|Massen} für {runs:Lauf|Läufe}; {--masses} braucht eine für jeden"},
+    {"more_holds_than_masses", error,
+     "{--masses}: {masses} masses are given, and there are more holds: {file} has {runs:run|runs}",
+     "{--masses}: {masses:Masse|Massen}, und es gibt mehr Ruhelagen: {file} hat {runs:Lauf|Läufe}"},
+    {"more_masses_than_holds", error, "{--masses}: {masses} masses are given for {holds:hold|holds}",
+     "{--masses}: {masses:Masse|Massen} für {holds:Ruhelage|Ruhelagen}"},
+    {"too_few_holds", error,
+     "{--masses}: a line needs at least two holds of different masses, and three where their errors are not "
+     "known",
+     "{--masses}: eine Gerade braucht mindestens zwei Ruhelagen verschiedener Massen, und drei, wo ihre "
+     "Fehler nicht bekannt sind"},
+    {"holds_scatter", worth_knowing,
+     "the holds scatter about the line by {scatter:.2g} m, more than each hold's own errors say: this is "
+     "added to all, and the interval is that of {degrees:degree|degrees} of freedom",
+     "die Ruhelagen streuen um die Gerade um {scatter:.2g} m, mehr als ihre eigenen Fehler sagen: das ist "
+     "allen zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
+    {"hold_moves", wrong_if_ignored,
+     "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:.2g} m (rms), and "
+     "its mean is taken; choose a quiet part by {--from} and {--to}, or fit its swing without {--static}",
+     "{file}, Lauf {run}, {from:.4g} bis {to:.4g} s ist nicht in Ruhe: es bewegt sich um {scatter:.2g} m "
+     "(Effektivwert), und der Mittelwert gilt; bitte mit {--from} und {--to} einen ruhigen Teil wählen oder "
+     "die Schwingung ohne {--static} anpassen"},
+    {"holds_out_of_order", wrong_if_ignored,
+     "the position does not go one way with the mass: are {--masses} in the order of the holds?",
+     "der Ort geht mit der Masse nicht immer in eine Richtung: stehen {--masses} in der Reihenfolge der "
+     "Ruhelagen?"},
+
+    // Simulations beside a recording
+    {"compared_is_driven", error,
+     "{file}: something drives this motion; compare lays free motions side by side",
+     "{file}: etwas treibt diese Bewegung an; verglichen werden freie Bewegungen"},
+    {"compare_has_no_drive", error,
+     "{--force-column} and {--drive-frequency} are options of fit: compare lays free motions side by side",
+     "{--force-column} und {--drive-frequency} gehören zu fit: verglichen werden freie Bewegungen"},
+    {"compared_is_no_position", error,
+     "{file}: compare needs a position or an angle, and column \"{column}\" holds {kind}; choose one by "
+     "{--column}",
+     "{file}: ein Vergleich braucht Orte oder Winkel, und die Spalte „{column}“ enthält {kind}; bitte mit "
+     "{--column} wählen"},
+    {"compared_step", error,
+     "{--step} {step}: it must be positive and give at most {most:.0e} steps over {duration:.6g} s",
+     "{--step} {step}: das muss größer als 0 sein und höchstens {most:.0e} Schritte in {duration:.6g} s "
+     "geben"},
+    {"compared_has_no_closed_form", error,
+     "{--method} exact: there is no closed form with {term}; choose rk4 or another method, or {--law} "
+     "viscous",
+     "{--method} exact: mit {term} gibt es keine geschlossene Lösung; bitte rk4 oder ein anderes Verfahren "
+     "wählen oder {--law} viscous"},
+    {"interrupted_before_simulating", worth_knowing, "interrupted before anything was simulated",
+     "abgebrochen, bevor etwas simuliert war"},
+    {"law_by_name", clause, "{law}", "{law}"},
+    {"one_constant_decay_rate", clause, "one constant decay rate", "eine feste Abklingrate"},
+    {"curve_interrupted", worth_knowing, "{law}: interrupted at {t:.6g} s",
+     "{law}: abgebrochen bei {t:.6g} s"},
+    {"curve_ended", wrong_if_ignored,
+     "{law}: {method} ended at {t:.6g} s with {status}; a smaller {--step} may help",
+     "{law}: {method} endet bei {t:.6g} s mit {status}; ein kleineres {--step} kann helfen"},
+    {"curve_grows", wrong_if_ignored,
+     "{law}: {method} with a step of {step:.6g} s grows to {times:.3g} times the amplitude that it started "
+     "from: it is unstable there, and the figures say nothing of the law; take a smaller {--step} or "
+     "another {--method}",
+     "{law}: {method} wächst mit Schritten von {step:.6g} s auf das {times:.3g}-Fache der Amplitude am "
+     "Anfang: es ist da instabil, und die Zahlen sagen nichts über das Gesetz; bitte ein kleineres {--step} "
+     "oder ein anderes {--method} nehmen"},
+    {"law_runs_away", error, "{law}: the law runs away from the recording's start; choose another {--law}",
+     "{law}: das Gesetz läuft vom Anfang der Aufnahme an davon; bitte ein anderes {--law} wählen"},
+
+    // Whether one decay rate is enough
+    {"simulation_runs_away", clause,
+     "Simulated by {method} in steps of {step:n}\u00a0s the motion runs away: that step is too long for the "
+     "method, and nothing follows about the law. Take a smaller {--step} or another {--method}.",
+     "Mit {method} in Schritten von {step:n}\u00a0s simuliert läuft die Bewegung davon: dieser Schritt ist "
+     "zu lang für das Verfahren, und über das Gesetz folgt nichts. Bitte ein kleineres {--step} oder ein "
+     "anderes {--method} nehmen."},
+    {"no_verdict", clause, "{doubt:A}. No verdict on the damping: {one_rate}.",
+     "{doubt:A}. Kein Urteil über die Dämpfung: {one_rate}."},
+    {"no_verdict_with_law", clause, "{doubt:A}. No verdict on the damping: {one_rate}, {with_law}.",
+     "{doubt:A}. Kein Urteil über die Dämpfung: {one_rate}, {with_law}."},
+    {"one_rate_is_enough", clause, "One decay rate is enough: {one_rate}, and {end}.{method}",
+     "Eine Abklingrate genügt: {one_rate}, und {end}.{method}"},
+    {"no_other_law_tried", clause, "No other law was tried: {one_rate}, and {end}.{method}",
+     "Kein anderes Gesetz wurde versucht: {one_rate}, und {end}.{method}"},
+    {"one_rate_is_not_enough", clause, "One decay rate is not enough: {one_rate}, {with_law}.{method}",
+     "Eine Abklingrate genügt nicht: {one_rate}, {with_law}.{method}"},
+    {"one_rate_but_not_the_motion", clause,
+     "One decay rate describes the amplitude, but not the motion: {one_rate}, {with_law}. The frequency "
+     "changes as the swing dies down.{method}",
+     "Eine Abklingrate beschreibt die Amplitude, aber nicht die Bewegung: {one_rate}, {with_law}. Die "
+     "Frequenz ändert sich, während die Schwingung abklingt.{method}"},
+    {"rate_changes_with_amplitude", clause,
+     "One decay rate is not enough. It {goes} from {first:n} to {last:n}\u00a01/s as the swing {swing} from "
+     "{from:n} to {to:n}; {one_rate} and {end}, {with_law}. Quote the law instead.{method}",
+     "Eine Abklingrate genügt nicht. Sie {goes} von {first:n} auf {last:n}\u00a01/s, während die Schwingung "
+     "von {from:n} auf {to:n} {swing}; {one_rate}, und {end}, {with_law}. Bitte das Gesetz angeben.{method}"},
+    {"falls", clause, "falls", "fällt"},
+    {"rises", clause, "rises", "steigt"},
+    {"swing_grows", clause, "grows", "wächst"},
+    {"swing_dies_down", clause, "dies down", "abklingt"},
+    {"one_rate_leaves", clause, "with one rate {left:n} (rms) are left",
+     "mit einer Rate bleiben {left:n} (Effektivwert) übrig"},
+    {"mean_rate_leaves", clause, "with one rate, the mean of the segments', {left:n} (rms) are left",
+     "mit einer Rate, der mittleren der Abschnitte, bleiben {left:n} (Effektivwert) übrig"},
+    {"law_leaves", clause, "with {law} {left:n}", "mit {law} {left:n}"},
+    {"both_have_died_down", clause, "the swing has died down where the measured one has",
+     "die Schwingung ist abgeklungen, wo die gemessene es ist"},
+    {"it_still_swings", clause, "it still swings where the measured motion has died down",
+     "es schwingt noch, wo die gemessene Bewegung abgeklungen ist"},
+    {"end_is_right", clause, "the amplitude at the end is right to 0.05\u00a0%",
+     "die Amplitude am Ende stimmt auf 0,05\u00a0%"},
+    {"end_too_large", clause, "the amplitude at the end is {off:n}\u00a0% too large",
+     "die Amplitude am Ende ist um {off:n}\u00a0% zu groß"},
+    {"end_too_small", clause, "the amplitude at the end is {off:n}\u00a0% too small",
+     "die Amplitude am Ende ist um {off:n}\u00a0% zu klein"},
+    {"method_leaves", clause,
+     " Simulated by {method} in steps of {step:n}\u00a0s the same law leaves {left:n}; the rest is the "
+     "method's.",
+     " Mit {method} in Schritten von {step:n}\u00a0s simuliert lässt dasselbe Gesetz {left:n} übrig; der "
+     "Rest ist vom Verfahren."},
+    {"method_adds", clause,
+     " Simulated by {method} in steps of {step:n}\u00a0s the same law leaves {left:n}: the method "
+     "{adds:and} by the end.",
+     " Mit {method} in Schritten von {step:n}\u00a0s simuliert lässt dasselbe Gesetz {left:n} übrig: bis "
+     "zum Ende {adds:and}."},
+    {"adds_a_phase", clause, "adds a phase of {phase:n}\u00a0rad",
+     "verschiebt das Verfahren die Phase um {phase:n}\u00a0rad"},
+    {"makes_it_larger", clause, "makes the amplitude {change:n}\u00a0% larger",
+     "macht es die Amplitude um {change:n}\u00a0% größer"},
+    {"makes_it_smaller", clause, "makes the amplitude {change:n}\u00a0% smaller",
+     "macht es die Amplitude um {change:n}\u00a0% kleiner"},
+
+    // What is in a file
+    {"inspected_one_of_several", worth_knowing,
+     "several columns may be meant: what is said of times and outliers is that of \"{column}\"; a fit needs "
+     "{--column}",
+     "mehrere Spalten kommen infrage: von Zeiten und Ausreißern ist die Rede in „{column}“"},
+    {"outliers_in_column", worth_knowing,
+     "column \"{column}\": {outliers:outlier|outliers}, the first in {@line}: {value:n}",
+     "Spalte „{column}“: {outliers:Ausreißer|Ausreißer}, der erste in {@line}: {value:n}"},
+};
+
+}  // namespace
+
+const std::span<const Entry> words_of_fit = entries;
+
+}  // namespace cromer::core

@@ -1,0 +1,347 @@
+#include "cromer/documents/words/catalogue.h"
+
+namespace cromer::core {
+namespace {
+
+using enum Use;
+
+constexpr Entry entries[] = {
+    // The parameters that are fitted, by their names.
+    {"angular_frequency", clause, "angular frequency", "Kreisfrequenz"},
+    {"decay_rate", clause, "decay rate", "Abklingrate"},
+    {"drag", clause, "drag", "Luftwiderstand"},
+    {"friction", clause, "friction", "trockene Reibung"},
+    {"cubic", clause, "cubic", "kubische Feder"},
+    {"quadratic", clause, "quadratic", "quadratische Feder"},
+    {"odd_quadratic", clause, "odd quadratic", "ungerade quadratische Feder"},
+    {"quintic", clause, "quintic", "Feder fünften Grades"},
+    {"van_der_pol", clause, "van der pol", "Van-der-Pol-Dämpfung"},
+    {"hysteresis_stiffness", clause, "hysteresis stiffness", "hysteretische Federkonstante"},
+    {"hysteresis_beta", clause, "hysteresis beta", "Hysteresebeiwert beta"},
+    {"hysteresis_gamma", clause, "hysteresis gamma", "Hysteresebeiwert gamma"},
+    {"force_gain", clause, "force gain", "Verstärkung der Kraft"},
+    {"force_offset", clause, "force offset", "Nullpunkt der Kraft"},
+    {"drive_cosine", clause, "drive cosine", "Kosinus des Antriebs"},
+    {"drive_sine", clause, "drive sine", "Sinus des Antriebs"},
+    {"drive_frequency", clause, "drive frequency", "Frequenz des Antriebs"},
+    {"drive_amplitude", clause, "drive amplitude", "Amplitude des Antriebs"},
+    {"drive_phase", clause, "drive phase", "Phase des Antriebs"},
+    {"equilibrium", clause, "equilibrium", "Ruhelage"},
+    {"position", clause, "position", "Ort"},
+    {"velocity", clause, "velocity", "Geschwindigkeit"},
+    {"viscous_damping", clause, "viscous damping", "viskose Dämpfung"},
+    {"dry_friction", clause, "dry friction", "trockene Reibung"},
+
+    // Why a record is not fitted.
+    {"no_spring", error,
+     "a body without a spring does not swing: only under a recorded force can its law be found",
+     "ein Körper ohne Feder schwingt nicht: nur unter einer aufgenommenen Kraft lässt sich sein Gesetz "
+     "finden"},
+    {"too_few_samples", error,
+     "{samples} samples are too few: a fit of the law {law} needs at least {fewest}",
+     "{samples:Messwert ist|Messwerte sind} zu wenige: das Gesetz {law} braucht mindestens {fewest}"},
+    {"nothing_moves", error, "all values are the same: nothing moves",
+     "alle Werte sind gleich: nichts bewegt sich"},
+    {"overdamped", error,
+     "the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back",
+     "die Bewegung kommt zur Ruhe, ohne zu schwingen: sie ist überdämpft, oder nichts zieht sie zurück"},
+    {"ends_before_an_oscillation", error,
+     "the record ends before an oscillation can be seen, if it is one: a fit needs at least 1.5 periods",
+     "die Aufnahme endet, bevor eine Schwingung zu sehen ist, wenn es eine ist: eine Anpassung braucht "
+     "mindestens 1,5 Perioden"},
+    {"too_few_periods", error,
+     "the record holds {periods:.2g} periods of {period:.3g} s: a fit needs at least 1.5",
+     "die Aufnahme hat {periods:.2g} Perioden von {period:.3g} s: gebraucht werden mindestens 1,5"},
+    {"too_few_levels", error,
+     "the values take {levels:.0f} levels only, {resolution:.3g} apart: the resolution is too coarse for a "
+     "motion as small as this",
+     "die Werte haben nur {levels:.0f} Stufen im Abstand {resolution:.3g}: die Auflösung ist zu grob für "
+     "eine so kleine Bewegung"},
+    {"too_noisy", error, "too noisy: a sinusoid accounts for {percent:.1f} % of the variance only",
+     "zu viel Rauschen: eine Sinusschwingung erklärt nur {percent:.1f} % der Streuung"},
+    {"noise_could_do_as_much", error,
+     "no oscillation found: the best decaying sinusoid accounts for {percent:.1f} % of the variance, and "
+     "noise like the rest could do as much; choose the part that oscillates with {--from} and {--to}, or "
+     "another {--column}",
+     "keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {percent:.1f} % der "
+     "Streuung, was Rauschen auch könnte; bitte mit {--from} und {--to} den Teil wählen, der schwingt, oder "
+     "mit {--column} eine andere Spalte"},
+    {"tops_cut_off", error,
+     "the motion's tops are cut off at the same value again and again: the sensor was out of its range; "
+     "choose the later part by {--from}",
+     "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: der Sensor war außerhalb "
+     "seines Bereichs; bitte den späteren Teil mit {--from} wählen"},
+    {"no_line", error, "no oscillation found: the spectrum has no line",
+     "keine Schwingung gefunden: das Spektrum hat keine Linie"},
+    {"no_resonance", error, "no oscillation found: the force explains no resonance",
+     "keine Schwingung gefunden: die Kraft erklärt keine Resonanz"},
+    {"force_explains_too_little", error,
+     "the force accounts for {percent:.1f} % of the motion's variance only",
+     "die Kraft erklärt nur {percent:.1f} % der Varianz der Bewegung"},
+    {"oscillations_explain_too_little", error,
+     "a decaying and a steady oscillation account for {percent:.1f} % of the variance only",
+     "eine abklingende und eine gleichbleibende Schwingung erklären nur {percent:.1f} % der Varianz"},
+    {"only_a_harmonic", error,
+     "a steady oscillation at {frequency:.6g} Hz and its harmonic of order {order:.0f}, which does not "
+     "decay: rounding or a sensor that is not linear makes such a line, and the body's own swing is not seen",
+     "eine gleichbleibende Schwingung bei {frequency:.6g} Hz und ihre {order:.0f}. Harmonische, die nicht "
+     "abklingt: Rundung oder ein nicht linearer Sensor macht eine solche Linie, eine eigene Schwingung des "
+     "Körpers ist nicht zu sehen"},
+    {"frequency_hardly_known", error, "too noisy: the frequency is known to {percent:.0f} % only",
+     "zu viel Rauschen: die Frequenz ist nur auf {percent:.0f} % bekannt"},
+    {"frequency_unknown", error, "the law {law} fits so badly that the frequency is unknown",
+     "das Gesetz {law} passt so schlecht, dass die Frequenz nicht bekannt ist"},
+
+    // Why a fit has not converged.
+    {"fit_not_settled", error, "the fit has not settled after {iterations} iterations",
+     "die Anpassung kommt nach {iterations} Schritten nicht zur Ruhe"},
+    {"motion_runs_away", error, "this law's motion runs away from the recorded one",
+     "die Bewegung dieses Gesetzes läuft der aufgenommenen davon"},
+    {"law_undetermined", error, "the record does not determine this law: {what}",
+     "die Aufnahme legt dieses Gesetz nicht fest: {what}"},
+    {"terms_not_told_apart", clause, "its terms cannot be told apart",
+     "seine Glieder lassen sich nicht trennen"},
+    {"parameter_not_shown", clause, "the record does not show {parameters}",
+     "sie zeigt nichts von {parameters}"},
+    {"only_combination_known", clause, "only a combination of {parameters} is known",
+     "nur eine Kombination von {parameters} ist bekannt"},
+    {"only_ratio_known", clause, "only the ratio of {one} and {other} is known, {ratio:.6g} ± {error:.2g}",
+     "nur das Verhältnis von {one} und {other} ist bekannt, {ratio:.6g} ± {error:.2g}"},
+    {"and_also", clause, "{one} and {other}", "{one} und {other}"},
+    {"and_the", clause, "{one} and the {other}", "{one} und {other}"},
+    {"interrupted", clause, "interrupted", "abgebrochen"},
+    {"too_many_steps", clause,
+     "these laws need more integration steps than a record of this length is worth, as when noise looks "
+     "like a fast swing: stopped",
+     "diese Gesetze brauchen mehr Rechenschritte, als eine Messung dieser Länge wert ist, wie bei Rauschen, "
+     "das nach schnellem Schwingen aussieht: beendet"},
+    {"ended_before_fit_was_done", error, "{why} before the fit was done",
+     "{why}, bevor die Anpassung fertig war"},
+    {"ended_before_all_laws", error, "{why} before all laws were tried",
+     "{why}, bevor alle Gesetze versucht waren"},
+    {"ended_before_these_laws", error,
+     "{why} before all laws were tried: {law} is only the best of {laws}, and not compared yet are {missing}",
+     "{why}, bevor alle Gesetze versucht waren: {law} ist nur das beste von {laws}, und noch nicht "
+     "verglichen sind {missing}"},
+
+    // How far a fit's numbers go.
+    {"dampings_not_told_apart", worth_knowing,
+     "the damping terms of {law} cannot be told apart here: their sum is known, {sum}, its parts are not, "
+     "and the interval of the {parameters} is cut at its bound 0",
+     "die Dämpfungsglieder von {law} lassen sich hier nicht trennen: bekannt ist ihre Summe, {sum}, nicht "
+     "ihre Teile"},
+    {"mean_decay_rate", clause, "decay rate {rate:n} at the record's mean amplitude",
+     "Abklingrate {rate:n} bei der mittleren Amplitude der Aufnahme"},
+    {"parameter_on_bound", worth_knowing, "the {parameter} is on its bound 0: the record shows no {damping}",
+     "{parameter} liegt an der Grenze 0: die Aufnahme zeigt nichts davon"},
+    {"interval_cut_at_bound", worth_knowing,
+     "the 95 % interval of the {parameter} is cut at its bound 0: the record does not show that there is "
+     "any {damping}",
+     "der 95-%-Bereich ist an der Grenze 0 abgeschnitten ({parameter}): die Aufnahme zeigt nicht, ob es das "
+     "gibt"},
+    {"periods_in_gaps_unsure", wrong_if_ignored,
+     "{rival:.5g} rad/s fits nearly as well as {frequency:.5g} rad/s: how many periods passed in the gaps "
+     "is not certain",
+     "{rival:.5g} rad/s passt fast so gut wie {frequency:.5g} rad/s: wie viele Perioden in den Lücken "
+     "vergingen, ist nicht sicher"},
+    {"frequency_changes", worth_knowing,
+     "the frequency changes along the record: one decaying sinusoid accounts for {percent:.0f} % of the "
+     "variance only",
+     "die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur "
+     "{percent:.0f} % der Streuung"},
+    {"half_swings_before_rest_unsure", worth_knowing,
+     "the record does not tell after how many half swings the motion came to rest: another count has a "
+     "probability of {percent:.0f} %, and the intervals are widened for it",
+     "die Aufnahme sagt nicht, nach wie vielen halben Schwingungen die Bewegung zur Ruhe kam: eine andere "
+     "Zahl ist zu {percent:.0f} % wahrscheinlich, die Bereiche sind dafür geweitet"},
+    {"residuals_correlated", clause, "the residuals are correlated ({correlation:.3f} from sample to sample)",
+     "die Reste hängen zusammen ({correlation:.3f} von Messwert zu Messwert)"},
+    {"residuals_correlated_apart", clause,
+     "the residuals are correlated ({correlation:.3f} at {samples} samples apart)",
+     "die Reste hängen zusammen ({correlation:.3f} im Abstand von {samples} Messwerten)"},
+    {"uncertainties_hardly_widened", detail,
+     "{correlated}, but not at the swing's frequency: the uncertainties of frequency and decay are hardly "
+     "widened",
+     "{correlated}, doch nicht bei der Frequenz der Schwingung: die Unsicherheiten von Frequenz und "
+     "Abklingrate sind kaum geweitet"},
+    {"uncertainties_widened", detail,
+     "{correlated}: the uncertainties are widened to those of {independent_samples:.0f} independent samples",
+     "{correlated}: die Unsicherheiten sind geweitet, wie von {independent_samples:.0f} unabhängigen "
+     "Messwerten"},
+
+    // The choice of a law.
+    {"laws_compared_on_a_part", detail,
+     "the laws were compared on {compared} of the {samples} samples, one in {stride} up to {time:.6g} s; "
+     "the one chosen is fitted to all",
+     "die Gesetze wurden an {compared} von {samples} Messwerten verglichen, jedem {stride}. bis {time:.6g} "
+     "s; das gewählte ist an alle angepasst"},
+    {"laws_compared_on_the_first", detail,
+     "the laws were compared on the first {compared} of {samples} samples; the one chosen is fitted to all",
+     "die Gesetze wurden an den ersten {compared} von {samples} Messwerten verglichen; das gewählte ist an "
+     "alle angepasst"},
+    {"rival_laws", worth_knowing,
+     "this record cannot tell {law} from {rivals:or}: the uncertainties hold only if the law is right. "
+     "Known whichever it is: {known}",
+     "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten gelten nur, wenn das "
+     "Gesetz stimmt. In jedem Fall bekannt: {known}"},
+    {"rival_laws_of_a_fed_swing", worth_knowing,
+     "this record cannot tell {law} from {rivals:or}: the uncertainties hold only if the law is right",
+     "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten gelten nur, wenn das "
+     "Gesetz stimmt"},
+    {"law_with_coefficients", clause, "{law} ({coefficients:,})", "{law} ({coefficients:,})"},
+    {"coefficient", clause, "{parameter} {value:n}", "{parameter} {value:n}"},
+    {"force_between_samples_open", worth_knowing,
+     "what the force did between its samples is open: as {reading} the rms residual is {rms:.4g}, as "
+     "{other_reading} it is {other_rms:.4g}: too close to decide; the uncertainties are widened for it. "
+     "{--between-samples} says which, if it is known",
+     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert "
+     "der Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
+     "Entscheidung; die Unsicherheiten sind dafür geweitet. {--between-samples} sagt es, wenn es bekannt "
+     "ist"},
+    {"force_between_samples_open_and_matters", worth_knowing,
+     "what the force did between its samples is open: as {reading} the rms residual is {rms:.4g}, as "
+     "{other_reading} it is {other_rms:.4g}: too close to decide; the other would make the {differences:,}; "
+     "the uncertainties are widened for it. {--between-samples} says which, if it is known",
+     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert "
+     "der Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
+     "Entscheidung; die andere Lesart gäbe {differences:,}; die Unsicherheiten sind dafür geweitet. "
+     "{--between-samples} sagt es, wenn es bekannt ist"},
+    {"parameter_elsewhere", clause,
+     "{parameter} {value:.6g} ({errors:.1f} of the stated standard errors away)",
+     "{parameter} {value:.6g} ({errors:.1f} Standardfehler entfernt)"},
+
+    // What speaks against a fit that converged.
+    {"amplitude_rises", wrong_if_ignored,
+     "the amplitude rises {how} between {from:.4g} and {to:.4g} s: something drives or pushes it, two "
+     "motions beat, or negative damping feeds it, as in viscous+van-der-pol. The frequency may then be the "
+     "drive's, and the stiffness not the spring's",
+     "die Amplitude steigt zwischen {from:.4g} und {to:.4g} s ({how}): etwas treibt sie, zwei Bewegungen "
+     "schweben, oder eine negative Dämpfung nährt sie wie in viscous+van-der-pol. Frequenz und "
+     "Federkonstante sind dann vielleicht nicht die der Feder"},
+    {"by_percent", clause, "by {percent:.0f} %", "um {percent:.0f} %"},
+    {"so_many_fold", clause, "{times:.2g}-fold", "auf das {times:.2g}-Fache"},
+    {"swing_does_not_die_down", wrong_if_ignored,
+     "the swing does not die down over {periods:.0f} periods. If something drives it, the frequency is the "
+     "drive's, and the stiffness that follows from it is not the spring's",
+     "die Schwingung klingt über {periods:.0f} Perioden nicht ab. Treibt sie etwas an, so sind Frequenz und "
+     "Federkonstante nicht die der Feder"},
+    {"swing_keeps_itself", wrong_if_ignored,
+     "the swing keeps itself over {periods:.0f} periods: negative damping feeds it as much as the rest "
+     "takes. A steady drive looks much the same: then the frequency is the drive's, and the stiffness that "
+     "follows from it is not the spring's",
+     "die Schwingung hält sich über {periods:.0f} Perioden selbst: eine negative Dämpfung gibt ihr, was der "
+     "Rest nimmt. Ein gleichmäßiger Antrieb sähe fast genauso aus: dann sind Frequenz und Federkonstante "
+     "nicht die der Feder"},
+    {"amplitude_hardly_falls", wrong_if_ignored,
+     "the amplitude falls by {percent:.2g} % only over {periods:.0f} periods (quality factor "
+     "{quality_factor:.2g}): a drive that is not quite steady looks the same. If something drives it, the "
+     "frequency is the drive's, and the stiffness that follows from it is not the spring's",
+     "die Amplitude fällt über {periods:.0f} Perioden nur um {percent:.2g} % (Güte {quality_factor:.2g}): "
+     "ein nicht ganz gleichmäßiger Antrieb sähe genauso aus. Treibt sie etwas an, so sind Frequenz und "
+     "Federkonstante nicht die der Feder"},
+    {"coarse_levels", wrong_if_ignored,
+     "the values take {levels:.0f} levels only, {resolution:.3g}{unit: } apart: the frequency follows from "
+     "when they change, but amplitude and decay rate hardly show, and their uncertainties cannot be "
+     "trusted; measure with a finer resolution",
+     "die Werte haben nur {levels:.0f} Stufen im Abstand {resolution:.3g}{unit: }: die Frequenz folgt "
+     "daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten "
+     "ist nicht zu trauen; bitte feiner messen"},
+    {"law_does_not_describe", wrong_if_ignored,
+     "the law {law} does not describe this recording: what is left is {times:.0f} times the noise from "
+     "sample to sample, and the uncertainties cannot be trusted",
+     "das Gesetz {law} beschreibt diese Aufnahme nicht: übrig bleibt das {times:.0f}-Fache des Rauschens, "
+     "und den Unsicherheiten ist nicht zu trauen"},
+    {"no_law_describes", wrong_if_ignored,
+     "no law tried describes this recording: what is left is {times:.0f} times the noise from sample to "
+     "sample, and the uncertainties cannot be trusted",
+     "kein Gesetz beschreibt diese Aufnahme: übrig bleibt das {times:.0f}-Fache des Rauschens, und den "
+     "Unsicherheiten ist nicht zu trauen"},
+    {"zero_drifts", wrong_if_ignored,
+     "the zero drifts, by {drift:.3g}{unit: } over the record: take the drift off, or choose a shorter part",
+     "der Nullpunkt wandert, um {drift:.3g}{unit: } in der ganzen Aufnahme: bitte einen kürzeren Teil "
+     "wählen"},
+    {"zero_jumps", wrong_if_ignored,
+     "the zero jumps by {jump:.3g}{unit: } at {time:.4g} s: choose one side of it with {--from} and {--to}",
+     "der Nullpunkt springt um {jump:.3g}{unit: } bei {time:.4g} s: bitte mit {--from} und {--to} eine "
+     "Seite wählen"},
+    {"swing_stops", wrong_if_ignored,
+     "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
+     "less than a tenth of it within a period, as where a hand catches it: end before with {--to}",
+     "die Schwingung endet zwischen {from:.4g} und {to:.4g} s binnen einer Periode, wie von einer Hand "
+     "gehalten: bitte mit {--to} vorher enden"},
+    {"few_samples_in_a_period", wrong_if_ignored,
+     "only {samples:.2g} samples in a period: sampled at {rate:.4g} Hz, a swing of {slower:.5g} or "
+     "{faster:.5g} Hz would look the same as this one of {frequency:.5g} Hz; sample faster if it may be one "
+     "of them",
+     "nur {samples:.2g} Messwerte je Periode: bei {rate:.4g} Hz sähe eine Schwingung von {slower:.5g} oder "
+     "{faster:.5g} Hz genauso aus; schneller messen, wenn es eine davon sein kann"},
+    {"turns_over", wrong_if_ignored,
+     "the angle goes through {turns:.2g} turns: the pendulum turns over, which is no swing",
+     "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich"},
+    {"turns_over_at_first", wrong_if_ignored,
+     "the angle goes through {turns:.2g} turns: the pendulum turns over, which is no swing; from {time:.4g} "
+     "s on it only swings: choose that part with {--from}",
+     "der Winkel durchläuft {turns:.2g} Umdrehungen: das Pendel überschlägt sich; ab {time:.4g} s schwingt "
+     "es nur noch: bitte diesen Teil mit {--from} wählen"},
+
+    // What else oscillates.
+    {"line_beside_swing", worth_knowing,
+     "what the law leaves oscillates at {frequency:.5g} Hz, at first with an amplitude of "
+     "{amplitude:.2g}{unit: } ({percent:.2g} % of the swing's at {swing:.5g} Hz): {what}",
+     "was das Gesetz übrig lässt, schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von "
+     "{amplitude:.2g}{unit: } ({percent:.2g} % der Schwingung mit {swing:.5g} Hz): {what}"},
+    {"second_harmonic", clause,
+     "twice the swing's own: its second harmonic, from a spring or a sensor that is not symmetric",
+     "das Doppelte der eigenen: ihre zweite Harmonische, von einer Feder oder einem Sensor, die nicht "
+     "symmetrisch sind"},
+    {"third_harmonic", clause,
+     "three times the swing's own: its third harmonic, from a spring, a damping or a sensor that is not "
+     "linear in another way than the law",
+     "das Dreifache der eigenen: ihre dritte Harmonische, von einer Feder, einer Dämpfung oder einem "
+     "Sensor, die anders als im Gesetz nicht linear sind"},
+    {"higher_harmonic", clause,
+     "{order} times the swing's own: a harmonic of it, as of a motion with corners or cut-off tops",
+     "das {order}-Fache der eigenen: eine Harmonische, wie von einer Bewegung mit Ecken oder "
+     "abgeschnittenen Gipfeln"},
+    {"second_mode", clause,
+     "a second mode, as of a coupled or a sideways swing, or something that shakes the mount",
+     "eine zweite Bewegung, wie gekoppelt oder seitwärts, oder etwas rüttelt an der Halterung"},
+    {"line_beside_drive", worth_knowing,
+     "what the law leaves oscillates at {frequency:.5g} Hz, at first with an amplitude of "
+     "{amplitude:.2g}{unit: }: {what}",
+     "was das Gesetz übrig lässt, schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von "
+     "{amplitude:.2g}{unit: }: {what}"},
+    {"harmonic_of_drive", clause, "{order} times the drive's, as of a spring or a sensor that is not linear",
+     "das {order}-Fache des Antriebs, wie bei einer Feder oder einem Sensor, die nicht linear sind"},
+    {"another_drive", clause, "another drive, or another swing",
+     "ein anderer Antrieb oder eine andere Schwingung"},
+
+    // From where on a motion is free.
+    {"level_until", clause,
+     "the amplitude stays level until {time:.4g} s and only falls from there, as where a drive stops",
+     "die Amplitude bleibt bis {time:.4g} s gleich und fällt erst dann, wie wenn ein Antrieb endet"},
+    {"held_still_until", clause, "it is held still until {time:.4g} s", "bis {time:.4g} s wird festgehalten"},
+    {"held_still_then_set_going", clause, "it is held still until {time:.4g} s and then set going",
+     "bis {time:.4g} s wird festgehalten, dann losgelassen"},
+
+    // Laws as they are typed.
+    {"law_auto_in_sum", error,
+     "{--law}: auto chooses the terms itself and stands alone; for a sum name its terms, for instance "
+     "viscous+drag",
+     "{--law}: auto wählt die Glieder selbst und steht allein; für eine Summe bitte ihre Glieder nennen, "
+     "zum Beispiel viscous+drag"},
+    {"law_term_unknown", error, "{--law}: \"{term}\" is not a term. A law is auto, or a sum of {terms:and}",
+     "{--law}: „{term}“ ist kein Glied. Ein Gesetz ist auto oder eine Summe von {terms:and}"},
+    {"law_term_unknown_suggestion", error,
+     "{--law}: \"{term}\" is not a term; did you mean {suggestion}? A law is auto, or a sum of {terms:and}",
+     "{--law}: „{term}“ ist kein Glied; ist {suggestion} gemeint? Ein Gesetz ist auto oder eine Summe von "
+     "{terms:and}"},
+    {"law_term_twice", error, "{--law}: the term {term} is named twice",
+     "{--law}: das Glied {term} ist zweimal genannt"},
+};
+
+}  // namespace
+
+const std::span<const Entry> words_of_identify = entries;
+
+}  // namespace cromer::core

@@ -1,0 +1,108 @@
+#include "cromer/documents/words/catalogue.h"
+
+namespace cromer::core {
+namespace {
+
+using enum Use;
+
+constexpr Entry entries[] = {
+    // apps/cli
+    {"folder_unreadable", error, "{folder}: cannot be read: {reason}",
+     "{folder}: lässt sich nicht lesen: {reason}"},
+    {"folder_without_recordings", error,
+     "{folder}: the folder holds no recording (a file ending in one of {endings}; folders in it are not "
+     "searched)",
+     "{folder}: der Ordner enthält keine Aufnahme (eine Datei mit der Endung {endings}; Ordner darin werden "
+     "nicht durchsucht)"},
+    {"entries_left_aside", detail,
+     "{folder}: {left} of {all} entries are no recordings by their ending and are left aside",
+     "{folder}: {left} von {all} Einträgen sind nach ihrer Endung keine Aufnahmen und bleiben weg"},
+    {"no_memory_for_file", error, "not enough memory for this file",
+     "für diese Datei reicht der Speicher nicht"},
+    {"tripartite_without_plot", error, "{--tripartite} is a way to draw; say into which file with {--plot}",
+     "{--tripartite} ist eine Art zu zeichnen; in welche Datei, sagt {--plot}"},
+    {"tripartite_of_shock", error,
+     "{--tripartite} draws pseudo-velocities, which a shock spectrum has not; leave one of them out",
+     "{--tripartite} zeichnet Pseudogeschwindigkeiten, die ein Schockspektrum nicht hat; bitte eines "
+     "weglassen"},
+    {"fourier_is_csv", error, "{--fourier}: {file}: the amplitudes are written as .csv",
+     "{--fourier}: {file}: die Amplituden werden als .csv geschrieben"},
+    {"motion_is_csv", error, "{--motion}: {file}: the motion is written as .csv",
+     "{--motion}: {file}: die Bewegung wird als .csv geschrieben"},
+    {"two_outputs_one_file", error, "{first} and {second} both name {file}",
+     "{first} und {second} nennen beide {file}"},
+    {"no_hdf5_here", error,
+     "{--output}: {file}: only simulate, sweep and spectrum write HDF5 files; use .csv or .json",
+     "{--output}: {file}: nur simulate, sweep und spectrum schreiben HDF5-Dateien; bitte .csv oder .json"},
+    {"unknown_ending", error,
+     "{--output}: {file}: the ending says the format, and \"{ending}\" is neither .csv nor .json",
+     "{--output}: {file}: die Endung bestimmt das Format, und „{ending}“ ist weder .csv noch .json"},
+    {"unknown_ending_hdf5", error,
+     "{--output}: {file}: the ending says the format, and \"{ending}\" is none of .csv, .json and .h5",
+     "{--output}: {file}: die Endung bestimmt das Format, und „{ending}“ ist weder .csv noch .json noch .h5"},
+    {"output_is_the_input", error, "{option} {file}: that is the recording itself; it would be lost",
+     "{option} {file}: das ist die Aufnahme selbst; sie ginge verloren"},
+    {"two_on_standard_output", error, "{--json} and -o - both want standard output; give -o a file name",
+     "{--json} und -o - wollen beide auf die Standardausgabe; bitte bei -o eine Datei nennen"},
+    {"static_or_mass_line", error, "{--static} and {--mass-line} are two ways; give one of them",
+     "{--static} und {--mass-line} sind zwei Wege; bitte einen wählen"},
+    {"gravity_without_static", error, "{--gravity} is for {--static} only",
+     "{--gravity} gehört nur zu {--static}"},
+    {"masses_without_line", error, "{--masses} goes with {--static} or {--mass-line}",
+     "{--masses} gehört zu {--static} oder {--mass-line}"},
+    {"masses_needed", error,
+     "{way:option} needs {--masses}, for instance {--masses} \"48.4 g, 67.95 g, 87.96 g\"",
+     "zu {way:option} gehört {--masses}, zum Beispiel {--masses} \"48.4 g, 67.95 g, 87.96 g\""},
+    {"two_masses_needed", error, "{--masses}: {way:option} needs at least two masses",
+     "{--masses}: {way:option} braucht mindestens zwei Massen"},
+    {"given_several_times", error, "{option:option} is given {times} times; it takes one value",
+     "{option:option} steht {times}-mal da und hat nur einen Wert"},
+    {"trajectories_are_csv", error,
+     "{--trajectories} {file}: trajectories are written as CSV; name it FILE.csv",
+     "{--trajectories} {file}: Bahnen werden als CSV geschrieben; bitte DATEI.csv nennen"},
+    {"trajectories_do_not_fit", error, "{--trajectories} {what}, or a larger {--every}",
+     "{--trajectories} {what}, oder ein größeres {--every}"},
+    {"output_without_source", error, "-o names the recording, but there is no {--from} SOURCE to record",
+     "-o nennt die Aufnahme, doch mit {--from} fehlt die Quelle"},
+
+    {"lines_no_samples", worth_knowing, "{lines} lines were no samples",
+     "{lines} Zeilen waren keine Messwerte"},
+    {"no_sample_came", error, "no sample came from {source}", "von {source} kam kein Messwert"},
+    {"file_lists_more", detail, "the end of the file lists more", "am Ende der Datei stehen weitere"},
+
+    // apps/serve
+    {"body_is_no_object", error, "the body is no JSON object such as {{\"for\": \"20 s\"}}",
+     "der Inhalt ist kein JSON-Objekt wie {{\"for\": \"20 s\"}}"},
+    {"duration_asked", error, "\"for\": {what}", "die Dauer: {what}"},
+    {"must_be_positive_plain", clause, "it must be positive", "sie muss größer als 0 sein"},
+    {"nothing_to_record_from", error,
+     "cromer serve was started without {--from}: there is nothing to record from",
+     "cromer serve läuft ohne {--from}: es gibt keine Quelle zum Aufnehmen"},
+    {"recording_goes_on", error, "a recording is going on; stop it first",
+     "eine Aufnahme läuft; bitte zuerst anhalten"},
+    {"stopped_while_starting", error, "the recording was stopped while it was starting",
+     "die Aufnahme wurde beim Beginnen angehalten"},
+    {"no_ip_address", error,
+     "{--address} \"{address}\" is no IP address; 0.0.0.0 stands for all of this computer",
+     "{--address} „{address}“ ist keine IP-Adresse; 0.0.0.0 steht für alle dieses Rechners"},
+    {"cannot_serve", error, "cannot serve at {address} port {port}: {reason}",
+     "unter {address}, Port {port}, lässt sich nichts anbieten: {reason}"},
+
+    // apps/web/core
+    {"page_setting", error, "\"{line}\" is not option=value", "„{line}“ ist nicht Option=Wert"},
+    {"nothing_drives_it", error, "{--drive-amplitude}: nothing drives it", "nichts treibt den Schwinger an"},
+    {"page_drives_by_sine", error,
+     "{--drive} {drive}: the page drives by a sine; run the others with the program",
+     "{--drive} {drive}: die Seite treibt mit einem Sinus an; alles andere rechnet das Programm"},
+    {"page_has_no_recorded_drive", error, "the page drives by a sine; run recorded drives with the program",
+     "die Seite treibt mit einem Sinus an; aufgenommene Antriebe rechnet das Programm"},
+    {"program_only", error, "{option:option}: run it with the program",
+     "{option:option}: das rechnet das Programm"},
+    {"page_task", error, "there is no task \"{task}\"", "die Aufgabe „{task}“ gibt es nicht"},
+};
+
+}  // namespace
+
+const std::span<const Entry> words_of_program = entries;
+
+}  // namespace cromer::core
