@@ -30,7 +30,8 @@ struct Notice {
   bool of_arrays = false;  ///< said of arrays: samples are counted, not the lines of a file
 
   Notice();
-  Notice(std::string code, std::vector<NoticeValue> values = {});  // NOLINT: implicit on purpose
+  Notice(std::string code);  // NOLINT: implicit on purpose
+  Notice(std::string code, std::vector<NoticeValue> values);
   bool empty() const { return code.empty(); }
   friend bool operator==(const Notice&, const Notice&);
 };
@@ -59,6 +60,7 @@ struct NoticeValue {
 };
 
 inline Notice::Notice() = default;
+inline Notice::Notice(std::string notice_code) : code(std::move(notice_code)) {}
 inline Notice::Notice(std::string notice_code, std::vector<NoticeValue> notice_values)
     : code(std::move(notice_code)), values(std::move(notice_values)) {}
 inline bool operator==(const Notice& a, const Notice& b) {

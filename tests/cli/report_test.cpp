@@ -69,7 +69,7 @@ TEST(Report, OfTheSpringLabAnswersItsQuestions) {
   EXPECT_NEAR(lab.value("two.segment.2.rate"), 0.0094, 0.0001);
   EXPECT_NEAR(lab.value("two.segment.3.rate"), 0.0077, 0.0001);
   EXPECT_NEAR(lab.value("two.decay_rate_mean"), 0.00984, 0.00004);
-  EXPECT_NEAR(lab.value("two.reynolds_max"), 2525, 10);
+  EXPECT_NEAR(lab.value("two.reynolds.max"), 2525, 10);
   EXPECT_NEAR(lab.value("compared.1.amplitude_error_end"), -0.1, 0.015);
   // (1 + w^2 h^2) to the steps of a cycle; doubling in ln 2/ln(1 + w^2 h^2) steps.
   const double wh = std::sqrt(16.6 / 0.2008) * 0.01;

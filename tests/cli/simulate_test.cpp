@@ -188,12 +188,12 @@ TEST(Simulate, SaysWhatEulerCromerConserves) {
   EXPECT_NEAR(run["modified_energy"]["energy_swing"].get<double>(), 0.03, 1e-4);
   // A study may ask for it too.
   folder.write("long.toml",
-               "summary = \"{long.1.modified_energy_drift}\"\n[[task]]\nsimulate = \"long\"\nstiffness = 36\n"
+               "summary = \"{long.1.modified_energy.drift}\"\n[[task]]\nsimulate = \"long\"\nstiffness = 36\n"
                "step = 0.01\nuntil = 100\ncompensated = true\n");
   const Finished report = folder.run({"report", "long.toml", "-o", "out"});
   ASSERT_EQ(report.status, 0) << report.err;
   const auto results = nlohmann::json::parse(folder.read("out/results.json"), nullptr, false);
-  EXPECT_EQ(results["long.1.modified_energy"]["value"], 18.0);
+  EXPECT_EQ(results["long.1.modified_energy.start"]["value"], 18.0);
 }
 
 TEST(Simulate, StandardOutputTakesCsv) {

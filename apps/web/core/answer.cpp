@@ -11,14 +11,12 @@
 
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
+#include "cromer/documents/json/described.h"
 #include "cromer/documents/json/documents.h"
-#include "cromer/documents/json/effect.h"
 #include "cromer/documents/json/json.h"
 #include "cromer/documents/json/notices.h"
-#include "cromer/documents/json/recording.h"
-#include "cromer/tasks/fit/fitted_motion.h"
-#include "cromer/tasks/fit/motion_units.h"
-#include "cromer/tasks/fit/used_samples.h"
+#include "cromer/documents/json/fit.h"
+#include "described.h"
 #include "motions.h"
 #include "request.h"
 #include "resonance_curves.h"
@@ -80,14 +78,7 @@ Answer resonance_task(const Request& asked, std::string_view) {
   const auto curves = resonance_curves(*options, *grid);
   if (!curves) return bad_input(curves.error());
   Json document;
-  Json& list = document["curves"] = Json::array();
-  for (const MethodResonance& curve : *curves)
-    list.push_back({{"method", curve.method},
-                    {"settled", curve.settled},
-                    {"too_many_steps", curve.too_many_steps},
-                    {"frequency", curve.frequency},
-                    {"amplitude", curve.amplitude},
-                    {"phase", curve.phase}});
+  document["curves"] = described::value_json(*curves, {});
   return found(to_text(document), true);
 }
 
@@ -98,51 +89,7 @@ Answer inspect_task(const Request& asked, std::string_view file) {
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
   const auto seen = inspect(file, request.file_name, options, column);
   if (!seen) return bad_input(seen.error());
-  Json document = inspection_object(*seen, false, {});
-  Json& list = document["series"] = Json::array();
-  for (const Series& series : seen->series)
-    list.push_back({{"run", series.run},
-                    {"column", series.column},
-                    {"observed", or_null(series.quantity)},
-                    {"unit", unit_of(series)},
-                    {"rate", or_null(series.rate)},
-                    {"t", series.t},
-                    {"x", series.y}});
-  return found(to_text(document), true);
-}
-
-/// The motion beside the law, sample by sample; its own velocity and energy where it is a displacement.
-Json curves_of(const FittedRecording& fitted) {
-  if (!fitted.succeeded() || fitted.series.t.empty()) return nullptr;
-  const FittedMotion motion = fitted_motion(fitted);
-  std::vector<double> outlier_times;
-  for (const Outlier& outlier : fitted.series.outliers) outlier_times.push_back(outlier.t);
-  std::vector<double> displacement = motion.measured;
-  for (double& x : displacement) x -= fitted.fit.equilibrium().value;
-  return {{"t", motion.t},
-          {"measured", motion.measured},
-          {"residual", motion.residual},
-          {"x", motion.x},
-          {"v", motion.v},
-          {"energy", motion.energy},
-          {"measured_velocity", motion.local_velocity},
-          {"measured_energy", energies_of(fitted, displacement, motion.local_velocity)},
-          {"set_aside", outlier_times}};
-}
-
-Json units_of(const FittedRecording& fitted) {
-  const MotionUnits units = motion_units(fitted);
-  return {{"measured", units.measured},
-          {"displacement", units.displacement},
-          {"velocity", units.velocity},
-          {"energy", units.energy}};
-}
-
-/// [unit of the displacement] what the law leaves; of a column of its derivatives, the swing that has as
-/// much.
-double displacement_rms(const FittedRecording& fitted) {
-  const int derivative = std::max(0, derivative_order(fitted.series.quantity));
-  return fitted.fit.residual.rms / std::pow(fitted.fit.angular_frequency().value, derivative);
+  return found(to_text(json_of(InspectedOnPage{*seen}, {})), true);
 }
 
 Answer fit_task(const Request& request, std::string_view file) {
@@ -156,9 +103,7 @@ Answer fit_task(const Request& request, std::string_view file) {
   for (const FittedRecording& fitted : *fits) {
     ok = ok && fitted.succeeded();
     list.push_back(fit_object(fitted, {}));
-    list.back()["units"] = units_of(fitted);
-    list.back()["displacement_rms"] = displacement_rms(fitted);
-    list.back()["curves"] = curves_of(fitted);
+    described::add_entries(list.back(), Described<FitOnPage>::own, FitOnPage{fitted}, {});
   }
   return found(to_text(document), ok);
 }
@@ -173,13 +118,7 @@ Answer compare_task(const Request& request, std::string_view file) {
   Json& list = document["comparisons"] = Json::array();
   for (const CompareResult& each : *compared) {
     ok = ok && each.complete;
-    list.push_back(comparison_object(each, {}));
-    Json& states = list.back()["states"] = Json::array();
-    for (const ComparedCurve& curve : each.curves)
-      states.push_back({{"t", curve.trajectory.t},
-                        {"x", curve.trajectory.x},
-                        {"v", curve.trajectory.v},
-                        {"energy", energies_of(each.recording, curve.trajectory.x, curve.trajectory.v)}});
+    list.push_back(json_of(ComparedOnPage{each}, {}));
   }
   return found(to_text(document), ok);
 }
@@ -220,7 +159,7 @@ Answer quantity_task(const Request& request, std::string_view) {
   Json document = Json::object();
   for (const auto& [name, text] : request.settings)
     for (const Option& option : table)
-      if (option.name == name) document[name] = json_or_null(number_of(option));
+      if (option.name == name) document[name] = described::value_json(number_of(option), {});
   return found(to_text(document), true);
 }
 

@@ -5,8 +5,8 @@
 
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
-#include "cromer/documents/json/effect.h"
-#include "cromer/documents/json/notices.h"
+#include "cromer/documents/described/methods.h"
+#include "cromer/documents/json/described.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/run/outcome.h"
 #include "cromer/tasks/simulate/run_effect.h"
@@ -60,7 +60,7 @@ Json motion(const SimulatedRun& run, Json times) {
   object["drive_frequency"] = run.drive.frequency;
   object["status"] = name(outcome.status);
   object["energy_at_end"] = energy(run.oscillator, outcome.y);
-  add_effect(object, run.effect);
+  described::add_entries(object, effect_entries(&SimulatedRun::effect), run, {});
   object["states"] = states(run, std::move(times));
   return object;
 }

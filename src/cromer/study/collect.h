@@ -16,14 +16,13 @@
 
 namespace cromer::core {
 
-/// "id.N" for run N: label, steps, newton_per_step, peak, final.*, energy_*; steady.*, exact.* and
-/// transmissibility.* where it is driven. Columns t, x, v, energy.
+/// "id.N" for run N: what a run is described by, without the word "parameters"; newton_per_step, peak,
+/// energy_*; steady.* and exact.* where it is driven. Columns t, x, v, energy.
 void collect(const std::string& id, const SimulateResult& result, Results& results);
 
-/// "id": every parameter and derived quantity (with .low and .high), mass, samples, rms, segment.N.rate,
-/// decay_rate_mean, reynolds_*, keulegan_carpenter, first_rate, last_rate, stretches. Columns t, measured,
-/// displacement, mean, window_t, reynolds; amplitude, rate, law_rate, and bar_amplitude, bar_rate (error
-/// bars).
+/// "id": what a fit is described by; mass, disc_diameter, damping_mean, reynolds_last, first_rate, last_rate,
+/// stretches. Columns t, measured, displacement, mean, window_t, reynolds; amplitude, rate, law_rate, and
+/// bar_amplitude, bar_rate (error bars).
 void collect(const std::string& id, const FittedRecording& fitted, Results& results);
 
 /// "id" as for its fit, with column displacement and explanation (a sentence); "id.N" for curve N: label,

@@ -1,18 +1,22 @@
 #include <limits>
 
 #include "cromer/analysis/envelope.h"
+#include "cromer/documents/described/compare.h"
+#include "cromer/documents/described/fit.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/study/collect.h"
+#include "cromer/study/facts.h"
 
 namespace cromer::core {
 namespace {
 
-void set_estimate(Results& results, const std::string& name, const Estimate& estimate,
-                  std::string_view unit) {
-  results.set(name, Quantity{estimate.value, estimate.standard_error}, unit);
-  results.set(name + ".low", estimate.low, unit);
-  results.set(name + ".high", estimate.high, unit);
+/// Units that a record decides are those of this one.
+Facts facts_of(const FittedRecording& fitted, Results& results) {
+  return Facts(results, [&fitted](std::string_view unit) -> std::string_view {
+    if (unit == "of the column") return si_unit_of(fitted.series.quantity);
+    return unit;
+  });
 }
 
 void set_optional(Results& results, const std::string& name, const std::optional<Quantity>& quantity,
@@ -20,15 +24,8 @@ void set_optional(Results& results, const std::string& name, const std::optional
   if (quantity) results.set(name, *quantity, unit);
 }
 
-void collect_segments(const std::string& id, const FittedRecording& fitted, Results& results) {
-  for (std::size_t i = 0; i < fitted.segments.size(); ++i) {
-    const std::string name = id + ".segment." + std::to_string(i + 1);
-    results.set(name + ".from", fitted.segments[i].from, "s");
-    results.set(name + ".to", fitted.segments[i].to, "s");
-    set_estimate(results, name + ".rate", fitted.segments[i].rate, "1/s");
-  }
+void collect_mean_damping(const std::string& id, const FittedRecording& fitted, Results& results) {
   if (!fitted.decay_rate_mean) return;
-  set_estimate(results, id + ".decay_rate_mean", *fitted.decay_rate_mean, "1/s");
   // The damping that would give the mean rate: c = 2 m gamma.
   if (const Estimate* stiffness = fitted.find("stiffness")) {
     const double w = fitted.fit.angular_frequency().value;
@@ -44,8 +41,6 @@ void collect_reynolds(const std::string& id, const FittedRecording& fitted, Resu
     value.push_back(window.value);
   }
   results.set(id + ".reynolds_last", value.back());
-  if (fitted.reynolds_max) set_estimate(results, id + ".reynolds_max", *fitted.reynolds_max, "");
-  results.set(id + ".reynolds_max_t", fitted.reynolds_max_t, "s");
   results.set_column(id + ".window_t", std::move(t), "s", "time *t*");
   results.set_column(id + ".reynolds", std::move(value), "", "Reynolds number Re");
 }
@@ -104,20 +99,12 @@ void collect_excess(const std::string& name, const Envelope& simulated, const En
 }  // namespace
 
 void collect(const std::string& id, const FittedRecording& fitted, Results& results) {
-  results.set(id + ".file", fitted.file);
-  results.set(id + ".law", to_text(fitted.fit.law));
-  results.set(id + ".samples", static_cast<double>(fitted.series.t.size()));
-  results.set(id + ".rms", fitted.fit.residual.rms, si_unit_of(fitted.series.quantity));
-  for (const auto* group : {&fitted.parameters, &fitted.derived})
-    for (const Parameter& each : *group)
-      set_estimate(results, id + "." + each.name, each.estimate, each.unit);
+  facts_of(fitted, results).set(id, fitted);
   set_optional(results, id + ".mass", fitted.options.mass, "kg");
   set_optional(results, id + ".disc_diameter", fitted.options.disc_diameter, "m");
-  collect_segments(id, fitted, results);
+  collect_mean_damping(id, fitted, results);
   collect_reynolds(id, fitted, results);
   collect_decay(id, fitted, results);
-  if (fitted.keulegan_carpenter)
-    set_estimate(results, id + ".keulegan_carpenter", *fitted.keulegan_carpenter, "");
   collect_columns(id, fitted, results);
 }
 
@@ -131,11 +118,8 @@ void collect(const std::string& id, const CompareResult& compared, Results& resu
   for (std::size_t i = 0; i < compared.curves.size(); ++i) {
     const ComparedCurve& curve = compared.curves[i];
     const std::string name = id + "." + std::to_string(i + 1);
-    results.set(name + ".label", curve.label);
-    results.set(name + ".rms", curve.rms, unit);
-    results.set(name + ".r_squared", curve.r_squared);
+    facts_of(compared.recording, results).set(name, curve);
     results.set(name + ".amplitude_error_end", curve.amplitude_ratio_end - 1);
-    results.set(name + ".phase_drift", curve.phase_drift, "rad");
     // The last curve is the law that the data chose.
     collect_excess(name, envelopes[i], envelopes.back(), results);
     results.set_column(name + ".t", curve.trajectory.t, "s", "time *t*");

@@ -5,8 +5,10 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/growth.h"
 #include "cromer/analysis/steady_state.h"
+#include "cromer/documents/described/simulate.h"
 #include "cromer/model/terms.h"
 #include "cromer/study/collect.h"
+#include "cromer/study/facts.h"
 #include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
@@ -41,10 +43,6 @@ void collect_energy(const std::string& name, const SimulatedRun& run, const std:
   results.set(name + ".energy_doubling_time", growth.doubling_time(), "s");
   results.set(name + ".energy_swing", (*most - *least) / (*most + *least));
   results.set(name + ".energy_drift", std::expm1(growth.rate * run.outcome.t));
-  if (run.modified_energy) {
-    results.set(name + ".modified_energy", run.modified_energy->start, "J");
-    results.set(name + ".modified_energy_drift", run.modified_energy->drift);
-  }
 }
 
 /// What a driven motion settles at, measured and exact.
@@ -66,27 +64,13 @@ void collect_steady(const std::string& name, const SimulatedRun& run, Results& r
   results.set(name + ".phase_error", measured->phase_lag - exact.phase_lag, "rad");
 }
 
-/// What gets through, exactly and by the method.
-void collect_transmission(const std::string& name, const SimulatedRun& run, Results& results) {
-  if (!run.transmission || !run.transmission->bounded()) return;
-  const RunTransmission& found = *run.transmission;
-  const char* unit = found.of_motion ? "m" : "N";
-  results.set(name + ".transmissibility.exact", found.exact.amplitude);
-  results.set(name + ".transmissibility.phase", found.exact.phase_lag, "rad");
-  results.set(name + ".transmissibility.transmitted", found.sent * found.exact.amplitude, unit);
-  if (!found.simulated) return;
-  results.set(name + ".transmissibility.simulated", found.simulated->amplitude);
-  results.set(name + ".transmissibility.error", *found.error());
-}
-
-void collect_run(const std::string& name, const SimulatedRun& run, Results& results) {
+void collect_run(const std::string& name, const DescribedRun& all, Results& results) {
+  const SimulatedRun& run = all.run;
   const Counts& counts = run.outcome.counts;
-  results.set(name + ".label", run.label);
-  results.set(name + ".method", run.method);
-  results.set(name + ".step", run.step, "s");
-  results.set(name + ".until", run.until, "s");
-  results.set(name + ".steps", static_cast<double>(counts.accepted));
-  results.set(name + ".newton_iterations", static_cast<double>(counts.newton_iterations));
+  const bool of_motion = run.transmission && run.transmission->of_motion;
+  Facts(results, [of_motion](std::string_view unit) -> std::string_view {
+    return unit != "m or N" ? unit : of_motion ? "m" : "N";
+  }).set(name, all);
   if (counts.newton_iterations > 0)
     results.set(name + ".newton_per_step",
                 static_cast<double>(counts.newton_iterations) / static_cast<double>(counts.accepted));
@@ -94,14 +78,10 @@ void collect_run(const std::string& name, const SimulatedRun& run, Results& resu
     results.set(name + ".newton_per_step", std::string("–"));
   results.set(name + ".peak", largest_magnitude(run.trajectory.x), "m");
   results.set(name + ".peak_velocity", largest_magnitude(run.trajectory.v), "m/s");
-  results.set(name + ".final.x", run.outcome.y.x, "m");
-  results.set(name + ".final.v", run.outcome.y.v, "m/s");
-  if (run.drive.amplitude > 0) results.set(name + ".drive_frequency", run.drive.frequency, "rad/s");
 
   auto energy = energies(run);
   collect_energy(name, run, energy, results);
   collect_steady(name, run, results);
-  collect_transmission(name, run, results);
   results.set_column(name + ".t", run.trajectory.t, "s", "time *t*");
   results.set_column(name + ".x", run.trajectory.x, "m", "position *x*");
   results.set_column(name + ".v", run.trajectory.v, "m/s", "velocity *v*");
@@ -112,7 +92,7 @@ void collect_run(const std::string& name, const SimulatedRun& run, Results& resu
 
 void collect(const std::string& id, const SimulateResult& result, Results& results) {
   for (std::size_t i = 0; i < result.runs.size(); ++i)
-    collect_run(id + "." + std::to_string(i + 1), result.runs[i], results);
+    collect_run(id + "." + std::to_string(i + 1), DescribedRun{result.runs[i], result.options}, results);
 }
 
 void collect(const std::string& id, const ResonanceResult& resonance, Results& results) {

@@ -1,6 +1,14 @@
 // What the core and the server say: a sentence in both languages, or a text of the page's own.
 export type Said = string | { en: string; de: string }
 
+/// A notice with all that it knows; `values` by name.
+export interface NoticeObject {
+  code: string
+  severity: 'wrong_if_ignored' | 'worth_knowing' | 'detail'
+  text: Said
+  values: Record<string, unknown>
+}
+
 export const english = (said: Said): string => (typeof said === 'string' ? said : said.en)
 
 /// Without the option that it begins with: its field stands beside it.

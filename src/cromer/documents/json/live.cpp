@@ -1,6 +1,6 @@
 #include "cromer/documents/json/live.h"
 
-#include "cromer/documents/json/estimate.h"
+#include "cromer/documents/json/described.h"
 #include "cromer/documents/json/json.h"
 #include "cromer/documents/json/notices.h"
 
@@ -71,12 +71,6 @@ Json list_of(std::span<const Remark> notices) {
   return list;
 }
 
-Json quantities(const std::vector<Parameter>& estimates) {
-  Json object = Json::object();
-  for (const auto& [name, estimate, unit] : estimates) object[name] = estimate_object(estimate, unit);
-  return object;
-}
-
 }  // namespace
 
 std::string live_status_json(const std::string& source, std::optional<double> duration,
@@ -104,8 +98,8 @@ std::string live_fit_json(const FittedRecording& fitted) {
     object["from"] = fitted.series.t.front(), object["to"] = fitted.series.t.back();
   if (fitted.succeeded()) {
     object["law"] = to_text(fitted.fit.law);
-    object["parameters"] = quantities(fitted.parameters);
-    object["derived"] = quantities(fitted.derived);
+    object["parameters"] = described::value_json(fitted.parameters, {});
+    object["derived"] = described::value_json(fitted.derived, {});
   } else {
     add_message(object, fitted.fit.message);
   }

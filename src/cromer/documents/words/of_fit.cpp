@@ -165,6 +165,8 @@ constexpr Entry entries[] = {
     {"decrement_bias", clause,
      "noise lifts small peaks: too low; a mean where the damping changes with amplitude",
      "Rauschen hebt kleine Gipfel: zu klein; ein Mittelwert, wo die Dämpfung von der Amplitude abhängt"},
+    {"bandwidth_bias", clause, "too wide unless the record lasts until the swing has died down",
+     "zu breit, wenn die Aufnahme nicht dauert, bis die Schwingung abgeklungen ist"},
     {"of_force_column", error, "{--force-column}: {what}", "{--force-column}: {what}"},
     {"of_the_force", clause, "force: {what}", "Kraft: {what}"},
 

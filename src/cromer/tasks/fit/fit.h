@@ -50,6 +50,7 @@ struct FitOptions {
 /// What textbooks would say of the damping; each empty where it cannot be had.
 struct TextbookDamping {
   static Notice decrement_bias() { return Notice{"decrement_bias"}; }
+  static Notice bandwidth_bias() { return Notice{"bandwidth_bias"}; }
   std::optional<PeakDecrement> decrement;
   std::optional<HalfPowerBandwidth> bandwidth;
 };

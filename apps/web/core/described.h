@@ -1,0 +1,201 @@
+// What the page's documents have beyond the program's.
+#pragma once
+
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "cromer/documents/described/compare.h"
+#include "cromer/documents/described/fit.h"
+#include "cromer/documents/described/inspect.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/fit/motion_units.h"
+#include "cromer/tasks/fit/used_samples.h"
+#include "method_resonance.h"
+
+namespace cromer::core {
+
+template <>
+struct Described<Series> {
+  static constexpr std::string_view name = "InspectedSeries";
+  static constexpr auto entries = members(
+      field("run", &Series::run, "", "from 1"), field("column", &Series::column, "", "its name"),
+      field(
+          "observed", [](const Series& s) { return unless_empty(s.quantity); }, "", "what it records"),
+      field(
+          "unit", [](const Series& s) { return std::string(unit_of(s)); }, "",
+          "of x; \"\" where it has no name"),
+      field(
+          "rate", [](const Series& s) { return unless_zero(s.rate); }, "1/s", "null where not even"),
+      field("t", &Series::t, "s", "rises; missing values are left out"),
+      field("x", &Series::y, "SI", "the column"));
+};
+
+template <>
+struct Described<MotionUnits> {
+  static constexpr std::string_view name = "MotionUnits";
+  static constexpr auto entries =
+      members(field("measured", &MotionUnits::measured, "", "of the column, and of the residuals"),
+              field("displacement", &MotionUnits::displacement, "", "of x, and of amplitudes"),
+              field("velocity", &MotionUnits::velocity, "", "of v"),
+              field("energy", &MotionUnits::energy, "", "J, or per mass where none is known"));
+};
+
+namespace page {
+
+/// All that is in a file, with the numbers of the column that it describes.
+struct InspectedOnPage {
+  const Inspection& seen;
+};
+
+/// A fit beside its samples; nothing but the program's of one that could not be read.
+struct FitOnPage {
+  const FittedRecording& fitted;
+};
+
+/// A comparison with the states of each of its curves.
+struct ComparedOnPage {
+  const CompareResult& compared;
+};
+
+/// One value for each sample used.
+struct FitCurves {
+  const FittedRecording& fitted;
+  FittedMotion motion;
+  std::vector<double> measured_energy, set_aside;
+};
+
+/// Empty where there is no fit.
+inline std::optional<FitCurves> curves_of(const FittedRecording& fitted) {
+  if (!fitted.succeeded() || fitted.series.t.empty()) return std::nullopt;
+  FitCurves curves{fitted, fitted_motion(fitted), {}, {}};
+  std::vector<double> displacement = curves.motion.measured;
+  for (double& x : displacement) x -= fitted.fit.equilibrium().value;
+  curves.measured_energy = energies_of(fitted, displacement, curves.motion.local_velocity);
+  for (const Outlier& outlier : fitted.series.outliers) curves.set_aside.push_back(outlier.t);
+  return curves;
+}
+
+/// [unit of the displacement] what the law leaves; of a column of its derivatives, the swing that has as
+/// much.
+inline double displacement_rms(const FittedRecording& fitted) {
+  const int derivative = std::max(0, derivative_order(fitted.series.quantity));
+  return fitted.fit.residual.rms / std::pow(fitted.fit.angular_frequency().value, derivative);
+}
+
+/// The states of one simulated curve.
+struct CurveStates {
+  const FittedRecording& fitted;
+  const ComparedCurve& curve;
+};
+
+}  // namespace page
+
+template <>
+struct Described<page::InspectedOnPage> {
+  using On = page::InspectedOnPage;
+  static constexpr std::string_view name = "Inspection";
+  static constexpr auto entries =
+      members(all_of([](const On& f) {
+                return InspectedFile{f.seen, false};
+              }),
+              field(
+                  "series", [](const On& f) -> const std::vector<Series>& { return f.seen.series; }, "",
+                  "the column, one for each run that has it"));
+};
+
+template <>
+struct Described<page::FitCurves> {
+  using C = page::FitCurves;
+  static constexpr std::string_view name = "FitCurves";
+  static constexpr auto entries =
+      members(field(
+                  "t", [](const C& c) { return c.motion.t; }, "s", "of the samples used"),
+              field(
+                  "measured", [](const C& c) { return c.motion.measured; }, "of the column", "the column"),
+              field(
+                  "residual", [](const C& c) { return c.motion.residual; }, "of the column",
+                  "measured less the fitted law"),
+              field(
+                  "x", [](const C& c) { return c.motion.x; }, "of the displacement",
+                  "the law's displacement from its equilibrium"),
+              field(
+                  "v", [](const C& c) { return c.motion.v; }, "of v", "the law's velocity"),
+              field(
+                  "energy", [](const C& c) { return c.motion.energy; }, "J, or per mass", "the law's"),
+              field(
+                  "measured_velocity", [](const C& c) { return c.motion.local_velocity; }, "of v",
+                  "from the samples alone; empty where they are no displacement, NaN within half a period of "
+                  "the ends"),
+              field("measured_energy", &C::measured_energy, "J, or per mass", "likewise"),
+              field("set_aside", &C::set_aside, "s", "times of the samples set aside as outliers"));
+};
+
+template <>
+struct Described<page::FitOnPage> {
+  using On = page::FitOnPage;
+  static constexpr std::string_view name = "Fit";
+  static constexpr auto own = members(
+      field(
+          "units", [](const On& f) { return motion_units(f.fitted); }, "", "\"\" where one has no name"),
+      field(
+          "displacement_rms", [](const On& f) { return page::displacement_rms(f.fitted); },
+          "of the displacement", "what the law leaves"),
+      field(
+          "curves", [](const On& f) { return page::curves_of(f.fitted); }, "",
+          "the motion beside the law, sample by sample"));
+  static constexpr auto entries =
+      members(all_of([](const On& f) -> const FittedRecording& { return f.fitted; }), own);
+};
+
+template <>
+struct Described<page::CurveStates> {
+  using S = page::CurveStates;
+  static constexpr std::string_view name = "CurveStates";
+  static constexpr auto entries = members(
+      field(
+          "t", [](const S& s) { return s.curve.trajectory.t; }, "s", "of the samples used"),
+      field(
+          "x", [](const S& s) { return s.curve.trajectory.x; }, "of the displacement",
+          "from the fitted equilibrium"),
+      field(
+          "v", [](const S& s) { return s.curve.trajectory.v; }, "of v", "simulated"),
+      field(
+          "energy",
+          [](const S& s) { return energies_of(s.fitted, s.curve.trajectory.x, s.curve.trajectory.v); },
+          "J, or per mass", "as of a fit's curves"));
+};
+
+template <>
+struct Described<page::ComparedOnPage> {
+  using On = page::ComparedOnPage;
+  static constexpr std::string_view name = "Comparison";
+  static constexpr auto entries =
+      members(all_of([](const On& c) -> const CompareResult& { return c.compared; }),
+              field(
+                  "states",
+                  [](const On& c) {
+                    std::vector<page::CurveStates> all;
+                    for (const ComparedCurve& curve : c.compared.curves)
+                      all.push_back({c.compared.recording, curve});
+                    return all;
+                  },
+                  "", "one for each of the curves"));
+};
+
+template <>
+struct Described<page::MethodResonance> {
+  using Curve = page::MethodResonance;
+  static constexpr std::string_view name = "ResonanceCurve";
+  static constexpr auto entries =
+      members(field("method", &Curve::method, "", "its name"),
+              field("settled", &Curve::settled, "",
+                    "false: the motion grows, never settles or was not tried, and the lists are empty"),
+              field("too_many_steps", &Curve::too_many_steps, "",
+                    "why it was not tried: a curve of a law that is not linear is stepped"),
+              field("frequency", &Curve::frequency, "rad/s", "of the drive"),
+              field("amplitude", &Curve::amplitude, "m", "steady"),
+              field("phase", &Curve::phase, "rad", "lag behind the force"));
+};
+
+}  // namespace cromer::core

@@ -1,0 +1,262 @@
+// What a result consists of: for each of its structs one table, from which its JSON, its names in a study,
+// the page's types and the table of the docs are made.
+//
+//   template <>
+//   struct Described<Gap> {
+//     static constexpr std::string_view name = "Gap";
+//     static constexpr auto entries = members(field("t", &Gap::t, "s", "where it begins").known(),
+//                                             field("length", &Gap::length, "s", "how long it is").known());
+//   };
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "cromer/notice.h"
+#include "cromer/quantity.h"
+
+namespace cromer::core {
+
+/// `name`, as the page's types call it; `entries`, in the order of the documents.
+template <class Result>
+struct Described;
+
+template <class Result>
+concept IsDescribed = requires {
+  Described<Result>::entries;
+};
+
+/// One number, truth, text, list or described struct: `get` is a member or a function of the result. A double
+/// that is not finite is null, and so is an empty optional.
+template <class Get>
+struct Field {
+  std::string_view name;
+  Get get;
+  std::string_view unit;  ///< SI; "" of what has none
+  std::string_view meaning;
+  bool finite = false;             ///< its numbers are never null
+  bool if_any = false;             ///< left out where the optional is empty
+  std::string_view in_study = "";  ///< its name in a study, where that is another
+  bool only_document = false;      ///< a study does not have it
+
+  constexpr Field known() const { return with(&Field::finite); }
+  constexpr Field left_out() const { return with(&Field::if_any); }
+  constexpr Field not_in_study() const { return with(&Field::only_document); }
+  constexpr Field called(std::string_view word) const {
+    Field changed = *this;
+    changed.in_study = word;
+    return changed;
+  }
+
+  template <class Result>
+  decltype(auto) of(const Result& result) const {
+    return std::invoke(get, result);
+  }
+
+ private:
+  constexpr Field with(bool Field::*flag) const {
+    Field changed = *this;
+    changed.*flag = true;
+    return changed;
+  }
+};
+
+template <class Get>
+constexpr Field<Get> field(std::string_view name, Get get, std::string_view unit, std::string_view meaning) {
+  return {name, get, unit, meaning};
+}
+
+/// An Estimate that stands in the document as `name`, "standard_error" and, where `interval`,
+/// "confidence_95".
+template <class Get>
+struct Estimated {
+  std::string_view name;
+  Get get;
+  std::string_view unit, meaning;
+  bool interval = false;
+  bool finite = false;  ///< the value itself is never null
+  std::string_view error_name = "standard_error";
+
+  constexpr Estimated with_interval() const { return {name, get, unit, meaning, true, finite, error_name}; }
+  constexpr Estimated known() const { return {name, get, unit, meaning, interval, true, error_name}; }
+  constexpr Estimated with_error(std::string_view called) const {
+    return {name, get, unit, meaning, interval, finite, called};
+  }
+};
+
+template <class Get>
+constexpr Estimated<Get> estimated(std::string_view name, Get get, std::string_view unit,
+                                   std::string_view meaning) {
+  return {name, get, unit, meaning};
+}
+
+/// An object made of the result itself; null where `when` says no.
+template <class When, class Entries>
+struct Group {
+  std::string_view name, meaning;
+  When when;
+  Entries entries;
+  bool sometimes = false;  ///< null where `when` says no
+};
+
+/// The entries of another described struct among these: a document that says more than that one's.
+template <class Get>
+struct AllOf {
+  Get get;
+};
+
+template <class Get>
+constexpr AllOf<Get> all_of(Get get) {
+  return {get};
+}
+
+/// "warnings", the sentences, and "notices", each as an object.
+template <class Get>
+struct Notices {
+  Get get;
+};
+
+template <class Get>
+constexpr Notices<Get> notices(Get get) {
+  return {get};
+}
+
+namespace described {
+
+template <class Part>
+constexpr auto as_tuple(Part part) {
+  return std::tuple{part};
+}
+template <class... Parts>
+constexpr auto as_tuple(std::tuple<Parts...> parts) {
+  return parts;
+}
+
+struct Always {
+  template <class Result>
+  constexpr bool operator()(const Result&) const {
+    return true;
+  }
+};
+
+}  // namespace described
+
+/// Entries, and tuples of them, in this order.
+template <class... Parts>
+constexpr auto members(Parts... parts) {
+  return std::tuple_cat(described::as_tuple(parts)...);
+}
+
+template <class... Parts>
+constexpr auto group(std::string_view name, std::string_view meaning, std::tuple<Parts...> entries) {
+  return Group<described::Always, std::tuple<Parts...>>{name, meaning, {}, entries};
+}
+
+template <class When, class... Parts>
+constexpr auto group_if(std::string_view name, std::string_view meaning, When when,
+                        std::tuple<Parts...> entries) {
+  return Group<When, std::tuple<Parts...>>{name, meaning, when, entries, true};
+}
+
+/// A number whose name a registry gives.
+struct Named {
+  std::string name;
+  double value = 0;
+  std::string unit;
+  std::string_view meaning;
+};
+
+/// Such numbers among the entries; `sample()` has their names without a result.
+template <class Get, class Sample>
+struct ByName {
+  Get get;
+  Sample sample;
+};
+
+template <class Get, class Sample>
+constexpr ByName<Get, Sample> by_name(Get get, Sample sample) {
+  return {get, sample};
+}
+
+/// Two numbers as a list: an interval, a complex number.
+struct Pair {
+  double first = 0, second = 0;
+};
+
+inline Pair interval_of(const Estimate& estimate) { return {estimate.low, estimate.high}; }
+
+/// Zero stands for unknown in rates and durations.
+inline std::optional<double> unless_zero(double value) {
+  return value == 0 ? std::nullopt : std::optional(value);
+}
+
+/// An empty text stands for none.
+inline std::optional<std::string> unless_empty(std::string_view text) {
+  return text.empty() ? std::nullopt : std::optional(std::string(text));
+}
+
+namespace described {
+
+template <class Value>
+struct OptionalTraits : std::false_type {
+  using Inner = Value;
+};
+template <class Value>
+struct OptionalTraits<std::optional<Value>> : std::true_type {
+  using Inner = Value;
+};
+template <class Value>
+inline constexpr bool is_optional = OptionalTraits<Value>::value;
+
+template <class Value>
+concept Text = std::convertible_to<Value, std::string_view>;
+
+/// What a list holds; void of what is none.
+template <class Value>
+struct ListTraits {
+  using Item = void;
+};
+template <class Value>
+struct ListTraits<std::vector<Value>> {
+  using Item = Value;
+};
+template <class Value>
+using ItemOf = typename ListTraits<Value>::Item;
+template <class Value>
+concept List = !std::is_void_v<ItemOf<Value>>;
+
+/// What an entry gives of a result.
+template <class Entry, class Result>
+using ValueOf = std::remove_cvref_t<decltype(std::declval<const Entry&>().of(std::declval<const Result&>()))>;
+
+}  // namespace described
+
+/// Calls `visit` with each entry, in order.
+template <class Entries, class Visit>
+void for_each_entry(const Entries& entries, Visit visit) {
+  std::apply([&](const auto&... entry) { (visit(entry), ...); }, entries);
+}
+
+template <>
+struct Described<Parameter> {
+  static constexpr std::string_view name = "Estimate";
+  static constexpr auto entries =
+      members(field(
+                  "value", [](const Parameter& p) { return p.estimate.value; }, "", "the estimate"),
+              field(
+                  "standard_error", [](const Parameter& p) { return p.estimate.standard_error; }, "",
+                  "its standard error, widened for correlated residuals"),
+              field(
+                  "confidence_95", [](const Parameter& p) { return interval_of(p.estimate); }, "",
+                  "95 % interval from Student's t"),
+              field("unit", &Parameter::unit, "", "of all of these, SI; 1 of a plain number"));
+};
+
+}  // namespace cromer::core

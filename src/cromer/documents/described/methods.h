@@ -1,0 +1,117 @@
+// What the document of `methods` consists of.
+#pragma once
+
+#include "cromer/documents/described/describe.h"
+#include "cromer/tasks/methods/methods.h"
+
+namespace cromer::core {
+
+template <>
+struct Described<SteadyState> {
+  static constexpr std::string_view name = "SteadyState";
+  static constexpr auto entries = members(
+      field("amplitude", &SteadyState::amplitude, "m", "where the method's own driven motion settles"),
+      field("phase", &SteadyState::phase_lag, "rad", "its lag behind the force"));
+};
+
+template <>
+struct Described<EffectiveOscillator> {
+  using Effective = EffectiveOscillator;
+  static constexpr std::string_view name = "Effective";
+  static constexpr auto entries = members(
+      field("decay_rate", &Effective::decay_rate, "1/s", "simulated; null where nothing oscillates"),
+      field("angular_frequency", &Effective::angular_frequency, "rad/s", "simulated; likewise"),
+      field("spectral_radius", &Effective::spectral_radius, "", "largest modulus of the eigenvalues"),
+      field(
+          "eigenvalues",
+          [](const Effective& found) {
+            std::vector<Pair> pairs;
+            for (const auto& z : found.eigenvalues) pairs.push_back({z.re, z.im});
+            return pairs;
+          },
+          "", "of one step, real and imaginary part; the physical pair first")
+          .known(),
+      field("steady_state", &Effective::steady_state, "", "only of a driven motion that settles").left_out());
+};
+
+/// What goes with a method's effect; none of it where there is no effect.
+inline std::optional<bool> stable_of(const std::optional<MethodEffect>& effect) {
+  return effect ? std::optional(effect->stable) : std::nullopt;
+}
+/// A number that may be null, or is left out: empty within, or empty.
+using NumberIfAny = std::optional<std::optional<double>>;
+inline NumberIfAny stability_limit_of(const std::optional<MethodEffect>& effect) {
+  return effect ? NumberIfAny(std::in_place, effect->stability_limit) : NumberIfAny();
+}
+inline NumberIfAny energy_factor_of(const std::optional<MethodEffect>& effect) {
+  return effect ? NumberIfAny(std::in_place, effect->effective.energy_factor()) : NumberIfAny();
+}
+inline std::optional<EffectiveOscillator> effective_of(const std::optional<MethodEffect>& effect) {
+  return effect ? std::optional(effect->effective) : std::nullopt;
+}
+
+/// "stable" and "energy_factor_per_cycle"; `effect` is where the result has it.
+template <class Effect>
+constexpr auto stable_entry(Effect effect) {
+  return field(
+             "stable", [effect](const auto& r) { return stable_of(std::invoke(effect, r)); }, "",
+             "the motion stays bounded")
+      .left_out();
+}
+template <class Effect>
+constexpr auto energy_factor_entry(Effect effect) {
+  return field(
+             "energy_factor_per_cycle",
+             [effect](const auto& r) { return energy_factor_of(std::invoke(effect, r)); }, "",
+             "of the simulated motion; null where nothing oscillates")
+      .left_out();
+}
+
+/// Of a run: what its method really simulates.
+template <class Effect>
+constexpr auto effect_entries(Effect effect) {
+  return members(field(
+                     "effective", [effect](const auto& r) { return effective_of(std::invoke(effect, r)); },
+                     "", "what the method really simulates; null where the law is not linear"),
+                 stable_entry(effect),
+                 field(
+                     "stability_limit",
+                     [effect](const auto& r) {
+                       const std::optional<MethodEffect>& found = std::invoke(effect, r);
+                       return found && found->stable ? NumberIfAny() : stability_limit_of(found);
+                     },
+                     "s", "the longest stable step, only where this one is longer; null where there is none")
+                     .left_out(),
+                 energy_factor_entry(effect));
+}
+
+template <>
+struct Described<MethodRow> {
+  static constexpr std::string_view name = "Method";
+  static constexpr auto entries =
+      members(field("name", &MethodRow::name, "", "as typed"),
+              field("order", &MethodRow::order, "", "null for exact"),
+              field("implicit", &MethodRow::implicit, "", "an equation is solved in each step"),
+              field("symplectic", &MethodRow::symplectic, "", "said of the undamped law"),
+              field("adaptive", &MethodRow::adaptive, "", "it chooses its own steps"),
+              field("reversible", &MethodRow::reversible, "", "a step back undoes a step"),
+              field("a_stable", &MethodRow::a_stable, "", "stable at any step where the law is"),
+              field("source", &MethodRow::source, "", "where it is published"),
+              field(
+                  "effective", [](const MethodRow& row) { return effective_of(row.effect); }, "",
+                  "what it really simulates; only with a step")
+                  .left_out(),
+              stable_entry(&MethodRow::effect),
+              field(
+                  "stability_limit", [](const MethodRow& row) { return stability_limit_of(row.effect); }, "s",
+                  "the longest stable step; null where there is none, 0 where no step is stable")
+                  .left_out(),
+              energy_factor_entry(&MethodRow::effect),
+              field(
+                  "in_words",
+                  [](const MethodRow& row) { return row.effect ? std::optional(row.words) : std::nullopt; },
+                  "", "the same in a sentence")
+                  .left_out());
+};
+
+}  // namespace cromer::core
