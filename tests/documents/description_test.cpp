@@ -13,7 +13,9 @@
 #include "apps/web/core/described.h"
 #include "cromer/documents/described/describe.h"
 #include "cromer/documents/described/simulate.h"
+#include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/described/spring.h"
+#include "cromer/documents/described/sweep.h"
 
 namespace cromer::core {
 namespace {
@@ -259,6 +261,7 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
                 table<FittedRecording>("fit") + table<CompareResult>("compare") +
                 table<DescribedRun>("simulate: each of `runs[]`") +
                 table<MethodRow>("methods: each of `methods[]`") + table<InspectedFile>("inspect") +
+                table<SweepDocument>("sweep") + table<SpectrumDocument>("spectrum") +
                 table<StaticStiffness>("fit with held masses") + table<MassLine>("fit: `mass_line`"));
 }
 

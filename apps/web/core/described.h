@@ -108,27 +108,28 @@ template <>
 struct Described<page::FitCurves> {
   using C = page::FitCurves;
   static constexpr std::string_view name = "FitCurves";
-  static constexpr auto entries =
-      members(field(
-                  "t", [](const C& c) { return c.motion.t; }, "s", "of the samples used"),
-              field(
-                  "measured", [](const C& c) { return c.motion.measured; }, "of the column", "the column"),
-              field(
-                  "residual", [](const C& c) { return c.motion.residual; }, "of the column",
-                  "measured less the fitted law"),
-              field(
-                  "x", [](const C& c) { return c.motion.x; }, "of the displacement",
-                  "the law's displacement from its equilibrium"),
-              field(
-                  "v", [](const C& c) { return c.motion.v; }, "of v", "the law's velocity"),
-              field(
-                  "energy", [](const C& c) { return c.motion.energy; }, "J, or per mass", "the law's"),
-              field(
-                  "measured_velocity", [](const C& c) { return c.motion.local_velocity; }, "of v",
-                  "from the samples alone; empty where they are no displacement, NaN within half a period of "
-                  "the ends"),
-              field("measured_energy", &C::measured_energy, "J, or per mass", "likewise"),
-              field("set_aside", &C::set_aside, "s", "times of the samples set aside as outliers"));
+  static constexpr auto entries = members(
+      field(
+          "t", [](const C& c) -> const auto& { return c.motion.t; }, "s", "of the samples used"),
+      field(
+          "measured", [](const C& c) -> const auto& { return c.motion.measured; }, "of the column",
+          "the column"),
+      field(
+          "residual", [](const C& c) -> const auto& { return c.motion.residual; }, "of the column",
+          "measured less the fitted law"),
+      field(
+          "x", [](const C& c) -> const auto& { return c.motion.x; }, "of the displacement",
+          "the law's displacement from its equilibrium"),
+      field(
+          "v", [](const C& c) -> const auto& { return c.motion.v; }, "of v", "the law's velocity"),
+      field(
+          "energy", [](const C& c) -> const auto& { return c.motion.energy; }, "J, or per mass", "the law's"),
+      field(
+          "measured_velocity", [](const C& c) -> const auto& { return c.motion.local_velocity; }, "of v",
+          "from the samples alone; empty where they are no displacement, NaN within half a period of "
+          "the ends"),
+      field("measured_energy", &C::measured_energy, "J, or per mass", "likewise"),
+      field("set_aside", &C::set_aside, "s", "times of the samples set aside as outliers"));
 };
 
 template <>
@@ -154,12 +155,12 @@ struct Described<page::CurveStates> {
   static constexpr std::string_view name = "CurveStates";
   static constexpr auto entries = members(
       field(
-          "t", [](const S& s) { return s.curve.trajectory.t; }, "s", "of the samples used"),
+          "t", [](const S& s) -> const auto& { return s.curve.trajectory.t; }, "s", "of the samples used"),
       field(
-          "x", [](const S& s) { return s.curve.trajectory.x; }, "of the displacement",
+          "x", [](const S& s) -> const auto& { return s.curve.trajectory.x; }, "of the displacement",
           "from the fitted equilibrium"),
       field(
-          "v", [](const S& s) { return s.curve.trajectory.v; }, "of v", "simulated"),
+          "v", [](const S& s) -> const auto& { return s.curve.trajectory.v; }, "of v", "simulated"),
       field(
           "energy",
           [](const S& s) { return energies_of(s.fitted, s.curve.trajectory.x, s.curve.trajectory.v); },

@@ -12,6 +12,7 @@
 #include <concepts>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -188,6 +189,12 @@ constexpr ByName<Get, Sample> by_name(Get get, Sample sample) {
 /// Two numbers as a list: an interval, a complex number.
 struct Pair {
   double first = 0, second = 0;
+};
+
+/// Rows of a table as they lie in memory, `width` numbers each: a list of lists.
+struct TableRows {
+  std::span<const double> numbers;
+  std::size_t width = 1;
 };
 
 inline Pair interval_of(const Estimate& estimate) { return {estimate.low, estimate.high}; }

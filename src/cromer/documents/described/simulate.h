@@ -320,11 +320,11 @@ struct Described<KeptStates> {
   static constexpr std::string_view name = "States";
   static constexpr auto entries = members(
       field(
-          "t", [](const KeptStates& s) { return s.run.trajectory.t; }, "s", "time"),
+          "t", [](const KeptStates& s) -> const auto& { return s.run.trajectory.t; }, "s", "time"),
       field(
-          "x", [](const KeptStates& s) { return s.run.trajectory.x; }, "m", "position"),
+          "x", [](const KeptStates& s) -> const auto& { return s.run.trajectory.x; }, "m", "position"),
       field(
-          "v", [](const KeptStates& s) { return s.run.trajectory.v; }, "m/s", "velocity"),
+          "v", [](const KeptStates& s) -> const auto& { return s.run.trajectory.v; }, "m/s", "velocity"),
       field(
           "energy", [](const KeptStates& s) { return energies(s.run); }, "J", "kinetic and potential"),
       field(

@@ -1,6 +1,7 @@
 #include "cromer/documents/described/compare.h"
 #include "cromer/documents/json/described.h"
 #include "cromer/documents/json/documents.h"
+#include "cromer/documents/json/fit.h"
 
 namespace cromer::core {
 
@@ -13,9 +14,7 @@ std::string to_json(std::span<const CompareResult> comparisons, const Voice& voi
     list.push_back(json_of(comparison, voice));
     failed += comparison.recording.fit.status != FitStatus::converged;
   }
-  if (failed > 0)
-    all["message"] =
-        std::to_string(failed) + " of " + std::to_string(comparisons.size()) + " fits did not succeed";
+  add_failures(all, failed, comparisons.size(), voice);
   return to_text(all);
 }
 

@@ -26,6 +26,14 @@ Json value_json(const Value& value, const Voice& voice) {
     return said(value, voice);
   } else if constexpr (std::is_same_v<Value, Pair>) {
     return {value.first, value.second};
+  } else if constexpr (std::is_same_v<Value, TableRows>) {
+    Json rows = Json::array();
+    for (std::size_t at = 0; at < value.numbers.size(); at += value.width) {
+      Json row = Json::array();
+      for (const double number : value.numbers.subspan(at, value.width)) row.push_back(number);
+      rows.push_back(std::move(row));
+    }
+    return rows;
   } else if constexpr (std::is_same_v<ItemOf<Value>, Parameter>) {
     Json object = Json::object();
     for (const Parameter& each : value) object[each.name] = json_of(each, voice);

@@ -1,8 +1,8 @@
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/json/described.h"
 #include "cromer/documents/json/documents.h"
-#include "cromer/documents/json/json.h"
 #include "cromer/documents/json/fit.h"
+#include "cromer/documents/json/json.h"
 
 namespace cromer::core {
 
@@ -11,6 +11,11 @@ Json fit_object(const FittedRecording& fitted, const Voice& voice) {
   Json object = Json::object();
   described::add_entries(object, Described<FittedRecording>::refused, fitted, voice);
   return object;
+}
+
+void add_failures(Json& document, std::size_t failed, std::size_t all, const Voice& voice) {
+  if (failed > 0)
+    document["message"] = said(Notice{"fits_failed", {{"failed", failed}, {"all", all}}}, voice);
 }
 
 std::string to_json(std::span<const FittedRecording> fits, bool as_list, const Voice& voice) {
@@ -22,8 +27,7 @@ std::string to_json(std::span<const FittedRecording> fits, bool as_list, const V
     list.push_back(fit_object(fitted, voice));
     failed += !fitted.succeeded();
   }
-  if (failed > 0)
-    all["message"] = std::to_string(failed) + " of " + std::to_string(fits.size()) + " fits did not succeed";
+  add_failures(all, failed, fits.size(), voice);
   return to_text(all);
 }
 

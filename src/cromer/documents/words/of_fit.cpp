@@ -162,6 +162,8 @@ constexpr Entry entries[] = {
     {"exponent_without_hysteresis", worth_knowing,
      "{--hysteresis-exponent} has no effect on the law {law}, which has no hysteresis",
      "{--hysteresis-exponent} bewirkt beim Gesetz {law} nichts: es hat keine Hysterese"},
+    {"fits_failed", clause, "{failed} of {all} fits did not succeed",
+     "{failed} von {all} Anpassungen sind nicht gelungen"},
     {"decrement_bias", clause,
      "noise lifts small peaks: too low; a mean where the damping changes with amplitude",
      "Rauschen hebt kleine Gipfel: zu klein; ein Mittelwert, wo die Dämpfung von der Amplitude abhängt"},

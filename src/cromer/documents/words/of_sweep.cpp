@@ -180,6 +180,8 @@ constexpr Entry entries[] = {
      "nach {cycles:.6g} Perioden ist die freie Bewegung vielleicht noch da (bitte mehr auslassen), oder "},
     {"settling_leaves", clause, "settling leaves {left:.6g}, or ",
      "das Einschwingen lässt {left:.6g} übrig, oder "},
+    {"rows_not_reached", clause, "interrupted: rows that were not reached are null",
+     "abgebrochen: Zeilen, die nicht erreicht wurden, sind null"},
     // The machine.
     {"simd_not_here", error, "CROMER_SIMD={name}: this machine has no such instructions",
      "CROMER_SIMD={name}: solche Befehle hat dieser Rechner nicht"},

@@ -1,0 +1,285 @@
+// What the document of `spectrum` consists of.
+#pragma once
+
+#include "cromer/documents/described/describe.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
+
+namespace cromer::core {
+
+/// Displacements of one kind at all periods, and what follows from them.
+struct SpectralValues {
+  const SpectrumResult& of;
+  const std::vector<double>& displacement;
+
+  template <class Value>
+  std::vector<double> each(Value value) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < displacement.size(); ++i)
+      all.push_back(value(displacement[i], of.periods[i]));
+    return all;
+  }
+};
+
+/// [m/s^2] of the unit that accelerations are written in.
+inline double written_acceleration(const SpectrumResult& result) {
+  return result.options.in_g ? standard_gravity : 1;
+}
+
+template <>
+struct Described<SpectralValues> {
+  using V = SpectralValues;
+  static constexpr std::string_view name = "SpectralValues";
+  static constexpr auto entries = members(
+      field(
+          "SD", [](const V& v) { return v.displacement; }, "m", "spectral displacement at each period"),
+      field(
+          "PSV", [](const V& v) { return v.each(pseudo_velocity); }, "m/s", "pseudo-velocity"),
+      field(
+          "PSA",
+          [](const V& v) {
+            const double unit = written_acceleration(v.of);
+            return v.each([unit](double d, double period) { return pseudo_acceleration(d, period) / unit; });
+          },
+          "m/s² or g", "pseudo-acceleration"));
+};
+
+/// One damping ratio's spectrum.
+struct SpectrumOf {
+  const SpectrumResult& of;
+  const ResponseSpectrum& spectrum;
+
+  bool one() const { return spectrum.shock.empty() && spectrum.displacement.size() == 1; }
+  bool two() const { return spectrum.shock.empty() && spectrum.displacement.size() != 1; }
+  SpectralValues values(const std::vector<double>& displacement) const { return {of, displacement}; }
+  std::optional<SpectralValues> of_two(const std::vector<double>& displacement) const {
+    return two() ? std::optional(values(displacement)) : std::nullopt;
+  }
+  /// Of a shock spectrum.
+  template <class Value>
+  std::optional<std::vector<double>> shocks(Value value) const {
+    if (spectrum.shock.empty()) return std::nullopt;
+    std::vector<double> all;
+    for (const Shock& shock : spectrum.shock)
+      all.push_back(std::invoke(value, shock) / written_acceleration(of));
+    return all;
+  }
+};
+
+/// Of a shock spectrum alone.
+template <class Value>
+constexpr auto shock_entry(std::string_view name, Value value, std::string_view meaning) {
+  return field(
+             name, [value](const SpectrumOf& s) { return s.shocks(value); }, "m/s² or g", meaning)
+      .left_out();
+}
+
+/// What one component's values have, among the entries of its spectrum.
+template <class Get>
+constexpr auto entry_of_one(const Field<Get>& value) {
+  return field(
+             value.name,
+             [value](const SpectrumOf& s) {
+               return s.one() ? std::optional(value.of(s.values(s.spectrum.displacement[0]))) : std::nullopt;
+             },
+             value.unit, value.meaning)
+      .left_out();
+}
+
+template <>
+struct Described<SpectrumOf> {
+  using S = SpectrumOf;
+  static constexpr std::string_view name = "Spectrum";
+  static constexpr auto entries = members(
+      field(
+          "loss_factor",
+          [](const S& s) {
+            return s.of.hysteretic() ? std::optional(s.spectrum.damping_ratio) : std::nullopt;
+          },
+          "", "of hysteretic springs")
+          .left_out(),
+      field(
+          "damping_ratio",
+          [](const S& s) {
+            return s.of.hysteretic() ? std::nullopt : std::optional(s.spectrum.damping_ratio);
+          },
+          "", "of viscous damping")
+          .left_out(),
+      field(
+          "period", [](const S& s) { return s.of.periods; }, "s", "of the oscillators"),
+      shock_entry("primary", &Shock::primary, "largest acceleration while the shock lasts"),
+      shock_entry("residual", &Shock::residual, "after it"), shock_entry("maximax", &Shock::maximax, "ever"),
+      shock_entry("positive", &Shock::positive, "towards positive values, ever"),
+      shock_entry("negative", &Shock::negative, "towards negative values, ever"),
+      std::apply([](const auto&... value) { return members(entry_of_one(value)...); },
+                 Described<SpectralValues>::entries),
+      field(
+          "components",
+          [](const S& s) -> std::optional<std::vector<SpectralValues>> {
+            if (!s.two()) return std::nullopt;
+            std::vector<SpectralValues> all;
+            for (const auto& displacement : s.spectrum.displacement) all.push_back(s.values(displacement));
+            return all;
+          },
+          "", "of two components, each")
+          .left_out(),
+      field(
+          "geometric_mean", [](const S& s) { return s.of_two(s.spectrum.geometric_mean); }, "", "of both")
+          .left_out(),
+      field(
+          "rotd50", [](const S& s) { return s.of_two(s.spectrum.rotd50); }, "", "median over all directions")
+          .left_out(),
+      field(
+          "rotd100", [](const S& s) { return s.of_two(s.spectrum.rotd100); }, "",
+          "largest over all directions")
+          .left_out());
+};
+
+struct ComponentOf {
+  const SpectrumResult& of;
+  const Component& component;
+};
+
+template <>
+struct Described<ComponentOf> {
+  using C = ComponentOf;
+  static constexpr std::string_view name = "Component";
+  static constexpr auto entries = members(
+      field(
+          "file", [](const C& c) { return c.component.file; }, "", "where it was read from"),
+      field(
+          "column", [](const C& c) { return c.component.column; }, "", "its name"),
+      field(
+          "samples", [](const C& c) { return c.component.acceleration.size(); }, "", "of it"),
+      field(
+          "spacing", [](const C& c) { return c.component.spacing; }, "s", "of the samples"),
+      field(
+          "duration", [](const C& c) { return c.component.duration(); }, "s", "of the record"),
+      field(
+          "peak_acceleration", [](const C& c) { return c.component.peak / written_acceleration(c.of); },
+          "m/s² or g", "largest magnitude"),
+      field(
+          "arias_intensity", [](const C& c) { return c.component.intensity.arias; }, "m/s",
+          "pi/(2 g) times the integral of a²"),
+      field(
+          "from_5", [](const C& c) { return c.component.intensity.from; }, "s", "when 5 % of it are reached"),
+      field(
+          "duration_5_95", [](const C& c) { return c.component.intensity.duration; }, "s",
+          "from 5 % to 95 % of it"));
+};
+
+template <>
+struct Described<FourierAmplitude> {
+  static constexpr std::string_view name = "Fourier";
+  static constexpr auto entries =
+      members(field("frequency_step", &FourierAmplitude::step, "Hz", "from one amplitude to the next"),
+              field("amplitude", &FourierAmplitude::amplitude, "m/s", "of the acceleration, from 0 Hz on"));
+};
+
+/// All spectra, with or without the Fourier amplitudes.
+struct SpectrumDocument {
+  const SpectrumResult& result;
+  bool with_fourier;
+
+  bool one() const { return result.components.size() == 1; }
+  /// Of the only recording.
+  template <class Value>
+  auto of_one(Value value) const {
+    return one() ? std::optional(value(result.components[0])) : std::nullopt;
+  }
+  /// Of both.
+  template <class Value>
+  auto of_each(Value value) const {
+    std::vector<decltype(value(result.components[0]))> all;
+    for (const Component& component : result.components) all.push_back(value(component));
+    return one() ? std::nullopt : std::optional(all);
+  }
+};
+
+/// One number, or a list of both.
+template <class Value>
+constexpr auto one_or_both(std::string_view name, Value value, std::string_view unit,
+                           std::string_view meaning) {
+  return members(field(
+                     name, [value](const SpectrumDocument& s) { return s.of_one(value); }, unit, meaning)
+                     .left_out(),
+                 field(
+                     name, [value](const SpectrumDocument& s) { return s.of_each(value); }, unit,
+                     "the same of two components, as a list")
+                     .left_out());
+}
+
+template <>
+struct Described<SpectrumDocument> {
+  using S = SpectrumDocument;
+  static constexpr std::string_view name = "SpectrumDocument";
+  static constexpr auto arias = [](const Component& c) { return c.intensity.arias; };
+  static constexpr auto duration = [](const Component& c) { return c.intensity.duration; };
+  static constexpr auto fourier = [](const Component& c) { return c.fourier; };
+  static constexpr auto unless_shock = [](const S& s, std::string_view unit) {
+    return s.result.options.shock ? std::nullopt : std::optional(unit);
+  };
+  static constexpr auto acceleration = [](const S& s) {
+    return std::string_view(s.result.options.in_g ? "g" : "m/s^2");
+  };
+  static constexpr auto entries = members(
+      field(
+          "components",
+          [](const S& s) {
+            std::vector<ComponentOf> all;
+            for (const Component& component : s.result.components) all.push_back({s.result, component});
+            return all;
+          },
+          "", "the recordings"),
+      field(
+          "peaks", [](const S& s) { return s.result.options.peaks; }, "", "continuous, samples or peer"),
+      field(
+          "between_samples", [](const S& s) { return s.result.options.between_samples; }, "",
+          "linear, hold or band-limited"),
+      group("units", "of the columns",
+            members(field(
+                        "period", [](const S&) { return std::string_view("s"); }, "", ""),
+                    field(
+                        "acceleration",
+                        [](const S& s) {
+                          return s.result.options.shock ? std::optional(acceleration(s)) : std::nullopt;
+                        },
+                        "", "of shock spectra")
+                        .left_out(),
+                    field(
+                        "SD", [](const S& s) { return unless_shock(s, "m"); }, "", "")
+                        .left_out(),
+                    field(
+                        "PSV", [](const S& s) { return unless_shock(s, "m/s"); }, "", "")
+                        .left_out(),
+                    field(
+                        "PSA", [](const S& s) { return unless_shock(s, acceleration(s)); }, "", "")
+                        .left_out())),
+      field(
+          "spectra",
+          [](const S& s) {
+            std::vector<SpectrumOf> all;
+            for (const ResponseSpectrum& spectrum : s.result.spectra) all.push_back({s.result, spectrum});
+            return all;
+          },
+          "", "one for each damping ratio"),
+      one_or_both("arias_intensity", arias, "m/s", "pi/(2 g) times the integral of a²"),
+      one_or_both("duration_5_95", duration, "s", "from 5 % to 95 % of it"),
+      field(
+          "fourier", [](const S& s) { return s.with_fourier ? s.of_one(fourier) : std::nullopt; }, "",
+          "only where it was asked for")
+          .left_out(),
+      field(
+          "fourier", [](const S& s) { return s.with_fourier ? s.of_each(fourier) : std::nullopt; }, "",
+          "the same of two components, as a list")
+          .left_out(),
+      notices([](const S& s) -> const std::vector<Notice>& { return s.result.notices; }),
+      field(
+          "message",
+          [](const S& s) {
+            return s.result.interrupted ? std::optional(Notice{"interrupted"}) : std::nullopt;
+          },
+          "", "where it was interrupted")
+          .left_out());
+};
+
+}  // namespace cromer::core

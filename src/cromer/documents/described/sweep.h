@@ -1,0 +1,93 @@
+// What the document of `sweep` consists of.
+#pragma once
+
+#include "cromer/documents/described/describe.h"
+#include "cromer/tasks/sweep/sweep.h"
+
+namespace cromer::core {
+
+template <>
+struct Described<SweptOption> {
+  static constexpr std::string_view name = "SweptOption";
+  static constexpr auto entries =
+      members(field("name", &SweptOption::name, "", "of the option that was swept"),
+              field("column", &SweptOption::column, "", "its column, with unit"),
+              field("points", &SweptOption::points, "", "values it takes"));
+};
+
+template <>
+struct Described<SweepCheck> {
+  static constexpr std::string_view name = "SweepCheck";
+  static constexpr auto entries =
+      members(field("points", &SweepCheck::points, "", "that were stepped beside the closed form"),
+              field("difference", &SweepCheck::difference, "", "largest of the amplitude, relative"),
+              field("left_out", &SweepCheck::left_out, "", "points that could not be checked"));
+};
+
+/// A sweep with or without its rows.
+struct SweepDocument {
+  const SweepResult& result;
+  bool with_rows;
+
+  std::size_t width() const { return result.plan.rows.columns.size() - 1; }
+  std::vector<std::string> columns() const {
+    return {result.plan.rows.columns.begin(), result.plan.rows.columns.end() - 1};
+  }
+  std::optional<TableRows> rows() const {
+    return with_rows ? std::optional(TableRows{result.rows, width()}) : std::nullopt;
+  }
+  std::vector<std::string> statuses() const {
+    std::vector<std::string> words;
+    for (const unsigned char status : result.statuses) words.emplace_back(status_word(result.plan, status));
+    return words;
+  }
+};
+
+/// How many points of a sweep ended in one way.
+template <class Count>
+constexpr auto sweep_count(std::string_view called, Count SweepCounts::*which, std::string_view meaning) {
+  return field(
+      called, [which](const SweepDocument& s) { return s.result.counts.*which; }, "", meaning);
+}
+
+template <>
+struct Described<SweepDocument> {
+  using S = SweepDocument;
+  static constexpr std::string_view name = "Sweep";
+  static constexpr auto entries = members(
+      field(
+          "swept", [](const S& s) { return s.result.plan.swept; }, "", "the options, outermost first"),
+      field(
+          "method", [](const S& s) { return s.result.plan.method; }, "", "its name"),
+      field(
+          "way", [](const S& s) { return s.result.plan.way; }, "", "how points are found"),
+      field(
+          "steps", [](const S& s) { return s.result.plan.steps; }, "", "how long steps and runs are"),
+      field(
+          "simd", [](const S& s) { return s.result.plan.simd; }, "",
+          "instructions that were used: baseline, avx2, avx512"),
+      field(
+          "points", [](const S& s) { return s.result.plan.rows.rows; }, "", "rows"),
+      sweep_count("not_settled", &SweepCounts::not_settled, "points that never settled"),
+      sweep_count("not_finite", &SweepCounts::not_finite, "points that ran away"),
+      sweep_count("no_convergence", &SweepCounts::no_convergence, "points without a solution of their step"),
+      sweep_count("unstable", &SweepCounts::unstable, "points whose free motion grows without end"),
+      sweep_count("settled_by_own_damping", &SweepCounts::own_damping, "points that only the method damps"),
+      sweep_count("phase_outside", &SweepCounts::phase_outside, "lags outside 0 to pi"),
+      field(
+          "check", [](const S& s) { return s.result.check; }, "", "only where it was asked for")
+          .left_out(),
+      field("columns", &S::columns, "", "of the rows, with their units"),
+      field("rows", &S::rows, "of each column", "the swept values, then the measures").left_out(),
+      field("statuses", &S::statuses, "", "a word for each row"),
+      notices([](const S& s) { return notices_of(s.result); }),
+      field(
+          "message",
+          [](const S& s) {
+            return s.result.interrupted ? std::optional(Notice{"rows_not_reached"}) : std::nullopt;
+          },
+          "", "where it was interrupted")
+          .left_out());
+};
+
+}  // namespace cromer::core
