@@ -100,7 +100,8 @@ int show(const SweepResult& result, const OutputOptions& output, const Arguments
   if (result.interrupted)
     complain(fmt::format("interrupted after {} of {} points{}", result.done, result.plan.rows.rows,
                          into_file ? "; --resume goes on" : ""));
-  if (const std::string trouble = sweep_trouble(result); !trouble.empty()) complain(trouble);
+  if (const std::vector<Notice> trouble = trouble_of(result); !trouble.empty())
+    complain(Error{"points_in_trouble", {{"points", trouble}}});
   tell(notices_of(result), output);
   const bool any = result.counts.not_settled < result.plan.rows.rows;
   return any && result.counts.ok() && !result.interrupted ? done : no_success;

@@ -159,6 +159,7 @@ class DocsTable {
 
  private:
   void row(const std::string& path, std::string_view unit, std::string_view meaning) {
+    EXPECT_FALSE(meaning.empty()) << path;
     text_ += "| `" + path + "` | " + std::string(unit) + " | " + std::string(meaning) + " |\n";
   }
 

@@ -166,7 +166,7 @@ TEST(RunStudy, SweepsTakeListsAsGrids) {
   EXPECT_THAT(in_words(run.notices), IsEmpty());
   EXPECT_EQ(failure(sweep + "drive_frequency = [0.5, 2]\n"), "lab.toml:1:1: sweep grid: no point settled");
   EXPECT_THAT(in_words(done(sweep + "drive_frequency = [0.5, 2]\n").notices),
-              testing::Contains("grid: 2 of 2 points never settled"));
+              testing::Contains("grid: 2 of 2 points never settled: the law has no damping, so the free motion stays; give --damping"));
   const StudyRun half = done(sweep + "damping = [0, 1]\ndrive_frequency = [0.5, 2]\n");
   EXPECT_TRUE(half.failure.empty());
   EXPECT_THAT(in_words(half.notices), testing::Contains("grid: 2 of 4 points never settled"));

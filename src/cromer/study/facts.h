@@ -38,9 +38,8 @@ class Facts {
   }
 
  private:
-  /// "-" says that what is within stands without a name of its own.
   static std::string within(const std::string& prefix, std::string_view name, std::string_view in_study) {
-    if (in_study == "-") return prefix;
+    if (in_study == Field<int>::no_name) return prefix;
     return prefix + std::string(in_study.empty() ? name : in_study) + ".";
   }
 

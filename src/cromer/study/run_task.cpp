@@ -195,17 +195,10 @@ Result<TaskReport> run_sweep(const Work& work) {
   const auto result = sweep(options, work.watch);
   if (!result) return work.error(result.error());
   TaskReport report{result->plan.notices, {}};
-  const SweepCounts& counts = result->counts;
-  const std::uint64_t all = result->plan.rows.rows;
-  if (counts.not_settled > 0)
-    report.notices.push_back(Notice{"points_not_settled", {{"points", counts.not_settled}, {"all", all}}});
-  if (counts.not_finite > 0)
-    report.notices.push_back(Notice{"points_ran_away", {{"points", counts.not_finite}, {"all", all}}});
-  if (counts.no_convergence > 0)
-    report.notices.push_back(
-        Notice{"points_without_solution", {{"points", counts.no_convergence}, {"all", all}}});
+  for (const Notice& each : trouble_of(*result)) report.notices.push_back(each);
   if (result->interrupted) return TaskReport{report.notices, Notice{"task_interrupted"}};
-  if (counts.not_settled == all) return TaskReport{report.notices, Notice{"no_point_settled"}};
+  if (result->counts.not_settled == result->plan.rows.rows)
+    return TaskReport{report.notices, Notice{"no_point_settled"}};
   collect(work.task.id, *result, work.results);
   return report;
 }

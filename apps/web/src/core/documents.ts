@@ -4,7 +4,7 @@ import type { Maybe, Numbers } from './numbers'
 import type { NoticeObject, Said } from '../words/said'
 
 export interface Column {
-  /** its title, "Time (s)", as --column takes it */
+  /** its title, "Time (s)", as the option `column` takes it */
   name: string
   /** time, position, ... */
   quantity: string

@@ -50,6 +50,9 @@ struct Field {
   constexpr Field known() const { return with(&Field::finite); }
   constexpr Field left_out() const { return with(&Field::if_any); }
   constexpr Field not_in_study() const { return with(&Field::only_document); }
+  /// In a study its entries stand without its name.
+  constexpr Field unnamed() const { return called(no_name); }
+  static constexpr std::string_view no_name = "-";
   constexpr Field called(std::string_view word) const {
     Field changed = *this;
     changed.in_study = word;

@@ -285,7 +285,7 @@ struct Described<FittedRecording> {
   static constexpr auto refused = members(
       field(
           "recording", [](const Fitted& f) { return FittedFrom{f}; }, "", "what was fitted")
-          .called("-"),
+          .unnamed(),
       field(
           "law",
           [](const Fitted& f) { return f.wrong_input ? std::nullopt : std::optional(to_text(f.fit.law)); },
@@ -320,7 +320,7 @@ struct Described<FittedRecording> {
           "the command line that simulates this law; null where there is none"),
       field(
           "residual", [](const Fitted& f) { return f.fit.residual; }, "", "what the law leaves")
-          .called("-"),
+          .unnamed(),
       field("candidates", &Fitted::candidates, "", "the laws that were tried").not_in_study(),
       field("modes", &Fitted::modes, "", "where two oscillations were found, the larger first")
           .called("mode"),

@@ -20,7 +20,7 @@ struct Described<ColumnOfFile> {
   static constexpr auto entries = members(
       field(
           "name", [](const ColumnOfFile& c) { return column_title(c.column); }, "",
-          "its title, \"Time (s)\", as --column takes it"),
+          "its title, \"Time (s)\", as the option `column` takes it"),
       field(
           "quantity", [](const ColumnOfFile& c) { return c.column.quantity; }, "", "time, position, ..."),
       field(

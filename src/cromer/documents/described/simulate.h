@@ -351,7 +351,7 @@ struct Described<DescribedRun> {
           "label", [](const R& r) { return r.run.label; }, "", "what tells this run from the others"),
       field(
           "parameters", [](const R& r) { return RunParameters{r}; }, "", "what it was made with")
-          .called("-"),
+          .unnamed(),
       field(
           "step", [](const R& r) { return r.run.step; }, "s", "of the method")
           .known(),
@@ -381,7 +381,7 @@ struct Described<DescribedRun> {
           .known(),
       field(
           "counts", [](const R& r) { return r.run.outcome.counts; }, "", "what it took")
-          .called("-"),
+          .unnamed(),
       group("final", "the last state",
             members(field(
                         "t", [](const R& r) { return r.run.outcome.t; }, "s", "when")

@@ -236,24 +236,26 @@ struct Described<SpectrumDocument> {
           "between_samples", [](const S& s) { return s.result.options.between_samples; }, "",
           "linear, hold or band-limited"),
       group("units", "of the columns",
-            members(field(
-                        "period", [](const S&) { return std::string_view("s"); }, "", ""),
-                    field(
-                        "acceleration",
-                        [](const S& s) {
-                          return s.result.options.shock ? std::optional(acceleration(s)) : std::nullopt;
-                        },
-                        "", "of shock spectra")
-                        .left_out(),
-                    field(
-                        "SD", [](const S& s) { return unless_shock(s, "m"); }, "", "")
-                        .left_out(),
-                    field(
-                        "PSV", [](const S& s) { return unless_shock(s, "m/s"); }, "", "")
-                        .left_out(),
-                    field(
-                        "PSA", [](const S& s) { return unless_shock(s, acceleration(s)); }, "", "")
-                        .left_out())),
+            members(
+                field(
+                    "period", [](const S&) { return std::string_view("s"); }, "", "of the periods"),
+                field(
+                    "acceleration",
+                    [](const S& s) {
+                      return s.result.options.shock ? std::optional(acceleration(s)) : std::nullopt;
+                    },
+                    "", "of shock spectra")
+                    .left_out(),
+                field(
+                    "SD", [](const S& s) { return unless_shock(s, "m"); }, "", "of the displacements")
+                    .left_out(),
+                field(
+                    "PSV", [](const S& s) { return unless_shock(s, "m/s"); }, "", "of the pseudo-velocities")
+                    .left_out(),
+                field(
+                    "PSA", [](const S& s) { return unless_shock(s, acceleration(s)); }, "",
+                    "of the pseudo-accelerations")
+                    .left_out())),
       field(
           "spectra",
           [](const S& s) {

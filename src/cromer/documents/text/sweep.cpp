@@ -6,10 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "cromer/analysis/energy_balance.h"
 #include "cromer/documents/text/text_table.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/tasks/sweep/sweep_rows.h"
 
 namespace cromer::core {
 namespace {
@@ -60,22 +58,6 @@ std::string extremes(const SweepResult& result) {
   return text_table(rows, 1, 4);
 }
 
-/// No term of the law takes energy at any point.
-bool undamped(const SweepPlan& plan) {
-  const SimulateOptions& base = plan.work->base;
-  const bool swept = std::any_of(plan.swept.begin(), plan.swept.end(), [](const SweptOption& option) {
-    bool takes =
-        option.name == "damping-ratio" || option.name == "static-friction" || option.name == "quality-factor";
-    for_each_resistance([&]<class T>() { takes = takes || option.name == T::coefficients[0].option; });
-    return takes;
-  });
-  bool fixed = base.damping.value_or(0) != 0 || base.damping_ratio.value_or(0) != 0 || base.quality_factor;
-  for_each_resistance([&]<class T>() {
-    if (!std::is_same_v<T, Viscous>) fixed = fixed || base.law.*T::template members<double>[0] != 0;
-  });
-  return !swept && !fixed;
-}
-
 }  // namespace
 
 std::string how(const SweepPlan& plan) {
@@ -98,26 +80,6 @@ std::string sweep_text(const SweepResult& result) {
                     result.check->left_out, result.check->first_left_out + 1, in_words(result.check->why));
   if (result.rows.empty()) return text + "they are in the file; too many to look through here\n";
   return text + "\n" + (plan.rows.rows <= most_rows ? every_row(result) : extremes(result));
-}
-
-std::string sweep_trouble(const SweepResult& result) {
-  const SweepCounts& counts = result.counts;
-  std::string text;
-  const auto add = [&](std::uint64_t count, const std::string& what) {
-    if (count > 0)
-      text +=
-          fmt::format("{}{} of {} points {}", text.empty() ? "" : "; ", count, result.plan.rows.rows, what);
-  };
-  add(counts.not_settled,
-      undamped(result.plan)
-          ? "never settled: the law has no damping, so the free motion stays; give --damping"
-          : "never settled");
-  add(counts.unstable,
-      fmt::format("are unstable: the free motion of the law, as {} has it, grows without end",
-                  result.plan.method));
-  add(counts.not_finite, "ran away");
-  add(counts.no_convergence, "found no solution of their step");
-  return text;
 }
 
 }  // namespace cromer::core

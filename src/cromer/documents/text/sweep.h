@@ -14,7 +14,4 @@ std::string how(const SweepPlan& plan);
 /// every row.
 std::string sweep_text(const SweepResult& result);
 
-/// How many points did not come to an answer; empty where all did.
-std::string sweep_trouble(const SweepResult& result);
-
 }  // namespace cromer::core

@@ -69,12 +69,6 @@ constexpr Entry entries[] = {
     {"run_ended_early", clause, "{run}: {what}", "{run}: {what}"},
     {"task_interrupted", clause, "interrupted", "unterbrochen"},
     {"no_point_settled", clause, "no point settled", "kein Punkt hat sich eingeschwungen"},
-    {"points_not_settled", worth_knowing, "{points} of {all} points never settled",
-     "{points} von {all} Punkten schwangen sich nie ein"},
-    {"points_ran_away", worth_knowing, "{points} of {all} points ran away",
-     "{points} von {all} Punkten liefen davon"},
-    {"points_without_solution", worth_knowing, "{points} of {all} points found no solution of their step",
-     "{points} von {all} Punkten fanden keine Lösung ihres Schritts"},
     // Results in texts and figures.
     {"no_such_result", error, "\"{name}\" is no result of this study{near}",
      "„{name}“ ist kein Ergebnis dieser Studie{near}"},

@@ -180,6 +180,23 @@ constexpr Entry entries[] = {
      "nach {cycles:.6g} Perioden ist die freie Bewegung vielleicht noch da (bitte mehr auslassen), oder "},
     {"settling_leaves", clause, "settling leaves {left:.6g}, or ",
      "das Einschwingen lässt {left:.6g} übrig, oder "},
+    {"points_in_trouble", error, "{points}", "{points}"},
+    {"points_not_settled", worth_knowing, "{points} of {all} points never settled",
+     "{points} von {all} Punkten schwingen sich nie ein"},
+    {"points_not_settled_undamped", worth_knowing,
+     "{points} of {all} points never settled: the law has no damping, so the free motion stays; give "
+     "{--damping}",
+     "{points} von {all} Punkten schwingen sich nie ein: das Gesetz hat keine Dämpfung, so bleibt die freie "
+     "Schwingung; {--damping} angeben"},
+    {"points_unstable", worth_knowing,
+     "{points} of {all} points are unstable: the free motion of the law, as {method} has it, grows without "
+     "end",
+     "{points} von {all} Punkten sind instabil: die freie Schwingung des Gesetzes wächst mit {method} ohne "
+     "Ende"},
+    {"points_ran_away", worth_knowing, "{points} of {all} points ran away",
+     "{points} von {all} Punkten liefen davon"},
+    {"points_without_solution", worth_knowing, "{points} of {all} points found no solution of their step",
+     "{points} von {all} Punkten fanden keine Lösung für ihren Schritt"},
     {"rows_not_reached", clause, "interrupted: rows that were not reached are null",
      "abgebrochen: Zeilen, die nicht erreicht wurden, sind null"},
     // The machine.

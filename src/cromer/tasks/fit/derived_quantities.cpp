@@ -101,6 +101,9 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   return list;
 }
 
+// What an overdamped motion, which has no cycle, does not have.
+constexpr std::string_view no_cycle[] = {"frequency", "period", "logarithmic_decrement"};
+
 }  // namespace
 
 std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
@@ -118,12 +121,9 @@ std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view ob
     return at_amplitude(law, law.swing.amplitude(law.position, law.velocity), fit, length);
   std::vector<Parameter> list = at_amplitude(law, Real(sinusoid_amplitude(x)), fit, length);
   if (fit.motion.decay_rate() >= fit.motion.angular_frequency())
-    list.erase(std::remove_if(list.begin(), list.end(),
-                              [](const Parameter& number) {
-                                return number.name == "frequency" || number.name == "period" ||
-                                       number.name == "logarithmic_decrement";
-                              }),
-               list.end());
+    std::erase_if(list, [](const Parameter& number) {
+      return std::find(std::begin(no_cycle), std::end(no_cycle), number.name) != std::end(no_cycle);
+    });
   return list;
 }
 

@@ -10,6 +10,14 @@
 
 namespace cromer::core {
 
+/// Those that a goal may be set for, by name.
+inline constexpr std::string_view derived_names[] = {"frequency",
+                                                     "period",
+                                                     "damping_ratio",
+                                                     "quality_factor",
+                                                     "logarithmic_decrement",
+                                                     "limit_cycle_amplitude"};
+
 /// frequency [Hz], period [s], damping_ratio, quality_factor, logarithmic_decrement and at_amplitude, the
 /// amplitude at which they hold: that of the first sample, where viscous damping of this ratio takes as much
 /// energy in a cycle as all terms of the law. The frequency is that of the springs at this amplitude, lowered

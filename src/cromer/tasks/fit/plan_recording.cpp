@@ -11,6 +11,7 @@
 #include "cromer/base/nearest.h"
 #include "cromer/base/number.h"
 #include "cromer/tasks/fit/decay_by_amplitude.h"
+#include "cromer/tasks/fit/derived_quantities.h"
 
 namespace cromer::core {
 namespace {
@@ -29,10 +30,8 @@ const std::vector<std::string_view>& known_quantities() {
       if (member == &CoefficientInfo::parameter)
         for (const std::string_view start : {"equilibrium", "position", "velocity"}) add(start);
     }
-    for (const std::string_view derived :
-         {"drag_coefficient", "frequency", "period", "damping_ratio", "quality_factor",
-          "logarithmic_decrement", "limit_cycle_amplitude"})
-      add(derived);
+    add("drag_coefficient");
+    for (const std::string_view derived : derived_names) add(derived);
     return names;
   }();
   return all;

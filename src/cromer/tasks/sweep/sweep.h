@@ -114,6 +114,9 @@ std::string status_counts(const SweepResult& result);
 /// The plan's notices, and those that only the rows give.
 std::vector<Notice> notices_of(const SweepResult& result);
 
+/// How many points did not come to an answer, one notice for each way in which they did not.
+std::vector<Notice> trouble_of(const SweepResult& result);
+
 /// Why a sweep does not take this option of simulate, or this text for one of its own that has no grid; empty
 /// where there is nothing particular to say.
 Notice sweep_refusal(std::string_view option, std::string_view text);

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "cromer/analysis/energy_balance.h"
 #include "cromer/ensemble/point.h"
 #include "cromer/tasks/sweep/sweep.h"
 #include "cromer/tasks/sweep/sweep_growth.h"
+#include "cromer/tasks/sweep/sweep_rows.h"
 
 namespace cromer::core {
 namespace {
@@ -61,6 +63,22 @@ Notice phase_notice(const SweepPlan& plan, const SweepCounts& counts) {
                  {"place", place_of(plan, counts.phase_worst)},
                  {"why", why},
                  {"method", plan.method}}};
+}
+
+/// No term of the law takes energy at any point.
+bool undamped(const SweepPlan& plan) {
+  const SimulateOptions& base = plan.work->base;
+  const bool swept = std::any_of(plan.swept.begin(), plan.swept.end(), [](const SweptOption& option) {
+    bool takes =
+        option.name == "damping-ratio" || option.name == "static-friction" || option.name == "quality-factor";
+    for_each_resistance([&]<class T>() { takes = takes || option.name == T::coefficients[0].option; });
+    return takes;
+  });
+  bool fixed = base.damping.value_or(0) != 0 || base.damping_ratio.value_or(0) != 0 || base.quality_factor;
+  for_each_resistance([&]<class T>() {
+    if (!std::is_same_v<T, Viscous>) fixed = fixed || base.law.*T::template members<double>[0] != 0;
+  });
+  return !swept && !fixed;
 }
 
 }  // namespace
@@ -150,6 +168,24 @@ std::vector<Notice> notices_of(const SweepResult& result) {
   if (result.counts.own_damping > 0) notices.push_back(own_damping_notice(result.plan, result.counts));
   if (result.counts.phase_outside > 0) notices.push_back(phase_notice(result.plan, result.counts));
   return notices;
+}
+
+std::vector<Notice> trouble_of(const SweepResult& result) {
+  const SweepCounts& counts = result.counts;
+  const std::uint64_t all = result.plan.rows.rows;
+  std::vector<Notice> points;
+  if (counts.not_settled > 0 && undamped(result.plan))
+    points.push_back(Notice{"points_not_settled_undamped", {{"points", counts.not_settled}, {"all", all}}});
+  else if (counts.not_settled > 0)
+    points.push_back(Notice{"points_not_settled", {{"points", counts.not_settled}, {"all", all}}});
+  if (counts.unstable > 0)
+    points.push_back(Notice{"points_unstable",
+                            {{"points", counts.unstable}, {"all", all}, {"method", result.plan.method}}});
+  if (counts.not_finite > 0)
+    points.push_back(Notice{"points_ran_away", {{"points", counts.not_finite}, {"all", all}}});
+  if (counts.no_convergence > 0)
+    points.push_back(Notice{"points_without_solution", {{"points", counts.no_convergence}, {"all", all}}});
+  return points;
 }
 
 }  // namespace cromer::core
