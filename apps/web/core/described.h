@@ -60,7 +60,6 @@ struct ComparedOnPage {
 
 /// One value for each sample used.
 struct FitCurves {
-  const FittedRecording& fitted;
   FittedMotion motion;
   std::vector<double> measured_energy, set_aside;
 };
@@ -68,7 +67,7 @@ struct FitCurves {
 /// Empty where there is no fit.
 inline std::optional<FitCurves> curves_of(const FittedRecording& fitted) {
   if (!fitted.succeeded() || fitted.series.t.empty()) return std::nullopt;
-  FitCurves curves{fitted, fitted_motion(fitted), {}, {}};
+  FitCurves curves{fitted_motion(fitted), {}, {}};
   std::vector<double> displacement = curves.motion.measured;
   for (double& x : displacement) x -= fitted.fit.equilibrium().value;
   curves.measured_energy = energies_of(fitted, displacement, curves.motion.local_velocity);
@@ -112,10 +111,10 @@ struct Described<page::FitCurves> {
       field(
           "t", [](const C& c) -> const auto& { return c.motion.t; }, "s", "of the samples used"),
       field(
-          "measured", [](const C& c) -> const auto& { return c.motion.measured; }, "of the column",
+          "measured", [](const C& c) -> const auto& { return c.motion.measured; }, unit_of_column,
           "the column"),
       field(
-          "residual", [](const C& c) -> const auto& { return c.motion.residual; }, "of the column",
+          "residual", [](const C& c) -> const auto& { return c.motion.residual; }, unit_of_column,
           "measured less the fitted law"),
       field(
           "x", [](const C& c) -> const auto& { return c.motion.x; }, "of the displacement",

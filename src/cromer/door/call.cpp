@@ -14,6 +14,7 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/c.h"
+#include "cromer/documents/json/described.h"
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/json/notices.h"
 #include "cromer/door/options.h"
@@ -52,8 +53,7 @@ using Request = nlohmann::json;
 Result<std::string> take_text(Request& request, const char* name) {
   const auto at = request.find(name);
   if (at == request.end()) return std::string();
-  if (!at->is_string() && !at->is_null())
-    return Error{Notice{"must_be_text", {{"argument", name}}}, name};
+  if (!at->is_string() && !at->is_null()) return Error{Notice{"must_be_text", {{"argument", name}}}, name};
   const std::string text = at->is_null() ? std::string() : at->get<std::string>();
   request.erase(at);
   return text;
@@ -87,7 +87,8 @@ class Call {
   Result<double> take_number(const char* name) {
     const auto at = request_.find(name);
     if (at == request_.end()) return std::nan("");
-    if (!at->is_number() && !at->is_null()) return Error{Notice{"must_be_number", {{"argument", name}}}, name};
+    if (!at->is_number() && !at->is_null())
+      return Error{Notice{"must_be_number", {{"argument", name}}}, name};
     const double number = at->is_null() ? std::nan("") : at->get<double>();
     request_.erase(at);
     return number;
@@ -460,7 +461,7 @@ Result<void> run(std::string_view verb, std::string_view text, std::span<const c
 std::string refusal(const Error& error, const Voice& voice) {
   const Json said = notice_object(error.notice, voice);
   return to_text(Json{{"message", said["text"]},
-                      {"argument", or_null(error.argument)},
+                      {"argument", described::value_json(unless_empty(error.argument), voice)},
                       {"code", said["code"]},
                       {"values", said["values"]}});
 }

@@ -14,7 +14,7 @@ namespace {
 /// Units that a record decides are those of this one.
 Facts facts_of(const FittedRecording& fitted, Results& results) {
   return Facts(results, [&fitted](std::string_view unit) -> std::string_view {
-    if (unit == "of the column") return si_unit_of(fitted.series.quantity);
+    if (unit == unit_of_column) return si_unit_of(fitted.series.quantity);
     return unit;
   });
 }

@@ -69,7 +69,7 @@ void collect_run(const std::string& name, const DescribedRun& all, Results& resu
   const Counts& counts = run.outcome.counts;
   const bool of_motion = run.transmission && run.transmission->of_motion;
   Facts(results, [of_motion](std::string_view unit) -> std::string_view {
-    return unit != "m or N" ? unit : of_motion ? "m" : "N";
+    return unit != unit_sent ? unit : of_motion ? "m" : "N";
   }).set(name, all);
   if (counts.newton_iterations > 0)
     results.set(name + ".newton_per_step",

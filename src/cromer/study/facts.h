@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "cromer/documents/described/describe.h"
 #include "cromer/documents/words/words.h"
@@ -22,9 +23,7 @@ class Facts {
  public:
   using UnitOf = std::function<std::string_view(std::string_view)>;
 
-  explicit Facts(
-      Results& results, UnitOf unit_of = [](std::string_view unit) { return unit; })
-      : results_(results), unit_of_(std::move(unit_of)) {}
+  Facts(Results& results, UnitOf unit_of) : results_(results), unit_of_(std::move(unit_of)) {}
 
   template <IsDescribed Result>
   void set(const std::string& id, const Result& result) const {

@@ -3,18 +3,13 @@
 #include <algorithm>
 
 #include "cromer/base/nearest.h"
+#include "cromer/base/option_name.h"
 #include "cromer/study/text.h"
 #include "cromer/tasks/option_owner.h"
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
 namespace {
-
-std::string as_key(std::string_view option) {
-  std::string key(option);
-  std::replace(key.begin(), key.end(), '-', '_');
-  return key;
-}
 
 Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Option>& options) {
   std::vector<std::string_view> names;
@@ -26,9 +21,10 @@ Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Op
   if (const std::string_view owner = option_owner(setting.option); !owner.empty())
     more = Notice{"option_of_other", {{"owner", owner}}};
   else if (!near.empty())
-    more = Notice{"perhaps_quoted", {{"near", as_key(near)}}};
+    more = Notice{"perhaps_quoted", {{"near", with_underscores(near)}}};
   return setting.place.error(
-      Notice{"no_option_of_task", {{"key", as_key(setting.option)}, {"task", task.command}, {"more", more}}});
+      Notice{"no_option_of_task",
+             {{"key", with_underscores(setting.option)}, {"task", task.command}, {"more", more}}});
 }
 
 }  // namespace
@@ -40,7 +36,7 @@ Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& op
                                      [&](const Option& each) { return each.name == setting.option; });
     if (option == options.end()) return unknown(setting, task, options);
     if (setting.values.size() != 1 && !option->is_list())
-      return setting.place.error(Notice{"key_takes_one_value", {{"key", as_key(setting.option)}}});
+      return setting.place.error(Notice{"key_takes_one_value", {{"key", with_underscores(setting.option)}}});
     for (const std::string& value : setting.values) {
       const auto text = fill(value, results);
       if (!text) return setting.place.error(text.error().notice);

@@ -88,10 +88,20 @@ struct Estimated {
   bool finite = false;  ///< the value itself is never null
   std::string_view error_name = "standard_error";
 
-  constexpr Estimated with_interval() const { return {name, get, unit, meaning, true, finite, error_name}; }
-  constexpr Estimated known() const { return {name, get, unit, meaning, interval, true, error_name}; }
+  constexpr Estimated with_interval() const {
+    Estimated changed = *this;
+    changed.interval = true;
+    return changed;
+  }
+  constexpr Estimated known() const {
+    Estimated changed = *this;
+    changed.finite = true;
+    return changed;
+  }
   constexpr Estimated with_error(std::string_view called) const {
-    return {name, get, unit, meaning, interval, finite, called};
+    Estimated changed = *this;
+    changed.error_name = called;
+    return changed;
   }
 };
 

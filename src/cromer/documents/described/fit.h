@@ -6,6 +6,9 @@
 
 namespace cromer::core {
 
+/// That of what was recorded.
+inline constexpr std::string_view unit_of_column = "of the column";
+
 /// Of a fit, what it was made of.
 struct FittedFrom {
   const FittedRecording& fitted;
@@ -62,7 +65,7 @@ template <>
 struct Described<Residual> {
   static constexpr std::string_view name = "Residual";
   static constexpr auto entries = members(
-      field("rms", &Residual::rms, "of the column",
+      field("rms", &Residual::rms, unit_of_column,
             "root mean square of what the law leaves, over the samples used without outliers"),
       field("normality", &Residual::normality, "", "p of the Jarque-Bera test"),
       field("autocorrelation", &Residual::autocorrelation, "", "from sample to sample"),
@@ -75,7 +78,7 @@ struct Described<Candidate> {
   static constexpr auto entries =
       members(field(
                   "law", [](const Candidate& c) { return to_text(c.law); }, "", "a law that was tried"),
-              field("rms", &Candidate::rms, "of the column", "what it leaves"),
+              field("rms", &Candidate::rms, unit_of_column, "what it leaves"),
               field("bic", &Candidate::bic, "", "Bayesian information criterion: the smaller, the better"),
               field(
                   "between_samples", [](const Candidate& c) { return unless_empty(c.between_samples); }, "",
@@ -100,8 +103,8 @@ struct Described<Mode> {
       field(
           "decay_rate_standard_error", [](const Mode& m) { return m.decay_rate.standard_error; }, "1/s",
           "its standard error"),
-      field("amplitude", &Mode::amplitude, "of the column", "at the first sample").known(),
-      field("amplitude_standard_error", &Mode::amplitude_error, "of the column", "its standard error"));
+      field("amplitude", &Mode::amplitude, unit_of_column, "at the first sample").known(),
+      field("amplitude_standard_error", &Mode::amplitude_error, unit_of_column, "its standard error"));
 };
 
 template <>
@@ -111,7 +114,7 @@ struct Described<HeldOut> {
       members(field("from", &HeldOut::from, "s", "first time of the samples that were held out").known(),
               field("to", &HeldOut::to, "s", "their last time").known(),
               field("samples", &HeldOut::samples, "", "how many"),
-              field("rms", &HeldOut::rms, "of the column", "what the law, carried on, leaves of them"));
+              field("rms", &HeldOut::rms, unit_of_column, "what the law, carried on, leaves of them"));
 };
 
 template <>

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "cromer/analysis/energy.h"
+#include "cromer/base/option_name.h"
 #include "cromer/documents/described/methods.h"
 #include "cromer/model/terms.h"
 #include "cromer/model/terms/coefficient_unit.h"
@@ -14,13 +15,6 @@
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
-
-/// "static-friction" as "static_friction".
-inline std::string name_of_option(std::string_view option) {
-  std::string name(option);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-}
 
 /// A run with the options it was asked for by; with or without the kept states.
 struct DescribedRun {
@@ -43,7 +37,7 @@ inline std::vector<Named> coefficients_of_law(const Oscillator<double>& law) {
   std::vector<Named> all;
   for_each_term([&]<class T>() {
     for (std::size_t i = 0; i < coefficients_of<T>; ++i)
-      all.push_back({name_of_option(T::coefficients[i].option), law.*T::template members<double>[i],
+      all.push_back({with_underscores(T::coefficients[i].option), law.*T::template members<double>[i],
                      unit_of(T::coefficients[i]), T::coefficients[i].meaning});
   });
   return all;
@@ -53,7 +47,7 @@ inline std::vector<Named> coefficients_of_law(const Oscillator<double>& law) {
 inline std::vector<Named> energies_taken(const EnergyBalance& balance) {
   std::vector<Named> all;
   for_each_resistance([&]<class T>() {
-    all.push_back({name_of_option(T::coefficients[0].option), balance.template taken_by<T>(), "J",
+    all.push_back({with_underscores(T::coefficients[0].option), balance.template taken_by<T>(), "J",
                    "taken by this resistance"});
   });
   return all;
@@ -250,6 +244,9 @@ struct Described<SimulatedTransmission> {
               field("error", &Sent::error, "", "of the ratio, relative"));
 };
 
+/// [m] or [N], as the run has it.
+inline constexpr std::string_view unit_sent = "m or N";
+
 template <>
 struct Described<RunTransmission> {
   using T = RunTransmission;
@@ -266,9 +263,9 @@ struct Described<RunTransmission> {
           "phase_lag",
           [](const T& t) { return t.bounded() ? std::optional(t.exact.phase_lag) : std::nullopt; }, "rad",
           "of what comes out"),
-      field("sent", &T::sent, "m or N", "amplitude of what goes in").known(),
+      field("sent", &T::sent, unit_sent, "amplitude of what goes in").known(),
       field(
-          "transmitted", [](const T& t) { return t.sent * t.exact.amplitude; }, "m or N",
+          "transmitted", [](const T& t) { return t.sent * t.exact.amplitude; }, unit_sent,
           "amplitude of what comes out"),
       field(
           "simulated",

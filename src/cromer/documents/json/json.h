@@ -33,10 +33,4 @@ inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_li
 #endif
 }
 
-/// Zero stands for unknown in rates and durations.
-inline Json or_null(double value) { return value == 0 ? Json(nullptr) : Json(value); }
-
-/// An empty text stands for none.
-inline Json or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
-
 }  // namespace cromer::core

@@ -38,7 +38,7 @@ Json times_object(const SampleTimes& times) {
   if (times.by == TimesBy::nothing) return nullptr;
   Json object{{"by", name(times.by)}};
   if (times.by_rate + times.by_arrival > 0) {
-    object["rate"] = or_null(times.rate);
+    object["rate"] = described::value_json(unless_zero(times.rate), {});
     object["longest_delay"] = times.longest_delay;
     object["by_rate"] = times.by_rate;
     object["by_arrival"] = times.by_arrival;
@@ -47,13 +47,13 @@ Json times_object(const SampleTimes& times) {
 }
 
 Json status_object(const std::string& recording, const RecorderStatus& status, const Headings& headings) {
-  Json object{{"recording", or_null(recording)},
+  Json object{{"recording", described::value_json(unless_empty(recording), {})},
               {"running", status.running},
               {"samples", status.samples},
               {"from", status.begin},
               {"to", status.end},
               {"duration", status.end - status.begin},
-              {"rate", or_null(status.rate)},
+              {"rate", described::value_json(unless_zero(status.rate), {})},
               {"times", times_object(status.times)},
               {"last", status.last},
               {"garbage", status.garbage},
@@ -76,7 +76,8 @@ Json list_of(std::span<const Remark> notices) {
 std::string live_status_json(const std::string& source, std::optional<double> duration,
                              const std::string& recording, const RecorderStatus& status,
                              const Headings& headings) {
-  Json object{{"source", or_null(source)}, {"for", duration ? Json(*duration) : Json(nullptr)}};
+  Json object{{"source", described::value_json(unless_empty(source), {})},
+              {"for", described::value_json(duration, {})}};
   object.update(status_object(recording, status, headings));
   return to_text(object, on_one_line);
 }

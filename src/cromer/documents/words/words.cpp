@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <variant>
 
+#include "cromer/base/ascii.h"
+#include "cromer/base/option_name.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/catalogue.h"
 
@@ -15,7 +17,6 @@ namespace cromer::core {
 namespace {
 
 bool is_small(char c) { return c >= 'a' && c <= 'z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// German numbers have a comma.
 std::string with_comma(std::string text, Language language) {
@@ -183,9 +184,7 @@ std::vector<Notice> worst_first(std::vector<Notice> notices) {
 std::string argument_of(std::string_view option, bool of_arrays) {
   if (of_arrays && (option == "force-column" || option == "drive-file")) return "force";
   if (of_arrays && option == "base-motion") return "acceleration";
-  std::string argument(option);
-  std::replace(argument.begin(), argument.end(), '-', '_');
-  return argument;
+  return with_underscores(option);
 }
 
 std::string first_option(const Notice& notice) {

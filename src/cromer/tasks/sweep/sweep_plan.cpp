@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "cromer/base/option_name.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law.h"
@@ -208,8 +209,7 @@ Notice few_steps(const SimulatedRun& one, const SimulatedRun& other) {
 }
 
 std::string column_of(const SweepAxis& axis, std::string_view unit) {
-  std::string name = axis.name;
-  std::replace(name.begin(), name.end(), '-', '_');
+  const std::string name = with_underscores(axis.name);
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
