@@ -5,13 +5,17 @@
 
 #include <algorithm>
 
+#include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv/fit.h"
 #include "cromer/documents/csv/motion.h"
+#include "cromer/documents/csv/spring.h"
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/text/fit.h"
 #include "cromer/documents/text/fit_table.h"
+#include "cromer/documents/text/spring.h"
 #include "cromer/figures/fit.h"
+#include "cromer/figures/spring.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
 #include "cromer/tasks/fit/masses.h"
@@ -41,32 +45,6 @@ std::size_t files_of(const std::vector<FittedRecording>& fits) {
   return files;
 }
 
-/// What all fits have given, and the line through them where one was asked for.
-struct Answer {
-  std::vector<FittedRecording> fits;
-  bool many = false;
-  std::optional<MassLine> line{};
-
-  std::string json() const { return line ? to_json(fits, *line) : to_json(fits, many); }
-  std::string text() const {
-    const std::string of_fits = many || line ? fit_table(fits) : fit_text(fits);
-    return line ? of_fits + mass_line_text(*line) : of_fits;
-  }
-  std::string csv() const { return line ? mass_line_csv(*line) : fit_csv(fits); }
-  Figure figure() const { return line ? mass_line_figure(*line) : fit_figure(fits); }
-};
-
-/// All but the figure, whose failure shall not take the rest with it.
-Result<void> write_files(const Answer& answer, const OutputOptions& output, const std::string& motion) {
-  if (!output.output.empty()) {
-    const bool csv = *file_format(output.output) == FileFormat::csv;
-    if (auto good = write_file(output.output, csv ? answer.csv() : answer.json()); !good) return good;
-  }
-  if (!motion.empty())
-    if (auto good = write_file(motion, motion_csv(answer.fits)); !good) return good;
-  return {};
-}
-
 /// Checks that the --motion file can be written without losing another.
 Result<void> check_motion(const std::string& motion, const OutputOptions& output,
                           const std::vector<std::string>& inputs) {
@@ -79,18 +57,23 @@ Result<void> check_motion(const std::string& motion, const OutputOptions& output
   return check_outputs(same, inputs, "--motion");
 }
 
-/// What there is to say of the fits and of the line through them, and which fits failed.
-void say_what_is_wrong(const Answer& answer, const OutputOptions& output) {
-  std::vector<Notice> notices;
-  for (const auto& fitted : answer.fits) {
+/// The fits and, where one was asked for, the line through them.
+Answer answer_of(const std::vector<FittedRecording>& fits, const std::optional<MassLine>& line, bool many) {
+  Answer answer{.text =
+                    [&fits, &line, many] {
+                      const std::string of_fits = many || line ? fit_table(fits) : fit_text(fits);
+                      return line ? of_fits + mass_line_text(*line) : of_fits;
+                    },
+                .json = [&fits, &line, many] { return line ? to_json(fits, *line) : to_json(fits, many); },
+                .csv = [&fits, &line] { return line ? mass_line_csv(*line) : fit_csv(fits); },
+                .figure = [&fits, &line] { return line ? mass_line_figure(*line) : fit_figure(fits); }};
+  for (const auto& fitted : fits) {
     for (const Notice& notice : fitted.notices)
-      notices.push_back(answer.many ? Notice{"in_file", {{"file", fitted.file}, {"what", notice}}} : notice);
-    if (!fitted.succeeded())
-      complain(fmt::format("{}: run {}: {}: {}", fitted.file, fitted.series.run, fitted.status(),
-                           in_words(fitted.fit.message)));
+      answer.notices.push_back(many ? Notice{"in_file", {{"file", fitted.file}, {"what", notice}}} : notice);
+    if (!fitted.succeeded()) answer.failures.push_back(failure_text(fitted));
   }
-  if (answer.line) notices.insert(notices.end(), answer.line->notices.begin(), answer.line->notices.end());
-  tell(notices, output);
+  if (line) answer.notices.insert(answer.notices.end(), line->notices.begin(), line->notices.end());
+  return answer;
 }
 
 }  // namespace
@@ -145,26 +128,23 @@ int run_fit(const Arguments& arguments) {
   if (interrupted)
     complain(fmt::format("interrupted; what follows is what {} of {} files have given", files_of(*fits),
                          found->files.size()));
-  Answer answer{*std::move(fits), found->many};
-  const bool good = !interrupted && std::all_of(answer.fits.begin(), answer.fits.end(),
-                                                [](const auto& fitted) { return fitted.succeeded(); });
+  const bool good = !interrupted && std::all_of(fits->begin(), fits->end(),
+                                                [](const auto& each) { return each.succeeded(); });
+  std::optional<MassLine> line;
   if (spring.mass_line && !interrupted) {
-    auto line = mass_line(answer.fits, *parse_masses(spring.masses));
+    auto through = mass_line(*fits, *parse_masses(spring.masses));
     // A line that lacks points because fits failed is no wrong input.
-    if (!line && good) return refuse(line.error());
-    if (line)
-      answer.line = *std::move(line);
+    if (!through && good) return refuse(through.error());
+    if (through)
+      line = *std::move(through);
     else
-      complain("there is no line of T² against mass: " + in_words(line.error()));
+      complain("there is no line of T² against mass: " + in_words(through.error()));
   }
-  if (auto written = write_files(answer, output, motion); !written) return refuse(written.error());
-  if (output.output != "-" && !print(output.json ? answer.json() : answer.text()))
-    return refuse("standard output cannot be written");
-  if (!output.plot.empty())
-    if (auto drawn = write_plot(output.plot, answer.figure()); !drawn) return refuse(drawn.error());
-  say_what_is_wrong(answer, output);
-  tell(found->notes, output);
-  return good ? done : no_success;
+  Answer answer = answer_of(*fits, line, found->many);
+  answer.good = good;
+  answer.notices.insert(answer.notices.end(), found->notes.begin(), found->notes.end());
+  if (!motion.empty()) answer.other_files = [&] { return write_file(motion, motion_csv(*fits)); };
+  return give(answer, output);
 }
 
 }  // namespace cromer::core::cli

@@ -27,13 +27,4 @@ Result<void> check(const SpringOptions& options);
 int run_static(const std::vector<std::string>& files, const FitOptions& fit, const SpringOptions& options,
                const OutputOptions& output);
 
-/// The line's results in words, under the table of the fits.
-std::string mass_line_text(const MassLine& line);
-
-/// A row for each recording: mass, period squared, what the line leaves; and what follows from the line.
-std::string mass_line_csv(const MassLine& line);
-
-/// Period squared against mass.
-Figure mass_line_figure(const MassLine& line);
-
 }  // namespace cromer::core::cli

@@ -1,85 +1,15 @@
-#include "cromer/tasks/inspect/inspect.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-
+#include "cromer/documents/text/inspect.h"
+#include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv/recording.h"
 #include "cromer/documents/json/documents.h"
-#include "cromer/read/clean_table.h"
-#include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "exit_status.h"
+#include "cromer/tasks/inspect/inspect.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
 
 namespace cromer::core::cli {
-namespace {
-
-/// "Pos B (mm): position, 356 samples at Time B (s)"; the time only where there are several.
-std::string described(const Inspection& inspection, std::size_t i, bool several_times) {
-  const Recording& recording = inspection.recording;
-  const std::string& quantity = recording.table.columns[i].quantity;
-  const InspectedColumn& column = inspection.columns[i];
-  std::string text = column_heading(recording.table, i) + ": ";
-  if (!quantity.empty()) text += quantity + ", ";
-  text += fmt::format("{} samples", column.samples);
-  if (several_times && !column.time_column.empty()) text += " at " + column.time_column;
-  return text;
-}
-
-std::string summary(const Inspection& inspection) {
-  const Recording& recording = inspection.recording;
-  const auto line = [](std::string_view what, const std::string& value) {
-    return fmt::format("{:<13}{}\n", what, value);
-  };
-  std::string out = recording.file + "\n";
-  out += line("dialect", fmt::format("{}, {}, separated by {}, decimal {}", recording.dialect.name,
-                                     recording.dialect.encoding, recording.dialect.separator,
-                                     recording.dialect.decimal));
-  const auto& columns = recording.table.columns;
-  const bool several_times =
-      std::any_of(inspection.columns.begin(), inspection.columns.end(), [&](const auto& column) {
-        return !column.time_column.empty() && column.time_column != inspection.time_column;
-      });
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    out += line("column", described(inspection, i, several_times));
-  out += line("samples", fmt::format("{}", inspection.samples));
-  if (inspection.series.size() > 1)
-    for (const Series& series : inspection.series)
-      out += line("", fmt::format("run {}: {} samples, {}", series.run, series.t.size(),
-                                  format_quantity({series.t.back() - series.t.front(), 0}, "s")));
-  if (inspection.rate > 0) out += line("rate", format_quantity({inspection.rate, 0}, "Hz"));
-  if (inspection.duration > 0) out += line("duration", format_quantity({inspection.duration, 0}, "s"));
-  out += line("time", inspection.time_column.empty() ? "no time column" : inspection.time_column);
-  if (inspection.jitter > 1e-6)  // below is the rounding of the times
-    out += line("jitter", format_quantity({100 * inspection.jitter, 0}, "% of a step"));
-  const auto list = [&](std::string_view what, const std::vector<std::string>& found) {
-    constexpr std::size_t shown = 20;
-    out += line(what, fmt::format("{}", found.size()));
-    for (std::size_t i = 0; i < std::min(shown, found.size()); ++i) out += line("", found[i]);
-    if (found.size() > shown)
-      out += line("", fmt::format("and {} more: --json lists all", found.size() - shown));
-  };
-  const bool several_runs = runs(recording).size() > 1;
-  std::vector<std::string> gaps, outliers;
-  for (const Series& series : inspection.series) {
-    const std::string run = several_runs ? fmt::format("run {}: ", series.run) : "";
-    for (const Gap& gap : series.gaps)
-      gaps.push_back(fmt::format("{}{:.6g} s long at {:.6g} s", run, gap.length, gap.t));
-    for (const Outlier& outlier : series.outliers)
-      outliers.push_back(
-          fmt::format("{}{:.6g} at {:.6g} s, line {}", run, outlier.value, outlier.t, outlier.line));
-  }
-  list("gaps", gaps);
-  list("outliers", outliers);
-  return out;
-}
-
-}  // namespace
-
 int run_inspect(const Arguments& arguments) {
   ReadOptions options;
   OutputOptions output;
@@ -98,17 +28,12 @@ int run_inspect(const Arguments& arguments) {
   if (!bytes) return refuse(bytes.error());
   auto inspection = inspect(*bytes, files.front(), options);
   if (!inspection) return refuse(inspection.error());
-  if (!output.output.empty()) {
-    const bool csv = *file_format(output.output) == FileFormat::csv;
-    const Result<std::string> text =
-        csv ? recording_csv(inspection->recording, options) : Result<std::string>(to_json(*inspection, true));
-    if (!text) return refuse(text.error());
-    if (auto good = write_file(output.output, *text); !good) return refuse(good.error());
-  }
-  if (output.output != "-" && !print(output.json ? to_json(*inspection, false) : summary(*inspection)))
-    return refuse("standard output cannot be written");
-  tell(inspection->notices, output);
-  return done;
+  return give({.text = [&] { return inspect_text(*inspection); },
+               .json = [&] { return to_json(*inspection, false); },
+               .csv = [&] { return recording_csv(inspection->recording, options); },
+               .whole_json = [&] { return to_json(*inspection, true); },
+               .notices = inspection->notices},
+              output);
 }
 
 }  // namespace cromer::core::cli

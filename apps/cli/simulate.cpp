@@ -1,18 +1,16 @@
-#include "cromer/tasks/simulate/simulate.h"
-#include "cromer/documents/words/words.h"
-
 #include <unistd.h>
 
+#include "answer.h"
 #include "command_line.h"
 #include "commands.h"
 #include "cromer/documents/csv/simulate.h"
 #include "cromer/documents/hdf5/simulate.h"
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/text/simulate.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/figures/simulate.h"
-#include "cromer/report/file.h"
 #include "cromer/tasks/simulate/load_drive.h"
-#include "exit_status.h"
+#include "cromer/tasks/simulate/simulate.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -24,19 +22,6 @@ namespace {
 /// Half of the machine's memory: what is kept is written out once more as text.
 double memory_for_states() {
   return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-Result<void> write_files(const SimulateResult& result, const OutputOptions& output,
-                         const std::string& command) {
-  if (!output.output.empty()) {
-    const std::string& file = output.output;
-    const FileFormat format = *file_format(file, true);
-    const auto good = format == FileFormat::hdf5  ? write_tables(file, simulate_tables(result, command))
-                      : format == FileFormat::csv ? write_file(file, simulate_csv(result, command))
-                                                  : write_file(file, to_json(result, true));
-    if (!good) return good;
-  }
-  return output.plot.empty() ? Result<void>{} : write_plot(output.plot, simulate_figure(result));
 }
 
 }  // namespace
@@ -63,14 +48,17 @@ int run_simulate(const Arguments& arguments) {
   const auto result = simulate(options, watching(output.quiet));
   clear_progress();
   if (!result) return refuse(result.error());
-  if (auto good = write_files(*result, output, command_line("simulate", arguments)); !good)
-    return refuse(good.error());
-  if (output.output != "-" && !print(output.json ? to_json(*result, false) : simulate_text(*result)))
-    return refuse("standard output cannot be written");
+  Answer answer{.text = [&] { return simulate_text(*result); },
+                .json = [&] { return to_json(*result, false); },
+                .csv = [&] { return simulate_csv(*result, command_line("simulate", arguments)); },
+                .whole_json = [&] { return to_json(*result, true); },
+                .tables = [&] { return simulate_tables(*result, command_line("simulate", arguments)); },
+                .figure = [&] { return simulate_figure(*result); },
+                .notices = result->notices,
+                .good = result->ok()};
   for (const auto& run : result->runs)
-    if (!run.message.empty()) complain(run.label + ": " + in_words(run.message));
-  tell(result->notices, output);
-  return result->ok() ? done : no_success;
+    if (!run.message.empty()) answer.failures.push_back(run.label + ": " + in_words(run.message));
+  return give(answer, output);
 }
 
 }  // namespace cromer::core::cli

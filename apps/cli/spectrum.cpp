@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include "answer.h"
 #include "command_line.h"
 #include "commands.h"
 #include "cromer/documents/csv/spectrum.h"
@@ -38,23 +39,6 @@ Result<void> check(const SpectrumOutput& output, bool shock, const std::vector<s
   OutputOptions same;
   same.output = output.fourier;
   return check_outputs(same, inputs);
-}
-
-Result<void> write_files(const SpectrumResult& result, const SpectrumOutput& output,
-                         const std::string& command) {
-  const std::string& file = output.common.output;
-  if (!file.empty()) {
-    const FileFormat format = *file_format(file, true);
-    const auto good = format == FileFormat::hdf5  ? write_tables(file, spectrum_tables(result, command))
-                      : format == FileFormat::csv ? write_file(file, spectrum_csv(result, command))
-                                                  : write_file(file, to_json(result, true));
-    if (!good) return good;
-  }
-  if (!output.fourier.empty())
-    if (auto good = write_file(output.fourier, fourier_csv(result, command)); !good) return good;
-  if (output.common.plot.empty()) return {};
-  return write_plot(output.common.plot,
-                    output.tripartite ? tripartite_figure(result) : spectrum_figure(result));
 }
 
 }  // namespace
@@ -104,13 +88,20 @@ int run_spectrum(const Arguments& arguments) {
     tell(result->notices, output.common);
     return no_success;
   }
-  if (auto good = write_files(*result, output, command_line("spectrum", arguments)); !good)
-    return refuse(good.error());
-  if (output.common.output != "-" &&
-      !print(output.common.json ? to_json(*result, false) : spectrum_text(*result)))
-    return refuse("standard output cannot be written");
-  tell(result->notices, output.common);
-  return done;
+  const std::string command = command_line("spectrum", arguments);
+  return give(
+      {.text = [&] { return spectrum_text(*result); },
+       .json = [&] { return to_json(*result, false); },
+       .csv = [&] { return spectrum_csv(*result, command); },
+       .whole_json = [&] { return to_json(*result, true); },
+       .tables = [&] { return spectrum_tables(*result, command); },
+       .figure = [&] { return output.tripartite ? tripartite_figure(*result) : spectrum_figure(*result); },
+       .other_files = [&]() -> Result<void> {
+         if (output.fourier.empty()) return {};
+         return write_file(output.fourier, fourier_csv(*result, command));
+       },
+       .notices = result->notices},
+      output.common);
 }
 
 }  // namespace cromer::core::cli

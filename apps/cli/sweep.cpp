@@ -6,10 +6,12 @@
 
 #include <memory>
 
+#include "answer.h"
 #include "command_line.h"
 #include "commands.h"
 #include "cromer/base/grid.h"
 #include "cromer/cluster/ranks.h"
+#include "cromer/documents/csv/sweep.h"
 #include "cromer/documents/hdf5/sweep.h"
 #include "cromer/documents/json/documents.h"
 #include "cromer/documents/text/sweep.h"
@@ -35,35 +37,6 @@ double memory_for_rows(bool json) {
 
 /// [bytes] of rows in a file that are read back only to say what was found.
 constexpr double memory_to_look_through = 200e6;
-
-std::string sweep_csv(const SweepResult& result, const Arguments& arguments) {
-  const std::size_t width = result.plan.rows.columns.size() - 1;
-  const std::size_t rows = result.rows.size() / width;
-  std::vector<std::vector<double>> cells(width, std::vector<double>(rows));
-  for (std::size_t i = 0; i < rows; ++i)
-    for (std::size_t column = 0; column < width; ++column) cells[column][i] = result.rows[i * width + column];
-  std::vector<CsvColumn> columns;
-  for (std::size_t column = 0; column < width; ++column)
-    columns.push_back({result.plan.rows.columns[column], std::span<const double>(cells[column])});
-  std::string out;
-  append_csv(out, columns,
-             std::vector<std::string>{command_line("sweep", arguments), "by " + how(result.plan),
-                                      status_counts(result)},
-             true);
-  return out;
-}
-
-Result<void> write_files(const SweepResult& result, const OutputOptions& output, const Arguments& arguments) {
-  const auto format = output.output.empty() ? FileFormat::hdf5 : *file_format(output.output, output.hdf5);
-  if (format != FileFormat::hdf5) {
-    const bool csv = format == FileFormat::csv;
-    const std::string text = csv ? sweep_csv(result, arguments) : to_json(result);
-    if (auto good = write_file(output.output, text); !good) return good;
-  }
-  if (output.plot.empty() || result.rows.empty()) return {};
-  const auto figure = sweep_figure(result);
-  return figure ? write_plot(output.plot, *figure) : figure.error();
-}
 
 /// Joins the other processes where mpirun or srun started several.
 Result<std::unique_ptr<Ranks>> join_ranks(const RankPlace& place) {
@@ -92,19 +65,21 @@ int help_first_rank(Ranks& ranks, const SweepOptions& options) {
   return done;
 }
 
-int show(const SweepResult& result, const OutputOptions& output, const Arguments& arguments) {
+int show(const SweepResult& result, const OutputOptions& output, const std::string& command) {
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
-  if (auto good = write_files(result, output, arguments); !good) return refuse(good.error());
-  if (output.output != "-" && !print(output.json ? to_json(result) : sweep_text(result)))
-    return refuse("standard output cannot be written");
-  if (result.interrupted)
-    complain(fmt::format("interrupted after {} of {} points{}", result.done, result.plan.rows.rows,
-                         into_file ? "; --resume goes on" : ""));
-  if (const std::vector<Notice> trouble = trouble_of(result); !trouble.empty())
-    complain(Error{"points_in_trouble", {{"points", trouble}}});
-  tell(notices_of(result), output);
   const bool any = result.counts.not_settled < result.plan.rows.rows;
-  return any && result.counts.ok() && !result.interrupted ? done : no_success;
+  Answer answer{.text = [&] { return sweep_text(result); },
+                .json = [&] { return to_json(result); },
+                .csv = [&] { return sweep_csv(result, command); },
+                .notices = notices_of(result),
+                .good = any && result.counts.ok() && !result.interrupted};
+  if (!result.rows.empty()) answer.figure = [&] { return sweep_figure(result); };
+  if (result.interrupted)
+    answer.failures.push_back(fmt::format("interrupted after {} of {} points{}", result.done,
+                                          result.plan.rows.rows, into_file ? "; --resume goes on" : ""));
+  if (const std::vector<Notice> trouble = trouble_of(result); !trouble.empty())
+    answer.failures.push_back(in_words(Error{"points_in_trouble", {{"points", trouble}}}));
+  return give(answer, output);
 }
 
 }  // namespace
@@ -163,7 +138,7 @@ int run_sweep(const Arguments& arguments) {
     return refuse("--every: it thins trajectories; name their file with --trajectories FILE.csv");
   }
   const auto finish = [&](const SweepResult& result) {
-    const int status = show(result, output, arguments);
+    const int status = show(result, output, command_line("sweep", arguments));
     if (trajectories.path.empty() || result.interrupted) return status;
     const auto said = write_trajectories(result.plan, trajectories, command_line("sweep", arguments), watch);
     clear_progress();

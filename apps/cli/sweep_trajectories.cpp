@@ -7,6 +7,7 @@
 
 #include "cromer/base/bytes.h"
 #include "cromer/cluster/disk.h"
+#include "cromer/documents/csv/sweep.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
@@ -14,24 +15,6 @@
 #include "output.h"
 
 namespace cromer::core::cli {
-namespace {
-
-/// One block of states of one point, as rows.
-void append_block(std::string& out, const SweepPlan& plan, const std::vector<double>& values,
-                  const Trajectory& states, std::span<const std::string> comments, bool first) {
-  std::vector<std::vector<double>> swept;
-  for (const double value : values) swept.emplace_back(states.size(), value);
-  std::vector<CsvColumn> columns;
-  for (std::size_t i = 0; i < values.size(); ++i)
-    columns.push_back({plan.swept[i].column, std::span<const double>(swept[i])});
-  columns.push_back({"t (s)", std::span<const double>(states.t)});
-  columns.push_back({"x (m)", std::span<const double>(states.x)});
-  columns.push_back({"v (m/s)", std::span<const double>(states.v)});
-  append_csv(out, columns, comments, first);
-}
-
-}  // namespace
-
 Result<std::string> announce_trajectories(const SweepPlan& plan, const TrajectoryOptions& options) {
   const auto format = file_format(options.path);
   if (!format || *format != FileFormat::csv || options.path == "-")
@@ -55,7 +38,7 @@ Result<std::string> write_trajectories(const SweepPlan& plan, const TrajectoryOp
     bool first = true;
     const auto sink = [&](const std::vector<double>& values, const Trajectory& states) {
       std::string rows;
-      append_block(rows, plan, values, states, first ? comments : std::vector<std::string>{}, first);
+      append_trajectory(rows, plan, values, states, first ? comments : std::vector<std::string>{}, first);
       first = false;
       return write(rows);
     };

@@ -1,4 +1,4 @@
-// Results as text: the same JSON documents that the program writes.
+// Results as documents: the same JSON, CSV and figures that the program writes.
 #pragma once
 
 #include <string>
@@ -25,5 +25,22 @@ CROMER_API std::string json(const FrequencyResponse& response, Language language
 /// With the states, or what is known of the run alone.
 CROMER_API std::string json(const Simulation& simulation, bool with_states = true,
                             Language language = Language::english);
+
+/// A table with a header row; every number reads back as the same double. A fit: its parameters, one row. A
+/// comparison: the measured and simulated motions. A simulation: its states. "" of a result that no call has
+/// filled, and of a spectrum that was interrupted.
+CROMER_API std::string csv(const LawFit& fit);
+CROMER_API std::string csv(const Comparison& comparison);
+CROMER_API std::string csv(const ResponseSpectrum& spectrum);
+CROMER_API std::string csv(const FrequencyResponse& response);
+CROMER_API std::string csv(const Simulation& simulation);
+
+/// The program's figure of the result as an SVG document. "" of a result that no call has filled, and of one
+/// that was interrupted before there was anything to draw.
+CROMER_API std::string svg(const LawFit& fit);
+CROMER_API std::string svg(const Comparison& comparison);
+CROMER_API std::string svg(const ResponseSpectrum& spectrum);
+CROMER_API std::string svg(const FrequencyResponse& response);
+CROMER_API std::string svg(const Simulation& simulation);
 
 }  // namespace cromer

@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -660,6 +661,62 @@ TEST(DoorDocument, IsTheProgramsJson) {
   EXPECT_EQ(nlohmann::json::parse(cromer::json(*fit))["status"], "converged");
   const auto compared = cromer::compare(*fit);
   EXPECT_TRUE(nlohmann::json::parse(cromer::json(*compared)).contains("curves"));
+}
+
+/// The lines of a document.
+std::vector<std::string> lines_of(const std::string& document) {
+  std::vector<std::string> lines;
+  std::istringstream stream(document);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(DoorDocument, TablesBeginWithTheirHeader) {
+  const auto run = cromer::simulate({.stiffness = 4}, {.step = 0.1, .until = 1});
+  const auto states = lines_of(cromer::csv(*run));
+  ASSERT_EQ(states.size(), run->size() + 1);
+  EXPECT_EQ(states[0], "run,t (s),x (m),v (m/s),energy (J)");
+  EXPECT_EQ(states[1], "1,0,1,0,2");
+  const Swing made = swing();
+  const auto fit = cromer::fit(made.t, made.y);
+  const auto law = lines_of(cromer::csv(*fit));
+  ASSERT_EQ(law.size(), 2u);
+  EXPECT_THAT(law[0], testing::StartsWith("file,run,column,law,status,"));
+  const auto compared = lines_of(cromer::csv(*cromer::compare(*fit)));
+  EXPECT_THAT(compared.front(), testing::StartsWith("run,curve,t (s),"));
+  const double frequencies[] = {1.0, 1.5};
+  const auto response = lines_of(cromer::csv(*cromer::sweep({.damping = 0.1}, frequencies)));
+  ASSERT_EQ(response.size(), 3u);
+  EXPECT_EQ(response[0], "drive_frequency (rad/s),amplitude (m),phase (rad)");
+  const double periods[] = {0.5, 1, 2};
+  const auto spectrum = lines_of(cromer::csv(*cromer::response_spectrum(made.y, 0.01, {.periods = periods})));
+  ASSERT_EQ(spectrum.size(), 4u);
+  EXPECT_EQ(spectrum[0], "period (s),damping_ratio,SD (m),PSV (m/s),PSA (m/s²)");
+}
+
+TEST(DoorDocument, FiguresAreSvg) {
+  const auto run = cromer::simulate({.stiffness = 4}, {.step = 0.1, .until = 1});
+  const Swing made = swing();
+  const auto fit = cromer::fit(made.t, made.y);
+  const double frequencies[] = {0.5, 1.0, 1.5}, periods[] = {0.5, 1, 2};
+  const std::string pictures[] = {
+      cromer::svg(*run), cromer::svg(*fit), cromer::svg(*cromer::compare(*fit)),
+      cromer::svg(*cromer::sweep({.damping = 0.1}, frequencies)),
+      cromer::svg(*cromer::response_spectrum(made.y, 0.01, {.periods = periods}))};
+  for (const std::string& each : pictures) {
+    EXPECT_THAT(each, HasSubstr("<svg"));
+    EXPECT_THAT(each, testing::EndsWith("</svg>\n"));
+    EXPECT_THAT(each, HasSubstr("<path"));
+  }
+}
+
+TEST(DoorDocument, OfNothingThereIsNone) {
+  EXPECT_EQ(cromer::csv(cromer::LawFit{}), "");
+  EXPECT_EQ(cromer::csv(cromer::Simulation{}), "");
+  EXPECT_EQ(cromer::csv(cromer::FrequencyResponse{}), "");
+  EXPECT_EQ(cromer::svg(cromer::LawFit{}), "");
+  EXPECT_EQ(cromer::svg(cromer::Comparison{}), "");
+  EXPECT_EQ(cromer::svg(cromer::ResponseSpectrum{}), "");
 }
 
 TEST(DoorQuantity, TextIsReadAndWritten) {

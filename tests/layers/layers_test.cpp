@@ -64,7 +64,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
         "tasks"}},
       {"figures", {"base", "model", "analysis", "identify", "report", "tasks", "documents"}},
       {"study", {"base", "model", "analysis", "read", "report", "tasks", "documents", "figures"}},
-      {"door", {"base", "model", "analysis", "identify", "read", "report", "tasks", "documents"}},
+      {"door", {"base", "model", "analysis", "identify", "read", "report", "tasks", "documents", "figures"}},
   };
   return list;
 }

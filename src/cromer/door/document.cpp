@@ -1,13 +1,29 @@
 #include "cromer/document.h"
 
 #include <span>
+#include <vector>
 
+#include "cromer/documents/csv/compare.h"
+#include "cromer/documents/csv/fit.h"
+#include "cromer/documents/csv/simulate.h"
+#include "cromer/documents/csv/spectrum.h"
+#include "cromer/documents/csv/sweep.h"
 #include "cromer/documents/json/documents.h"
+#include "cromer/figures/compare.h"
+#include "cromer/figures/fit.h"
+#include "cromer/figures/simulate.h"
+#include "cromer/figures/spectrum.h"
+#include "cromer/figures/sweep.h"
 
 namespace cromer {
 namespace {
 
 core::Voice voice_of(Language language) { return {language, core::Audience::caller}; }
+
+/// An SVG is drawn without any library, and cannot fail.
+std::string drawn(const core::Figure& figure) { return *core::draw(figure, core::FigureFormat::svg); }
+
+constexpr const char* no_command = "";  // nothing to say of where the numbers come from
 
 }  // namespace
 
@@ -32,6 +48,44 @@ std::string json(const FrequencyResponse& response, Language language) {
 
 std::string json(const Simulation& simulation, bool with_states, Language language) {
   return simulation.detail ? core::to_json(*simulation.detail, with_states, voice_of(language)) : "";
+}
+
+std::string csv(const LawFit& fit) { return fit.detail ? core::fit_csv({*fit.detail}) : ""; }
+
+std::string csv(const Comparison& comparison) {
+  return comparison.detail ? core::compare_csv({*comparison.detail}) : "";
+}
+
+std::string csv(const ResponseSpectrum& spectrum) {
+  return spectrum.detail ? core::spectrum_csv(*spectrum.detail, no_command) : "";
+}
+
+std::string csv(const FrequencyResponse& response) {
+  return response.detail ? core::sweep_csv(*response.detail, no_command) : "";
+}
+
+std::string csv(const Simulation& simulation) {
+  return simulation.detail ? core::simulate_csv(*simulation.detail, no_command) : "";
+}
+
+std::string svg(const LawFit& fit) { return fit.detail ? drawn(core::fit_figure({*fit.detail})) : ""; }
+
+std::string svg(const Comparison& comparison) {
+  return comparison.detail ? drawn(core::compare_figure({*comparison.detail})) : "";
+}
+
+std::string svg(const ResponseSpectrum& spectrum) {
+  return spectrum.detail && !spectrum.interrupted ? drawn(core::spectrum_figure(*spectrum.detail)) : "";
+}
+
+std::string svg(const FrequencyResponse& response) {
+  if (!response.detail) return "";
+  const auto figure = core::sweep_figure(*response.detail);
+  return figure ? drawn(*figure) : "";
+}
+
+std::string svg(const Simulation& simulation) {
+  return simulation.detail ? drawn(core::simulate_figure(*simulation.detail)) : "";
 }
 
 }  // namespace cromer

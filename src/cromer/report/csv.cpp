@@ -39,6 +39,7 @@ std::size_t rows_of(std::span<const CsvColumn> columns) {
 void append_csv(std::string& out, std::span<const CsvColumn> columns, std::span<const std::string> comments,
                 bool with_header) {
   for (std::string comment : comments) {
+    if (comment.empty()) continue;
     for (std::size_t i = 0; (i = comment.find('\n', i)) != std::string::npos; i += 3)
       comment.insert(i + 1, "# ");
     out.append("# ").append(printable(comment)).append("\n");

@@ -16,9 +16,9 @@ struct CsvColumn {
   std::variant<std::span<const double>, std::string> cells;
 };
 
-/// `comments` become lines beginning with "# ". Appends one block of rows to `out`; the header line only if
-/// `with_header`. NaN is an empty cell. Cost: about 1.9 ms for 8000 rows of three (std::to_chars, no
-/// formatting library).
+/// `comments`, but for empty ones, become lines beginning with "# ". Appends one block of rows to `out`; the
+/// header line only if `with_header`. NaN is an empty cell. Cost: about 1.9 ms for 8000 rows of three
+/// (std::to_chars, no formatting library).
 void append_csv(std::string& out, std::span<const CsvColumn> columns, std::span<const std::string> comments,
                 bool with_header);
 

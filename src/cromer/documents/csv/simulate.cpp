@@ -14,6 +14,7 @@ namespace cromer::core {
 namespace {
 
 std::vector<std::string> comments(const SimulateResult& result, const std::string& command) {
+  if (command.empty()) return {};
   std::vector<std::string> lines{command};
   if (result.options.sensor.used)
     lines.emplace_back("synthetic: a simulated motion sensor, not a measurement");

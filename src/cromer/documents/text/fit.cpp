@@ -166,4 +166,9 @@ std::string fit_text(const std::vector<FittedRecording>& fits) {
   return out;
 }
 
+std::string failure_text(const FittedRecording& fitted) {
+  return fmt::format("{}: run {}: {}: {}", fitted.file, fitted.series.run, fitted.status(),
+                     in_words(fitted.fit.message));
+}
+
 }  // namespace cromer::core

@@ -42,6 +42,13 @@ constexpr Entry entries[] = {
      "{--output}: {file}: die Endung bestimmt das Format, und „{ending}“ ist weder .csv noch .json noch .h5"},
     {"output_is_the_input", error, "{option} {file}: that is the recording itself; it would be lost",
      "{option} {file}: das ist die Aufnahme selbst; sie ginge verloren"},
+    // documents/text
+    {"methods_with_step", clause,
+     "With {--natural-frequency} and {--step}: what each of them really simulates",
+     "Mit {--natural-frequency} und {--step}: was jede von ihnen wirklich simuliert"},
+    {"list_goes_on", clause, "and {more} more: {--json} lists all",
+     "und {more} weitere: {--json} nennt alle"},
+    // apps/cli
     {"two_on_standard_output", error, "{--json} and -o - both want standard output; give -o a file name",
      "{--json} und -o - wollen beide auf die Standardausgabe; bitte bei -o eine Datei nennen"},
     {"static_or_mass_line", error, "{--static} and {--mass-line} are two ways; give one of them",

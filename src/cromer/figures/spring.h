@@ -1,0 +1,16 @@
+// Spring constants from several masses as figures.
+#pragma once
+
+#include "cromer/report/figure.h"
+#include "cromer/tasks/fit/mass_line.h"
+#include "cromer/tasks/fit/static_stiffness.h"
+
+namespace cromer::core {
+
+/// Position at rest against mass, and what the line leaves.
+Figure static_figure(const StaticStiffness& found);
+
+/// Period squared against mass, and what the line leaves.
+Figure mass_line_figure(const MassLine& line);
+
+}  // namespace cromer::core
