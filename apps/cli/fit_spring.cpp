@@ -14,8 +14,7 @@
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "cromer/tasks/fit/fit_static.h"
-#include "cromer/tasks/fit/masses.h"
+#include "cromer/tasks/fit/spring_constant.h"
 #include "exit_status.h"
 #include "message.h"
 

@@ -7,6 +7,7 @@
 
 #include "cromer/analysis/swing.h"
 #include "cromer/identify/least_squares/normal_equations.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
@@ -139,6 +140,20 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
     motion.local_velocity.resize(n);
   }
   return motion;
+}
+
+MotionUnits motion_units(const FittedRecording& fitted) {
+  MotionUnits units;
+  units.measured = unit_of(fitted.series);
+  units.displacement = displacement_unit(units.measured, derivative_order(fitted.series.quantity));
+  if (!units.displacement.empty()) units.velocity = units.displacement + "/s";
+  if (fitted.find("stiffness"))
+    units.energy = "J";
+  else if (units.displacement == "m")
+    units.energy = "J/kg";
+  else if (units.displacement == "rad")
+    units.energy = "J/(kg m²)";
+  return units;
 }
 
 }  // namespace cromer::core

@@ -10,8 +10,8 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/base/number.h"
-#include "cromer/tasks/fit/decay_by_amplitude.h"
-#include "cromer/tasks/fit/derived_quantities.h"
+#include "cromer/tasks/fit/decay_rates.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
 
 namespace cromer::core {
 namespace {
