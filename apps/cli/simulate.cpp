@@ -11,7 +11,6 @@
 #include "cromer/documents/text/simulate.h"
 #include "cromer/figures/simulate.h"
 #include "cromer/report/file.h"
-#include "cromer/tasks/simulate/load_drive.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"

@@ -243,4 +243,10 @@ Result<void> end_drive(const SimulateOptions& o, SimulatedRun& run) {
   return {};
 }
 
+bool sends_motion(const SimulateOptions& options) { return drive_name(options) == "base"; }
+
+double sent_amplitude(const SimulateOptions& options, const SimulatedRun& run) {
+  return sends_motion(options) ? *options.base_displacement : run.drive.amplitude;
+}
+
 }  // namespace cromer::core

@@ -39,4 +39,10 @@ double drive_end(const SimulatedRun& run);
 /// needs a closed form.
 Result<void> end_drive(const SimulateOptions& options, SimulatedRun& run);
 
+/// Whether it is the base that moves.
+bool sends_motion(const SimulateOptions& options);
+
+/// The amplitude of what goes in.
+double sent_amplitude(const SimulateOptions& options, const SimulatedRun& run);
+
 }  // namespace cromer::core
