@@ -1,4 +1,4 @@
-#include "cromer/tasks/sweep/sweep_points.h"
+#include "cromer/tasks/sweep/sweep_rows.h"
 
 #include <algorithm>
 #include <numbers>
@@ -8,7 +8,6 @@
 
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
-#include "cromer/tasks/sweep/loss_factor.h"
 
 namespace cromer::core {
 namespace {

@@ -7,7 +7,6 @@
 #include "cromer/analysis/energy_balance.h"
 #include "cromer/ensemble/point.h"
 #include "cromer/tasks/sweep/sweep.h"
-#include "cromer/tasks/sweep/sweep_growth.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 
 namespace cromer::core {
