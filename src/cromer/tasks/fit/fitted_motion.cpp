@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/analysis/swing.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
@@ -78,7 +78,7 @@ class SlidingSinusoid {
 };
 
 std::vector<double> local_velocities(const Series& series, double w, double level) {
-  const double half = std::numbers::pi / w;
+  const double half = pi / w;
   const FittedSamples good = without_outliers(series);
   SlidingSinusoid window(good, w, level);
   std::vector<double> v(series.t.size(), std::numeric_limits<double>::quiet_NaN());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -135,7 +134,7 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   law.decay.angular_frequency = undamped;
   const Real g = 0.5 * law.decay.per_mass.damping, equivalent = law.decay.rate(A);
   const Real w = sqrt(undamped * undamped - g * g);
-  const Real period = 2 * std::numbers::pi / w;
+  const Real period = two_pi / w;
   std::vector<Parameter> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
                               {"period", estimate_of(period, fit), "s"},
                               {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
@@ -98,7 +97,7 @@ std::string simulate_line(const LawFit& fit, const Series& series, double mass) 
   if (fit.drive.kind == DriveKind::recorded || !fit.law.shares(springs)) return {};
   const Motion& motion = fit.motion;
   const double exponent = motion.per_mass.hysteresis_exponent;
-  const double shorter = 2 * std::numbers::pi / std::max(motion.angular_frequency(), motion.drive_frequency);
+  const double shorter = two_pi / std::max(motion.angular_frequency(), motion.drive_frequency);
   for (const double value : {mass, motion.angular_frequency(), motion.position, motion.velocity, shorter})
     if (!std::isfinite(value)) return {};
   std::string line = fmt::format("cromer simulate --mass {}", shortest(mass));

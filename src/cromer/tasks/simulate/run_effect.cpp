@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/model/terms.h"
@@ -108,7 +108,7 @@ Notice step_notice(const SimulatedRun& run) {
   const Oscillator<double>& o = run.oscillator;
   const double period = natural_period(o);
   if (!(period > 0)) return {};
-  const double w = 2 * std::numbers::pi / period;
+  const double w = two_pi / period;
   // What drag, friction and their like take may outweigh a growth that only vanishes with the step.
   const bool braked = law_of(o).shares(dissipative_terms.without(law_with<Viscous>));
   const auto of_motions = [&](double stiffness, const Notice& motions) -> Notice {

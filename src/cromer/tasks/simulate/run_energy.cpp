@@ -23,12 +23,6 @@ namespace {
 
 double spacing_of(const Trajectory& kept) { return kept.size() > 1 ? kept.t[1] - kept.t[0] : 0; }
 
-/// The shorter of natural and drive period [s]; 0 where there is none.
-double shortest_period(const SimulatedRun& run) {
-  const double natural = natural_period(run.oscillator), drive = drive_period(run);
-  return natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
-}
-
 bool dense_enough(const SimulatedRun& run, double period, double states) {
   return run.outcome.status == Status::reached_end && run.trajectory.size() > 1 &&
          (period == 0 || spacing_of(run.trajectory) * states <= period * (1 + 1e-9));
@@ -145,7 +139,7 @@ std::vector<double> energies(const SimulatedRun& run) {
 }
 
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
-  const double period = shortest_period(run);
+  const double period = shorter_period(natural_period(run.oscillator), drive_period(run));
   const bool closed = run.method == "exact";
   const Law law = law_of(run.oscillator);
   const bool rubs = law.has<Friction>();

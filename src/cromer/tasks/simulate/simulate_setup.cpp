@@ -225,9 +225,12 @@ State<double> start_of(const SimulateOptions& o) {
   return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
 }
 
+double shorter_period(double one, double other) {
+  return one > 0 && other > 0 ? std::min(one, other) : std::max(one, other);
+}
+
 double default_step(double natural, double drive) {
-  const double shorter = natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
-  return shorter / default_steps_per_period;
+  return shorter_period(natural, drive) / default_steps_per_period;
 }
 
 double default_end(double natural, double drive) { return default_periods * (natural > 0 ? natural : drive); }

@@ -39,6 +39,9 @@ Result<Event> parse_event(std::string_view text);
 inline constexpr double default_steps_per_period = 200;
 inline constexpr double default_periods = 20;
 
+/// The shorter of two periods [s], of which 0 is none.
+double shorter_period(double one, double other);
+
 /// The step where none is asked for [s]: a 200th of the shorter of natural and drive period, of which 0 is
 /// none; 0 where there is neither.
 double default_step(double natural_period, double drive_period);

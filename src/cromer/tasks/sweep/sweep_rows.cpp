@@ -11,6 +11,7 @@
 #include "cromer/analysis/method_steady_state.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
+#include "cromer/base/pi.h"
 #include "cromer/ensemble/group.h"
 #include "cromer/ensemble/point.h"
 #include "cromer/methods/all.h"
@@ -165,8 +166,7 @@ bool make_in_groups(const SweepWork& work, SweepPoints& points, std::uint64_t fi
 void continue_from(const PointResult& ended, const Point& before, Point& next) {
   if (ended.status != PointStatus::not_settled && !has_numbers(ended.status)) return;
   next.start = ended.end;
-  next.drive.phase =
-      std::fmod(before.drive.frequency * ended.end_time + before.drive.phase, 2 * std::numbers::pi);
+  next.drive.phase = std::fmod(before.drive.frequency * ended.end_time + before.drive.phase, two_pi);
 }
 
 /// Chains side by side, each along the last axis.
@@ -235,8 +235,7 @@ bool make_stretch(const SweepWork& work, SweepPoints& points, std::uint64_t firs
   return true;
 }
 
-}  // namespace
-
+/// All that --measure knows.
 const std::vector<Measure>& measures() {
   static const std::vector<Measure> all{
       {"amplitude",
@@ -257,6 +256,8 @@ const std::vector<Measure>& measures() {
   };
   return all;
 }
+
+}  // namespace
 
 Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>& names, bool driven) {
   std::vector<std::string> words;

@@ -79,9 +79,6 @@ struct Measure {
   void (*write)(const PointResult& result, double* to);
 };
 
-/// All of them.
-const std::vector<Measure>& measures();
-
 /// By names, also several with commas; what is usual where none is given. An Error suggests the nearest name.
 Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>& names, bool driven);
 
