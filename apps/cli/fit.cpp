@@ -18,7 +18,7 @@
 #include "cromer/figures/spring.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
-#include "cromer/tasks/fit/masses.h"
+#include "cromer/tasks/fit/spring_constant.h"
 #include "exit_status.h"
 #include "fit_files.h"
 #include "fit_spring.h"

@@ -6,8 +6,7 @@
 #include "cromer/documents/text/spring.h"
 #include "cromer/figures/spring.h"
 #include "cromer/report/read_file.h"
-#include "cromer/tasks/fit/fit_static.h"
-#include "cromer/tasks/fit/masses.h"
+#include "cromer/tasks/fit/spring_constant.h"
 #include "message.h"
 
 namespace cromer::core::cli {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cromer/tasks/fit/fit.h"
-#include "cromer/tasks/fit/mass_line.h"
+#include "cromer/tasks/fit/spring_constant.h"
 #include "output.h"
 
 namespace cromer::core::cli {

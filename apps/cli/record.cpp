@@ -11,7 +11,7 @@
 #include "cromer/documents/json/live.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/tasks/record/live_fitter.h"
+#include "cromer/tasks/record/live_fit.h"
 #include "cromer/tasks/record/options.h"
 #include "exit_status.h"
 #include "message.h"

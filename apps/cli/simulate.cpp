@@ -9,7 +9,6 @@
 #include "cromer/documents/text/simulate.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/figures/simulate.h"
-#include "cromer/tasks/simulate/load_drive.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "message.h"
 #include "output.h"

@@ -11,7 +11,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
-#include "cromer/tasks/sweep/sweep_trajectories.h"
+#include "cromer/tasks/sweep/sweep.h"
 #include "output.h"
 
 namespace cromer::core::cli {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "apps/serve/http_server.h"
-#include "cromer/tasks/record/live_fitter.h"
+#include "cromer/tasks/record/live_fit.h"
 #include "cromer/tasks/record/options.h"
 
 namespace cromer::core::serve {

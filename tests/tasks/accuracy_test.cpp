@@ -1,4 +1,3 @@
-#include "cromer/tasks/simulate/accuracy.h"
 #include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>

@@ -6,7 +6,6 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/option/option.h"
-#include "cromer/tasks/sweep/sweep_description.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 #include "tests/tasks/sweep_options.h"
 

@@ -9,7 +9,6 @@
 #include "cromer/documents/described/fit.h"
 #include "cromer/documents/described/inspect.h"
 #include "cromer/tasks/fit/fitted_motion.h"
-#include "cromer/tasks/fit/motion_units.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "method_resonance.h"
 

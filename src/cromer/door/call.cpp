@@ -25,8 +25,8 @@
 #include "cromer/report/read_file.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/option/option.h"
-#include "cromer/tasks/simulate/load_drive.h"
 #include "cromer/tasks/simulate/run_energy.h"
+#include "cromer/tasks/simulate/simulate.h"
 #include "cromer/version.h"
 
 /// What a call gives back; C sees it only by pointer.

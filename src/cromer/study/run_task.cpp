@@ -5,7 +5,7 @@
 #include "cromer/study/collect.h"
 #include "cromer/study/run_study.h"
 #include "cromer/study/task_settings.h"
-#include "cromer/tasks/simulate/load_drive.h"
+#include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
 namespace {

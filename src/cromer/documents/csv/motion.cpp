@@ -4,7 +4,6 @@
 
 #include "cromer/report/csv.h"
 #include "cromer/tasks/fit/fitted_motion.h"
-#include "cromer/tasks/fit/motion_units.h"
 
 namespace cromer::core {
 namespace {

@@ -2,8 +2,7 @@
 #pragma once
 
 #include "cromer/documents/described/describe.h"
-#include "cromer/tasks/fit/mass_line.h"
-#include "cromer/tasks/fit/static_stiffness.h"
+#include "cromer/tasks/fit/spring_constant.h"
 
 namespace cromer::core {
 

@@ -15,7 +15,7 @@
 #include "cromer/documents/text/text_table.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/simulate/run_effect.h"
-#include "cromer/tasks/simulate/run_invariants.h"
+#include "cromer/tasks/simulate/run_energy.h"
 
 namespace cromer::core {
 namespace {

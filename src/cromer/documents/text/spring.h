@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include "cromer/tasks/fit/mass_line.h"
-#include "cromer/tasks/fit/static_stiffness.h"
+#include "cromer/tasks/fit/spring_constant.h"
 
 namespace cromer::core {
 

@@ -2,23 +2,303 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "cromer/base/interrupt.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/state.h"
 #include "cromer/identify/diagnose/doubts.h"
+#include "cromer/identify/motion/damped_phasor.h"
+#include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
+#include "cromer/model/terms.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/in_file.h"
-#include "cromer/tasks/compare/compared_curve.h"
+#include "cromer/result.h"
 #include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/option/part_of_work.h"
+#include "cromer/tasks/simulate/run_law.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
+#include "cromer/trajectory.h"
 
 namespace cromer::core {
 namespace {
 
 constexpr double most_steps = 1e8;
 constexpr double of_fits = 0.7;  // of the work, roughly
+
+/// Takes the states of a run at the times `t` [s], strictly increasing, which must outlive it; between two
+/// states by the cubic that has their positions and velocities, within `slack` [s] of one that state.
+class KeepAt {
+ public:
+  KeepAt(const std::vector<double>& t, double slack) : t_(t), slack_(slack) {
+    kept_.t.reserve(t.size());
+    kept_.x.reserve(t.size());
+    kept_.v.reserve(t.size());
+  }
+
+  void operator()(double t, const State<double>& y) {
+    while (kept_.size() < t_.size() && t_[kept_.size()] <= t + slack_) {
+      const double at = t_[kept_.size()];
+      const State<double> here = t - at <= slack_ ? y : between(at, t, y);
+      kept_.t.push_back(at);
+      kept_.x.push_back(here.x);
+      kept_.v.push_back(here.v);
+    }
+    before_t_ = t;
+    before_ = y;
+  }
+
+  Trajectory take() { return std::move(kept_); }
+
+ private:
+  State<double> between(double at, double t, const State<double>& y) const {
+    const double h = t - before_t_, s = (at - before_t_) / h;
+    const double dx = y.x - before_.x;
+    const double a = h * before_.v, b = h * y.v;
+    const double c2 = 3 * dx - 2 * a - b, c3 = a + b - 2 * dx;
+    return {before_.x + s * (a + s * (c2 + s * c3)), (a + s * (2 * c2 + 3 * s * c3)) / h};
+  }
+
+  const std::vector<double>& t_;
+  double slack_;
+  double before_t_ = 0;
+  State<double> before_{};
+  Trajectory kept_;
+};
+
+/// Of two motions sampled at the same times.
+struct EndComparison {
+  double amplitude_ratio = 1;  ///< of the second over the first
+  double phase_drift = 0;      // [rad] of the second minus the first, followed through the record
+  double first_amplitude = 0, second_amplitude = 0;  ///< at the end
+  std::size_t samples = 0;                           ///< that the amplitudes at the end rest on
+};
+
+/// Samples [first, last).
+struct Window {
+  std::size_t first, last;
+};
+
+// Amplitude and phase of the sinusoid of frequency w that fits the samples best.
+std::complex<double> local_sinusoid(std::span<const double> t, std::span<const double> x, Window window,
+                                    double w) {
+  const std::size_t n = window.last - window.first;
+  const Record part{t.subspan(window.first, n), x.subspan(window.first, n), 0};
+  const DampedPhasor::Linear fit = DampedPhasor(part).best_linear(w, 0);
+  return {fit.cosine, -fit.sine};  // cosine cos(wt) + sine sin(wt) = |z| cos(wt + arg z)
+}
+
+Window late_half(Window window) { return {window.first + (window.last - window.first) / 2, window.last}; }
+
+// The second motion over the first at the window's end: the change of their ratio from the first half to the
+// second, carried on by the quarter of the window that lies between the second half's middle and the end.
+std::complex<double> ratio_at_end(std::span<const double> t, std::span<const double> first,
+                                  std::span<const double> second, Window window, double w) {
+  const Window late = late_half(window), early{window.first, late.first};
+  const std::complex<double> before =
+                                 local_sinusoid(t, second, early, w) / local_sinusoid(t, first, early, w),
+                             after = local_sinusoid(t, second, late, w) / local_sinusoid(t, first, late, w);
+  const std::complex<double> change = after / before;
+  return std::isfinite(std::abs(change)) ? after * std::sqrt(change) : after;
+}
+
+// From the first to the last upward crossing of zero; `otherwise` where there are fewer than three.
+double frequency_in(std::span<const double> t, std::span<const double> x, Window window, double otherwise) {
+  int crossings = 0;
+  double from = 0, to = 0;
+  for (std::size_t i = window.first + 1; i < window.last; ++i) {
+    if (!(x[i - 1] < 0 && x[i] >= 0)) continue;
+    to = t[i - 1] + (t[i] - t[i - 1]) * x[i - 1] / (x[i - 1] - x[i]);
+    if (++crossings == 1) from = to;
+  }
+  return crossings < 3 ? otherwise : two_pi * (crossings - 1) / (to - from);
+}
+
+/// Windows of ten periods 2 pi/w follow the phase through the record, so that a drift beyond half a turn is
+/// not folded back; the last one, carried on from its middle to its end, gives the result. The frequency of
+/// each window is that of `guide`, a motion without noise near both, where it turns there; else w [rad/s].
+EndComparison compare_ends(std::span<const double> t, std::span<const double> first,
+                           std::span<const double> second, std::span<const double> guide, double w) {
+  EndComparison end;
+  const double length = 10 * two_pi / w;
+  const int windows = std::max(1, static_cast<int>((t.back() - t.front()) / length));
+  double drift = 0;
+  for (int i = windows; i > 0; --i) {
+    const double from = std::max(t.front(), t.back() - i * length), to = t.back() - (i - 1) * length;
+    const Window window{static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), from) - t.begin()),
+                        static_cast<std::size_t>(std::upper_bound(t.begin(), t.end(), to) - t.begin())};
+    if (window.last < window.first + 8) continue;
+    const double here = frequency_in(t, guide, window, w);
+    const std::complex<double> a = local_sinusoid(t, first, window, here),
+                               b = local_sinusoid(t, second, window, here);
+    if (std::abs(a) > 0) {
+      const double now = std::arg(b * std::conj(a));
+      drift = now + two_pi * std::round((drift - now) / two_pi);
+    }
+    if (i > 1) continue;
+    const std::complex<double> ratio = ratio_at_end(t, first, second, window, here);
+    end = {.amplitude_ratio = std::abs(ratio),
+           .phase_drift = drift + std::arg(ratio * std::polar(1.0, -drift)),
+           .first_amplitude = std::abs(local_sinusoid(t, first, late_half(window), here)),
+           .second_amplitude = std::abs(local_sinusoid(t, second, late_half(window), here)),
+           .samples = window.last - late_half(window).first};
+  }
+  return end;
+}
+
+struct NamedLaw {
+  std::string label;
+  Law law;
+  Motion motion;  ///< from the recording's first sample on
+};
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Empty if there is one, in arcs where friction is all that is added to the linear law.
+std::string_view why_no_closed_form(const NamedLaw& law) {
+  const std::string_view option = why_not_exact(law.motion.per_mass);
+  return option == Friction::coefficients[0].option ? "" : option;
+}
+
+double rms_of_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+double standard_deviation(const std::vector<double>& values) {
+  double mean = 0, sum = 0;
+  for (const double value : values) mean += value / static_cast<double>(values.size());
+  for (const double value : values) sum += (value - mean) * (value - mean);
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+/// What noise alone puts into the amplitude of a sinusoid fitted to so many samples, at most.
+double noise_amplitude(double rms, std::size_t samples) {
+  constexpr double standard_errors = 5;
+  return standard_errors * rms * std::sqrt(2 / static_cast<double>(std::max<std::size_t>(samples, 1)));
+}
+
+// The samples not set aside, and two motions at their times.
+struct Samples {
+  std::vector<double> t, measured, simulated, law;
+};
+
+Samples good_samples(const FittedRecording& recording, const Trajectory& simulated, const Trajectory& law) {
+  const FittedSamples good = without_outliers(recording.series);
+  Samples samples{good.t, good.y, {}, {}};
+  for (double& y : samples.measured) y -= recording.fit.equilibrium().value;
+  samples.simulated.reserve(good.t.size());
+  samples.law.reserve(good.t.size());
+  for (std::size_t i = 0; i < simulated.size() && samples.law.size() < good.t.size(); ++i) {
+    if (simulated.t[i] != good.t[samples.law.size()]) continue;
+    samples.simulated.push_back(simulated.x[i]);
+    samples.law.push_back(law.x[i]);
+  }
+  return samples;
+}
+
+void compare_with_measured(ComparedCurve& curve, const FittedRecording& recording, const Samples& samples) {
+  const double w = recording.fit.angular_frequency().value;
+  const double scatter = standard_deviation(samples.measured);
+  curve.rms = rms_of_difference(samples.measured, samples.simulated);
+  curve.r_squared = 1 - std::pow(curve.rms / scatter, 2);
+  curve.law_rms = rms_of_difference(samples.measured, samples.law);
+  const EndComparison end = compare_ends(samples.t, samples.measured, samples.simulated, samples.law, w),
+                      of_law = compare_ends(samples.t, samples.measured, samples.law, samples.law, w);
+  const double noise = noise_amplitude(recording.fit.residual.rms, end.samples);
+  curve.measured_at_rest = end.first_amplitude < noise;
+  curve.at_rest = end.second_amplitude < noise;
+  if (curve.measured_at_rest) return;
+  curve.amplitude_ratio_end = end.amplitude_ratio;
+  curve.phase_drift = end.phase_drift;
+  curve.law_amplitude_ratio_end = of_law.amplitude_ratio;
+}
+
+// The method's own part: the same law without it.
+void compare_with_law(ComparedCurve& curve, const FittedRecording& recording, const Samples& samples) {
+  const EndComparison end = compare_ends(samples.t, samples.law, samples.simulated, samples.law,
+                                         recording.fit.angular_frequency().value);
+  // Below this a law has stopped, or has died down beyond what its own rounding leaves.
+  const double nothing = 1e-9 * standard_deviation(samples.law);
+  if (!(end.first_amplitude > nothing)) return;
+  curve.method_amplitude_ratio = end.amplitude_ratio;
+  curve.method_phase = end.phase_drift;
+}
+
+Notice said(const NamedLaw& law) {
+  const std::string text = to_text(law.law);
+  return law.label == text ? Notice{"law_by_name", {{"law", text}}} : Notice{"one_constant_decay_rate"};
+}
+
+/// Runs the law by the method and step of the options over the recording's times. Samples set aside are in no
+/// figure. A run that ended early, or that grows tenfold, is a notice. The law must be one that the method
+/// can integrate, else an Error.
+Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const NamedLaw& law,
+                                     const CompareOptions& options, double step, std::vector<Notice>& notices,
+                                     const Watch& watch) {
+  if (options.method == "exact")
+    if (const std::string_view term = why_no_closed_form(law); !term.empty())
+      return Error{"compared_has_no_closed_form", {{"term", term}}};
+  const Series& series = recording.series;
+  const Motion& motion = law.motion;
+  const double t0 = series.t.front(), duration = series.t.back() - t0;
+  const Interval interval{t0, t0 + std::ceil(duration / step - 1e-9) * step};
+  KeepAt keep(series.t, 1e-6 * step);
+  KeepEvery each{AnyRecorder(keep)};
+  const LawRun run{.oscillator = motion.per_mass,
+                   .method = options.method,
+                   .interval = interval,
+                   .start = {motion.position, motion.velocity},
+                   .control = step};
+  const Outcome outcome = run_law(run, each, watch);
+
+  ComparedCurve curve;
+  curve.label = law.label;
+  curve.law = law.law;
+  curve.method = options.method;
+  curve.step = step;
+  curve.trajectory = keep.take();
+  curve.rms = curve.r_squared = curve.amplitude_ratio_end = curve.phase_drift = unknown;
+  curve.law_rms = curve.law_amplitude_ratio_end = curve.method_amplitude_ratio = curve.method_phase = unknown;
+  if (outcome.status != Status::reached_end || curve.trajectory.size() < series.t.size()) {
+    curve.complete = false;
+    curve.diverged = !outcome.interrupted;
+    notices.push_back(outcome.interrupted
+                          ? Notice{"curve_interrupted", {{"law", said(law)}, {"t", outcome.t}}}
+                          : Notice{"curve_ended",
+                                   {{"law", said(law)},
+                                    {"method", options.method},
+                                    {"t", outcome.t},
+                                    {"status", name(outcome.status)}}});
+    return curve;
+  }
+  const double law_step = recording.fit.step > 0 ? recording.fit.step : step;
+  const Trajectory itself = motion_states(motion, {}, series.t, law_step);
+  if (itself.size() < series.t.size()) return Error{"law_runs_away", {{"law", said(law)}}};
+  const Samples samples = good_samples(recording, curve.trajectory, itself);
+  compare_with_measured(curve, recording, samples);
+  compare_with_law(curve, recording, samples);
+  // A free swing never exceeds its start by much: what does has grown from step to step.
+  double largest = 0;
+  const double start = std::hypot(motion.position, motion.velocity / motion.angular_frequency());
+  for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
+  if (largest > 10 * start) {
+    curve.diverged = true;
+    notices.push_back(
+        Notice{"curve_grows",
+               {{"law", said(law)}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
+  }
+  return curve;
+}
 
 // A period has at least the default steps, and a sample is a whole number of them.
 double dividing_step(double spacing, double period) {

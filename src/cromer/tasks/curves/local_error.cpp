@@ -1,7 +1,6 @@
 #include "cromer/tasks/curves/local_error.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/local_error.h"
 #include "cromer/methods/all.h"

@@ -11,7 +11,7 @@
 #include "cromer/analysis/steady_state.h"
 #include "cromer/model/terms.h"
 #include "cromer/tasks/simulate/drive_setup.h"
-#include "cromer/tasks/simulate/run_transmission.h"
+#include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer::core {

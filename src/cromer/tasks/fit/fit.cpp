@@ -16,12 +16,10 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
-#include "cromer/tasks/fit/derived_quantities.h"
 #include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/lab_quantities.h"
-#include "cromer/tasks/fit/recognise_drive.h"
-#include "cromer/tasks/fit/simulate_line.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/option/part_of_work.h"
@@ -93,6 +91,18 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
   result.reynolds_max_t = top->at;
 }
 
+// A pause so long that the motion cannot be followed through it: a wrong time, or two recordings in one.
+Result<void> check_pauses(const Series& series) {
+  constexpr double longest_pause = 1e6;  // [sample spacings]
+  for (std::size_t i = 1; i < series.t.size(); ++i)
+    if ((series.t[i] - series.t[i - 1]) * series.rate > longest_pause)
+      return Error{"time_jumps",
+                   {{"line", i < series.lines.size() ? series.lines[i] : 0},
+                    {"from", series.t[i - 1]},
+                    {"to", series.t[i]}}};
+  return {};
+}
+
 // The law asked for, or the one the record asks for.
 Result<LawChoice> law_of_record(const Record& record, const Series& series, const FitOptions& options,
                                 std::vector<Notice>& notices, const Watch& watch) {
@@ -138,18 +148,6 @@ FittedRecording not_fitted(std::string_view file, int run, const Notice& why) {
   row.fit.status = FitStatus::no_oscillation;
   row.fit.message = without_file(why, file);
   return row;
-}
-
-// A pause so long that the motion cannot be followed through it: a wrong time, or two recordings in one.
-Result<void> check_pauses(const Series& series) {
-  constexpr double longest_pause = 1e6;  // [sample spacings]
-  for (std::size_t i = 1; i < series.t.size(); ++i)
-    if ((series.t[i] - series.t[i - 1]) * series.rate > longest_pause)
-      return Error{"time_jumps",
-                   {{"line", i < series.lines.size() ? series.lines[i] : 0},
-                    {"from", series.t[i - 1]},
-                    {"to", series.t[i]}}};
-  return {};
 }
 
 Result<Series> samples_in_use(const Series& series, const FitOptions& options) {

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "cromer/analysis/swing.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/normal_equations.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
@@ -77,7 +78,7 @@ class SlidingSinusoid {
 };
 
 std::vector<double> local_velocities(const Series& series, double w, double level) {
-  const double half = std::numbers::pi / w;
+  const double half = pi / w;
   const FittedSamples good = without_outliers(series);
   SlidingSinusoid window(good, w, level);
   std::vector<double> v(series.t.size(), std::numeric_limits<double>::quiet_NaN());
@@ -139,6 +140,20 @@ FittedMotion fitted_motion(const FittedRecording& fitted) {
     motion.local_velocity.resize(n);
   }
   return motion;
+}
+
+MotionUnits motion_units(const FittedRecording& fitted) {
+  MotionUnits units;
+  units.measured = unit_of(fitted.series);
+  units.displacement = displacement_unit(units.measured, derivative_order(fitted.series.quantity));
+  if (!units.displacement.empty()) units.velocity = units.displacement + "/s";
+  if (fitted.find("stiffness"))
+    units.energy = "J";
+  else if (units.displacement == "m")
+    units.energy = "J/kg";
+  else if (units.displacement == "rad")
+    units.energy = "J/(kg m²)";
+  return units;
 }
 
 }  // namespace cromer::core

@@ -1,10 +1,11 @@
-// Velocity and energy of a recorded motion without the bias of finite differences.
+// Velocity and energy of a recorded motion, and their units, without the bias of finite differences.
 //
 // A difference of neighbouring samples multiplies their noise and shrinks an oscillation. The fitted law's
 // own velocity does neither. Beside it stands a check that uses the samples alone: in a window of about a
 // period around each, a sinusoid and a level are fitted, whose slope in the middle is the velocity.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cromer/tasks/fit/fit.h"
@@ -31,5 +32,16 @@ FittedMotion fitted_motion(const FittedRecording& fitted);
 /// its spring: with its mass [J], else per unit mass (of an angle: of inertia).
 std::vector<double> energies_of(const FittedRecording& fitted, const std::vector<double>& x,
                                 const std::vector<double>& v);
+
+/// "" where a unit has no name.
+struct MotionUnits {
+  std::string measured;      ///< of the column, and of what the law leaves of it
+  std::string displacement;  ///< of x, and of the amplitudes
+  std::string velocity;
+  std::string energy;  ///< without a mass per mass, of an angle per moment of inertia
+};
+
+/// Of any recording, fitted or not; with a stiffness among the parameters the energy is in J.
+MotionUnits motion_units(const FittedRecording& fitted);
 
 }  // namespace cromer::core

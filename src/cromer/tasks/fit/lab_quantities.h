@@ -1,4 +1,4 @@
-// What a lab asks of a fitted law beside its parameters.
+// What a lab asks of a fitted law beside its parameters, and the command that simulates the law.
 #pragma once
 
 #include "cromer/tasks/fit/fit.h"
@@ -16,5 +16,10 @@ void add_force_parameters(FittedRecording& result, const Body& body);
 /// fit cannot have is an Error.
 Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
                                 const Watch& watch);
+
+/// The command that simulates a fitted law: with a mass [kg], by rk4, from the series' first sample to its
+/// last, in steps that a sample is a whole number of. Empty where there is none: of a recorded force, whose
+/// samples are in a file.
+std::string simulate_line(const LawFit& fit, const Series& series, double mass);
 
 }  // namespace cromer::core

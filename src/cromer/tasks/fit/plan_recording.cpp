@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "cromer/base/nearest.h"
 #include "cromer/base/number.h"
-#include "cromer/tasks/fit/decay_by_amplitude.h"
-#include "cromer/tasks/fit/derived_quantities.h"
+#include "cromer/base/pi.h"
+#include "cromer/tasks/fit/decay_rates.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
 
 namespace cromer::core {
 namespace {
@@ -71,7 +71,7 @@ class Prospect {
  private:
   /// The bound of white noise of the residual's size. Twenty points in a period stand for all samples.
   SquareMatrix white(double duration) const {
-    const double period = 2 * std::numbers::pi / fit_.angular_frequency().value;
+    const double period = two_pi / fit_.angular_frequency().value;
     const double points = std::max(24.0, std::ceil(20 * duration / period));
     std::vector<double> t(static_cast<std::size_t>(points)), y(t.size());
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = duration * (static_cast<double>(i) + 0.5) / points;
@@ -100,7 +100,7 @@ struct SwingEnd {
 
 SwingEnd end_of_the_swing(const LawFit& fit) {
   const AmplitudeDecay decay = amplitude_decay(fit);
-  const double period = 2 * std::numbers::pi / decay.angular_frequency;
+  const double period = two_pi / decay.angular_frequency;
   const double first = first_amplitude(fit);
   double A = first, t = 0;
   while (A > 1e-3 * first && t < most_periods * period) {
@@ -243,7 +243,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
     return then && std::isfinite(then->estimate.standard_error) ? then->estimate.standard_error : HUGE_VAL;
   };
   const double present = record.t.back() - record.t.front();
-  const double period = 2 * std::numbers::pi / fit.angular_frequency().value;
+  const double period = two_pi / fit.angular_frequency().value;
   const SwingEnd end =
       goal.quantity == "equilibrium" ? SwingEnd{most_periods * period} : end_of_the_swing(fit);
   const double last = std::max(present, end.t);

@@ -1,4 +1,4 @@
-#include "cromer/tasks/fit/recognise_drive.h"
+#include "cromer/tasks/fit/fit_forced.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/identify/fit_settings.h"
-#include "cromer/tasks/fit/fit_forced.h"
 #include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 

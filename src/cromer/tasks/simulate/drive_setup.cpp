@@ -199,9 +199,12 @@ Result<void> set_drive(const SimulateOptions& o, double w, SimulatedRun& run) {
   return {};
 }
 
+double drive_period(const HarmonicDrive<double>& drive) {
+  return drive.amplitude > 0 && drive.frequency > 0 ? two_pi / drive.frequency : 0;
+}
+
 double drive_period(const SimulatedRun& run) {
-  if (!run.general)
-    return run.drive.amplitude > 0 && run.drive.frequency > 0 ? two_pi / run.drive.frequency : 0;
+  if (!run.general) return drive_period(run.drive);
   if (const auto* pulse = std::get_if<PulseDrive<double>>(&*run.general)) return pulse->duration;
   if (const auto* chirp = std::get_if<ChirpDrive<double>>(&*run.general)) {
     const double highest = std::max(chirp->from, chirp->to);
@@ -241,6 +244,12 @@ Result<void> end_drive(const SimulateOptions& o, SimulatedRun& run) {
     return Error{"recording_ends_before_run",
                  {{"recording", file_option(o)}, {"end", sampled->duration()}, {"until", run.until}}};
   return {};
+}
+
+bool sends_motion(const SimulateOptions& options) { return drive_name(options) == "base"; }
+
+double sent_amplitude(const SimulateOptions& options, const SimulatedRun& run) {
+  return sends_motion(options) ? *options.base_displacement : run.drive.amplitude;
 }
 
 }  // namespace cromer::core

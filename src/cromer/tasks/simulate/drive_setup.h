@@ -25,6 +25,9 @@ std::optional<HarmonicDrive<double>> harmonic_drive(const SimulateOptions& optio
 /// Sets the run's drive at this frequency. A chirp without a duration gets one in end_drive.
 Result<void> set_drive(const SimulateOptions& options, double frequency, SimulatedRun& run);
 
+/// Period of a harmonic drive [s]; 0 where nothing swings.
+double drive_period(const HarmonicDrive<double>& drive);
+
 /// The length by which step and end are chosen [s]: a period of the drive, the shortest of a chirp, the
 /// duration of a pulse; 0 where there is none.
 double drive_period(const SimulatedRun& run);
@@ -38,5 +41,11 @@ double drive_end(const SimulatedRun& run);
 /// A chirp without a duration sweeps until the end of the run; a recording must last that long, and `exact`
 /// needs a closed form.
 Result<void> end_drive(const SimulateOptions& options, SimulatedRun& run);
+
+/// Whether it is the base that moves.
+bool sends_motion(const SimulateOptions& options);
+
+/// The amplitude of what goes in.
+double sent_amplitude(const SimulateOptions& options, const SimulatedRun& run);
 
 }  // namespace cromer::core

@@ -1,8 +1,7 @@
-#include "cromer/tasks/simulate/load_drive.h"
-
 #include <filesystem>
 
 #include "cromer/report/read_file.h"
+#include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
 

@@ -1,15 +1,15 @@
 #include "cromer/tasks/simulate/run_effect.h"
 
-#include "cromer/model/linear_quantities.h"
-
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 #include <vector>
 
+#include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
+#include "cromer/model/linear_quantities.h"
 #include "cromer/model/terms.h"
+#include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
@@ -86,6 +86,13 @@ Notice joined(const Notice& first, const Notice& second) {
   return Notice{"both", {{"first", first}, {"second", second}}};
 }
 
+std::optional<Transmission> simulated(const RunTransmission& asked, const SimulatedRun& run) {
+  if (!run.effect || !run.effect->effective.steady_state) return std::nullopt;
+  const EffectiveOscillator& effective = run.effect->effective;
+  if (asked.of_motion) return transmitted_motion(asked.sent, *effective.steady_state);
+  return transmitted_force(run.oscillator, asked.sent, *effective.steady_state, *effective.steady_velocity);
+}
+
 }  // namespace
 
 std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
@@ -101,7 +108,7 @@ Notice step_notice(const SimulatedRun& run) {
   const Oscillator<double>& o = run.oscillator;
   const double period = natural_period(o);
   if (!(period > 0)) return {};
-  const double w = 2 * std::numbers::pi / period;
+  const double w = two_pi / period;
   // What drag, friction and their like take may outweigh a growth that only vanishes with the step.
   const bool braked = law_of(o).shares(dissipative_terms.without(law_with<Viscous>));
   const auto of_motions = [&](double stiffness, const Notice& motions) -> Notice {
@@ -138,6 +145,24 @@ Notice steady_notice(const SimulatedRun& run) {
 Notice run_notice(const SimulatedRun& run) {
   const Notice what = joined(effect_notice(run), steady_notice(run));
   return what.empty() ? what : Notice{"of_run", {{"run", run.label}, {"what", what}}};
+}
+
+std::optional<RunTransmission> transmission_of(const SimulateOptions& options, const SimulatedRun& run) {
+  const Oscillator<double>& law = run.oscillator;
+  const bool harmonic = !run.general && run.drive.amplitude > 0 && run.drive.frequency > 0;
+  if (!harmonic || !is_linear(law_of(law)) || !(law.stiffness > 0)) return std::nullopt;
+  RunTransmission found;
+  found.of_motion = sends_motion(options);
+  found.sent = sent_amplitude(options, run);
+  found.frequency_ratio = run.drive.frequency / natural_frequency(law);
+  found.exact = transmissibility(law, run.drive.frequency);
+  found.simulated = simulated(found, run);
+  return found;
+}
+
+std::string_view transmission_title(const RunTransmission& transmission) {
+  return transmission.of_motion ? "transmissibility: displacement of the mass over that of the base"
+                                : "transmissibility: force on the ground over force on the mass";
 }
 
 }  // namespace cromer::core

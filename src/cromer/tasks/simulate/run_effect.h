@@ -1,14 +1,14 @@
-// What the method of one run really simulates of its law.
+// What the method of one run really simulates of its law, and what gets through spring and damper.
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "cromer/notice.h"
 #include "cromer/tasks/methods/method_effect.h"
+#include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
-
-struct SimulatedRun;
 
 /// Of a linear law (spring and damper only) and a method with a step of its own; under a harmonic drive with
 /// the steady motion. Empty otherwise.
@@ -28,5 +28,12 @@ Notice steady_notice(const SimulatedRun& run);
 
 /// Both, with the run's label before them; empty where both are.
 Notice run_notice(const SimulatedRun& run);
+
+/// Of a linear law with a spring under a harmonic force, an unbalance or a shaking base; the run's effect
+/// must be known. Empty otherwise.
+std::optional<RunTransmission> transmission_of(const SimulateOptions& options, const SimulatedRun& run);
+
+/// "transmissibility: displacement of the mass over that of the base".
+std::string_view transmission_title(const RunTransmission& transmission);
 
 }  // namespace cromer::core

@@ -11,6 +11,7 @@
 #include "cromer/analysis/energy_ledger.h"
 #include "cromer/analysis/exact_energy_balance.h"
 #include "cromer/analysis/exact_friction_balance.h"
+#include "cromer/methods/euler_cromer.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/model/terms.h"
@@ -21,12 +22,6 @@ namespace cromer::core {
 namespace {
 
 double spacing_of(const Trajectory& kept) { return kept.size() > 1 ? kept.t[1] - kept.t[0] : 0; }
-
-/// The shorter of natural and drive period [s]; 0 where there is none.
-double shortest_period(const SimulatedRun& run) {
-  const double natural = natural_period(run.oscillator), drive = drive_period(run);
-  return natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
-}
 
 bool dense_enough(const SimulatedRun& run, double period, double states) {
   return run.outcome.status == Status::reached_end && run.trajectory.size() > 1 &&
@@ -119,6 +114,21 @@ EnergyBalance from_arcs(const SimulatedRun& run) {
   });
 }
 
+/// The modified energy is positive, and the motion bounded, for w h < 2.
+bool conserves_modified_energy(const SimulatedRun& run) {
+  const Oscillator<double>& o = run.oscillator;
+  return run.method == EulerCromer::info.name && !run.general && terms_of(o, run.drive) == Terms{} &&
+         o.stiffness > 0 && o.stiffness * run.step * run.step < 4 * o.mass;
+}
+
+/// The kept states but the last where that was reached by part of a step.
+std::size_t states_of_whole_steps(const SimulatedRun& run) {
+  const bool partly = run.outcome.last_step > 0 ||
+                      (run.outcome.status == Status::stopped_by_event && !run.outcome.interrupted);
+  const std::size_t size = run.trajectory.size();
+  return size - (partly && size > 0 && run.trajectory.t.back() == run.outcome.t);
+}
+
 }  // namespace
 
 std::vector<double> energies(const SimulatedRun& run) {
@@ -129,7 +139,7 @@ std::vector<double> energies(const SimulatedRun& run) {
 }
 
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
-  const double period = shortest_period(run);
+  const double period = shorter_period(natural_period(run.oscillator), drive_period(run));
   const bool closed = run.method == "exact";
   const Law law = law_of(run.oscillator);
   const bool rubs = law.has<Friction>();
@@ -167,6 +177,39 @@ std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run
   if (driven || is_linear(law_of(o))) return std::nullopt;
   if (!dense_enough(run, natural_period(o), 8)) return std::nullopt;
   return measure_oscillator(run.trajectory);
+}
+
+std::optional<ModifiedEnergy> modified_energy_of(const SimulatedRun& run) {
+  if (!conserves_modified_energy(run)) return std::nullopt;
+  const std::size_t size = states_of_whole_steps(run);
+  if (size < 2) return std::nullopt;
+  const auto state = [&](std::size_t i) { return State<double>{run.trajectory.x[i], run.trajectory.v[i]}; };
+  const auto modified = [&](std::size_t i) { return modified_energy(run.oscillator, run.step, state(i)); };
+  ModifiedEnergy found{
+      .start = modified(0), .end = modified(size - 1), .states = static_cast<long long>(size)};
+  if (!(found.start > 0)) return std::nullopt;
+  Drift drift;
+  double least = energy(run.oscillator, state(0)), most = least;
+  for (std::size_t i = 0; i < size; ++i) {
+    drift(modified(i));
+    least = std::min(least, energy(run.oscillator, state(i)));
+    most = std::max(most, energy(run.oscillator, state(i)));
+  }
+  found.drift = drift.largest();
+  found.energy_swing = (most - least) / (most + least);
+  return found;
+}
+
+Notice modified_energy_notice(const SimulatedRun& run) {
+  if (!run.modified_energy) return {};
+  const ModifiedEnergy& found = *run.modified_energy;
+  return Notice{"conserves_modified_energy",
+                {{"run", run.label},
+                 {"energy", found.start},
+                 {"drift", found.drift},
+                 {"states", found.states},
+                 {"sums", run.compensated ? Notice{"of_compensated_sums"} : Notice{}},
+                 {"swing", 100 * found.energy_swing}}};
 }
 
 }  // namespace cromer::core

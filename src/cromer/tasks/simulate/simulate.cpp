@@ -11,7 +11,6 @@
 #include "cromer/tasks/option/part_of_work.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_energy.h"
-#include "cromer/tasks/simulate/run_invariants.h"
 #include "cromer/tasks/simulate/run_law.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 

@@ -1,11 +1,13 @@
 // Task: one run for each method and drive frequency asked for.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cromer/analysis/energy_balance.h"
+#include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/invariants.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/base/interrupt.h"
@@ -14,13 +16,12 @@
 #include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
+#include "cromer/notice.h"
 #include "cromer/result.h"
 #include "cromer/run/event.h"
 #include "cromer/run/outcome.h"
 #include "cromer/tasks/methods/method_effect.h"
-#include "cromer/tasks/simulate/accuracy.h"
 #include "cromer/tasks/simulate/drive_record.h"
-#include "cromer/tasks/simulate/run_transmission.h"
 #include "cromer/trajectory.h"
 
 namespace cromer::core {
@@ -70,13 +71,44 @@ struct SimulateOptions {
   std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2 by default
   std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8 by default
   std::optional<double> accuracy{};       ///< 1e-9 to 0.5, in place of step: the largest that keeps to it
-  std::vector<std::string> event{};       ///< as event_option.h reads them
+  std::vector<std::string> event{};       ///< as parse_event reads them
   long long every = 1;                    ///< keep every Nth state, > 0
   bool compensated = false;               ///< states in compensated sums, for very long runs
   SensorOptions sensor{};
   double memory =
       0;  // [bytes] most that the kept states may take; 0: no limit. Set by the caller, not an option
   bool motion_only = false;  ///< no energy balance, nothing measured or transmitted. Set by the caller
+};
+
+/// What was asked, the step that gives it, and the errors measured on a run with that step: relative, of the
+/// mean frequency, the mean decay rate and the amplitude at the end.
+struct Accuracy {
+  double asked = 0;                         ///< 1e-9 to 0.5
+  double step = 0;                          // [s] a whole number of them fills the run
+  std::optional<double> frequency_error{};  ///< empty where the motion is not a free swing
+  std::optional<double> decay_error{};      ///< empty likewise, and where nothing is damped
+  double amplitude_error = 0;               ///< driven: of the steady amplitude, or of the whole motion
+
+  /// The largest of them.
+  double worst() const;
+};
+
+/// What gets through the spring and damper of a driven run: from a shaking base to the mass, or from a force
+/// on the mass to the ground. What goes in is a displacement [m] under --drive base, else a force [N]; so is
+/// what comes out.
+struct RunTransmission {
+  bool of_motion = false;
+  double sent = 0;                          // [m] or [N] amplitude
+  double frequency_ratio = 0;               ///< drive over undamped natural frequency
+  Transmission exact{};                     ///< infinite at undamped resonance
+  std::optional<Transmission> simulated{};  ///< where the method's own motion settles; empty where it does
+                                            ///< not, and for methods that choose their own steps
+
+  bool bounded() const { return std::isfinite(exact.amplitude); }
+  /// Relative, of the amplitude that comes out.
+  std::optional<double> error() const {
+    return simulated && bounded() ? std::optional(simulated->amplitude / exact.amplitude - 1) : std::nullopt;
+  }
 };
 
 /// One run and everything that defines it.
@@ -124,5 +156,9 @@ struct SimulateResult {
 
 /// Checks the options (an Error names option, value and constraint), then runs.
 Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& watch = {});
+
+/// Fills options.drive_record where a --drive-file or a --base-motion is named, its path relative to
+/// `folder`; otherwise does nothing. An Error says what is wrong with the file.
+Result<void> load_drive(SimulateOptions& options, const std::string& folder);
 
 }  // namespace cromer::core

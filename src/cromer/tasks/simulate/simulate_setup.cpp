@@ -8,6 +8,7 @@
 #include "cromer/analysis/energy.h"
 #include "cromer/base/bytes.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/terms.h"
@@ -16,7 +17,6 @@
 #include "cromer/run/steps.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/drive_setup.h"
-#include "cromer/tasks/simulate/event_option.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_law.h"
 
@@ -155,6 +155,18 @@ bool uses_tolerance(std::string_view name) {
          });
 }
 
+Error wrong(std::string_view text, const Notice& why) {
+  return Error{"event_is_wrong", {{"event", text}, {"what", why}}};
+}
+
+/// Cuts the part up to the next separator off the text.
+std::string_view take(std::string_view& text, char separator) {
+  const std::size_t end = std::min(text.find(separator), text.size());
+  const std::string_view part = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return part;
+}
+
 Result<std::vector<Event>> events_of(const SimulateOptions& o) {
   std::vector<Event> events;
   for (const auto& text : o.event) {
@@ -213,9 +225,12 @@ State<double> start_of(const SimulateOptions& o) {
   return {o.position.value_or(moves ? 0 : 1), o.velocity.value_or(0)};
 }
 
+double shorter_period(double one, double other) {
+  return one > 0 && other > 0 ? std::min(one, other) : std::max(one, other);
+}
+
 double default_step(double natural, double drive) {
-  const double shorter = natural > 0 && drive > 0 ? std::min(natural, drive) : std::max(natural, drive);
-  return shorter / default_steps_per_period;
+  return shorter_period(natural, drive) / default_steps_per_period;
 }
 
 double default_end(double natural, double drive) { return default_periods * (natural > 0 ? natural : drive); }
@@ -240,6 +255,37 @@ Error no_period(const Oscillator<double>& oscillator, const SimulateOptions& o) 
                : o.until ? "no_period_for_step"
                          : "no_period_for_step_and_until",
                {{"terms", terms}}};
+}
+
+Result<Event> parse_event(std::string_view text) {
+  Event event;
+  std::string_view words = text;
+  std::string_view threshold = take(words, ':');
+  const bool has_value = threshold.find('=') != std::string_view::npos;
+  const std::string_view quantity = take(threshold, '=');
+  if (quantity == "position")
+    event.quantity = Event::Quantity::position;
+  else if (quantity != "velocity" && quantity != "turning-point")
+    return wrong(text, Notice{"no_such_event", {{"event", quantity}}});
+  if (has_value == (quantity == "turning-point"))
+    return wrong(text, Notice{has_value ? "turning_point_has_no_value" : "event_value_missing"});
+  if (has_value) {
+    const auto value = parse_quantity(threshold, event.quantity == Event::Quantity::position ? "m" : "m/s");
+    if (!value) return wrong(text, value.error().notice);
+    event.value = value->value;
+  }
+  while (!words.empty()) {
+    const std::string_view word = take(words, ':');
+    const bool rising = word == "rising", falling = word == "falling";
+    if (word == "stop")
+      event.stop = true;
+    else if ((rising || falling) && event.crossing == Crossing::any)
+      event.crossing = rising ? Crossing::rising : Crossing::falling;
+    else
+      return wrong(text, rising || falling ? Notice{"rising_and_falling"}
+                                           : Notice{"event_word_unknown", {{"word", word}}});
+  }
+  return event;
 }
 
 Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options) {

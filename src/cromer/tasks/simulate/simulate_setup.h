@@ -4,7 +4,9 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/base/interrupt.h"
 #include "cromer/result.h"
+#include "cromer/run/event.h"
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {
@@ -16,6 +18,10 @@ Result<std::vector<SimulatedRun>> set_up_runs(const SimulateOptions& options);
 /// What the options say that has no effect or is not exact.
 std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vector<SimulatedRun>& runs);
 
+/// Sets step and accuracy of every run; an Error also where its states would take too much memory.
+Result<void> choose_steps(const SimulateOptions& options, std::vector<SimulatedRun>& runs,
+                          const Watch& watch);
+
 /// The law, or an Error that names the option which prevents it.
 Result<Oscillator<double>> oscillator_of(const SimulateOptions& options);
 
@@ -25,8 +31,16 @@ MethodSettings settings_of(const SimulateOptions& options, std::string_view meth
 /// Where the motion begins.
 State<double> start_of(const SimulateOptions& options);
 
+/// Reads `position=VALUE`, `velocity=VALUE` or `turning-point` (velocity = 0), then any of `:rising`,
+/// `:falling` (which way the quantity goes) and `:stop` (the run ends there): "position=1 cm:falling:stop".
+/// An Error names what was expected.
+Result<Event> parse_event(std::string_view text);
+
 inline constexpr double default_steps_per_period = 200;
 inline constexpr double default_periods = 20;
+
+/// The shorter of two periods [s], of which 0 is none.
+double shorter_period(double one, double other);
 
 /// The step where none is asked for [s]: a 200th of the shorter of natural and drive period, of which 0 is
 /// none; 0 where there is neither.

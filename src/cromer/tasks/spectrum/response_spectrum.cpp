@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 
 #include "cromer/analysis/hysteretic_peaks.h"
 #include "cromer/base/function_ref.h"
 #include "cromer/base/grid.h"
+#include "cromer/base/pi.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/rotated_peaks.h"
 #include "cromer/model/band_limited.h"
@@ -23,7 +23,7 @@ constexpr int band_limited_reach = 128;  // samples: faithful up to 31/32 of the
 constexpr std::size_t slice = 1024, slice_of_two = 24, slice_of_sums = 8, least_slice = 32;
 constexpr double slice_of_work = 3e7;  // samples times periods: a fraction of a second
 
-double angular_frequency(double period) { return 2 * std::numbers::pi / period; }
+double angular_frequency(double period) { return two_pi / period; }
 
 /// What shakes the oscillators: the samples, or the denser ones of a band-limited motion.
 struct Shaking {

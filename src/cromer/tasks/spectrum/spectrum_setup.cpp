@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string_view>
 
 #include "cromer/base/grid.h"
 #include "cromer/base/nearest.h"
+#include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/tasks/simulate/drive_record.h"
 
@@ -217,7 +217,7 @@ Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component
   for (double& value : *values) {
     const std::string typed = fmt::format("{} {}", shortest(value), by_period ? "s" : "rad/s");
     if (!(value > 0)) return Error{"oscillator_not_positive", {{"option", option}, {"value", typed}}};
-    if (!by_period) value = 2 * std::numbers::pi / value;
+    if (!by_period) value = two_pi / value;
     if (value < shortest_period * component.spacing)
       return Error{"period_too_short",
                    {{"option", option}, {"value", typed}, {"spacing", component.spacing}}};

@@ -1,4 +1,5 @@
-#include "cromer/tasks/sweep/loss_factor.h"
+// Hysteretic damping in a sweep: a spring k (1 + i eta), of which steady states alone can be told.
+#include "cromer/tasks/sweep/sweep_rows.h"
 
 #include <algorithm>
 #include <string_view>

@@ -3,8 +3,8 @@
 
 #include "cromer/model/terms/all.h"
 #include "cromer/tasks/option/option.h"
-#include "cromer/tasks/sweep/loss_factor.h"
 #include "cromer/tasks/sweep/sweep.h"
+#include "cromer/tasks/sweep/sweep_rows.h"
 
 namespace cromer::core {
 namespace {

@@ -10,10 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/base/function_ref.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/ensemble/chunks.h"
 #include "cromer/result.h"
 #include "cromer/tasks/simulate/simulate.h"
+#include "cromer/trajectory.h"
 
 namespace cromer::core {
 
@@ -44,8 +46,7 @@ struct SweepWork;
 struct SweepPlan {
   std::vector<SweptOption> swept;     ///< outermost first
   std::vector<std::string> measured;  ///< columns of the measures
-  std::string
-      way;  ///< how points are found: "closed form", "stepped until settled", ... (sweep_description.h)
+  std::string way;                    ///< how points are found: "closed form", "stepped until settled", ...
   std::string steps;  ///< how long steps and runs are: "steps of 0.01 s, to 60 s"; may be empty
   std::string method;
   std::string simd;  ///< the unit of the kernel: baseline, avx2, avx512
@@ -120,5 +121,23 @@ std::vector<Notice> trouble_of(const SweepResult& result);
 /// Why a sweep does not take this option of simulate, or this text for one of its own that has no grid; empty
 /// where there is nothing particular to say.
 Notice sweep_refusal(std::string_view option, std::string_view text);
+
+/// About how many states that will be: the first and every Nth of each point, every > 0. Of more than 10000
+/// points some are looked at for all. An adaptive method counts as if it took the step of the others. An
+/// Error where the sweep looks for settled motion, which has no end.
+Result<double> count_trajectory_states(const SweepPlan& plan, long long every);
+
+/// Takes the next states of the point with these values of the swept options, in order; at most 4096 at once.
+using TrajectorySink = FunctionRef<Result<void>(const std::vector<double>& values, const Trajectory& states)>;
+
+struct SweptTrajectories {
+  std::uint64_t points = 0;  ///< that came to their end
+  std::uint64_t failed = 0;  ///< that ran away, or found no solution: what came before is there
+  bool interrupted = false;
+};
+
+/// Point by point in the order of the rows. An Error of the sink ends it.
+Result<SweptTrajectories> run_trajectories(const SweepPlan& plan, long long every, const TrajectorySink& sink,
+                                           const Watch& watch);
 
 }  // namespace cromer::core

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/steady_state.h"
+#include "cromer/base/pi.h"
 #include "cromer/run/keep.h"
 #include "cromer/tasks/simulate/run_law.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
@@ -79,7 +79,7 @@ std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at
     return result_of(point, run);
   }
   // Twice as long each time, until amplitude and energy stay.
-  const double period = 2 * std::numbers::pi / point.drive.frequency;
+  const double period = two_pi / point.drive.frequency;
   const double window = 2 * std::ceil(work.settling.window / 2) * period;
   double cycles = work.settling.dropped.value_or(32), amplitude = 0;
   for (;; cycles *= 2) {

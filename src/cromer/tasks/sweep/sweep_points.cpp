@@ -1,14 +1,12 @@
-#include "cromer/tasks/sweep/sweep_points.h"
+#include "cromer/tasks/sweep/sweep_rows.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <type_traits>
 #include <variant>
 
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
-#include "cromer/tasks/sweep/loss_factor.h"
 
 namespace cromer::core {
 namespace {
@@ -22,10 +20,7 @@ Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   result.point.oscillator = *oscillator;
   result.point.drive = harmonic_drive(options, frequency, oscillator->mass).value_or(HarmonicDrive<double>{});
   result.point.start = start_of(options);
-  const HarmonicDrive<double>& drive = result.point.drive;
-  const double natural = natural_period(*oscillator);
-  const double period =
-      drive.amplitude > 0 && drive.frequency > 0 ? 2 * std::numbers::pi / drive.frequency : 0;
+  const double natural = natural_period(*oscillator), period = drive_period(result.point.drive);
   result.point.step = options.step.value_or(default_step(natural, period));
   result.loss_factor = options.loss_factor;
   result.until = options.until.value_or(default_end(natural, period));

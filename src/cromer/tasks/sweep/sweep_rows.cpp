@@ -2,18 +2,67 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 
+#include "cromer/analysis/effective_oscillator.h"
 #include "cromer/analysis/method_steady_state.h"
+#include "cromer/base/ascii.h"
+#include "cromer/base/nearest.h"
+#include "cromer/base/pi.h"
 #include "cromer/ensemble/group.h"
+#include "cromer/ensemble/point.h"
 #include "cromer/methods/all.h"
-#include "cromer/tasks/sweep/sweep_growth.h"
+#include "cromer/model/law.h"
+#include "cromer/model/law_force.h"
+#include "cromer/model/linear_quantities.h"
 
 namespace cromer::core {
 namespace {
 
 constexpr std::uint64_t group_size = cromer_group::size;
+
+/// Per unit mass, with its drive.
+LinearLaw<double> linear_law(const Point& point) { return linear_law(point.oscillator, point.drive); }
+
+/// The free motion of a linear law, as the method has it, grows without end. A method that is exact, or
+/// chooses its steps, has the law's own.
+template <class M>
+bool grows(const M& method, const Point& point) {
+  if constexpr (M::info.order > 0 && M::info.error_order == 0) {
+    LinearLaw<double> law = linear_law(point);
+    law.drive_amplitude = 0;
+    const EffectiveOscillator effective = effective_oscillator(method, law, point.step);
+    // Of a free mass x grows with the time alone: both eigenvalues are 1, to the root of rounding.
+    const double rounding = law.stiffness == 0 ? 1e-8 : 1e-12;
+    return effective.spectral_radius > 1 + rounding;
+  } else {
+    return point.oscillator.stiffness < 0 || point.oscillator.damping < 0;
+  }
+}
+
+/// Tells of a stepped result what stepping alone cannot see. A linear law that grows is unstable: not just
+/// unsettled, run away, or measured after --settle. Where the law takes no energy the free motion stays,
+/// though the amplitude at the drive's frequency may not show it: that counts as settled only if the method's
+/// own damping had the time for it.
+void name_status(const SweepWork& work, const MethodSettings& settings, const Point& point,
+                 PointResult& result) {
+  if (work.runs_to_end()) return;
+  const Oscillator<double>& o = point.oscillator;
+  if (o.friction != 0 || result.status == PointStatus::no_convergence) return;
+  if (is_linear(law_of(o)) &&
+      visit_method(work.method, settings, [&](const auto& method) { return grows(method, point); })) {
+    result.status = PointStatus::unstable;
+    return;
+  }
+  if (law_of(o).shares(terms_of_velocity) || work.settling.dropped || !has_numbers(result.status)) return;
+  // Of a law that is not linear the decay of small motions.
+  const double rate = o.stiffness > 0 ? own_decay_rate(work, settings, point).value_or(0) : 0;
+  const bool decayed = rate * result.end_time > -std::log(work.settling.tolerance);
+  result.status = decayed ? PointStatus::own_damping : PointStatus::not_settled;
+}
 
 /// What has not settled has no settled motion to tell of.
 void write_measures(const SweepWork& work, const PointResult& found, double* to) {
@@ -117,8 +166,7 @@ bool make_in_groups(const SweepWork& work, SweepPoints& points, std::uint64_t fi
 void continue_from(const PointResult& ended, const Point& before, Point& next) {
   if (ended.status != PointStatus::not_settled && !has_numbers(ended.status)) return;
   next.start = ended.end;
-  next.drive.phase =
-      std::fmod(before.drive.frequency * ended.end_time + before.drive.phase, 2 * std::numbers::pi);
+  next.drive.phase = std::fmod(before.drive.frequency * ended.end_time + before.drive.phase, two_pi);
 }
 
 /// Chains side by side, each along the last axis.
@@ -187,7 +235,62 @@ bool make_stretch(const SweepWork& work, SweepPoints& points, std::uint64_t firs
   return true;
 }
 
+/// All that --measure knows.
+const std::vector<Measure>& measures() {
+  static const std::vector<Measure> all{
+      {"amplitude",
+       true,
+       true,
+       {"amplitude (m)"},
+       [](const PointResult& r, double* to) { to[0] = r.amplitude; }},
+      {"phase", true, true, {"phase (rad)"}, [](const PointResult& r, double* to) { to[0] = r.phase_lag; }},
+      {"peak", false, true, {"peak (m)"}, [](const PointResult& r, double* to) { to[0] = r.peak; }},
+      {"final",
+       false,
+       false,
+       {"x (m)", "v (m/s)"},
+       [](const PointResult& r, double* to) { to[0] = r.end.x, to[1] = r.end.v; }},
+      {"mean", true, true, {"mean (m)"}, [](const PointResult& r, double* to) { to[0] = r.mean; }},
+      {"rms", true, true, {"rms (m)"}, [](const PointResult& r, double* to) { to[0] = r.rms; }},
+      {"energy", false, true, {"energy (J)"}, [](const PointResult& r, double* to) { to[0] = r.energy; }},
+  };
+  return all;
+}
+
 }  // namespace
+
+Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>& names, bool driven) {
+  std::vector<std::string> words;
+  for (const std::string& name : names)
+    for (std::size_t from = 0; from <= name.size();) {
+      const std::size_t comma = std::min(name.find(',', from), name.size());
+      words.emplace_back(trimmed(std::string_view(name).substr(from, comma - from)));
+      from = comma + 1;
+    }
+  if (words.empty())
+    words = driven ? std::vector<std::string>{"amplitude", "phase"}
+                   : std::vector<std::string>{"peak", "final", "energy"};
+
+  std::vector<std::string_view> known;
+  for (const Measure& measure : measures()) known.push_back(measure.name);
+  std::vector<const Measure*> found;
+  for (const std::string& word : words) {
+    const auto at = std::find(known.begin(), known.end(), word);
+    if (at == known.end()) {
+      const std::string near = nearest(word, known);
+      return Error{"no_such_measure",
+                   {{"typed", word},
+                    {"near", near.empty() ? Notice{} : Notice{"perhaps_measure", {{"near", near}}}},
+                    {"measures", std::vector<std::string>(known.begin(), known.end())}}};
+    }
+    const Measure* measure = &measures()[static_cast<std::size_t>(at - known.begin())];
+    if (std::find(found.begin(), found.end(), measure) != found.end())
+      return Error{"measure_twice", {{"measure", word}}};
+    if (measure->of_settled_motion && !driven) return Error{"measure_undriven", {{"measure", word}}};
+    found.push_back(measure);
+  }
+  return found;
+}
 
 std::size_t SweepWork::columns() const {
   std::size_t columns = axes.size() + 1;
@@ -243,6 +346,18 @@ bool make_rows(const SweepWork& work, std::uint64_t first, std::uint64_t count, 
     rows += stretch * width;
   }
   return true;
+}
+
+std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings& settings,
+                                     const Point& point) {
+  LinearLaw<double> law = linear_law(point);
+  law.drive_amplitude = 0;
+  return visit_method(work.method, settings, [&]<class M>(const M& method) -> std::optional<double> {
+    if constexpr (M::info.order > 0 && M::info.error_order == 0)
+      return effective_oscillator(method, law, point.step).decay_rate;
+    else
+      return 0.0;
+  });
 }
 
 }  // namespace cromer::core

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "cromer/analysis/energy_balance.h"
+#include "cromer/base/pi.h"
 #include "cromer/ensemble/point.h"
 #include "cromer/tasks/sweep/sweep.h"
-#include "cromer/tasks/sweep/sweep_growth.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 
 namespace cromer::core {
@@ -16,7 +15,7 @@ namespace {
 constexpr double rounding = 1e-12;  // [rad] of a lag
 
 /// How far a lag [rad] lies outside 0 to pi.
-double excess(double lag) { return std::max(-lag, lag - std::numbers::pi); }
+double excess(double lag) { return std::max(-lag, lag - pi); }
 
 /// The swept options and their values in a row: "drive-frequency 0.5, damping 0".
 std::string place_of(const SweepPlan& plan, std::uint64_t row) {
@@ -38,7 +37,7 @@ Notice own_damping_notice(const SweepPlan& plan, const SweepCounts& counts) {
   Notice number;
   if (rate && *rate > 0) {
     // Down to a millionth, as stepping would have it.
-    const double cycles = std::log(1e6) / *rate * at->point.drive.frequency / (2 * std::numbers::pi);
+    const double cycles = std::log(1e6) / *rate * at->point.drive.frequency / two_pi;
     number =
         Notice{"own_decay_rate",
                {{"rate", *rate}, {"place", place_of(plan, counts.first_own_damping)}, {"cycles", cycles}}};

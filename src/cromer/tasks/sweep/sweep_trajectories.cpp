@@ -1,4 +1,4 @@
-#include "cromer/tasks/sweep/sweep_trajectories.h"
+#include "cromer/tasks/sweep/sweep.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,5 +1,5 @@
 // The units of what a fit says, whatever unit the column was written in.
-#include "cromer/tasks/fit/motion_units.h"
+#include "cromer/tasks/fit/fitted_motion.h"
 
 #include <gtest/gtest.h>
 

@@ -1,15 +1,25 @@
-#include "cromer/tasks/fit/static_stiffness.h"
+#include "cromer/tasks/fit/spring_constant.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/median.h"
+#include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
 namespace {
+
+/// What follows the last digit or bracket: "g" of "48.4(2) g".
+std::string_view unit_in(std::string_view part) {
+  const auto last = part.find_last_of("0123456789)");
+  return last == std::string_view::npos ? std::string_view{} : trimmed(part.substr(last + 1));
+}
 
 Hold hold_of(const Series& series, std::size_t first, std::size_t last, std::string_view file) {
   Hold hold;
@@ -105,7 +115,71 @@ bool goes_one_way(std::vector<UncertainPoint> points) {
   return !(up && down);
 }
 
+Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& options) {
+  const auto recording = read_recording(file.second, file.first, options.read);
+  if (!recording) return recording.error();
+  // How fast the samples came does not matter to a mass at rest.
+  ReadOptions read = options.read;
+  const auto& columns = recording->table.columns;
+  const bool timed =
+      std::any_of(columns.begin(), columns.end(), [](const Column& c) { return c.quantity == "time"; });
+  if (!timed && read.rate == 0) read.rate = 1;
+  std::vector<Series> found;
+  for (const int run : options.run ? std::vector<int>{*options.run} : runs(*recording)) {
+    const auto series = take_series(*recording, options.column, run, read);
+    if (!series) return series.error();
+    auto part = used_part(*series, options);
+    if (!part) return part.error();
+    found.push_back(*std::move(part));
+  }
+  return found;
+}
+
+/// The first option given that says or asks something of a motion; empty where none does.
+std::string_view of_a_motion(const FitOptions& o) {
+  if (o.mass || o.spring_mass) return o.mass ? "mass" : "spring-mass";
+  if (law_is_chosen(o)) return "law";
+  if (o.disc_diameter || o.temperature) return o.disc_diameter ? "disc-diameter" : "temperature";
+  if (o.segment || o.segments) return o.segment ? "segment" : "segments";
+  if (!o.force_column.empty() || o.hold_out) return o.hold_out ? "hold-out" : "force-column";
+  if (!o.drive_frequency.empty()) return "drive-frequency";
+  if (o.no_spring || o.hysteresis_exponent != 1) return o.no_spring ? "no-spring" : "hysteresis-exponent";
+  if (!o.goal.empty() || o.textbook) return o.textbook ? "textbook" : "goal";
+  if (o.seed_given) return "seed";
+  return o.monte_carlo ? "monte-carlo" : "";
+}
+
 }  // namespace
+
+Result<std::vector<Quantity>> parse_masses(std::string_view text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0;;) {
+    const auto end = text.find(',', begin);
+    parts.emplace_back(trimmed(text.substr(begin, end == std::string_view::npos ? end : end - begin)));
+    if (end == std::string_view::npos) break;
+    begin = end + 1;
+  }
+  std::size_t with_unit = 0;
+  for (const std::string& part : parts) {
+    if (part.empty()) return Error{"mass_missing"};
+    with_unit += !unit_in(part).empty();
+  }
+  // One unit at the end is that of all; some with and some without one could mean anything.
+  const std::string unit(unit_in(parts.back()));
+  for (std::string& part : parts) {
+    if (with_unit == parts.size() || with_unit == 0 || !unit_in(part).empty()) continue;
+    if (with_unit > 1 || unit.empty()) return Error{"mass_without_unit", {{"mass", part}}};
+    part += " " + unit;
+  }
+  std::vector<Quantity> masses;
+  for (const std::string& part : parts) {
+    const auto mass = parse_quantity(part, "kg");
+    if (!mass) return Error{"of_masses", {{"what", mass.error().notice}}};
+    if (!(mass->value >= 0)) return Error{"mass_negative", {{"mass", part}}};
+    masses.push_back(*mass);
+  }
+  return masses;
+}
 
 Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::string_view file,
                                      const std::vector<Quantity>& masses) {
@@ -168,6 +242,72 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
   if (!goes_one_way(points)) result.notices.push_back(Notice{"holds_out_of_order"});
   if (holds.size() == 2) result.notices.push_back(Notice{"line_of_two"});
   result.holds = std::move(holds);
+  return result;
+}
+
+Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options) {
+  const auto masses = parse_masses(options.masses);
+  if (!masses) return masses.error();
+  if (const std::string_view unused = of_a_motion(options.fit); !unused.empty())
+    return Error{"no_meaning_with_static", {{"option", unused}}};
+  std::vector<Hold> holds;
+  std::size_t next = 0;
+  for (const NamedBytes& file : files) {
+    const auto series = runs_of(file, options.fit);
+    if (!series) return series.error();
+    const bool plateaus = files.size() == 1 && series->size() == 1;
+    const std::size_t count = plateaus ? masses->size() : series->size();
+    if (next + count > masses->size())
+      return Error{"more_holds_than_masses",
+                   {{"masses", masses->size()}, {"file", file.first}, {"runs", series->size()}}};
+    const auto first = masses->begin() + static_cast<std::ptrdiff_t>(next);
+    const auto found = find_holds(*series, file.first, {first, first + static_cast<std::ptrdiff_t>(count)});
+    if (!found) return found.error();
+    holds.insert(holds.end(), found->begin(), found->end());
+    next += count;
+  }
+  if (next < masses->size())
+    return Error{"more_masses_than_holds", {{"masses", masses->size()}, {"holds", next}}};
+  return static_stiffness(std::move(holds), options.gravity);
+}
+
+Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses) {
+  if (fits.size() != masses.size())
+    return Error{"masses_unlike_recordings", {{"masses", masses.size()}, {"recordings", fits.size()}}};
+  MassLine result;
+  std::vector<UncertainPoint> points;
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    const FittedRecording& fitted = fits[i];
+    if (!fitted.succeeded()) {
+      result.notices.push_back(
+          Notice{"run_left_out_of_line",
+                 {{"file", fitted.file}, {"run", fitted.series.run}, {"why", fitted.fit.message}}});
+      continue;
+    }
+    const Estimate w = fitted.fit.angular_frequency();
+    const double T2 = two_pi * two_pi / (w.value * w.value);
+    const Estimate square = make_estimate(T2, 2 * T2 * w.standard_error / w.value, fitted.fit.student);
+    result.points.push_back({fitted.file, fitted.series.run, masses[i], square});
+    points.push_back({masses[i].value, T2, masses[i].uncertainty, square.standard_error});
+  }
+  const auto line = fit_line_with_errors(points);
+  if (!line) return Error{"mass_line_of_one_mass"};
+  if (!(line->slope > 0)) return Error{"period_does_not_grow"};
+  result.line = *line;
+  const double t = line->extra_scatter > 0 ? student_95(line->degrees) : student_95(1e9);
+  const double s = line->slope, a = line->intercept, k = two_pi * two_pi / s;
+  result.stiffness = make_estimate(k, k * line->slope_error / s, t);
+  const double by_a = 1 / s, by_s = -a / (s * s);
+  const double variance = by_a * by_a * line->intercept_error * line->intercept_error +
+                          by_s * by_s * line->slope_error * line->slope_error +
+                          2 * by_a * by_s * line->covariance;
+  const double error = std::sqrt(std::max(0.0, variance));
+  result.effective_mass = make_estimate(a / s, error, t);
+  result.spring_mass = make_estimate(3 * a / s, 3 * error, t);
+  if (points.size() == 2) result.notices.push_back(Notice{"line_of_two"});
+  if (line->extra_scatter > 0)
+    result.notices.push_back(
+        Notice{"points_scatter", {{"scatter", line->extra_scatter}, {"degrees", line->degrees}}});
   return result;
 }
 

@@ -1,6 +1,6 @@
 // Frequency, damping ratio and their kin of every law, against closed forms and motions integrated in small
 // steps.
-#include "cromer/tasks/fit/derived_quantities.h"
+#include "cromer/tasks/fit/fitted_quantities.h"
 
 #include <gtest/gtest.h>
 

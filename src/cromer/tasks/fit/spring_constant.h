@@ -1,0 +1,92 @@
+// The spring constant from several masses: how far they stretch the spring at rest, and how their periods
+// grow.
+//
+//   static   extension = extension_0 + (g/k) mass
+//   moving   T0^2 = (4 pi^2/k)(mass + m_e)
+//
+// T0 is the undamped period, so that damping does not bend the line. m_e is what moves along with the mass, a
+// third of the spring's own: the line's intercept over its slope.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "cromer/analysis/line_with_errors.h"
+#include "cromer/base/quantity.h"
+#include "cromer/tasks/fit/fit.h"
+
+namespace cromer::core {
+
+/// Reads "48.4 g, 67.95 ± 0.01 g, 0.088": parts between commas, each a quantity in kg; a part without unit
+/// takes the unit of the next that has one ("48.4, 67.95, 87.96 g"), and is in kg where none has. All must be
+/// zero or more. Errors begin with the option.
+Result<std::vector<Quantity>> parse_masses(std::string_view text);
+
+/// A mass at rest: the mean of its samples.
+struct Hold {
+  std::string file;
+  int run = 1;
+  double from = 0, to = 0;  // [s]
+  std::size_t samples = 0;
+  double position = 0;        // [m]
+  double scatter = 0;         // [m] standard deviation of the samples
+  double standard_error = 0;  // [m] of the mean, widened for correlation
+  bool moves = false;         ///< slowly, as a swing does, not from sample to sample as noise
+  Quantity mass;              // [kg]
+};
+
+struct StaticStiffness {
+  std::vector<Hold> holds;
+  LineWithErrors line;  ///< position [m] against mass [kg]
+  Estimate stiffness;   // [N/m]
+  Quantity gravity;     // [m/s²]
+  std::vector<Notice> notices;
+};
+
+/// Samples at rest, one hold for each run if there are as many runs as `masses`, else the so many plateaus of
+/// one run, in their order in time. A column of another quantity than a position, and plateaus that cannot be
+/// told apart or are more or fewer than the masses, are Errors.
+Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::string_view file,
+                                     const std::vector<Quantity>& masses);
+
+/// The weighted line, errors in both coordinates. What the means scatter more than their own errors (hooking
+/// masses on, friction, creep) is found from the line and added; with three masses that rests on one degree
+/// of freedom, and the interval says so. Fewer than two holds, or all masses alike, are Errors.
+Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity& gravity);
+
+struct StaticOptions {
+  FitOptions fit{};              ///< reading, column, run, from and to are used
+  std::string masses{};          ///< "48.4 g, 67.95 g, 87.96 g", one for each hold
+  Quantity gravity{9.80665, 0};  // [m/s²] > 0
+};
+
+/// A file's name and its bytes.
+using NamedBytes = std::pair<std::string, std::string>;
+
+/// The holds in the order of the files and their runs; a file of one run may hold several plateaus where it
+/// is the only file. Files without times need no rate. Bad input is an Error.
+Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options);
+
+struct MassLinePoint {
+  std::string file;
+  int run = 1;
+  Quantity mass;           // [kg]
+  Estimate period_square;  // [s²]
+};
+
+struct MassLine {
+  std::vector<MassLinePoint> points;
+  LineWithErrors line;      ///< period squared [s²] against mass [kg]
+  Estimate stiffness;       // [N/m]
+  Estimate effective_mass;  // [kg] m_e
+  Estimate spring_mass;     // [kg] 3 m_e
+  std::vector<Notice> notices;
+};
+
+/// One mass for each fit, in their order; fits that did not succeed are left out and said. Not as many masses
+/// as fits, and fewer than two different masses left, are Errors.
+Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses);
+
+}  // namespace cromer::core

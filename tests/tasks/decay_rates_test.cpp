@@ -1,0 +1,114 @@
+// The decay rate part by part, of handmade records.
+#include "cromer/tasks/fit/decay_rates.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "cromer/documents/words/words.h"
+#include "cromer/model/sensor.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A swing of 1 Hz that loses `rate` a second in its first 6 s and twice that in the next, 40 samples a
+/// second from 10 s on.
+struct Swing {
+  std::vector<double> t, y;
+
+  explicit Swing(double duration = 12, double rate = 0.1) {
+    NormalDeviates noise(3);
+    for (int i = 0; i <= static_cast<int>(40 * duration + 0.5); ++i) {
+      const double s = i / 40.0, decay = s < 6 ? rate * s : rate * 6 + 2 * rate * (s - 6);
+      t.push_back(10 + s);
+      y.push_back(std::exp(-decay) * std::cos(2 * M_PI * s) + 1e-3 * noise.next());
+    }
+  }
+  Record record() const { return {t, y, 0}; }
+};
+
+TEST(DecaySegments, AreOfALengthOrSoMany) {
+  const Swing swing;
+  const auto segments = [&](std::optional<double> length, std::optional<int> count) {
+    return fit_segments(swing.record(), 1, length, count);
+  };
+  EXPECT_THAT(segments({}, {}).segments, IsEmpty());
+  EXPECT_FALSE(segments({}, {}).mean);
+  for (const DecaySegments& two : {segments(6, {}), segments({}, 2), segments(6, 2)}) {
+    ASSERT_EQ(two.segments.size(), 2u);
+    EXPECT_THAT(in_words(two.notices), IsEmpty());
+    EXPECT_EQ(two.segments[0].from, 10);
+    EXPECT_EQ(two.segments[0].to, 16);
+    EXPECT_EQ(two.segments[1].from, 16);
+    EXPECT_EQ(two.segments[1].to, 22);
+    EXPECT_NEAR(two.segments[0].rate.value, 0.1, 2e-3);
+    EXPECT_NEAR(two.segments[1].rate.value, 0.2, 4e-3);
+    EXPECT_NEAR(two.mean->value, (two.segments[0].rate.value + two.segments[1].rate.value) / 2, 1e-12);
+    EXPECT_NEAR(two.mean->standard_error,
+                std::hypot(two.segments[0].rate.standard_error, two.segments[1].rate.standard_error) / 2,
+                1e-12);
+    EXPECT_GT(two.mean->high, two.mean->value + 1.9 * two.mean->standard_error);
+  }
+  const DecaySegments one = segments(6, 1);
+  ASSERT_EQ(one.segments.size(), 1u);
+  EXPECT_EQ(one.segments[0].to, 16);
+  EXPECT_THAT(in_words(one.notices), IsEmpty());
+  EXPECT_THAT(in_words(segments(6, 3).notices),
+              ElementsAre("the record of 12 s holds 2 of the 3 segments of 6 s"));
+  EXPECT_EQ(segments(6, 3).segments.size(), 2u);
+  EXPECT_THAT(in_words(segments(13, {}).notices),
+              ElementsAre("the record of 12 s is shorter than one segment of 13 s"));
+  EXPECT_THAT(segments(13, {}).segments, IsEmpty());
+  // The last sample stands for one step more.
+  EXPECT_EQ(segments(12.025, {}).segments.size(), 1u);
+}
+
+TEST(DecaySegments, HoldAPeriodAndAHalfAndEightSamples) {
+  const Swing swing;
+  EXPECT_EQ(fit_segments(swing.record(), 1, 1.55, {}).segments.size(), 7u);
+  EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 1.5, {}).notices),
+              testing::Each(testing::Not(testing::StartsWith("no decay rates"))));
+  EXPECT_THAT(
+      in_words(fit_segments(swing.record(), 1, 1.49, {}).notices),
+      ElementsAre(
+          "no decay rates by segment: those of --segment 1.49 would be 1.49 s long, and a segment must "
+          "hold 1.5 periods and 8 samples, 1.5 s here"));
+  EXPECT_THAT(
+      in_words(fit_segments(swing.record(), 1, {}, 9).notices),
+      ElementsAre("no decay rates by segment: those of --segments 9 would be 1.33 s long, and a segment must "
+                  "hold 1.5 periods and 8 samples, 1.5 s here"));
+  EXPECT_THAT(
+      in_words(fit_segments(swing.record(), 0.1, 0.19, {}).notices),
+      ElementsAre(
+          "no decay rates by segment: those of --segment 0.19 would be 0.19 s long, and a segment must "
+          "hold 1.5 periods and 8 samples, 0.2 s here"));
+}
+
+TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
+  Swing swing;
+  for (std::size_t i = 0; i < swing.t.size(); ++i)
+    if (swing.t[i] > 13 && swing.t[i] < 16) swing.y[i] = 0.25;
+  const DecaySegments one = fit_segments(swing.record(), 1, 3, {});
+  EXPECT_EQ(one.segments.size(), 3u);
+  ASSERT_EQ(in_words(one.notices).size(), 1u);
+  EXPECT_THAT(in_words(one.notices)[0], testing::StartsWith("the segment from 13 to 16 s is left out: "));
+  for (std::size_t i = 0; i < swing.t.size(); ++i)
+    if (swing.t[i] > 13) swing.y[i] = 0.25;
+  const DecaySegments three = fit_segments(swing.record(), 1, 3, {});
+  EXPECT_EQ(three.segments.size(), 1u);
+  ASSERT_EQ(in_words(three.notices).size(), 1u);
+  EXPECT_THAT(
+      in_words(three.notices)[0],
+      testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s is left out: "));
+  const std::atomic<bool> stop{true};
+  EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 3, {}, {&stop, {}}).notices),
+              ElementsAre("interrupted after 0 of the 4 segments"));
+}
+
+}  // namespace
+}  // namespace cromer::core

@@ -1,0 +1,254 @@
+#include "cromer/tasks/fit/spring_constant.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cromer/documents/words/words.h"
+#include "cromer/model/sensor.h"
+
+namespace cromer::core {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Series held(const std::vector<double>& levels, double seconds_each, double noise, std::uint64_t seed = 5) {
+  Series series;
+  series.column = "Position (m)";
+  series.quantity = "position";
+  series.rate = 100;
+  NormalDeviates normal(seed);
+  double before = levels.front();
+  for (const double level : levels) {
+    for (int i = 0; i < static_cast<int>(100 * seconds_each); ++i) {
+      // The mass is hung on in the first tenth, and swings out.
+      const double s = i / 100.0, rest = std::exp(-s / (0.02 * seconds_each)) * std::cos(9 * s);
+      series.t.push_back(static_cast<double>(series.t.size()) / 100);
+      series.y.push_back(level + (before - level) * rest + noise * normal.next());
+    }
+    before = level;
+  }
+  return series;
+}
+
+TEST(Masses, AreReadWithOneUnitOrManyOrNone) {
+  const auto masses = parse_masses("48.4 g, 67.95 ± 0.01 g,0.08796 kg");
+  ASSERT_TRUE(masses.ok());
+  ASSERT_EQ(masses->size(), 3u);
+  EXPECT_DOUBLE_EQ((*masses)[0].value, 0.0484);
+  EXPECT_DOUBLE_EQ((*masses)[1].uncertainty, 1e-5);
+  EXPECT_DOUBLE_EQ((*masses)[2].value, 0.08796);
+  EXPECT_EQ(*parse_masses("48.4, 67.95, 87.96 g"), *parse_masses("48.4 g,67.95 g,87.96 g"));
+  EXPECT_DOUBLE_EQ((*parse_masses("0.05,0.06"))[1].value, 0.06);
+}
+
+TEST(Masses, ThatAreNoneAreRefused) {
+  EXPECT_THAT(in_words(parse_masses("48.4 g,,50 g").error()), HasSubstr("between two commas"));
+  EXPECT_THAT(in_words(parse_masses("48.4 m").error()), HasSubstr("--masses"));
+  EXPECT_THAT(in_words(parse_masses("-48.4 g").error()), HasSubstr("negative"));
+}
+
+TEST(StaticStiffness, IsFoundFromThePlateausOfOneRun) {
+  const double k = 3.2, g = 9.81;
+  std::vector<double> levels;
+  const auto masses = *parse_masses("40, 60, 80, 100 g");
+  for (const Quantity& mass : masses) levels.push_back(0.5 - mass.value * g / k);
+  const auto holds = find_holds({held(levels, 20, 1e-4)}, "hold.csv", masses);
+  ASSERT_TRUE(holds.ok()) << in_words(holds.error());
+  ASSERT_EQ(holds->size(), 4u);
+  const auto result = static_stiffness(*holds, {g, 0});
+  ASSERT_TRUE(result.ok());
+  EXPECT_NEAR(result->stiffness.value, k, 4 * result->stiffness.standard_error);
+  EXPECT_LT(result->stiffness.standard_error, 2e-3 * k);
+}
+
+TEST(StaticStiffness, ItsIntervalHoldsTheTruthAsOftenAsItSays) {
+  const double k = 3.2, g = 9.81;
+  const auto masses = *parse_masses("40, 60, 80, 100 g");
+  NormalDeviates normal(11);
+  int inside = 0;
+  constexpr int repetitions = 2000;
+  for (int i = 0; i < repetitions; ++i) {
+    std::vector<Hold> holds;
+    for (const Quantity& mass : masses) {
+      Hold hold;
+      hold.mass = mass;
+      hold.standard_error = 1e-5;  // far less than hanging the mass on again scatters
+      hold.position = mass.value * g / k + 5e-4 * normal.next();
+      holds.push_back(hold);
+    }
+    const auto result = static_stiffness(holds, {g, 0});
+    inside += result->stiffness.low <= k && k <= result->stiffness.high;
+  }
+  EXPECT_NEAR(static_cast<double>(inside) / repetitions, 0.95, 0.015);
+}
+
+TEST(StaticStiffness, SaysWhatIsWrong) {
+  const auto masses = *parse_masses("40, 60, 80 g");
+  const auto two = find_holds({held({0.1, 0.2}, 20, 1e-4)}, "hold.csv", masses);
+  EXPECT_THAT(in_words(two.error()), HasSubstr("3 masses are given, and 2 plateaus are found"));
+  Series angle = held({0.1}, 5, 1e-4);
+  angle.quantity = "angle";
+  EXPECT_THAT(in_words(find_holds({angle}, "hold.csv", masses).error()), HasSubstr("needs positions"));
+  const Series one = held({0.1}, 5, 1e-4);
+  EXPECT_THAT(in_words(find_holds({one, one}, "hold.csv", masses).error()), HasSubstr("for 2 runs"));
+  std::vector<Hold> alike(3);
+  for (Hold& hold : alike) hold.mass = {0.05, 0};
+  EXPECT_FALSE(static_stiffness(alike, {9.8, 0}).ok());
+}
+
+/// `samples` values from `first` on, each the same but for a little noise of two values.
+Series hold(double level, int samples, int run = 1) {
+  Series series;
+  series.column = "x (m)";
+  series.quantity = "position";
+  series.run = run;
+  for (int i = 0; i < samples; ++i) {
+    series.t.push_back(0.5 * i);
+    series.y.push_back(level + (i % 2 ? 0.001 : -0.001));
+  }
+  return series;
+}
+
+std::string refusal(const std::vector<Series>& runs, const std::vector<Quantity>& masses) {
+  const auto holds = find_holds(runs, "f.csv", masses);
+  return holds ? "" : in_words(holds.error());
+}
+
+TEST(Holds, AreTheMeansOfTheirRuns) {
+  const auto holds = find_holds({hold(1, 4, 1), hold(2, 6, 2)}, "f.csv", {{0.1, 0.01}, {0.2, 0}});
+  ASSERT_TRUE(holds);
+  ASSERT_EQ(holds->size(), 2u);
+  const Hold& first = (*holds)[0];
+  EXPECT_EQ(first.file, "f.csv");
+  EXPECT_EQ((*holds)[1].run, 2);
+  EXPECT_EQ(first.from, 0);
+  EXPECT_EQ(first.to, 1.5);
+  EXPECT_EQ(first.samples, 4u);
+  EXPECT_DOUBLE_EQ(first.position, 1);
+  EXPECT_NEAR(first.scatter, 0.001 * std::sqrt(4.0 / 3), 1e-12);
+  EXPECT_FALSE(first.moves);
+  EXPECT_EQ(first.mass, (Quantity{0.1, 0.01}));
+  EXPECT_EQ((*holds)[1].mass.value, 0.2);
+  EXPECT_DOUBLE_EQ((*holds)[1].position, 2);
+  EXPECT_EQ((*find_holds({hold(1, 1)}, "f.csv", {{1, 0}}))[0].scatter, 0);
+  Series rounded = hold(1, 1);
+  rounded.resolution = 0.012;
+  EXPECT_NEAR((*find_holds({rounded}, "f.csv", {{1, 0}}))[0].standard_error, 0.012 / std::sqrt(12), 1e-12);
+}
+
+TEST(Holds, ThatAreNoneAreRefusedWordForWord) {
+  const Quantity kilogram{1, 0};
+  EXPECT_EQ(refusal({hold(1, 4), hold(1, 4)}, {kilogram}),
+            "f.csv: 1 masses are given for 2 runs; --masses needs one for each");
+  Series angle = hold(1, 4), unknown = hold(1, 4), empty = hold(1, 0, 3);
+  angle.quantity = "angle";
+  unknown.quantity = "";
+  EXPECT_EQ(refusal({angle}, {kilogram}),
+            "f.csv: --static needs positions, and column \"x (m)\" holds angle");
+  EXPECT_EQ(refusal({hold(1, 4), unknown}, {kilogram, kilogram}),
+            "f.csv: --static needs positions, and column \"x (m)\" holds no known quantity");
+  EXPECT_EQ(refusal({empty}, {kilogram}), "f.csv: run 3 has no values");
+  EXPECT_EQ(refusal({hold(1, 40)}, {kilogram, kilogram}),
+            "f.csv: 2 masses are given, and 1 plateau is found: 0 to 19.5 s; choose the part with --from and "
+            "--to, or "
+            "give each hold as a run or file of its own");
+}
+
+TEST(Holds, ThatSwingAreSaid) {
+  Series swinging = hold(1, 60);
+  for (std::size_t i = 0; i < 60; ++i) swinging.y[i] = 1 + 0.1 * std::sin(0.1 * static_cast<double>(i));
+  const auto holds =
+      find_holds({swinging, hold(2, 60, 2), hold(3, 60, 3)}, "f.csv", {{1, 0}, {2, 0}, {3, 0}});
+  ASSERT_TRUE(holds);
+  EXPECT_TRUE((*holds)[0].moves);
+  EXPECT_FALSE((*holds)[1].moves);
+  const auto result = static_stiffness(*holds, {10, 0});
+  ASSERT_TRUE(result);
+  EXPECT_THAT(in_words(result->notices),
+              Contains(testing::StartsWith("f.csv, run 1, 0 to 29.5 s is not at rest: it moves by")));
+}
+
+Hold at(double mass, double position, double error = 1e-3) {
+  Hold one;
+  one.mass = {mass, 0};
+  one.position = position;
+  one.standard_error = error;
+  return one;
+}
+
+TEST(StaticLine, IsGravityOverItsSlope) {
+  for (const double side : {1.0, -1.0}) {
+    const auto result = static_stiffness({at(1, side * 2), at(2, side * 4), at(3, side * 6)}, {10, 0.1});
+    ASSERT_TRUE(result);
+    EXPECT_NEAR(result->stiffness.value, 5, 1e-12);
+    EXPECT_NEAR(result->stiffness.standard_error, 5 * std::hypot(1e-3 / M_SQRT2 / 2, 0.01), 1e-9);
+    EXPECT_THAT(in_words(result->notices), IsEmpty());
+    EXPECT_EQ(result->holds.size(), 3u);
+  }
+}
+
+TEST(StaticLine, SaysWhatIsDoubtfulOfIt) {
+  const std::string order =
+      "the position does not go one way with the mass: are --masses in the order of the holds?";
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4)}, {10, 0})->notices),
+              ElementsAre("two masses give a line whatever they are: nothing shows whether it is one"));
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 6), at(3, 4)}, {10, 0})->notices), Contains(order));
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(3, 6.01), at(2, 4)}, {10, 0})->notices),
+              testing::Not(Contains(order)));
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4.5), at(3, 6)}, {10, 0})->notices),
+              ElementsAre(testing::EndsWith(" and the interval is that of 1 degree of freedom")));
+  EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4.5), at(3, 6), at(4, 8)}, {10, 0})->notices),
+              ElementsAre(testing::EndsWith(" and the interval is that of 2 degrees of freedom")));
+  EXPECT_EQ(
+      in_words(static_stiffness({at(1, 2), at(1, 3)}, {10, 0}).error()),
+      "--masses: a line needs at least two holds of different masses, and three where their errors are not "
+      "known");
+}
+
+FittedRecording fitted(double w, double error) {
+  FittedRecording result;
+  result.file = "lab.csv";
+  result.fit.student = 1.96;
+  result.fit.names = {"angular_frequency"};
+  result.fit.estimates = {make_estimate(w, error, 1.96)};
+  return result;
+}
+
+TEST(MassLine, FindsTheSpringAndItsOwnMass) {
+  const double k = 16, spring = 0.015;
+  std::vector<FittedRecording> fits;
+  std::vector<Quantity> masses;
+  NormalDeviates normal(3);
+  for (const double m : {0.1, 0.15, 0.2, 0.25}) {
+    const double w = std::sqrt(k / (m + spring / 3)), error = 1e-4 * w;
+    fits.push_back(fitted(w + error * normal.next(), error));
+    masses.push_back({m, 1e-5});
+  }
+  const auto line = mass_line(fits, masses);
+  ASSERT_TRUE(line.ok()) << in_words(line.error());
+  EXPECT_NEAR(line->stiffness.value, k, 4 * line->stiffness.standard_error);
+  EXPECT_LT(line->stiffness.standard_error, 1e-3 * k);
+  EXPECT_NEAR(line->spring_mass.value, spring, 4 * line->spring_mass.standard_error);
+  EXPECT_NEAR(line->effective_mass.value * 3, line->spring_mass.value, 1e-15);
+}
+
+TEST(MassLine, LeavesOutWhatFailedAndRefusesTheRest) {
+  std::vector<FittedRecording> fits{fitted(10, 0.01), fitted(9, 0.01), fitted(8, 0.01)};
+  fits[1].fit.status = FitStatus::too_noisy;
+  fits[1].fit.message = Notice{"too noisy"};
+  const std::vector<Quantity> masses{{0.1, 0}, {0.12, 0}, {0.16, 0}};
+  const auto line = mass_line(fits, masses);
+  ASSERT_TRUE(line.ok());
+  EXPECT_EQ(line->points.size(), 2u);
+  EXPECT_THAT(in_words(line->notices).front(), HasSubstr("left out of the line: too noisy"));
+  EXPECT_THAT(in_words(mass_line(fits, {{0.1, 0}}).error()), HasSubstr("1 masses are given for 3"));
+  EXPECT_THAT(in_words(mass_line(fits, {{0.2, 0}, {0.15, 0}, {0.1, 0}}).error()), HasSubstr("in the order"));
+}
+
+}  // namespace
+}  // namespace cromer::core
