@@ -17,7 +17,7 @@
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/in_file.h"
 #include "cromer/result.h"

@@ -16,7 +16,7 @@
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/mean_decay.h"
-#include "cromer/model/terms/coefficient_unit.h"
+#include "cromer/model/terms/term.h"
 
 namespace cromer::core {
 namespace {

@@ -11,8 +11,8 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/methods/all.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/linear_quantities.h"
-#include "cromer/model/terms.h"
 #include "cromer/tasks/methods/method_effect.h"
 
 namespace cromer::core {

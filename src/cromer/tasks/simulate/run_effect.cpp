@@ -7,8 +7,8 @@
 
 #include "cromer/base/pi.h"
 #include "cromer/methods/all.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/linear_quantities.h"
-#include "cromer/model/terms.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
