@@ -87,7 +87,7 @@ bool CellReader::next_number(double& value) {
 void split_cells(std::string_view line, const Layout& layout, std::vector<std::string_view>& cells) {
   cells.clear();
   CellReader reader(line, layout);
-  for (std::string_view cell; reader.next(cell);) cells.push_back(cell);
+  for (std::string_view cell; cells.size() <= most_columns && reader.next(cell);) cells.push_back(cell);
 }
 
 Cell read_cell(std::string_view cell, char decimal) {

@@ -49,7 +49,7 @@ class CellReader {
   bool more_ = true;
 };
 
-/// All cells of a line; `cells` is reused.
+/// The cells of a line, at most one more than most_columns; `cells` is reused.
 void split_cells(std::string_view line, const Layout& layout, std::vector<std::string_view>& cells);
 
 enum class CellKind { number, missing, word };

@@ -13,6 +13,8 @@
 namespace cromer::core {
 namespace {
 
+std::string number_as_name(std::size_t column) { return concat({"column ", std::to_string(column + 1)}); }
+
 std::string without_subscript(std::string name) {
   while (name.size() > 1 && is_digit(name.back())) name.pop_back();
   return name;
@@ -156,7 +158,6 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
 }
 
 namespace dialects {
-
 std::vector<Column> name_columns(const Header& header, std::size_t count) {
   std::vector<Column> columns(count);
   for (std::size_t j = 0; j < count; ++j) {
@@ -165,16 +166,20 @@ std::vector<Column> name_columns(const Header& header, std::size_t count) {
       columns[j].unit = header.headings[j].unit;
       columns[j].quantity = quantity_of(columns[j].name, columns[j].unit);
     }
-    if (columns[j].name.empty()) columns[j].name = concat({"column ", std::to_string(j + 1)});
   }
+  number_unnamed(columns);
   return columns;
 }
 
-void drop_unnamed_empty(Recording& recording) {
-  auto& columns = recording.table.columns;
+void number_unnamed(std::vector<Column>& columns) {
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (columns[j].name.empty()) columns[j].name = number_as_name(j);
+}
+
+void drop_unnamed_empty(std::vector<Column>& columns) {
   while (columns.size() > 1) {
     const Column& last = columns.back();
-    const bool unnamed = last.name == concat({"column ", std::to_string(columns.size())});
+    const bool unnamed = last.name == number_as_name(columns.size() - 1);
     const bool empty =
         std::all_of(last.values.begin(), last.values.end(), [](double value) { return std::isnan(value); });
     if (!unnamed || !empty) return;

@@ -16,6 +16,7 @@ struct Set {
   std::string label;            ///< "Run #1", "Latest", "Raw Data"; sets with the same label are one run
   std::vector<Column> columns;  ///< of equal length
   std::vector<long> lines;      ///< line number in the file of each row
+  long names_line = 0;          ///< line number in the file of the columns' names; 0: none
 };
 
 /// What a reader of a dialect with a structure of its own is given.

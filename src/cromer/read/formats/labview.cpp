@@ -54,7 +54,7 @@ std::vector<Column> columns_of(std::string_view names, const LabviewSegment& seg
   };
   std::vector<Column> columns;
   std::size_t channel = 0;
-  for (std::size_t j = 0; j < std::min(cells.size(), most_columns + 1); ++j) {
+  for (std::size_t j = 0; j < cells.size(); ++j) {
     const bool x = file.times == Times::multi ? cells[j] == "X_Value" : j == 0;
     Column column;
     if (x) {
@@ -148,11 +148,9 @@ Result<Sets> read_labview(const Source& source) {
     while (to < lines.size() && !trimmed(lines[to]).starts_with("Channels")) ++to;
     from = to;
     Set set;
+    set.names_line = static_cast<long>(segment.names) + 1;
     set.columns = columns_of(lines[segment.names], segment, file);
-    if (set.columns.size() < 2)
-      return in_line(static_cast<long>(segment.names) + 1, Notice{"labview_without_channel"});
-    if (set.columns.size() > most_columns)
-      return in_line(static_cast<long>(segment.names) + 1, too_many_columns());
+    if (set.columns.size() < 2) return in_line(set.names_line, Notice{"labview_without_channel"});
     const std::vector<std::string_view> part(lines.begin() + static_cast<std::ptrdiff_t>(segment.names) + 1,
                                              lines.begin() + static_cast<std::ptrdiff_t>(to));
     found.decimal = decimal_of(part, file.separator, source.options);

@@ -83,7 +83,7 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   say_bad_rows(*rows, recording.notices);
   if (!rows->last_line.empty()) recording.notices.push_back(rows->last_line);
   recording.lines = std::move(rows->lines);
-  drop_unnamed_empty(recording);
+  drop_unnamed_empty(columns);
   if (split_stacked_runs(recording))
     recording.dialect.name = "Cromer";
   else
