@@ -7,7 +7,7 @@
 #include "commands.h"
 #include "cromer/documents/csv/recording.h"
 #include "cromer/documents/json/documents.h"
-#include "cromer/read/clean_table.h"
+#include "cromer/read/recording.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
 #include "exit_status.h"

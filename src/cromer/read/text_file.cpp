@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/encoding.h"
 #include "cromer/read/formats/labview.h"
@@ -11,9 +12,7 @@
 #include "cromer/read/formats/vernier_format.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
-#include "cromer/read/lines.h"
-#include "cromer/read/set.h"
-#include "cromer/read/sets_below.h"
+#include "cromer/read/sets.h"
 
 namespace cromer::core::dialects {
 namespace {

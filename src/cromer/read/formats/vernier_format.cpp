@@ -1,10 +1,10 @@
 #include "cromer/read/formats/vernier_format.h"
 
+#include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/header.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
-#include "cromer/read/lines.h"
 #include "cromer/read/rows.h"
 
 namespace cromer::core::dialects {
