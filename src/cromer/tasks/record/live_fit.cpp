@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/live/headings.h"
-#include "cromer/live/row_text.h"
+#include "cromer/live/rows.h"
 
 namespace cromer::core {
 namespace {
