@@ -1,8 +1,8 @@
-#include "cromer/documents/text/inspect.h"
 #include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv/recording.h"
 #include "cromer/documents/json/documents.h"
+#include "cromer/documents/text/inspect.h"
 #include "cromer/report/read_file.h"
 #include "cromer/tasks/inspect/inspect.h"
 #include "message.h"
@@ -10,6 +10,7 @@
 #include "syntax.h"
 
 namespace cromer::core::cli {
+
 int run_inspect(const Arguments& arguments) {
   ReadOptions options;
   OutputOptions output;

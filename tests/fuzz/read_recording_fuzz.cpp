@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "cromer/read/clean_table.h"
+#include "cromer/read/recording.h"
 #include "cromer/tasks/inspect/inspect.h"
 
 namespace {

@@ -1,6 +1,8 @@
 // A disk that is full: what is in the file is whole, and no more is counted than is in it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,14 +14,31 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/live/recorder.h"
-#include "small_disk.h"
 
 namespace cromer::core {
 namespace {
 
-using test::SmallDisk;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
+
+/// No file may grow beyond so many bytes, as long as the object lives, for the whole process.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit small{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &small);
+  }
+  ~SmallDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, handler_);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
 
 class FullDisk : public ::testing::Test {
  protected:

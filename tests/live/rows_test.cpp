@@ -26,5 +26,17 @@ TEST(Rows, TakeOthersAndKeepTheLastOnes) {
   EXPECT_EQ(none.row(1)[1], 22);
 }
 
+TEST(Headings, StandInAFileWithoutQuotes) {
+  EXPECT_EQ(plain_heading(" \"Position\", raw\t(mm) "), "Position   raw (mm)");
+  EXPECT_EQ(plain_heading("H\xc3\xb6he (m)"), "H\xc3\xb6he (m)");
+}
+
+TEST(Headings, AreNamedWithOrWithoutTheirUnit) {
+  EXPECT_TRUE(is_named("Position (mm)", "Position (mm)"));
+  EXPECT_TRUE(is_named("Position (mm)", "Position"));
+  EXPECT_FALSE(is_named("Position (mm)", "Postion"));
+  EXPECT_FALSE(is_named("Position (mm)", "mm"));
+}
+
 }  // namespace
 }  // namespace cromer::core

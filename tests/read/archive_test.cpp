@@ -1,11 +1,226 @@
-// ZIP archives made here, as phyphox exports them, and damaged ones.
+// ZIP archives made here, as phyphox exports them, damaged ones, and where the limits are.
+#include "cromer/read/formats/archive.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <zlib.h>
+#include <string>
+#include <vector>
+
+#include "cromer/base/concat.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
-#include "tests/read/archives.h"
+
+namespace cromer::core {
+namespace {
+
+std::string little(std::size_t value, int bytes) {
+  std::string text;
+  for (int k = 0; k < bytes; ++k) text += static_cast<char>(value >> (8 * k) & 0xFFu);
+  return text;
+}
+
+std::string deflated(const std::string& text) {
+  std::string packed(text.size() + 100, '\0');
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY);
+  std::string input = text;
+  stream.next_in = reinterpret_cast<Bytef*>(input.data());
+  stream.avail_in = static_cast<uInt>(input.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+struct File {
+  std::string name, text;
+};
+
+/// An archive by the specification: local headers with their data, the directory, its end.
+std::string zipped(const std::vector<File>& files, bool pack = true, std::size_t flags = 0) {
+  std::string data, directory;
+  for (const File& file : files) {
+    const std::string packed = pack ? deflated(file.text) : file.text;
+    const auto* bytes = reinterpret_cast<const Bytef*>(file.text.data());
+    const std::string about =
+        concat({little(20, 2), little(flags, 2), little(pack ? 8 : 0, 2), little(0, 4),
+                little(crc32(0, bytes, static_cast<uInt>(file.text.size())), 4), little(packed.size(), 4),
+                little(file.text.size(), 4), little(file.name.size(), 2), little(0, 2)});
+    directory += concat({"PK\x01\x02", little(20, 2), about, little(0, 2), little(0, 2), little(0, 2),
+                         little(0, 4), little(data.size(), 4), file.name});
+    data += concat({"PK\x03\x04", about, file.name, packed});
+  }
+  const std::string end =
+      concat({"PK\x05\x06", little(0, 4), little(files.size(), 2), little(files.size(), 2),
+              little(directory.size(), 4), little(data.size(), 4), little(0, 2)});
+  return data + directory + end;
+}
+
+}  // namespace
+}  // namespace cromer::core
+
+namespace cromer::core::dialects {
+namespace {
+
+using testing::HasSubstr;
+
+std::string names_of(const std::string& bytes) {
+  const auto entries = zip_directory(bytes);
+  if (!entries) return in_words(entries.error());
+  std::string all;
+  for (const ZipEntry& entry : *entries) all += entry.name + ";";
+  return all;
+}
+
+/// What comes of the first file.
+std::string content_of(const std::string& bytes) {
+  const auto entries = zip_directory(bytes);
+  if (!entries) return in_words(entries.error());
+  const auto content = unzip(bytes, entries->front());
+  return content ? *content : in_words(content.error());
+}
+
+std::size_t directory_of(const std::string& bytes) { return bytes.find("PK\x01\x02"); }
+
+/// With so many bytes written over.
+std::string with(std::string bytes, std::size_t at, const std::string& written) {
+  return bytes.replace(at, written.size(), written);
+}
+
+const std::string abc = zipped({{"a.csv", "0,1\n1,2\n"}, {"b.csv", "0,3\n"}, {"c.csv", "5\n"}}, false);
+const std::string damaged = "the ZIP archive is damaged or not complete: export it again";
+
+TEST(Zip, BeginsWithAFileOrIsEmpty) {
+  EXPECT_TRUE(is_zip(abc));
+  EXPECT_TRUE(is_zip(zipped({})));
+  EXPECT_FALSE(is_zip(abc.substr(1)));
+  EXPECT_EQ(names_of(zipped({})), "");
+}
+
+TEST(Zip, AThousandFilesAreRead) {
+  std::vector<File> files(1000, {"a", ""});
+  EXPECT_EQ(zip_directory(zipped(files))->size(), 1000u);
+  files.push_back({"a", ""});
+  EXPECT_EQ(names_of(zipped(files)), "the ZIP archive holds more than 1000 files");
+}
+
+TEST(Zip, ACommentMayEndIt) {
+  EXPECT_EQ(names_of(abc), "a.csv;b.csv;c.csv;");
+  EXPECT_EQ(names_of(abc + std::string(65535, ' ')), "a.csv;b.csv;c.csv;");
+  EXPECT_EQ(names_of(abc + std::string(65536, ' ')), damaged);
+  EXPECT_EQ(names_of(abc.substr(0, abc.size() - 1)), damaged);
+  EXPECT_EQ(names_of(abc.substr(0, abc.size() - 22)), damaged);
+}
+
+TEST(Zip, ADamagedDirectoryIsRefused) {
+  const std::size_t directory = directory_of(abc), end = abc.size() - 22;
+  EXPECT_EQ(names_of(with(abc, end + 10, little(4, 2))), damaged);
+  EXPECT_EQ(names_of(with(abc, end + 16, little(abc.size(), 4))), damaged);
+  EXPECT_EQ(names_of(with(abc, directory, "PK\x01\x03")), damaged);
+  EXPECT_EQ(names_of(with(abc, directory + 51 + 51, "xx")), damaged);
+  // A name that would go on into the end; the last byte of it is still a name.
+  EXPECT_EQ(names_of(with(abc, end - 51 + 28, little(6, 2))), damaged);
+  EXPECT_EQ(names_of(with(abc, end - 51 + 28, little(4, 2))), "a.csv;b.csv;c.cs;");
+  // All that is packed fits into the archive.
+  EXPECT_EQ(names_of(with(abc, directory + 20, little(abc.size() - 6, 4))), "a.csv;b.csv;c.csv;");
+  EXPECT_EQ(names_of(with(abc, directory + 20, little(abc.size() - 5, 4))), damaged);
+}
+
+TEST(Zip, ExtrasAndCommentsOfFilesArePassedOver) {
+  const std::size_t directory = directory_of(abc), first_ends = directory + 46 + 5;
+  const auto begun_later = [&](std::size_t by, std::string bytes) {
+    bytes.insert(first_ends, std::string(by, 'x'));
+    return bytes;
+  };
+  EXPECT_EQ(names_of(begun_later(300, with(abc, directory + 30, little(300, 2)))), "a.csv;b.csv;c.csv;");
+  EXPECT_EQ(names_of(begun_later(300, with(abc, directory + 32, little(300, 2)))), "a.csv;b.csv;c.csv;");
+  EXPECT_EQ(
+      names_of(begun_later(3, with(with(abc, directory + 30, little(1, 2)), directory + 32, little(2, 2)))),
+      "a.csv;b.csv;c.csv;");
+}
+
+TEST(Zip, EachFileHasWhatItsEntrySays) {
+  const std::string bytes = zipped({{"folder/a.csv", std::string(300, 'a')}, {"b", "0,3\n"}}, true, 1);
+  const auto entries = *zip_directory(bytes);
+  EXPECT_EQ(entries[0].name, "folder/a.csv");
+  EXPECT_EQ(entries[0].method, 8u);
+  EXPECT_EQ(entries[0].size, 300u);
+  EXPECT_EQ(entries[0].packed, deflated(std::string(300, 'a')).size());
+  EXPECT_EQ(entries[0].offset, 0u);
+  EXPECT_EQ(entries[1].offset, 30 + 12 + entries[0].packed);
+  EXPECT_TRUE(entries[1].encrypted);
+  EXPECT_FALSE((*zip_directory(zipped({{"b", "1"}}, true, 2)))[0].encrypted);
+  EXPECT_EQ(entries[1].checksum, crc32(0, reinterpret_cast<const Bytef*>("0,3\n"), 4));
+}
+
+TEST(Zip, FilesAreStoredOrDeflated) {
+  const std::string text = "0,1\n1,2\n";
+  for (const bool pack : {true, false}) EXPECT_EQ(content_of(zipped({{"a", text}}, pack)), text);
+  const std::string one = zipped({{"a", text}}, false);
+  const std::size_t directory = directory_of(one);
+  EXPECT_EQ(content_of(with(one, directory + 10, little(9, 2))),
+            "the ZIP archive is packed by a method other than deflate");
+  EXPECT_EQ(content_of(with(one, directory + 8, little(1, 2))),
+            "the ZIP archive is locked with a password: export it without");
+  EXPECT_EQ(content_of(with(one, directory + 16, little(7, 4))), damaged);
+  EXPECT_EQ(content_of(with(one, directory + 24, little(7, 4))), damaged);
+  EXPECT_EQ(content_of(with(one, directory + 42, little(1, 4))), damaged);
+  EXPECT_EQ(content_of(with(one, directory + 42, little(one.size(), 4))), damaged);
+  // What stands between the local header and the data is passed over.
+  std::string extra = with(one, 28, little(300, 2));
+  extra.insert(31, std::string(300, 'x'));
+  EXPECT_EQ(content_of(with(extra, extra.size() - 6, little(directory + 300, 4))), text);
+  const std::string packed = zipped({{"a", text}});
+  EXPECT_EQ(content_of(with(packed, directory_of(packed) + 24, little(9, 4))), damaged);
+  EXPECT_EQ(content_of(with(packed, 31, "\xFF\xFF")), damaged);
+}
+
+TEST(Zip, AFileEndsWithinTheArchive) {
+  const std::string bytes = std::string("PK\x03\x04", 4) + std::string(26, '\0') + "12345";
+  const auto read = [&](std::size_t packed, std::size_t offset = 0) {
+    ZipEntry entry;
+    entry.packed = entry.size = packed;
+    entry.offset = offset;
+    entry.checksum = static_cast<unsigned>(crc32(0, reinterpret_cast<const Bytef*>("12345"), 5));
+    const auto content = unzip(bytes, entry);
+    return content ? *content : in_words(content.error());
+  };
+  EXPECT_EQ(read(5), "12345");
+  EXPECT_EQ(read(6), damaged);
+  EXPECT_EQ(read(4), damaged);
+  ZipEntry empty;
+  EXPECT_EQ(unzip(bytes.substr(0, 30), empty).value(), "");
+  EXPECT_FALSE(unzip(bytes.substr(0, 29), empty).ok());
+  EXPECT_FALSE(unzip(std::string(bytes).replace(26, 1, "\x06"), empty).ok());
+  EXPECT_TRUE(unzip(std::string(bytes).replace(26, 1, "\x05"), empty).ok());
+}
+
+TEST(Zip, FiftyTimesItsPackedSizeAndTenKilobytesAreUnpacked) {
+  const auto claims = [](std::size_t size) {
+    std::string packed = deflated(std::string(size, ' '));
+    packed.resize(40, ' ');  // behind the end nothing is read
+    const std::string bytes = std::string("PK\x03\x04", 4) + std::string(26, '\0') + packed;
+    ZipEntry entry;
+    entry.method = 8;
+    entry.packed = packed.size();
+    entry.size = size;
+    const std::string text(size, ' ');
+    entry.checksum =
+        static_cast<unsigned>(crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(size)));
+    const auto content = unzip(bytes, entry);
+    return content ? std::to_string(content->size()) : in_words(content.error());
+  };
+  EXPECT_EQ(claims(12000), "12000");
+  EXPECT_EQ(claims(12001), "the ZIP archive claims to hold far more than its size: unpack it by hand");
+}
+
+}  // namespace
+}  // namespace cromer::core::dialects
 
 namespace cromer::core {
 namespace {

@@ -8,9 +8,8 @@
 #include <cmath>
 
 #include "cromer/base/concat.h"
-#include "cromer/read/clean_table.h"
-#include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
+#include "cromer/read/columns.h"
 
 namespace cromer::core {
 namespace {

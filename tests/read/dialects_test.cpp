@@ -7,8 +7,8 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/dialect_name.h"
-#include "cromer/read/lines.h"
-#include "cromer/read/number_stream.h"
+#include "cromer/read/cells.h"
+#include "cromer/read/rows.h"
 #include "cromer/read/recording.h"
 #include "tests/read/reading.h"
 

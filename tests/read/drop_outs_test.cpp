@@ -1,5 +1,5 @@
 // Stretches that a motion sensor did not see, told from what motions do.
-#include "cromer/read/drop_outs.h"
+#include "cromer/read/series_shape.h"
 #include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>

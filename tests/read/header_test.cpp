@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/base/concat.h"
-#include "cromer/read/lines.h"
+#include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {
 namespace {

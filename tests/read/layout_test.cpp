@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cromer/read/lines.h"
+#include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {
 namespace {

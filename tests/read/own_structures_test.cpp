@@ -152,6 +152,15 @@ TEST(VernierFormat, SetsFollowEachOther) {
               HasSubstr("lab.txt:9: column \"Position (cm)\""));
 }
 
+TEST(VernierFormat, LastColumnsWithoutNameAndValuesAreLeftOut) {
+  const std::string head = "Vernier Format 2\r\nlab.cmbl 3/4/2020 12:00:00\r\nRun 1\r\n";
+  const std::string names = "Time\tPosition\t\r\nt\tx\t\r\ns\tcm\t\r\n\r\n";
+  EXPECT_THAT(titles(read(head + names + "0\t1\t\r\n1\t2\t\r\n")),
+              ElementsAre("1 Time (s)", "1 Position (cm)"));
+  EXPECT_THAT(titles(read(head + names + "0\t1\t\r\n1\t2\t3\r\n")),
+              ElementsAre("1 Time (s)", "1 Position (cm)", "1 column 3"));
+}
+
 TEST(VernierFormat, WhatIsMissingIsNamedWithItsLine) {
   const std::string head = "Vernier Format 2\r\nlab.cmbl 3/4/2020 12:00:00\r\n",
                     rows = "0\t1\r\n1\t2\r\n2\t1\r\n";

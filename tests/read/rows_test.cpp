@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "cromer/read/lines.h"
+#include "cromer/read/cells.h"
 
 namespace cromer::core::dialects {
 namespace {

@@ -8,7 +8,6 @@
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/read/clean_table.h"
 #include "cromer/read/recording.h"
 
 namespace cromer::core {

@@ -1,12 +1,14 @@
-// Times that repeat, run backward or start again.
+// Times that repeat, run backward or start again; and the steps of times: rate, jitter, gaps.
 #include "cromer/read/time.h"
-#include "cromer/documents/words/words.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
+#include <random>
+
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -117,6 +119,219 @@ TEST(TimeColumn, IsTheNearestBeforeElseOfTheRunElseOfAll) {
   EXPECT_EQ(time_column_of(behind, 0), 2u);
   EXPECT_EQ(time_column_of(behind, 1), 2u);
   EXPECT_EQ(time_column_of(table({{"position", 1}, {"time", 1}}), 1), std::nullopt);
+}
+
+std::vector<double> times(int samples, double step) {
+  std::vector<double> t;
+  for (int i = 0; i < samples; ++i) t.push_back(i * step);
+  return t;
+}
+
+/// Each time stamp off by up to `jitter`, evenly or normally spread.
+std::vector<double> jittered(std::vector<double> t, double jitter, bool normal, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> bell(0, jitter);
+  std::uniform_real_distribution<double> even(-jitter, jitter);
+  for (double& at : t) at += normal ? bell(random) : even(random);
+  return t;
+}
+
+TEST(Steps, RatesAreRoundWhereTheTimesAre) {
+  for (const double rate : {100.0, 50.0, 30.0, 44100.0, 1e6, 0.1, 610.3515625, 12.5})
+    EXPECT_EQ(describe_steps(times(3000, 1 / rate)).rate, rate) << rate;
+  std::vector<double> summed{0};
+  for (int i = 0; i < 3000; ++i) summed.push_back(summed.back() + 0.01);
+  EXPECT_EQ(describe_steps(summed).rate, 100);
+  EXPECT_LT(describe_steps(summed).jitter, 1e-9);
+  EXPECT_EQ(describe_steps(times(3000, 0.01)).jitter, 0);
+  // What is not round stays what it is.
+  EXPECT_EQ(describe_steps(times(3000, 1 / 99.9876)).rate, 99.9876);
+  EXPECT_EQ(describe_steps(times(3000, 0.03)).rate, 33.3333333333);
+}
+
+TEST(Steps, JitterIsNoGap) {
+  for (unsigned seed = 1; seed <= 20; ++seed)
+    for (const bool normal : {false, true}) {
+      const Steps steps = describe_steps(jittered(times(3000, 0.01), 0.002, normal, seed));
+      EXPECT_TRUE(steps.gaps.empty()) << steps.gaps.size() << " gaps, seed " << seed << (normal ? " n" : "");
+      EXPECT_GT(steps.jitter, 0.1);
+    }
+}
+
+TEST(Steps, AMissingSampleIsAGapAlsoAmongJitter) {
+  for (const double jitter : {0.0, 0.001}) {
+    std::vector<double> t = times(3000, 0.01);
+    for (const int lost : {2500, 1200, 600}) t.erase(t.begin() + lost);
+    const auto gaps = describe_steps(jittered(t, jitter, false, 3)).gaps;
+    ASSERT_EQ(gaps.size(), 3u) << jitter;
+    EXPECT_NEAR(gaps[0].t, 5.99, 0.002);
+    EXPECT_NEAR(gaps[0].length, 0.02, 0.003);
+  }
+}
+
+TEST(Steps, AGapIsNoJitter) {
+  std::vector<double> t = times(3000, 0.01);
+  t.erase(t.begin() + 500, t.begin() + 800);
+  const Steps steps = describe_steps(t);
+  EXPECT_EQ(steps.gaps.size(), 1u);
+  EXPECT_LT(steps.jitter, 1e-6);
+}
+
+TEST(Steps, OneLateSampleIsNoGap) {
+  std::vector<double> t = times(100, 0.01);
+  t[50] += 0.007;
+  EXPECT_TRUE(describe_steps(t).gaps.empty());
+  EXPECT_TRUE(describe_steps(std::vector<double>{1}).gaps.empty());
+}
+
+/// To the nearest multiple of `to`.
+std::vector<double> rounded_to(std::vector<double> t, double to) {
+  for (double& at : t) at = std::nearbyint(at / to) * to;
+  return t;
+}
+
+TEST(Steps, RoundedTimesHaveNoGaps) {
+  for (const double rate : {30.0, 48.0, 59.94, 60.0, 70.0, 83.0, 96.7, 100.0, 117.0, 190.0})
+    for (const double part : {0.05, 0.2, 1 / 3.0, 0.5, 0.6, 0.8})
+      for (const double start : {0.0, 0.3}) {
+        std::vector<double> t = times(2000, 1 / rate);
+        for (double& at : t) at += start / rate;
+        const Steps steps = describe_steps(rounded_to(t, part / rate));
+        EXPECT_TRUE(steps.gaps.empty()) << steps.gaps.size() << " gaps, " << rate << ' ' << part;
+        EXPECT_NEAR(steps.rate, rate, 1e-3 * rate) << part;
+      }
+}
+
+TEST(Steps, AGapAmongRoundedTimesIsOne) {
+  for (const double to : {0.002, 0.005, 0.008, 0.01}) {
+    std::vector<double> t = times(2000, 1 / 70.0);
+    t.erase(t.begin() + 500, t.begin() + 505);
+    const Steps steps = describe_steps(rounded_to(t, to));
+    ASSERT_EQ(steps.gaps.size(), 1u) << to;
+    EXPECT_NEAR(steps.gaps[0].t, 499 / 70.0, to);
+    EXPECT_NEAR(steps.gaps[0].length, 6 / 70.0, to);
+    // Its sides are times of the samples as they are taken.
+    const std::vector<double>& taken = steps.clock ? steps.clock->t : rounded_to(t, to);
+    EXPECT_EQ(steps.gaps[0].t, taken[499]) << to;
+    EXPECT_EQ(steps.gaps[0].t + steps.gaps[0].length, taken[500]) << to;
+  }
+}
+
+TEST(Steps, WhatWasEvenBeforeItWasRoundedIsMadeEven) {
+  for (const double rate : {60.0, 70.0, 96.7})
+    for (const double part : {0.13, 0.3, 0.51, 0.8}) {
+      const std::vector<double> even = times(1500, 1 / rate);
+      const auto clock = even_clock(rounded_to(even, part / rate));
+      ASSERT_TRUE(clock) << rate << ' ' << part;
+      EXPECT_NEAR(clock->rounding, part / rate, 1e-4 * part / rate);
+      for (const std::size_t i : {0u, 700u, 1499u}) EXPECT_NEAR(clock->t[i], even[i], 0.1 * part / rate);
+    }
+  // With samples missing.
+  std::vector<double> t = times(1500, 1 / 70.0);
+  t.erase(t.begin() + 400, t.begin() + 431);
+  const auto clock = even_clock(rounded_to(t, 0.005));
+  ASSERT_TRUE(clock);
+  for (std::size_t i = 0; i < t.size(); ++i) ASSERT_NEAR(clock->t[i], t[i], 5e-4) << i;
+}
+
+TEST(Steps, JitterIsNotMadeEven) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    EXPECT_FALSE(even_clock(rounded_to(jittered(times(1500, 1 / 70.0), 0.002, true, seed), 0.005)));
+    EXPECT_FALSE(even_clock(jittered(times(1500, 1 / 70.0), 0.001, false, seed)));
+  }
+  EXPECT_FALSE(even_clock(times(1500, 0.01)));  // they are even
+  EXPECT_FALSE(even_clock(std::vector<double>{0, 1, 2.5}));
+}
+
+TEST(Steps, OfFewTimes) {
+  EXPECT_EQ(describe_steps(std::vector<double>{}).rate, 0);
+  EXPECT_EQ(describe_steps(std::vector<double>{7}).rate, 0);
+  const Steps two = describe_steps(std::vector<double>{7, 7.5});
+  EXPECT_EQ(two.rate, 2);
+  EXPECT_EQ(two.jitter, 0);
+  EXPECT_TRUE(two.gaps.empty());
+  EXPECT_EQ(describe_steps(std::vector<double>{0, 1, 2.5}).rate, 0.8);
+}
+
+/// A second apart; some are late.
+std::vector<double> late(int samples, int from, int to, double by) {
+  std::vector<double> t = times(samples, 1);
+  for (int i = from; i < to; ++i) t[static_cast<std::size_t>(i)] += by;
+  return t;
+}
+
+TEST(Steps, AGapIsHalfAStepAndLasts) {
+  for (const int samples : {40, 63, 64, 100}) {
+    EXPECT_EQ(describe_steps(late(samples, 20, samples, 0.51)).gaps.size(), 1u) << samples;
+    EXPECT_EQ(describe_steps(late(samples, 20, samples, 0.49)).gaps.size(), 0u) << samples;
+  }
+  // Six of the ten times behind it, or all there are.
+  EXPECT_EQ(describe_steps(late(40, 20, 25, 0.7)).gaps.size(), 0u);
+  EXPECT_EQ(describe_steps(late(40, 20, 26, 0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 39, 40, 0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 37, 38, 0.7)).gaps.size(), 0u);
+  EXPECT_EQ(describe_steps(late(40, 1, 40, 0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 0, 1, -0.7)).gaps.size(), 1u);
+  EXPECT_EQ(describe_steps(late(40, 0, 5, -0.7)).gaps.size(), 1u);
+  const auto gap = describe_steps(late(40, 20, 40, 0.7)).gaps.at(0);
+  EXPECT_EQ(gap.t, 19);
+  EXPECT_DOUBLE_EQ(gap.length, 1.7);
+}
+
+TEST(Steps, WhereHalfIsMissingTheMedianStepIsUsual) {
+  for (const double step : {0.5, 1.0, 2.0}) {
+    std::vector<double> t;
+    for (int i = 0; i < 50; ++i) t.push_back(4 * i * step), t.push_back((4 * i + 1) * step);
+    EXPECT_EQ(describe_steps(t).gaps.size(), 49u) << step;
+  }
+}
+
+TEST(Steps, JitterIsTheirDeviationOverTheMedian) {
+  // Steps of 1.5 and 0.5 beside eight of 1.
+  EXPECT_DOUBLE_EQ(describe_steps(late(11, 5, 6, 0.5)).jitter, std::sqrt(0.05));
+  EXPECT_EQ(describe_steps(late(40, 20, 40, 5)).jitter, 0);
+  std::vector<double> slow = late(11, 5, 6, 0.5);
+  for (double& t : slow) t *= 4;
+  EXPECT_DOUBLE_EQ(describe_steps(slow).jitter, std::sqrt(0.05));
+}
+
+TEST(Steps, RatesHaveTwelveDigits) {
+  EXPECT_EQ(describe_steps(times(100, 1 / 3.14159265358979)).rate, 3.14159265359);
+  EXPECT_EQ(describe_steps(times(100, 1e-200)).rate, 1e200);
+  EXPECT_EQ(describe_steps(times(100, 700)).rate, 0.00142857142857);
+}
+
+TEST(Steps, SixteenRoundedTimesShowAClock) {
+  EXPECT_TRUE(even_clock(rounded_to(times(16, 1 / 70.0), 0.005)));
+  EXPECT_FALSE(even_clock(rounded_to(times(15, 1 / 70.0), 0.005)));
+}
+
+TEST(Steps, ATwentiethOfAStepIsRounding) {
+  EXPECT_TRUE(even_clock(rounded_to(times(1500, 1), 0.0523)));
+  EXPECT_FALSE(even_clock(rounded_to(times(1500, 1), 0.0477)));
+}
+
+TEST(Steps, AClockMayBeginAnywhere) {
+  for (const double begin : {0.0, -3.0, 1000.0}) {
+    std::vector<double> t = times(600, 1 / 60.0);
+    for (double& at : t) at += begin;
+    const auto clock = even_clock(rounded_to(t, 0.01));
+    ASSERT_TRUE(clock) << begin;
+    EXPECT_NEAR(clock->spacing, 1 / 60.0, 1e-9);
+    EXPECT_NEAR(clock->rounding, 0.01, 1e-6);
+    EXPECT_NEAR(clock->t.front(), begin, 1e-3);
+    // A start at 0 is 0: it is a multiple of a millionth of a step.
+    EXPECT_NEAR(std::remainder(clock->t.front() / clock->spacing * 1e6, 1.0), 0, 1e-4);
+    EXPECT_NEAR(clock->t.back(), begin + 599 / 60.0, 1e-3);
+  }
+}
+
+TEST(Steps, MissingSamplesAreNoRounding) {
+  // Every tenth is missing: steps of one and two, but no clock between them.
+  std::vector<double> t;
+  for (int i = 0; i < 1000; ++i)
+    if (i % 10 != 5) t.push_back(i);
+  EXPECT_FALSE(even_clock(t));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/formats/uff.h"
-#include "cromer/read/formats/uff_function.h"
 #include "cromer/read/recording.h"
 
 namespace cromer::core::dialects {

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "cromer/read/clean_table.h"
+#include "cromer/read/recording.h"
 
 namespace cromer::core {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "cromer/live/rate_line.h"
 #include "cromer/live/rows.h"
-#include "cromer/live/sample_times.h"
 
 namespace cromer::core {
 

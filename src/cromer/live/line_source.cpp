@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "cromer/live/phyphox_source.h"
+#include "cromer/live/phyphox.h"
 
 namespace cromer::core {
 

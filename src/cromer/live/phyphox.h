@@ -1,4 +1,4 @@
-// What the phone's app phyphox says over HTTP: its experiment, and what its buffers hold. Pure.
+// A phone that runs the app phyphox with remote access allowed: what it says over HTTP, and a source of that.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "cromer/live/http_client.h"
 #include "cromer/live/rows.h"
+#include "cromer/live/source.h"
+#include "cromer/live/timekeeper.h"
 #include "cromer/result.h"
 
 namespace cromer::core {
@@ -34,5 +37,32 @@ struct PhyphoxAnswer {
 /// From the answer to phyphox_query. Buffers that are filled while they are read are cut to the shortest; a
 /// missing buffer and text that is no answer are Errors.
 Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSet& set);
+
+/// Asks ten times a second for what is new. Starts the measurement if the phone is not measuring, and says
+/// so; it is left running at the end, since the phone's owner may want it. What the phone's buffers held
+/// before is not recorded.
+class PhyphoxSource final : public Source {
+ public:
+  PhyphoxSource(std::string host, int port)
+      : name_(host + ":" + std::to_string(port)), client_(std::move(host), port) {}
+
+  Result<void> open() override;
+  bool receive(double seconds, Rows& rows, std::vector<Remark>& notices) override;
+  const Headings& headings() const override { return set_.headings; }
+
+ private:
+  Result<PhyphoxAnswer> ask();
+  void take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Remark>& notices);
+  bool clock_began_anew();
+
+  std::string name_;
+  HttpClient client_;
+  PhyphoxSet set_;
+  std::vector<Remark> opening_;  ///< to be told with the first rows
+  std::optional<double> after_;  ///< [s] the phone's time of the last sample
+  Timekeeper clock_;
+  bool measuring_ = false, reachable_ = true;
+  double asked_at_ = 0, new_at_ = 0, lost_at_ = 0;  // [s]
+};
 
 }  // namespace cromer::core

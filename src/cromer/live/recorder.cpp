@@ -4,7 +4,7 @@
 #include <chrono>
 #include <new>
 
-#include "cromer/live/headings.h"
+#include "cromer/live/rows.h"
 
 namespace cromer::core {
 namespace {

@@ -9,7 +9,7 @@
 #include <cstring>
 
 #include "cromer/base/replacement.h"
-#include "cromer/live/row_text.h"
+#include "cromer/live/rows.h"
 
 namespace cromer::core {
 namespace {

@@ -1,9 +1,11 @@
-// What a device has sent so far: rows of a time and one or more values, and what went wrong on the way.
+// What a device has sent so far: rows of a time and one or more values, their headings, where their times
+// came from, and what went wrong on the way.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cromer/notice.h"
@@ -55,5 +57,32 @@ struct Remark {
   RemarkKind kind;
   Notice what;
 };
+
+/// One that can stand in a CSV file without quotes, without blanks at its ends.
+std::string plain_heading(std::string text);
+
+/// Whether it is called so, with its unit or without: "Position" or "Position (mm)".
+bool is_named(std::string_view heading, std::string_view name);
+
+/// Adds "t,value,...\n", each with the fewest digits that read back as the same number; nothing where one is
+/// not finite.
+void append_row(std::string& text, double t, std::span<const double> values);
+
+enum class TimesBy { nothing, device, count, rate, arrival };
+
+/// `by` is that of most samples. The numbers are of samples without a time of their own.
+struct SampleTimes {
+  TimesBy by = TimesBy::nothing;  ///< while nothing came
+  std::size_t by_rate = 0, by_arrival = 0;
+  double rate = 0;           ///< [1/s] that was found, last; 0 where none was
+  double longest_delay = 0;  // [s] from what the rate says to the arrival
+};
+
+/// "device", "count", "rate" or "arrival"; "" for nothing.
+std::string_view name(TimesBy by);
+
+/// Says: "times: rate found, 100.02/s; delays up to 0.21 s; 12 of 6000 by arrival"; "" where the times are
+/// the device's own, or nothing came.
+Notice sentence(const SampleTimes& times);
 
 }  // namespace cromer::core

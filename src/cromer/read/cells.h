@@ -1,13 +1,25 @@
-// Stage 3: lines to cells, cells to numbers.
+// Stages 2 and 3: text to lines, lines to cells, cells to numbers.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "cromer/notice.h"
 #include "cromer/result.h"
 
 namespace cromer::core::dialects {
+
+/// The lines of a text ended by LF, CR LF or (where there is no LF) CR, without their ends. Line i of the
+/// file is lines[i - 1]. The last one is empty, but for a text that ends within a line.
+std::vector<std::string_view> split_lines(std::string_view text);
+
+/// Without blanks, tabs and no-break spaces at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// A line to skip among data: nothing but blanks, or a comment (# or %).
+bool is_blank(std::string_view line);
+bool is_comment(std::string_view line);
 
 /// Wider tables are refused: each column costs memory of its own, however little a file says of it.
 constexpr std::size_t most_columns = 2000;
@@ -49,7 +61,7 @@ class CellReader {
   bool more_ = true;
 };
 
-/// All cells of a line; `cells` is reused.
+/// The cells of a line, at most one more than most_columns; `cells` is reused.
 void split_cells(std::string_view line, const Layout& layout, std::vector<std::string_view>& cells);
 
 enum class CellKind { number, missing, word };
@@ -63,5 +75,10 @@ Cell read_cell(std::string_view cell, char decimal);
 
 /// A cell as it is shown to people: short, and without control characters.
 std::string shown(std::string_view cell);
+
+/// What a cell is that is not a number, and the cure: a clock time, a number with thousands separators, a
+/// date, Fortran's D exponents, a number beyond the doubles, the other decimal mark; empty where nothing is
+/// recognised.
+Notice bad_cell(std::string_view cell, char decimal);
 
 }  // namespace cromer::core::dialects

@@ -1,5 +1,4 @@
-#include "cromer/read/clean_table.h"
-
+// A recording as one clean table, whatever dialect it came in.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +7,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
+#include "cromer/read/recording.h"
 #include "cromer/read/time.h"
 
 namespace cromer::core {

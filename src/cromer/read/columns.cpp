@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/concat.h"
 #include "cromer/base/median.h"
 #include "cromer/base/nearest.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/read/sets.h"
 
 namespace cromer::core {
 namespace {
+
+std::string number_as_name(std::size_t column) { return concat({"column ", std::to_string(column + 1)}); }
 
 std::string without_subscript(std::string name) {
   while (name.size() > 1 && is_digit(name.back())) name.pop_back();
@@ -156,7 +161,26 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
 }
 
 namespace dialects {
+namespace {
 
+/// The label of each column's run as the header has it; a column without one belongs to its neighbours: a
+/// time to what follows, anything else to what stands before it.
+std::vector<std::string> column_labels(const std::vector<Column>& columns, const Header& header) {
+  const std::size_t count = columns.size();
+  std::vector<std::string> own(count), before(count), behind(count);
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j < header.headings.size()) own[j] = header.headings[j].run;
+    before[j] = own[j].empty() && j > 0 ? before[j - 1] : own[j];
+  }
+  for (std::size_t j = count; j-- > 0;) behind[j] = own[j].empty() && j + 1 < count ? behind[j + 1] : own[j];
+  for (std::size_t j = 0; j < count; ++j) {
+    const bool to_the_right = before[j].empty() || (columns[j].quantity == "time" && !behind[j].empty());
+    if (own[j].empty()) own[j] = to_the_right ? behind[j] : before[j];
+  }
+  return own;
+}
+
+}  // namespace
 std::vector<Column> name_columns(const Header& header, std::size_t count) {
   std::vector<Column> columns(count);
   for (std::size_t j = 0; j < count; ++j) {
@@ -165,21 +189,57 @@ std::vector<Column> name_columns(const Header& header, std::size_t count) {
       columns[j].unit = header.headings[j].unit;
       columns[j].quantity = quantity_of(columns[j].name, columns[j].unit);
     }
-    if (columns[j].name.empty()) columns[j].name = concat({"column ", std::to_string(j + 1)});
   }
+  number_unnamed(columns);
   return columns;
 }
 
-void drop_unnamed_empty(Recording& recording) {
-  auto& columns = recording.table.columns;
+void number_unnamed(std::vector<Column>& columns) {
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    if (columns[j].name.empty()) columns[j].name = number_as_name(j);
+}
+
+void drop_unnamed_empty(std::vector<Column>& columns) {
   while (columns.size() > 1) {
     const Column& last = columns.back();
-    const bool unnamed = last.name == concat({"column ", std::to_string(columns.size())});
+    const bool unnamed = last.name == number_as_name(columns.size() - 1);
     const bool empty =
         std::all_of(last.values.begin(), last.values.end(), [](double value) { return std::isnan(value); });
     if (!unnamed || !empty) return;
     columns.pop_back();
   }
+}
+
+void number_runs(Recording& recording, const Header& header) {
+  auto& columns = recording.table.columns;
+  const std::size_t named = std::min(columns.size(), header.headings.size());
+  const auto is_time = [&](std::size_t j) { return columns[j].quantity == "time"; };
+  const std::vector<std::string> label = column_labels(columns, header);
+  std::vector<std::string> labels;                               // of the runs
+  std::map<std::string, int> run_of_label;                       // the last of that label
+  std::map<std::string, std::set<std::string>> titles_of_label;  // in that run
+  for (std::size_t from = 0, to; from < columns.size(); from = to) {
+    // A group of columns goes together: a time and what was measured at it.
+    const std::string& group = label[from];
+    std::set<std::string> titles;
+    for (to = from; to < columns.size() && label[to] == group; ++to) {
+      if (to > from && is_time(to) && is_time(from)) break;
+      if (to < named && !titles.insert(column_title(columns[to])).second) break;
+    }
+    if (is_time(from)) titles.erase(column_title(columns[from]));
+    // A name that repeats begins the next run; a time that repeats, with other names behind it, does not.
+    std::set<std::string>& known = titles_of_label[group];
+    const bool repeated = std::any_of(titles.begin(), titles.end(),
+                                      [&](const std::string& title) { return known.count(title) > 0; });
+    if (repeated || run_of_label.count(group) == 0) {
+      labels.push_back(group);
+      run_of_label[group] = static_cast<int>(labels.size());
+      known.clear();
+    }
+    known.insert(titles.begin(), titles.end());
+    for (std::size_t j = from; j < to; ++j) columns[j].run = run_of_label[group];
+  }
+  say_labels(labels, recording.notices);
 }
 
 Result<void> mark_time(Recording& recording, const ReadOptions& options, bool has_header) {

@@ -31,8 +31,11 @@ namespace dialects {
 /// Columns without values, named by the header or "column N".
 std::vector<Column> name_columns(const Header& header, std::size_t count);
 
-/// A delimiter at the end of each row makes an empty column without a name: dropped.
-void drop_unnamed_empty(Recording& recording);
+/// A column without a name becomes "column N".
+void number_unnamed(std::vector<Column>& columns);
+
+/// A delimiter at the end of each row makes an empty column without a name: dropped. One column stays.
+void drop_unnamed_empty(std::vector<Column>& columns);
 
 /// Runs numbered from 1 in the order the file names them, or begun anew where a column's name repeats.
 void number_runs(Recording& recording, const Header& header);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "cromer/read/cells.h"
 #include "cromer/read/column_kind.h"
-#include "cromer/read/formats/tracker.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -40,6 +40,14 @@ bool is_phyphox(const Header& header) {
   });
 }
 
+bool is_tracker(const Header& header) {
+  const auto& columns = header.headings;
+  const bool bare =
+      std::all_of(columns.begin(), columns.end(), [](const Heading& column) { return column.unit.empty(); });
+  if (columns.size() < 2 || !bare || columns[0].name != "t" || columns[1].name != "x") return false;
+  return header.separator == '\t' || (columns.size() > 2 && columns[2].name == "y");
+}
+
 }  // namespace
 
 std::string_view dialect_name(const Header& header) {
@@ -51,6 +59,45 @@ std::string_view dialect_name(const Header& header) {
   if (is_tracker(header)) return "Tracker";
   if (is_phyphox(header)) return "phyphox";
   return "plain";
+}
+
+void name_tracks(Header& header) {
+  if (!is_tracker(header) || header.titles.empty()) return;
+  std::vector<std::string_view> names;
+  split_cells(header.titles.back(), Layout{header.separator, '.', 1}, names);
+  if (names.size() < 2 || !names.front().empty()) return;
+  const auto tracks = std::count_if(names.begin(), names.end(), [](auto name) { return !name.empty(); });
+  if (tracks < 2) return;
+  std::string_view track;
+  for (std::size_t j = 1; j < header.headings.size(); ++j) {
+    if (j < names.size() && !names[j].empty()) track = names[j];
+    header.headings[j].run = track;
+  }
+}
+
+void name_runs_above(Header& header) {
+  auto& columns = header.headings;
+  if (header.titles.empty() || header.separator == ' ') return;  // blanks do not say what stands above what
+  if (std::any_of(columns.begin(), columns.end(), [](const Heading& column) { return !column.run.empty(); }))
+    return;
+  std::vector<std::string_view> cells;
+  split_cells(header.titles.back(), Layout{header.separator, '.', 1}, cells);
+  if (cells.size() < 2) return;
+  while (cells.back().empty() && cells.size() > 1) cells.pop_back();
+  if (cells.size() > columns.size()) return;
+  std::vector<std::string> runs;
+  for (const std::string_view cell : cells) {
+    const Heading heading = parse_heading(cell);
+    if (!heading.name.empty() || (heading.run.empty() && !cell.empty())) return;
+    runs.push_back(heading.run);
+  }
+  if (std::all_of(runs.begin(), runs.end(), [](const std::string& run) { return run.empty(); })) return;
+  std::string run;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    if (j < runs.size() && !runs[j].empty()) run = runs[j];
+    columns[j].run = run;
+  }
+  header.titles.pop_back();
 }
 
 }  // namespace cromer::core::dialects

@@ -4,8 +4,8 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/quantity.h"
+#include "cromer/read/cells.h"
 #include "cromer/read/column_kind.h"
-#include "cromer/read/lines.h"
 
 namespace cromer::core::dialects {
 namespace {

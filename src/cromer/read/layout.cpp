@@ -5,9 +5,9 @@
 
 #include "cromer/base/ascii.h"
 #include "cromer/base/number.h"
+#include "cromer/read/cells.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/header.h"
-#include "cromer/read/lines.h"
 
 namespace cromer::core::dialects {
 namespace {

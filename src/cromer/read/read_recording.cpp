@@ -3,10 +3,9 @@
 
 #include "cromer/read/columns.h"
 #include "cromer/read/formats/archive.h"
-#include "cromer/read/formats/zip.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/recording.h"
-#include "cromer/read/stacked_runs.h"
+#include "cromer/read/sets.h"
 #include "cromer/read/text_file.h"
 
 namespace cromer::core {

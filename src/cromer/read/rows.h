@@ -1,4 +1,4 @@
-// Stage 6: rows to columns of numbers.
+// Stage 6: lines to columns of numbers, or to numbers one after the other.
 #pragma once
 
 #include <string>
@@ -37,5 +37,17 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
 /// Where no line is a row: an Error of in_line with the first cell that begins as a number does and is none
 /// (a clock time, thousands separators, ...), else the reason.
 Error no_rows(const std::vector<std::string_view>& lines, const Error& reason, std::size_t lines_before);
+
+struct NumberStream {
+  std::vector<double> values;
+  std::vector<long> lines;  ///< line number of each
+  std::size_t end = 0;      ///< index of the line behind the last that was read
+};
+
+/// At most `most` numbers from the lines with indices from `from` on, between blanks or commas or stuck
+/// together by a sign (1.234-5.678); stops before a line that begins with none where `until_words`, else that
+/// is an Error of in_line. `lines_before` lines of the file stand above the first of those given.
+Result<NumberStream> read_numbers(const std::vector<std::string_view>& lines, std::size_t from,
+                                  std::size_t most, bool until_words, long lines_before = 0);
 
 }  // namespace cromer::core::dialects

@@ -1,4 +1,4 @@
-// Stage 8: what the values of a series are like: rounding, spikes.
+// Stage 8: what the values of a series are like: rounding, spikes, drop-outs, tops cut off.
 #pragma once
 
 #include <span>
@@ -35,5 +35,17 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
 /// The swing's tops are cut off: its largest or least value comes again and again, in runs longer than a
 /// sinusoid of this size and frequency stays within one `resolution` of its top. `step` [s] between samples.
 bool tops_cut_off(std::span<const double> y, double step, double resolution);
+
+/// One stretch of samples, from `first` up to, but without, `end`.
+struct DropOut {
+  std::size_t first, end;
+};
+
+/// Two to ten samples, or three and more equal ones, that the motion leaves for by a jump and comes back from
+/// by another: both jumps larger than 12 robust standard deviations of the changes near by, on the livelier
+/// side. None where the signal mostly stands still (plateaus are no drop-outs), none where they were more
+/// than a tenth of the samples. `step` [s] is the median step; a gap in the times is no jump.
+std::vector<DropOut> drop_outs(std::span<const double> t, std::span<const double> y, double step,
+                               double resolution);
 
 }  // namespace cromer::core::dialects

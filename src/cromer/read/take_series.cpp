@@ -9,11 +9,9 @@
 #include "cromer/base/quantity.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
-#include "cromer/read/drop_outs.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/recording.h"
 #include "cromer/read/series_shape.h"
-#include "cromer/read/steps.h"
 #include "cromer/read/time.h"
 
 namespace cromer::core {

@@ -2,16 +2,17 @@
 
 #include <array>
 
+#include "cromer/read/cells.h"
+#include "cromer/read/columns.h"
 #include "cromer/read/encoding.h"
 #include "cromer/read/formats/labview.h"
 #include "cromer/read/formats/peer.h"
 #include "cromer/read/formats/plain.h"
 #include "cromer/read/formats/uff.h"
 #include "cromer/read/formats/vernier_format.h"
+#include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
-#include "cromer/read/lines.h"
-#include "cromer/read/set.h"
-#include "cromer/read/sets_below.h"
+#include "cromer/read/sets.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -27,8 +28,18 @@ constexpr std::array own_structures{
     OwnStructure{is_peer, read_peer},
 };
 
+/// What a table needs, whatever its format: names, no empty columns at its end, and a limit to its width.
+Result<void> tidy(Set& set) {
+  number_unnamed(set.columns);
+  drop_unnamed_empty(set.columns);
+  if (set.columns.size() <= most_columns) return {};
+  return set.names_line > 0 ? in_line(set.names_line, too_many_columns()) : too_many_columns();
+}
+
 Result<Recording> recording_of(Result<Sets> sets) {
   if (!sets) return sets.error();
+  for (Set& set : sets->sets)
+    if (const auto tidied = tidy(set); !tidied) return tidied.error();
   Recording recording;
   recording.dialect.name = std::move(sets->dialect);
   recording.dialect.separator = separator_name(sets->separator);

@@ -1,7 +1,14 @@
 #include "cromer/read/time.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
+
+#include "cromer/base/number.h"
+#include "cromer/base/quantity.h"
+#include "cromer/read/series_shape.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -132,6 +139,193 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
   if (backward.count > 0)
     result.notices.push_back(Notice{"backward_times", {{"rows", backward.count}, {"line", backward.line}}});
   return result;
+}
+
+namespace {
+
+/// `value` to so many significant digits.
+double to_digits(double value, int digits) {
+  if (value == 0 || !std::isfinite(value)) return value;
+  const int places = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
+  if (std::abs(places) > 300) return value;
+  const double scale = std::pow(10.0, std::abs(places));  // a whole power of ten: dividing by it rounds once
+  return places >= 0 ? std::nearbyint(value * scale) / scale : std::nearbyint(value / scale) * scale;
+}
+
+/// The number of fewest digits, 12 at most, within `relative` of the value.
+double round_within(double value, double relative) {
+  constexpr int most_digits = 12;
+  for (int digits = 1; digits < most_digits; ++digits) {
+    const double round = to_digits(value, digits);
+    if (std::fabs(round - value) <= relative * value) return round;
+  }
+  return to_digits(value, most_digits);
+}
+
+std::vector<double> differences(std::span<const double> t, std::size_t apart) {
+  std::vector<double> found;
+  for (std::size_t i = 0; i + apart < t.size(); ++i) found.push_back(t[i + apart] - t[i]);
+  return found;
+}
+
+/// Times that a logger summed up or a double rounded are off by a few units in the last place of the largest.
+double noise_of(std::span<const double> t) {
+  return 4 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(t.front()), std::fabs(t.back()));
+}
+
+/// What the steps of rounded times differ by, where it is a twentieth of them at least; else 0. Rounding
+/// gives even steps two lengths, and others only where samples are missing.
+double rounding_of(std::span<const double> t, double step) {
+  constexpr double coarse = 0.05;
+  constexpr std::size_t most = 12;
+  const double noise = std::max(1e-6 * step, noise_of(t));
+  struct Length {
+    double length;
+    std::size_t count;
+  };
+  std::vector<Length> lengths;
+  for (const double each : differences(t, 1)) {
+    const auto known = std::find_if(lengths.begin(), lengths.end(), [&](const Length& other) {
+      return std::fabs(other.length - each) <= noise;
+    });
+    if (known != lengths.end())
+      ++known->count;
+    else
+      lengths.push_back({each, 1});
+    if (lengths.size() > most) return 0;
+  }
+  if (lengths.size() < 2) return 0;
+  std::sort(lengths.begin(), lengths.end(),
+            [](const Length& a, const Length& b) { return a.length < b.length; });
+  const double rounding = lengths[1].length - lengths[0].length;
+  for (const Length& each : lengths)
+    if (std::fabs(each.length - rounding * std::nearbyint(each.length / rounding)) > 2 * noise) return 0;
+  // Now and then a whole step more is a missing sample.
+  const bool whole = rounding > 0.9 * lengths[0].length;
+  if (whole && 10 * lengths[1].count < t.size()) return 0;
+  return rounding >= coarse * step ? rounding : 0;
+}
+
+/// Usual time from sample to sample where rounding or jitter makes the median step another: the median of
+/// stretches of sixteen, unless gaps spoil these.
+double pace_of(std::span<const double> t, double step) {
+  constexpr std::size_t length = 16;
+  if (t.size() < 4 * length) return step;
+  const double pace = median(differences(t, length)) / static_cast<double>(length);
+  return pace < 1.5 * step ? pace : step;
+}
+
+/// How much later than evenly spaced the times behind step i are than those before it: medians of ten on
+/// either side, which a single late sample does not move.
+double lateness(std::span<const double> t, std::size_t i, double step) {
+  constexpr std::size_t reach = 10;
+  const auto late = [&](std::size_t from, std::size_t to) {
+    std::vector<double> offsets;
+    for (std::size_t k = from; k < to; ++k)
+      offsets.push_back(t[k] - t[i] - (static_cast<double>(k) - static_cast<double>(i)) * step);
+    return median(std::move(offsets));
+  };
+  return late(i + 1, std::min(i + 1 + reach, t.size())) - late(i + 1 > reach ? i + 1 - reach : 0, i + 1);
+}
+
+/// The straight line through times by the numbers of their samples.
+struct Line {
+  double start = 0, step = 0;
+
+  Line(std::span<const double> t, const std::vector<double>& number) {
+    const auto n = static_cast<double>(t.size());
+    double mean_t = 0, mean_k = 0, products = 0, squares = 0;
+    for (std::size_t i = 0; i < t.size(); ++i) mean_t += t[i] / n, mean_k += number[i] / n;
+    for (std::size_t i = 0; i < t.size(); ++i) {
+      products += (t[i] - mean_t) * (number[i] - mean_k);
+      squares += (number[i] - mean_k) * (number[i] - mean_k);
+    }
+    step = products / squares;
+    start = mean_t - step * mean_k;
+  }
+};
+
+}  // namespace
+
+Steps describe_steps(std::span<const double> t) {
+  constexpr double gap_of_steps = 1.5, lost_of_steps = 0.5;
+  Steps result;
+  if (t.size() < 2) return result;
+  const double step = median(differences(t, 1)), rounding = noise_of(t) / step;
+  const std::optional<EvenClock> clock = even_clock(t);
+  const std::span<const double> at = clock ? clock->t : t;
+  result.rate = clock ? round_within(1 / clock->spacing, rounding) : round_within(1 / step, rounding);
+
+  // A gap is no jitter.
+  const double pace = clock ? clock->spacing : pace_of(t, step);
+  const auto missing = [&](std::size_t i) {
+    return at[i + 1] - at[i] > gap_of_steps * pace && (clock || lateness(t, i, pace) > lost_of_steps * pace);
+  };
+  std::vector<double> kept;
+  for (std::size_t i = 0; i + 1 < t.size(); ++i)
+    if (missing(i))
+      result.gaps.push_back({at[i], at[i + 1] - at[i]});
+    else
+      kept.push_back(t[i + 1] - t[i]);
+  double mean = 0, squares = 0;
+  for (const double h : kept) mean += h / static_cast<double>(kept.size());
+  for (const double h : kept) squares += (h - mean) * (h - mean);
+  const double jitter = kept.empty() ? 0 : std::sqrt(squares / static_cast<double>(kept.size())) / step;
+  result.jitter = jitter > rounding ? jitter : 0;
+  result.clock = clock;
+  return result;
+}
+
+std::optional<EvenClock> even_clock(std::span<const double> t) {
+  constexpr std::size_t fewest = 16;
+  const std::size_t n = t.size();
+  if (n < fewest) return std::nullopt;
+  const double median_step = median(differences(t, 1)), r = rounding_of(t, median_step);
+  if (!(r > 0)) return std::nullopt;
+  // The mean of stretches that no sample is missing from: they differ by one rounding.
+  const std::vector<double> stretches = differences(t, fewest - 1);
+  const double usual = median(stretches);
+  double sum = 0, count = 0;
+  for (const double stretch : stretches)
+    if (std::fabs(stretch - usual) <= 1.01 * r) sum += stretch, ++count;
+  const double pace = sum / (count * static_cast<double>(fewest - 1));
+  if (!(r < pace)) return std::nullopt;
+
+  // The number of each sample: by the clock of those about it, then by that of all. The first clock is the
+  // mean phase of the first times.
+  double sine = 0, cosine = 0;
+  for (std::size_t i = 0; i < fewest; ++i) {
+    const double phase = 2 * std::numbers::pi * std::fmod((t[i] - t[0]) / pace, 1.0);
+    sine += std::sin(phase);
+    cosine += std::cos(phase);
+  }
+  double start = t[0] + std::atan2(sine, cosine) / (2 * std::numbers::pi) * pace;
+  std::vector<double> number(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    number[i] = std::nearbyint((t[i] - start) / pace);
+    start += (t[i] - pace * number[i] - start) / static_cast<double>(fewest);
+  }
+  const Line first(t, number);
+  for (std::size_t i = 0; i < n; ++i) number[i] = std::nearbyint((t[i] - first.start) / first.step);
+  for (std::size_t i = 1; i < n; ++i)
+    if (!(number[i] > number[i - 1])) return std::nullopt;
+  const Line line(t, number);
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double off = t[i] - line.start - line.step * number[i];
+    low = std::min(low, off);
+    high = std::max(high, off);
+  }
+  // The line is not quite the clock; and times off by less than their rounding are better made even.
+  if (high - low > 1.25 * r) return std::nullopt;
+
+  EvenClock clock{
+      {}, 1 / round_within(1 / line.step, 0.2 * r / (t.back() - t.front())), round_within(r, 1e-4)};
+  const double middle = 0.5 * (number.front() + number.back());
+  const double grain = 1e-6 * clock.spacing;  // a start at 0 is 0
+  const double begin = grain * std::nearbyint((line.start + (line.step - clock.spacing) * middle) / grain);
+  for (const double k : number) clock.t.push_back(begin + clock.spacing * k);
+  return clock;
 }
 
 }  // namespace cromer::core::dialects

@@ -1,8 +1,9 @@
-// Times in seconds for the rows of a table, and their repair.
+// Times in seconds for the rows of a table, their repair, and their steps: rate, jitter, gaps.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,5 +32,29 @@ struct RisingTimes {
 /// Repeated and backward times are left out; where the time starts again, all from there on. A time that runs
 /// backward throughout is an Error. `lines` are the file's line numbers of the times.
 Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<long>& lines);
+
+/// The clock behind times that a logger wrote rounded.
+struct EvenClock {
+  std::vector<double> t;  // [s] the even times
+  double spacing;         // [s] between samples
+  double rounding;        // [s] of the times as written
+};
+
+struct Steps {
+  double rate = 0;    // [1/s] one over the median step; a round number where the times agree with it
+  double jitter = 0;  ///< standard deviation of the steps over their median; 0 below the rounding of doubles
+  std::vector<Gap> gaps;
+  std::optional<EvenClock> clock{};  ///< where there is one; the gaps are then in its times
+};
+
+/// The steps of strictly rising times; all zero for fewer than two. A rate has 12 significant digits at most,
+/// and is that of the even clock where there is one. A gap is a missing sample: a step of more than 1.5 usual
+/// ones behind which the times stay late by more than half of one. A single late sample, jitter and rounding
+/// are none.
+Steps describe_steps(std::span<const double> t);
+
+/// Even times, samples missing or not, that agree with all of these to half their rounding, which must be a
+/// twentieth of a step at least. Empty where there are none, and where the times are even already.
+std::optional<EvenClock> even_clock(std::span<const double> t);
 
 }  // namespace cromer::core::dialects

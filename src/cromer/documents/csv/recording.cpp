@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "cromer/read/clean_table.h"
+#include "cromer/read/recording.h"
 #include "cromer/report/csv.h"
 
 namespace cromer::core {

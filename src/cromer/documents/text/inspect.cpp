@@ -8,7 +8,7 @@
 
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/read/clean_table.h"
+#include "cromer/read/recording.h"
 
 namespace cromer::core {
 namespace {

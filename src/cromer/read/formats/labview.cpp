@@ -2,21 +2,96 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
+#include "cromer/read/cells.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/read/columns.h"
-#include "cromer/read/formats/labview_header.h"
 #include "cromer/read/header.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
-#include "cromer/read/lines.h"
 #include "cromer/read/rows.h"
 #include "cromer/read/series_shape.h"
 
 namespace cromer::core::dialects {
 namespace {
+
+/// What the head of the file says, as far as reading needs it.
+struct LabviewFile {
+  enum class Times { none, one, multi };  ///< X_Columns: none in the rows, one column, one for each channel
+  char separator = '\t';
+  Times times = Times::one;
+  std::size_t end = 0;  ///< index of the line behind ***End_of_Header***
+};
+
+/// One tag of a segment's header with a value for each channel.
+struct LabviewTag {
+  std::string_view name;
+  std::vector<std::string_view> values;
+};
+
+struct LabviewSegment {
+  std::vector<LabviewTag> tags;
+  std::size_t names = 0;  ///< index of the line of names behind ***End_of_Header***
+
+  /// The values of a tag; empty where the segment has none of that name.
+  const std::vector<std::string_view>& operator[](std::string_view tag) const;
+};
+
+constexpr std::string_view end_of_header = "***End_of_Header***";
+
+const std::vector<std::string_view>& LabviewSegment::operator[](std::string_view tag) const {
+  static const std::vector<std::string_view> none;
+  for (const LabviewTag& own : tags)
+    if (own.name == tag) return own.values;
+  return none;
+}
+
+LabviewFile labview_file(const std::vector<std::string_view>& lines) {
+  LabviewFile file;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string_view line = trimmed(lines[i]);
+    file.end = i + 1;
+    if (line.starts_with(end_of_header)) break;
+    // The separator is a tab or a comma already in the line that names it.
+    const std::size_t at = line.find_first_of("\t,");
+    if (at == std::string_view::npos) continue;
+    const std::string_view tag = trimmed(line.substr(0, at)), value = trimmed(line.substr(at + 1));
+    if (tag == "Separator")
+      file.separator = value.starts_with("Comma") || value.starts_with(',') ? ',' : '\t';
+    if (tag != "X_Columns") continue;
+    if (value.starts_with("No")) file.times = LabviewFile::Times::none;
+    if (value.starts_with("Multi")) file.times = LabviewFile::Times::multi;
+  }
+  return file;
+}
+
+/// The header that begins at or behind line index `from`; its names are at lines.size() if there is none.
+LabviewSegment labview_segment(const std::vector<std::string_view>& lines, std::size_t from, char separator) {
+  LabviewSegment segment;
+  std::vector<std::string_view> cells;
+  bool special = false;
+  for (std::size_t i = from; i < lines.size(); ++i) {
+    if (is_blank(lines[i])) continue;
+    split_cells(lines[i], Layout{separator, '.', 1}, cells);
+    if (cells.front() == end_of_header) {
+      segment.names = i + 1;
+      return segment;
+    }
+    if (cells.front() == "***Start_Special***") special = true;
+    if (!special) {
+      while (cells.size() > 1 && cells.back().empty()) cells.pop_back();
+      segment.tags.push_back({cells.front(), {cells.begin() + 1, cells.end()}});
+    }
+    if (cells.front() == "***End_Special***") special = false;
+  }
+  segment.names = lines.size();
+  return segment;
+}
 
 using Times = LabviewFile::Times;
 
@@ -54,7 +129,7 @@ std::vector<Column> columns_of(std::string_view names, const LabviewSegment& seg
   };
   std::vector<Column> columns;
   std::size_t channel = 0;
-  for (std::size_t j = 0; j < std::min(cells.size(), most_columns + 1); ++j) {
+  for (std::size_t j = 0; j < cells.size(); ++j) {
     const bool x = file.times == Times::multi ? cells[j] == "X_Value" : j == 0;
     Column column;
     if (x) {
@@ -148,11 +223,9 @@ Result<Sets> read_labview(const Source& source) {
     while (to < lines.size() && !trimmed(lines[to]).starts_with("Channels")) ++to;
     from = to;
     Set set;
+    set.names_line = static_cast<long>(segment.names) + 1;
     set.columns = columns_of(lines[segment.names], segment, file);
-    if (set.columns.size() < 2)
-      return in_line(static_cast<long>(segment.names) + 1, Notice{"labview_without_channel"});
-    if (set.columns.size() > most_columns)
-      return in_line(static_cast<long>(segment.names) + 1, too_many_columns());
+    if (set.columns.size() < 2) return in_line(set.names_line, Notice{"labview_without_channel"});
     const std::vector<std::string_view> part(lines.begin() + static_cast<std::ptrdiff_t>(segment.names) + 1,
                                              lines.begin() + static_cast<std::ptrdiff_t>(to));
     found.decimal = decimal_of(part, file.separator, source.options);

@@ -2,7 +2,7 @@
 // Source: National Instruments, "Specification for the LabVIEW Measurement File (.lvm)".
 #pragma once
 
-#include "cromer/read/set.h"
+#include "cromer/read/sets.h"
 
 namespace cromer::core::dialects {
 

@@ -9,8 +9,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/read/cells.h"
 #include "cromer/read/in_file.h"
-#include "cromer/read/lines.h"
-#include "cromer/read/number_stream.h"
+#include "cromer/read/rows.h"
 
 namespace cromer::core::dialects {
 namespace {

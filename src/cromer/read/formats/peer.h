@@ -3,7 +3,7 @@
 // Source: PEER NGA databases; older records write "4096 0.01 NPTS, DT", records of the NRC have seven lines.
 #pragma once
 
-#include "cromer/read/set.h"
+#include "cromer/read/sets.h"
 
 namespace cromer::core::dialects {
 

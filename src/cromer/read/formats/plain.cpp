@@ -1,16 +1,13 @@
 #include "cromer/read/formats/plain.h"
 
 #include "cromer/base/quantity.h"
+#include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/dialect_name.h"
-#include "cromer/read/formats/capstone.h"
-#include "cromer/read/formats/tracker.h"
 #include "cromer/read/header.h"
 #include "cromer/read/layout.h"
-#include "cromer/read/lines.h"
 #include "cromer/read/rows.h"
-#include "cromer/read/set.h"
-#include "cromer/read/stacked_runs.h"
+#include "cromer/read/sets.h"
 
 namespace cromer::core::dialects {
 namespace {
@@ -83,7 +80,7 @@ Result<Recording> read_plain(const std::vector<std::string_view>& lines, const R
   say_bad_rows(*rows, recording.notices);
   if (!rows->last_line.empty()) recording.notices.push_back(rows->last_line);
   recording.lines = std::move(rows->lines);
-  drop_unnamed_empty(recording);
+  drop_unnamed_empty(columns);
   if (split_stacked_runs(recording))
     recording.dialect.name = "Cromer";
   else

@@ -2,12 +2,43 @@
 // Source: SDRC, University of Cincinnati, "Universal File Datasets", dataset 58.
 #pragma once
 
+#include <array>
+#include <string>
 #include <string_view>
 
-#include "cromer/read/set.h"
+#include "cromer/read/sets.h"
 #include "cromer/result.h"
 
 namespace cromer::core::dialects {
+
+/// One axis: record 8, 9 or 10.
+struct UffAxis {
+  int kind = 0;  ///< 8 displacement, 11 velocity, 12 acceleration, 13 force, 17 time, 18 frequency, ...
+  std::string label, unit;  ///< "" for NONE
+};
+
+struct UffFunction {
+  std::string identity;  ///< first ID line
+  int function = 0;      ///< 1: time response
+  long node = 0, load_case = 0;
+  int direction = 0;  ///< 1 +X, -1 -X, 2 +Y, ..., 4 rotation about +X
+  int type = 0;       ///< of the values: 2 single, 4 double, 5 and 6 complex
+  double points = 0;
+  bool even = true;  ///< abscissa given by start and step, else by values
+  double start = 0, step = 0;
+  UffAxis abscissa, ordinate;
+};
+
+constexpr std::size_t uff_header_lines = 11;
+
+/// Reads the header; fields that are missing stay 0.
+UffFunction uff_function(const std::array<std::string_view, uff_header_lines>& lines);
+
+/// "Acceleration 3 +Z": what is measured, and where.
+std::string uff_name(const UffFunction& function);
+
+/// acceleration, position, ...; "" where the axis tells neither by its kind nor by its unit.
+std::string uff_quantity(const UffAxis& axis, std::string_view name);
 
 /// Begins with the line "    -1", blank lines and line ends before it allowed, and a dataset's number.
 bool is_uff(std::string_view bytes);

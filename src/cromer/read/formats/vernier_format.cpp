@@ -1,14 +1,10 @@
 #include "cromer/read/formats/vernier_format.h"
 
-#include <algorithm>
-
-#include "cromer/base/concat.h"
-#include "cromer/read/column_kind.h"
+#include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/header.h"
 #include "cromer/read/in_file.h"
 #include "cromer/read/layout.h"
-#include "cromer/read/lines.h"
 #include "cromer/read/rows.h"
 
 namespace cromer::core::dialects {
@@ -30,17 +26,12 @@ std::vector<Column> columns_of(std::string_view long_names, std::string_view uni
   std::vector<std::string_view> names, unit_cells;
   split_cells(long_names, tabs, names);
   split_cells(units, tabs, unit_cells);
-  while (!names.empty() && names.back().empty()) names.pop_back();
-  std::vector<Column> columns;
-  for (std::size_t j = 0; j < std::min(names.size(), most_columns + 1); ++j) {
-    const Heading heading = parse_heading(names[j]);
-    Column column{heading.name, {}, heading.unit, 1, {}};
-    if (j < unit_cells.size() && !unit_cells[j].empty()) column.unit = unit_cells[j];
-    if (column.name.empty()) column.name = concat({"column ", std::to_string(j + 1)});
-    column.quantity = quantity_of(column.name, column.unit);
-    columns.push_back(std::move(column));
+  Header header;
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    header.headings.push_back(parse_heading(names[j]));
+    if (j < unit_cells.size() && !unit_cells[j].empty()) header.headings.back().unit = unit_cells[j];
   }
-  return columns;
+  return name_columns(header, names.size());
 }
 
 }  // namespace
@@ -66,10 +57,10 @@ Result<Sets> read_vernier_format(const Source& source) {
     if (i + 4 > lines.size()) break;
     Set set;
     set.label = trimmed(lines[i]);
+    set.names_line = static_cast<long>(i) + 2;
+    if (is_blank(lines[i + 1]))
+      return in_line(set.names_line, Notice{"set_without_names", {{"set", shown(set.label)}}});
     set.columns = columns_of(lines[i + 1], lines[i + 3]);
-    if (set.columns.empty())
-      return in_line(static_cast<long>(i) + 2, Notice{"set_without_names", {{"set", shown(set.label)}}});
-    if (set.columns.size() > most_columns) return in_line(static_cast<long>(i) + 2, too_many_columns());
     const std::size_t from = i + 4;
     std::size_t to = from;
     while (to < lines.size() && may_be_row(lines[to], found.decimal)) ++to;

@@ -2,7 +2,7 @@
 // of a name, long names, short names, units, a blank line and rows, all between tabs.
 #pragma once
 
-#include "cromer/read/set.h"
+#include "cromer/read/sets.h"
 
 namespace cromer::core::dialects {
 

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include "cromer/live/headings.h"
-#include "cromer/live/row_text.h"
+#include "cromer/live/rows.h"
 
 namespace cromer::core {
 namespace {

@@ -1,4 +1,5 @@
-// Tables that stand by themselves in one file: sets below each other, channels, files of an archive.
+// Tables and runs that share a file: sets below each other, channels, files of an archive, a time that starts
+// again.
 #pragma once
 
 #include <string>
@@ -16,6 +17,7 @@ struct Set {
   std::string label;            ///< "Run #1", "Latest", "Raw Data"; sets with the same label are one run
   std::vector<Column> columns;  ///< of equal length
   std::vector<long> lines;      ///< line number in the file of each row
+  long names_line = 0;          ///< line number in the file of the columns' names; 0: none
 };
 
 /// What a reader of a dialect with a structure of its own is given.
@@ -46,5 +48,23 @@ Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording);
 
 /// Says what runs are called in the file, where their number does not.
 void say_labels(const std::vector<std::string>& labels, std::vector<Notice>& notices);
+
+/// Where tables begin (line indices, the first is 0): at a line of names above rows that is the first header
+/// once more, or whose first name is a time; with the titles right above it. One where there is but one.
+std::vector<std::size_t> find_tables(const std::vector<std::string_view>& lines);
+
+/// Reads each table by the common stages. Tables whose titles name the same "Run #N" are one run.
+Result<Recording> read_tables(const std::vector<std::string_view>& lines,
+                              const std::vector<std::size_t>& starts, const ReadOptions& options);
+
+/// A recording taken apart into sets again, one for each run.
+std::vector<Set> as_sets(Recording recording, const std::string& label);
+
+/// Runs below each other, told apart by a first column "run" (the form of Cromer's own CSV files): puts them
+/// side by side and drops that column. False, and nothing done, where the table is not of that form.
+bool split_stacked_runs(Recording& recording);
+
+/// Puts the runs side by side where the one time column starts again, and says so.
+void split_at_restarts(Recording& recording);
 
 }  // namespace cromer::core::dialects

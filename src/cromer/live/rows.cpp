@@ -1,6 +1,40 @@
-#include "cromer/live/sample_times.h"
+#include "cromer/live/rows.h"
+
+#include <cmath>
+
+#include "cromer/base/ascii.h"
+#include "cromer/base/number.h"
 
 namespace cromer::core {
+
+std::string plain_heading(std::string text) {
+  for (char& c : text)
+    if (c == ',' || c == '"' || (c >= 0 && c < ' ')) c = ' ';
+  return std::string(trimmed(text));
+}
+
+bool is_named(std::string_view heading, std::string_view name) {
+  return heading == name || heading.substr(0, heading.find(" (")) == name;
+}
+
+namespace {
+
+void append_number(std::string& text, double value) {
+  char digits[32];
+  if (std::isfinite(value))
+    text.append(digits, static_cast<std::size_t>(write_shortest(digits, value) - digits));
+}
+
+}  // namespace
+
+void append_row(std::string& text, double t, std::span<const double> values) {
+  append_number(text, t);
+  for (const double value : values) {
+    text += ',';
+    append_number(text, value);
+  }
+  text += '\n';
+}
 
 std::string_view name(TimesBy by) {
   switch (by) {

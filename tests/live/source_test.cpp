@@ -1,4 +1,4 @@
-#include "cromer/live/source_name.h"
+#include "cromer/live/source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
