@@ -195,7 +195,7 @@ template <class Members, class F>
 /// A function of its own for each law: inlined into one, they grow so large that steps stay calls.
 template <std::size_t count, class Real, class M, Terms terms, bool measured>
 [[gnu::noinline]] void advance_members(cromer_group::Group& group, std::size_t first, const M& method,
-                     const cromer_group::Order& order) {
+                                       const cromer_group::Order& order) {
   using One = Member<Real, M, terms, measured>;
   auto members = [&]<std::size_t... i>(std::index_sequence<i...>) __attribute__((always_inline)) {
     return std::array{One::from(group, first + i * Real::size, method)...};

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/spectrum.h"
+#include "cromer/analysis/swing.h"
 #include "cromer/base/median.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"

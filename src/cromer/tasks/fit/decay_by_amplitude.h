@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "cromer/analysis/amplitude_decay.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/identify/law_fit.h"
 

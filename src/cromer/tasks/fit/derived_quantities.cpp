@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "cromer/analysis/amplitude_decay.h"
 #include "cromer/analysis/limit_cycle.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/dual.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "cromer/analysis/air.h"
-#include "cromer/analysis/reynolds.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/without_file.h"

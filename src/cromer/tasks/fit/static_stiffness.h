@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "cromer/analysis/line_with_errors.h"
+#include "cromer/analysis/line.h"
 #include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core {

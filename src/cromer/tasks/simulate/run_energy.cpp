@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "cromer/analysis/energy.h"
-#include "cromer/analysis/energy_ledger.h"
+#include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/exact_energy_balance.h"
-#include "cromer/analysis/exact_friction_balance.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/linear_quantities.h"
 #include "cromer/model/terms.h"

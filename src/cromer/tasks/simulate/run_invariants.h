@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "cromer/analysis/invariants.h"
+#include "cromer/analysis/energy.h"
 #include "cromer/notice.h"
 
 namespace cromer::core {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cromer/analysis/energy.h"
 #include "cromer/analysis/energy_balance.h"
-#include "cromer/analysis/invariants.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"

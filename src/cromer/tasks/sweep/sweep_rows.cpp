@@ -5,7 +5,7 @@
 #include <numbers>
 #include <span>
 
-#include "cromer/analysis/method_steady_state.h"
+#include "cromer/analysis/effective_oscillator.h"
 #include "cromer/ensemble/group.h"
 #include "cromer/methods/all.h"
 #include "cromer/tasks/sweep/sweep_growth.h"
