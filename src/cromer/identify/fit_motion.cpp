@@ -18,7 +18,6 @@
 #include "cromer/identify/least_squares/rounding_bias.h"
 #include "cromer/identify/rest_minima.h"
 #include "cromer/identify/start/driven_start.h"
-#include "cromer/identify/start/forced_start.h"
 
 namespace cromer::core {
 namespace {

@@ -6,7 +6,6 @@
 
 #include "cromer/analysis/swing.h"
 #include "cromer/base/quantity.h"
-#include "cromer/identify/describe_fit.h"
 
 namespace cromer::core {
 namespace {

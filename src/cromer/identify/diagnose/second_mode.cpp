@@ -7,7 +7,6 @@
 #include "cromer/analysis/swing.h"
 #include "cromer/base/median.h"
 #include "cromer/base/pi.h"
-#include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/motion/damped_phasor.h"

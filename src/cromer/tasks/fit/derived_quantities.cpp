@@ -9,7 +9,7 @@
 #include "cromer/analysis/limit_cycle.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/dual.h"
-#include "cromer/identify/describe_fit.h"
+#include "cromer/identify/record.h"
 #include "cromer/identify/diagnose/mean_decay.h"
 
 namespace cromer::core {
