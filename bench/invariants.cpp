@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "cromer/analysis/invariants.h"
+#include "cromer/analysis/energy.h"
 #include "cromer/base/compensated.h"
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/model/driven_oscillator.h"

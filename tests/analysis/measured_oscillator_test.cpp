@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "cromer/methods/all.h"
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/methods/exact.h"
 #include "cromer/methods/forward_euler.h"
@@ -229,6 +230,35 @@ TEST(Recurrence, OfWhatDoesNotSwingIsNone) {
     alternates.push_back(std::pow(0.9, i) + std::pow(-0.8, i));
   }
   for (const auto& x : {dies, grows, alternates}) EXPECT_FALSE(measure_recurrence(x, 0.2, 5));
+}
+
+const Oscillator<double> spring{.mass = 0.2, .stiffness = 16.6};
+const double w = std::sqrt(16.6 / 0.2);
+
+template <class M>
+Trajectory free_motion(const M& method, const Oscillator<double>& o, double h) {
+  KeepEvery keep(1, count_steps({0, 20}, h));
+  with_terms(o, HarmonicDrive<double>{}, [&](const auto& system) {
+    return solve(system, method, {0, 20}, State<double>{0.05, 0}, h, keep);
+  });
+  return keep.take();
+}
+
+TEST(EnergyGrowth, OfForwardEulerIsKnown) {
+  // Each step multiplies the energy by exactly 1 + (w h)^2.
+  const double h = 0.002;
+  const auto growth = energy_growth(spring, free_motion(ForwardEuler{}, spring, h));
+  const double rate = std::log1p(w * w * h * h) / h, period = 2 * std::numbers::pi / w;
+  EXPECT_NEAR(growth.rate, rate, 1e-9 * rate);
+  EXPECT_NEAR(growth.factor_per_cycle(period), std::exp(rate * period), 1e-9);
+  EXPECT_NEAR(growth.doubling_time(), std::numbers::ln2 / rate, 1e-8);
+}
+
+TEST(EnergyGrowth, OfTheExactMotion) {
+  EXPECT_NEAR(energy_growth(spring, free_motion(Exact{}, spring, 0.01)).rate, 0, 1e-15);
+  // Decays with c/m; the swing within a cycle leaves a trace of its size over the number of cycles.
+  const Oscillator<double> decaying{.mass = 0.2, .stiffness = 16.6, .damping = 0.02};
+  EXPECT_NEAR(energy_growth(decaying, free_motion(Exact{}, decaying, 0.01)).rate, -0.1, 1e-4);
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "cromer/analysis/effective_oscillator.h"
-#include "cromer/analysis/method_steady_state.h"
 #include "cromer/methods/all.h"
 
 namespace cromer::core {

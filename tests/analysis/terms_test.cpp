@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "cromer/analysis/energy_ledger.h"
+#include "cromer/analysis/energy_balance.h"
 #include "cromer/methods/rk4.h"
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/run/solve.h"
@@ -64,7 +64,8 @@ Oscillator<double> with(double coefficient) {
   return law;
 }
 
-/// What is left of the shift that a formula says [rad/s] falls with that power of the amplitude, the next one.
+/// What is left of the shift that a formula says [rad/s] falls with that power of the amplitude, the next
+/// one.
 template <class Shift>
 void expect_shift(const Oscillator<double>& law, double amplitude, Shift shift, int next_power) {
   const auto left = [&](double a) { return swing_from(law, a).frequency - w0 - shift(a); };
@@ -72,15 +73,18 @@ void expect_shift(const Oscillator<double>& law, double amplitude, Shift shift, 
 }
 
 TEST(TermsShowThemselves, CubicInTheSquareOfTheAmplitude) {
-  expect_shift(with<Cubic>(2), 0.2, [](double a) { return 3 * 2 * a * a / (8 * w0); }, 4);
+  expect_shift(
+      with<Cubic>(2), 0.2, [](double a) { return 3 * 2 * a * a / (8 * w0); }, 4);
 }
 
 TEST(TermsShowThemselves, QuinticInItsFourthPower) {
-  expect_shift(with<Quintic>(2), 0.4, [](double a) { return 5 * 2 * std::pow(a, 4) / (16 * w0); }, 8);
+  expect_shift(
+      with<Quintic>(2), 0.4, [](double a) { return 5 * 2 * std::pow(a, 4) / (16 * w0); }, 8);
 }
 
 TEST(TermsShowThemselves, OddQuadraticInTheAmplitudeItself) {
-  expect_shift(with<OddQuadratic>(2), 0.1, [](double a) { return 4 * 2 * a / (3 * pi * w0); }, 2);
+  expect_shift(
+      with<OddQuadratic>(2), 0.1, [](double a) { return 4 * 2 * a / (3 * pi * w0); }, 2);
 }
 
 TEST(TermsShowThemselves, QuadraticInAMeanThatMovesAndAFrequencyThatFalls) {
@@ -98,7 +102,8 @@ TEST(TermsShowThemselves, QuadraticInAMeanThatMovesAndAFrequencyThatFalls) {
 
 TEST(TermsShowThemselves, PendulumInAFrequencyThatFalls) {
   const Oscillator<double> law{.stiffness = 0, .pendulum = w0 * w0};
-  expect_shift(law, 0.4, [](double a) { return -w0 * a * a / 16; }, 4);
+  expect_shift(
+      law, 0.4, [](double a) { return -w0 * a * a / 16; }, 4);
 }
 
 TEST(TermsShowThemselves, VanDerPolInADecayThatGrowsWithTheSquare) {

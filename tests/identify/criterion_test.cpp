@@ -1,12 +1,16 @@
-// The choice among laws, on candidates made by hand: who is admissible, and who wins at, below and above each
-// limit.
 #include "cromer/identify/choose/criterion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "cromer/documents/words/words.h"
+#include "cromer/identify/choose/choose_law.h"
+#include "cromer/identify/diagnose/mean_decay.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {
@@ -105,6 +109,91 @@ TEST(WithoutUnsureTerms, LeavesOutWhatMayBeNoneAndCanBeLeftOut) {
   EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+cubic", 0), "decay_rate")), IsEmpty());
   EXPECT_THAT(without_unsure_terms(unsure(candidate("viscous+cubic", 0), "cubic")),
               ElementsAre(law_of("viscous")));
+}
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+SyntheticRecord record_of(const FreeSwing& truth, std::size_t n, double h, double noise, unsigned seed) {
+  SyntheticRecord record{even_times(n, h), {}, 0};
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, noise);
+  for (const double x : free_motion(truth, record.t, 0.01).x) record.y.push_back(x + normal(engine));
+  return record;
+}
+
+// Viscous damping and drag over so short a time that each could be the other: the coefficients are off by
+// many of their errors, and what the record does know holds.
+TEST(RivalLaws, AShortRecordDoesNotTellViscousFromDrag) {
+  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0.01, .drag = 0.15, .position = 0.05};
+  int said = 0, simple = 0;
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const SyntheticRecord record = record_of(truth, 701, 0.02, 1e-3, seed);
+    const LawChoice choice = choose_law(record.record(), {});
+    if (choice.chosen.law == law_of("viscous+drag")) continue;
+    ++simple;
+    for (const std::string& notice : in_words(choice.chosen.notices))
+      said += notice.find("cannot tell") != std::string::npos;
+    const MeanDecay decay = mean_decay(choice.chosen, record.record()).value();
+    const double amplitude = decay.amplitude;
+    const double true_rate = 0.01 + 4 * 0.15 * 8.944 / (3 * 3.14159265) * amplitude;
+    EXPECT_NEAR(decay.rate.value, true_rate, 4 * decay.rate.standard_error + 0.02 * true_rate) << seed;
+  }
+  EXPECT_GE(simple, 5);
+  EXPECT_GE(said, simple - 1);
+}
+
+TEST(RivalLaws, OfAsManyTermsTheClearlyLowestWins) {
+  const FreeSwing truth{.angular_frequency = 8.944, .drag = 0.3, .position = 0.05};
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const LawChoice choice = choose_law(record_of(truth, 500, 0.02, 1e-3, seed).record(), {});
+    for (const LawFit& other : choice.candidates)
+      if (other.names.size() == choice.chosen.names.size() && other.status == FitStatus::converged) {
+        EXPECT_GE(other.bic, choice.chosen.bic - 5) << seed << " " << to_text(other.law);
+      }
+  }
+}
+
+TEST(RivalLaws, NoneWhereTheRecordTells) {
+  const FreeSwing truth{.angular_frequency = 8.944, .decay_rate = 0.02, .drag = 0.5, .position = 0.05};
+  const LawChoice choice = choose_law(record_of(truth, 12000, 0.02, 2e-4, 1).record(), {});
+  EXPECT_EQ(to_text(choice.chosen.law), "viscous+drag");
+  EXPECT_THAT(in_words(choice.chosen.notices), Not(Contains(HasSubstr("cannot tell"))));
+}
+
+// A rival is named where another number or another damping would follow from it, not for its name alone.
+TEST(RivalLaws, NoneWhereNoNumberWouldMove) {
+  const SyntheticRecord record = viscous_record({}, even_times(2000, 0.01), 1e-3);
+  std::vector<LawFit> candidates{fit_law(record.record(), {.law = law_of("viscous+cubic")})};
+  ASSERT_EQ(candidates[0].status, FitStatus::converged);
+  LawFit rival = candidates[0];
+  rival.law = law_of("viscous+odd-quadratic");
+  *std::find(rival.names.begin(), rival.names.end(), "cubic") = "odd_quadratic";
+  rival.bic = candidates[0].bic + 1;
+  candidates.push_back(rival);
+  EXPECT_EQ(in_words(rival_laws(record.record(), candidates, 0)), "");
+  candidates[1].find("decay_rate")->value += 4 * rival.decay_rate().standard_error;
+  EXPECT_THAT(in_words(rival_laws(record.record(), candidates, 0)), HasSubstr("viscous+odd-quadratic"));
+  candidates[1].bic = candidates[0].bic + 6.1;
+  EXPECT_EQ(in_words(rival_laws(record.record(), candidates, 0)), "");
+  // Another damping is another number.
+  candidates[1] = rival;
+  candidates[1].law = law_of("drag+cubic");
+  EXPECT_THAT(in_words(rival_laws(record.record(), candidates, 0)), HasSubstr("drag+cubic"));
+}
+
+TEST(MeanDecay, IsKnownWhereItsPartsAreNot) {
+  const SyntheticRecord record =
+      viscous_record({.w0 = 9.09, .g = 0.005, .position = 0.03, .velocity = 0}, even_times(2001, 0.01), 3e-4);
+  const LawFit fit = fit_law(record.record(), {.law = law_of("viscous+drag")});
+  ASSERT_EQ(fit.status, FitStatus::converged);
+  EXPECT_TRUE(dampings_are_collinear(fit));
+  const MeanDecay decay = mean_decay(fit, record.record()).value();
+  EXPECT_NEAR(decay.rate.value, 0.005, 4 * decay.rate.standard_error);
+  EXPECT_LT(decay.rate.standard_error, 2e-4);
+  EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("shows no viscous"))));
+  EXPECT_THAT(in_words(fit.notices), Contains(HasSubstr("cannot be told apart")));
 }
 
 }  // namespace

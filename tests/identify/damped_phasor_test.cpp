@@ -72,7 +72,7 @@ TEST(DampedPhasor, ResidualsAreDataMinusModel) {
 }
 
 TEST(DampedPhasor, BestAmplitudesAreExactAtTheTrueRates) {
-  const Truth truth;
+  const ViscousTruth truth;
   const SyntheticRecord record = viscous_record(truth, even_times(1000, 0.01));
   const auto best =
       DampedPhasor(record.record()).best_linear(std::sqrt(truth.w0 * truth.w0 - truth.g * truth.g), truth.g);

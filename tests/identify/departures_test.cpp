@@ -1,6 +1,6 @@
 // What a recording shows beside a free swing, on records made by hand: at, below and above each limit, word
 // for word.
-#include "cromer/identify/diagnose/departures.h"
+#include "cromer/identify/diagnose/doubts.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "cromer/documents/words/words.h"
-#include "cromer/identify/diagnose/amplitude_windows.h"
+#include "cromer/identify/record.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {

@@ -74,7 +74,7 @@ TEST(DescribeFit, EveryParameterHasItsWords) {
 
 // A decay rate of one standard error: in a sixth of the records the best one is negative, and 0 is reported.
 TEST(DescribeFit, IntervalsHoldAtABound) {
-  const Truth truth{.w0 = 6, .g = 0.00045, .position = 0.05, .velocity = 0};
+  const ViscousTruth truth{.w0 = 6, .g = 0.00045, .position = 0.05, .velocity = 0};
   constexpr int trials = 1000;
   int on_bound = 0, covered = 0, covered_w = 0, touching = 0;
   double stated = 0;

@@ -8,8 +8,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
-#include "cromer/identify/diagnose/amplitude_windows.h"
-#include "cromer/identify/diagnose/departures.h"
+#include "cromer/identify/record.h"
 #include "tests/identify/synthetic.h"
 
 namespace cromer::core {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "cromer/identify/motion/recorded_force.h"
+#include "cromer/identify/motion/motion_system.h"
 #include "tests/identify/forced_truth.h"
 
 namespace cromer::core {

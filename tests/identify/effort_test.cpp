@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tests/identify/forced_truth.h"
-#include "tests/identify/free_swing.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {

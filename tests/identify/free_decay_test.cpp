@@ -12,7 +12,7 @@ namespace {
 
 LawFit fit_viscous(const SyntheticRecord& record) { return fit_law(record.record(), {}); }
 
-void expect_truth(const LawFit& fit, const Truth& truth, double tolerance) {
+void expect_truth(const LawFit& fit, const ViscousTruth& truth, double tolerance) {
   ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
   const double A = std::hypot(truth.position, truth.velocity / truth.w0);
   EXPECT_NEAR(fit.angular_frequency().value, truth.w0, tolerance * truth.w0);
@@ -23,14 +23,14 @@ void expect_truth(const LawFit& fit, const Truth& truth, double tolerance) {
 }
 
 TEST(LawFit, RecoversTheLawWithoutNoise) {
-  const Truth truths[] = {{},
-                          {.w0 = 3, .g = 0},
-                          {.w0 = 3, .g = 0.9},      // fades within a period or two
-                          {.w0 = 250, .g = 0.1},    // two and a half samples a period
-                          {.w0 = 0.6, .g = 0.002},  // two periods in all
-                          {.w0 = 8, .g = 0.02, .equilibrium = 1e3},
-                          {.w0 = 8, .g = 0.02, .position = 1e-6, .velocity = -3e-5}};
-  for (const Truth& truth : truths) {
+  const ViscousTruth truths[] = {{},
+                                 {.w0 = 3, .g = 0},
+                                 {.w0 = 3, .g = 0.9},      // fades within a period or two
+                                 {.w0 = 250, .g = 0.1},    // two and a half samples a period
+                                 {.w0 = 0.6, .g = 0.002},  // two periods in all
+                                 {.w0 = 8, .g = 0.02, .equilibrium = 1e3},
+                                 {.w0 = 8, .g = 0.02, .position = 1e-6, .velocity = -3e-5}};
+  for (const ViscousTruth& truth : truths) {
     SCOPED_TRACE(truth.w0);
     expect_truth(fit_viscous(viscous_record(truth, even_times(2000, 0.01))), truth, 1e-9);
   }
@@ -39,7 +39,7 @@ TEST(LawFit, RecoversTheLawWithoutNoise) {
 TEST(LawFit, RecoversTheLawFromAnyPhase) {
   for (int i = 0; i < 24; ++i) {
     const double phase = i * std::numbers::pi / 12;
-    const Truth truth{.position = 0.05 * std::cos(phase), .velocity = 0.05 * 8.849 * std::sin(phase)};
+    const ViscousTruth truth{.position = 0.05 * std::cos(phase), .velocity = 0.05 * 8.849 * std::sin(phase)};
     expect_truth(fit_viscous(viscous_record(truth, even_times(1500, 0.01))), truth, 1e-9);
   }
 }
@@ -55,7 +55,7 @@ TEST(LawFit, RecoversTheLawFromUnevenTimesAndGaps) {
 }
 
 TEST(LawFit, RecoversTheLawOfShortAndLongRecords) {
-  const Truth truth{.w0 = 2 * std::numbers::pi, .g = 0.05};
+  const ViscousTruth truth{.w0 = 2 * std::numbers::pi, .g = 0.05};
   expect_truth(fit_viscous(viscous_record(truth, even_times(160, 0.01))), truth, 1e-8);  // 1.6 periods
   expect_truth(fit_viscous(viscous_record(truth, even_times(24, 0.1))), truth, 1e-8);    // 24 samples
   expect_truth(fit_viscous(viscous_record({.w0 = 7, .g = 1e-4}, even_times(300000, 0.01))),
@@ -84,13 +84,13 @@ TEST(LawFit, FindsTheMotionOfAFastRecord) {
     SCOPED_TRACE(h);
     const LawFit fit = fit_viscous(viscous_record({}, even_times(150000, h), 0.0003, 0, 7));
     ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);
-    EXPECT_NEAR(fit.angular_frequency().value, Truth{}.w0, 5 * fit.angular_frequency().standard_error);
-    EXPECT_NEAR(fit.decay_rate().value, Truth{}.g, 5 * fit.decay_rate().standard_error);
+    EXPECT_NEAR(fit.angular_frequency().value, ViscousTruth{}.w0, 5 * fit.angular_frequency().standard_error);
+    EXPECT_NEAR(fit.decay_rate().value, ViscousTruth{}.g, 5 * fit.decay_rate().standard_error);
   }
 }
 
 TEST(LawFit, ScattersAsLittleAsCanBeAndSaysSo) {
-  const Truth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = -0.0025};
+  const ViscousTruth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = -0.0025};
   const double noise = 1e-3, h = 0.01, T = 20;
   const double bound = least_standard_error(noise, h, 0.05, truth.g, T);
   constexpr int trials = 400;
@@ -119,7 +119,7 @@ TEST(LawFit, ScattersAsLittleAsCanBeAndSaysSo) {
 TEST(LawFit, IntervalsHoldForCorrelatedNoise) {
   // Noise of a sensor that smooths: correlated over many samples. Intervals that assume white noise would
   // hold in half of the cases.
-  const Truth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = 0};
+  const ViscousTruth truth{.w0 = 6, .g = 0.05, .position = 0.05, .velocity = 0};
   int covered = 0, covered_equilibrium = 0;
   constexpr int trials = 300;
   for (unsigned seed = 0; seed < trials; ++seed) {
@@ -142,7 +142,7 @@ TEST(LawFit, IntervalsHoldForQuantisedValues) {
   int covered = 0;
   constexpr int trials = 100;
   for (unsigned seed = 0; seed < trials; ++seed) {
-    const Truth truth{.g = 0.03 + 1e-4 * seed, .position = 0.05 + 1e-5 * seed};
+    const ViscousTruth truth{.g = 0.03 + 1e-4 * seed, .position = 0.05 + 1e-5 * seed};
     const LawFit fit = fit_viscous(viscous_record(truth, even_times(1500, 0.01), 3e-3, 0.01,
                                                   seed));  // steps of a fifth of the amplitude
     ASSERT_EQ(fit.status, FitStatus::converged) << in_words(fit.message);

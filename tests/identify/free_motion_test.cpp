@@ -34,7 +34,7 @@ SyntheticRecord motion_record(const Motion& motion, const std::vector<double>& t
 }
 
 TEST(FreeMotion, IsTheClosedFormWithoutDragAndCubic) {
-  const Truth truth;
+  const ViscousTruth truth;
   const std::vector<double> t = even_times(3000, 0.01);
   const FreeSwing motion{.angular_frequency = truth.w0,
                          .decay_rate = truth.g,

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/analysis/amplitude_decay.h"
+#include "cromer/analysis/swing.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/identify/choose/choose_law.h"
 #include "cromer/identify/motion/motion_model.h"

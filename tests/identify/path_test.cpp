@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "cromer/identify/least_squares/sampling.h"
-#include "cromer/identify/motion/recorded_force.h"
+#include "cromer/identify/motion/motion_system.h"
 
 namespace cromer::core {
 namespace {

@@ -7,7 +7,7 @@
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/driven_start.h"
 #include "cromer/identify/start/start_values.h"
-#include "tests/identify/free_swing.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {

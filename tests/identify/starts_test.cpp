@@ -4,10 +4,9 @@
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/driven_start.h"
 #include "cromer/identify/start/envelope_track.h"
-#include "cromer/identify/start/forced_start.h"
 #include "cromer/identify/start/start_values.h"
 #include "tests/identify/forced_truth.h"
-#include "tests/identify/free_swing.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {

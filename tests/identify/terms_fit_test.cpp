@@ -11,7 +11,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "tests/identify/forced_truth.h"
-#include "tests/identify/free_swing.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/methods/all.h"
-#include "tests/identify/free_swing.h"
+#include "tests/identify/synthetic.h"
 #include "tests/tasks/disc_recording.h"
 
 namespace cromer::core {

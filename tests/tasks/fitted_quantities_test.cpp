@@ -10,7 +10,7 @@
 #include <string>
 
 #include "cromer/identify/motion/motion_model.h"
-#include "tests/identify/free_swing.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {

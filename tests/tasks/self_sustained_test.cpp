@@ -7,7 +7,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/compare/compare.h"
-#include "tests/identify/free_swing.h"
+#include "tests/identify/synthetic.h"
 
 namespace cromer::core {
 namespace {

@@ -1,8 +1,6 @@
 #include "cromer/analysis/effective_oscillator.h"
 
 #include <algorithm>
-#include <limits>
-#include <numbers>
 
 namespace cromer::core {
 namespace {

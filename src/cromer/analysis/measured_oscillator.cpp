@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <numbers>
 
+#include "cromer/analysis/energy.h"
 #include "cromer/analysis/line.h"
+#include "cromer/base/state.h"
 
 namespace cromer::core {
 namespace {
@@ -93,6 +95,13 @@ std::optional<Recurrence> measure_recurrence(const std::vector<double>& x, doubl
   if (!(q > 0 && discriminant > 0)) return std::nullopt;
   const double length = static_cast<double>(stride) * spacing;
   return Recurrence{std::atan2(std::sqrt(discriminant), p / 2) / length, -std::log(q) / (2 * length)};
+}
+
+EnergyGrowth energy_growth(const Oscillator<double>& oscillator, const Trajectory& trajectory) {
+  std::vector<double> logarithm(trajectory.size());
+  for (std::size_t i = 0; i < trajectory.size(); ++i)
+    logarithm[i] = std::log(energy(oscillator, State<double>{trajectory.x[i], trajectory.v[i]}));
+  return {fit_line(trajectory.t, logarithm).slope};
 }
 
 }  // namespace cromer::core

@@ -1,9 +1,12 @@
-// Frequency and decay of a free motion, measured on its states.
+// Frequency, decay and growth of a free motion, measured on its states.
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <vector>
 
+#include "cromer/model/oscillator.h"
 #include "cromer/trajectory.h"
 
 namespace cromer::core {
@@ -42,5 +45,20 @@ struct Recurrence {
 };
 std::optional<Recurrence> measure_recurrence(const std::vector<double>& x, double spacing,
                                              double angular_frequency);
+
+/// E(t) = E0 exp(rate t), fitted.
+struct EnergyGrowth {
+  double rate = 0;  // [1/s] negative for decay
+
+  /// E after a period over E before; period [s].
+  double factor_per_cycle(double period) const { return std::exp(rate * period); }
+  /// [s] in which E doubles; negative for decay (then its size is the time in which it halves), infinite for
+  /// a constant.
+  double doubling_time() const { return std::numbers::ln2 / rate; }
+};
+
+/// Least squares of ln E against t, over all states (at least two, with positive energy): swings within a
+/// cycle average out over many.
+EnergyGrowth energy_growth(const Oscillator<double>& oscillator, const Trajectory& trajectory);
 
 }  // namespace cromer::core

@@ -204,18 +204,6 @@ void say_bounds(LawFit& fit, const FittedParameters& fitted, const Record& recor
 
 }  // namespace
 
-double centred_norm(std::span<const double> y) {
-  double mean = 0, sum = 0;
-  for (double value : y) mean += value;
-  mean /= static_cast<double>(y.size());
-  for (double value : y) sum += (value - mean) * (value - mean);
-  return std::sqrt(sum);
-}
-
-double sinusoid_amplitude(std::span<const double> y) {
-  return std::sqrt(2 / static_cast<double>(y.size())) * centred_norm(y);
-}
-
 void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& minimum) {
   const FittedParameters& fitted = minimum.fitted;
   const std::span<const double> residuals = minimum.residuals;

@@ -10,12 +10,6 @@
 
 namespace cromer::core {
 
-/// Euclidean norm of the values about their mean.
-double centred_norm(std::span<const double> y);
-
-/// The amplitude of a lasting sinusoid as strong as the values: root two times their standard deviation.
-double sinusoid_amplitude(std::span<const double> y);
-
 /// Where a fit ended.
 struct DescribedMinimum {
   const FittedParameters& fitted;

@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
@@ -19,7 +18,6 @@
 #include "cromer/identify/least_squares/rounding_bias.h"
 #include "cromer/identify/rest_minima.h"
 #include "cromer/identify/start/driven_start.h"
-#include "cromer/identify/start/forced_start.h"
 
 namespace cromer::core {
 namespace {

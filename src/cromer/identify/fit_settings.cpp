@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
 
 namespace cromer::core {

@@ -1,8 +1,9 @@
-// A recorded motion and what drove it, as the estimator sees them.
+// A recorded motion and what drove it, and how large the motion and its noise are, whatever the law.
 #pragma once
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "cromer/model/between_samples.h"
 
@@ -35,5 +36,24 @@ struct ForceRecord {
 
   double time(std::size_t i) const { return begin + static_cast<double>(i) * spacing; }
 };
+
+/// Euclidean norm of the values about their mean.
+double centred_norm(std::span<const double> y);
+
+/// The amplitude of a lasting sinusoid as strong as the values: root two times their standard deviation.
+double sinusoid_amplitude(std::span<const double> y);
+
+/// Standard deviation of what is independent from sample to sample: a second difference has six times its
+/// variance, and little of anything slow. 0 of fewer than three values.
+double noise_of(std::span<const double> values);
+
+struct AmplitudeWindow {
+  double from, to;   // [s]
+  double amplitude;  ///< sinusoid_amplitude() of the values within, in the record's unit
+};
+
+/// Windows of `length` [s] one after the other from the first sample. A rest that does not fill a window is
+/// left out, and so are windows of fewer than `at_least` samples.
+std::vector<AmplitudeWindow> amplitude_windows(const Record& record, double length, std::size_t at_least);
 
 }  // namespace cromer::core

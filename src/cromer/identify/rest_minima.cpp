@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "cromer/identify/least_squares/student.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 #include "cromer/identify/motion/motion_model.h"
 
 namespace cromer::core {

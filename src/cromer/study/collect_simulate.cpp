@@ -3,7 +3,7 @@
 
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
-#include "cromer/analysis/growth.h"
+#include "cromer/analysis/measured_oscillator.h"
 #include "cromer/analysis/steady_state.h"
 #include "cromer/documents/described/simulate.h"
 #include "cromer/model/law_force.h"

@@ -7,8 +7,6 @@
 
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/choose/readings.h"
-#include "cromer/identify/choose/rival_laws.h"
-#include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/outliers.h"
 #include "cromer/identify/diagnose/refusal.h"

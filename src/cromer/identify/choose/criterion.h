@@ -1,4 +1,4 @@
-// Which of several fitted laws a record asks for.
+// Which of several fitted laws a record asks for, and which others it speaks against no more.
 #pragma once
 
 #include <algorithm>
@@ -34,5 +34,11 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution 
 /// The law without one of its terms, for each that has zero in its interval and can be left out: a law of low
 /// BIC that is not admissible may be so without it.
 std::vector<Law> without_unsure_terms(const LawFit& fit);
+
+/// What to say of them; empty where no rival is left. A rival lies within 6 of the chosen candidate's BIC
+/// (see criterion.h), has as many terms or one more (of a driven motion one more only with a lower
+/// criterion), and puts a coefficient that both share, or the frequency, further off than three of the
+/// standard errors that the chosen one claims; or it has another damping in the place of its own.
+Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen);
 
 }  // namespace cromer::core

@@ -2,13 +2,134 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "cromer/base/pi.h"
 #include "cromer/identify/choose/criterion.h"
 #include "cromer/identify/diagnose/second_mode.h"
+#include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/start/driven_start.h"
 
 namespace cromer::core {
+namespace {
+
+constexpr std::size_t most_samples = 100'000;
+
+// Order of the parameters: E, and w, g, A, B of each mode.
+constexpr int first_of[] = {1, 5};
+enum Place { frequency, decay, cosine, sine };
+
+// The model and, in `row`, its derivatives.
+double model_at(const Parameters& p, double s, Parameters& row) {
+  double value = p[0];
+  row[0] = 1;
+  for (const int at : first_of) {
+    const double fall = std::exp(-p[at + decay] * s), phase = p[at + frequency] * s;
+    const double c = fall * std::cos(phase), d = fall * std::sin(phase);
+    const double y = p[at + cosine] * c + p[at + sine] * d;
+    value += y;
+    row[at + frequency] = s * (p[at + sine] * c - p[at + cosine] * d);
+    row[at + decay] = -s * y;
+    row[at + cosine] = c;
+    row[at + sine] = d;
+  }
+  return value;
+}
+
+NormalEquations equations_at(const Record& record, const Parameters& p) {
+  NormalEquations equations{.size = TwoModes::parameters};
+  Parameters row{};
+  for (std::size_t i = 0; i < record.t.size(); ++i) {
+    const double r = record.y[i] - model_at(p, record.t[i] - record.t.front(), row);
+    equations.add_row(std::span(row).first<TwoModes::parameters>(), r);
+  }
+  return equations;
+}
+
+// Equilibrium and amplitudes are linear: those that fit best at the start's frequencies and decay rates.
+std::optional<Parameters> with_amplitudes(const Record& record, const std::array<ModeStart, 2>& start) {
+  Parameters p{};
+  for (std::size_t mode = 0; mode < 2; ++mode) {
+    p[first_of[mode] + frequency] = start[mode].angular_frequency;
+    p[first_of[mode] + decay] = start[mode].decay_rate;
+  }
+  const NormalEquations equations = equations_at(record, p);
+  std::array<bool, max_parameters> linear{};
+  linear[0] = true;
+  for (const int at : first_of) linear[at + cosine] = linear[at + sine] = true;
+  const ScaledCholesky factor(equations.matrix, equations.size, 1e-12, linear);
+  if (!factor.ok()) return std::nullopt;
+  const Parameters step = factor.solve(equations.right);
+  for (int j = 0; j < equations.size; ++j) p[j] += step[j];
+  return p;
+}
+
+TwoModes described(const Record& record, const LeastSquaresSummary& minimum) {
+  const Parameters& p = minimum.parameters;
+  const auto n = static_cast<double>(record.t.size());
+  std::vector<double> residuals;
+  Parameters row{};
+  for (std::size_t i = 0; i < record.t.size(); ++i)
+    residuals.push_back(record.y[i] - model_at(p, record.t[i] - record.t.front(), row));
+  const std::vector<double> rho = autocorrelations(residuals, first_lags(residuals.size()));
+  TwoModes fit;
+  fit.residual = describe_residual(residuals, rho);
+  const double h = (record.t.back() - record.t.front()) / (n - 1);
+  const SquareMatrix covariance = inverse(minimum.equations.matrix, TwoModes::parameters);
+  double widest = 1;
+  for (std::size_t mode = 0; mode < 2; ++mode) {
+    const int at = first_of[mode];
+    const double factor = std::min(n, correlation_factor(residuals, rho, p[at + frequency] * h));
+    widest = std::max(widest, factor);
+    const double variance = factor * std::max(minimum.equations.sum_of_squares / (n - TwoModes::parameters),
+                                              record.resolution * record.resolution / 12);
+    const double student = student_95(std::max(1.0, n / factor - TwoModes::parameters));
+    const auto error = [&](int i) { return std::sqrt(variance * covariance[at + i][at + i]); };
+    Mode& found = fit.modes[mode];
+    found.angular_frequency = make_estimate(p[at + frequency], error(frequency), student);
+    found.decay_rate = make_estimate(p[at + decay], error(decay), student);
+    found.amplitude = std::hypot(p[at + cosine], p[at + sine]);
+    found.amplitude_error = std::max(error(cosine), error(sine));
+  }
+  fit.independent_samples = n / widest;
+  if (fit.modes[0].amplitude < fit.modes[1].amplitude) std::swap(fit.modes[0], fit.modes[1]);
+  return fit;
+}
+
+}  // namespace
+
+bool Mode::decays() const { return decay_rate.value > 3 * decay_rate.standard_error; }
+
+std::optional<TwoModes> fit_two_modes(const Record& record,
+                                      const std::vector<std::array<ModeStart, 2>>& starts) {
+  if (record.t.size() < 32) return std::nullopt;
+  Record part = record;
+  part.t = record.t.first(std::min(record.t.size(), most_samples));
+  part.y = record.y.first(part.t.size());
+  const auto model = [&](const Parameters& p) {
+    const bool possible = p[first_of[0] + frequency] > 0 && p[first_of[1] + frequency] > 0;
+    if (possible) return equations_at(part, p);
+    NormalEquations nowhere;
+    nowhere.sum_of_squares = HUGE_VAL;
+    return nowhere;
+  };
+  LeastSquaresOptions options;
+  options.iteration_limit = 40;
+  options.error_tolerance = 1e-3;
+  options.scale = centred_norm(part.y);
+  options.residuals = static_cast<int>(part.t.size());
+  std::optional<LeastSquaresSummary> best;
+  for (const auto& start : starts) {
+    const std::optional<Parameters> p = with_amplitudes(part, start);
+    if (!p) continue;
+    const LeastSquaresSummary minimum = minimise(model, *p, options);
+    if (minimum.reason != LeastSquaresReason::converged) continue;
+    if (!best || minimum.equations.sum_of_squares < best->equations.sum_of_squares) best = minimum;
+  }
+  if (!best) return std::nullopt;
+  return described(part, *best);
+}
+
 namespace {
 
 // The two lines to begin with: the swing's own and the steady one.

@@ -1,12 +1,52 @@
 // Whether a recorded motion is a free one, a driven one, or two swings at once.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <vector>
 
-#include "cromer/identify/choose/two_modes.h"
 #include "cromer/identify/law_fit.h"
+#include "cromer/identify/least_squares/residual.h"
+#include "cromer/identify/least_squares/uncertainty.h"
+#include "cromer/identify/record.h"
 
 namespace cromer::core {
+
+// Two oscillations at once, each with its own decay: two coupled swings, or a swing and what drives it.
+//
+//   y(t) = E + sum over both of exp(-g s) (A cos(w s) + B sin(w s)),   s from the first sample
+//
+// A linear oscillator under a harmonic drive moves like this too, with no decay of the drive's line: only the
+// decay rates tell the one from the other.
+
+struct Mode {
+  Estimate angular_frequency;  // [rad/s] of the damped oscillation
+  Estimate decay_rate;         // [1/s] not bounded: below 0 where it grows
+  double amplitude = 0;        ///< at the first sample, in the unit of the record
+  double amplitude_error = 0;  ///< its standard error
+
+  /// The decay rate exceeds three standard errors.
+  bool decays() const;
+};
+
+struct TwoModes {
+  std::array<Mode, 2> modes;  ///< the larger first
+  Residual residual;
+  double independent_samples = 0;
+
+  static constexpr int parameters = 9;
+};
+
+/// Where the iteration begins.
+struct ModeStart {
+  double angular_frequency = 0;  // [rad/s] > 0
+  double decay_rate = 0;         // [1/s]
+};
+
+/// Least squares from each of the starts, of which the best is kept. Empty where none converges, and where
+/// the record has fewer than 32 samples. Of more than 100,000 samples the first are taken.
+std::optional<TwoModes> fit_two_modes(const Record& record,
+                                      const std::vector<std::array<ModeStart, 2>>& starts);
 
 enum class MotionKind {
   free,                ///< the free law accounts for it as well as anything else, harmonics aside

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "cromer/analysis/cycle_average.h"
+#include "cromer/analysis/swing.h"
 #include "cromer/base/quantity.h"
-#include "cromer/identify/describe_fit.h"
 
 namespace cromer::core {
 namespace {

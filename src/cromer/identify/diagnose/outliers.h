@@ -1,4 +1,5 @@
-// Samples that stand out alone from what a law leaves: a sensor's spikes.
+// Samples that are not the motion's: a sensor's spikes, which stand out alone from what a law leaves, and
+// drop-outs, flat runs far outside the motion.
 #pragma once
 
 #include <algorithm>
@@ -58,5 +59,10 @@ WithoutOutliers<Result> settle_outliers(const Record& record, Result result, std
   }
   return {std::move(result), std::move(aside), std::move(residuals)};
 }
+
+/// Indices, increasing, of runs of three equal values or more that lie outside the band of the motion (5 % to
+/// 95 % of the values, widened by its own width) and are reached and left by a jump that the motion
+/// does not make. None where they are more than a tenth of all: that is no drop-out.
+std::vector<std::size_t> drop_outs(const Record& record);
 
 }  // namespace cromer::core

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/spectrum.h"
+#include "cromer/analysis/swing.h"
 #include "cromer/base/median.h"
 #include "cromer/base/pi.h"
-#include "cromer/identify/describe_fit.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/least_squares/levenberg_marquardt.h"
 #include "cromer/identify/motion/damped_phasor.h"

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "cromer/identify/least_squares/autoregression.h"
 #include "cromer/identify/least_squares/normal_equations.h"
-#include "cromer/identify/least_squares/sample_grid.h"
+#include "cromer/identify/least_squares/residual.h"
+#include "cromer/identify/least_squares/sampling.h"
 
 namespace cromer::core {
 

@@ -1,6 +1,4 @@
-#include "cromer/identify/motion/compiled_laws.h"
 #include "cromer/identify/motion/integrate_through.h"
-#include "cromer/identify/motion/units.h"
 
 namespace cromer::core {
 

@@ -1,5 +1,5 @@
 // The loop over a motion's steps and a record's times, for every law and drive that has code of its own. Each
-// kind of drive is compiled in one unit, which includes this.
+// kind of drive is compiled in one unit: free_motions.cpp, harmonic_motions.cpp and recorded_motions.cpp.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,60 @@
 #include <utility>
 
 #include "cromer/base/function_ref.h"
-#include "cromer/identify/motion/harmonic_columns.h"
 #include "cromer/identify/motion/motion_model.h"
+#include "cromer/identify/motion/motion_system.h"
 #include "cromer/identify/motion/path.h"
-#include "cromer/identify/motion/recorded_force.h"
 #include "cromer/model/law_force.h"
 
 namespace cromer::core {
+
+// The laws that have code of their own: a measured choice. Every other law shares the code of the smallest
+// one here that has all of its terms, at the price of derivatives that nobody asks for.
+
+inline constexpr Law every_law_that_rubs = smooth_terms.with(law_with<Friction>);
+inline constexpr Law every_law = every_law_that_rubs.with(law_with<Hysteresis>);
+
+#ifdef CROMER_PAGE
+inline constexpr Law free_laws[] = {law_of("viscous+drag"), law_of("viscous+drag+cubic"), every_law_that_rubs,
+                                    every_law};
+inline constexpr Law driven_laws[] = {law_of("viscous"), law_of("viscous+drag+quadratic+cubic"), every_law};
+#else
+inline constexpr Law free_laws[] = {law_of("viscous"),
+                                    law_of("viscous+drag"),
+                                    law_of("viscous+cubic"),
+                                    law_of("viscous+odd-quadratic"),
+                                    law_of("viscous+drag+cubic"),
+                                    law_of("viscous+drag+odd-quadratic"),
+                                    law_of("viscous+drag+pendulum"),
+                                    law_of("viscous+drag+friction"),
+                                    law_of("viscous+drag+friction+cubic"),
+                                    law_of("viscous+drag+friction+odd-quadratic"),
+                                    law_of("viscous+hysteresis"),
+                                    smooth_terms,
+                                    every_law_that_rubs,
+                                    every_law};
+inline constexpr Law driven_laws[] = {law_of("viscous"),
+                                      law_of("viscous+drag"),
+                                      law_of("viscous+quadratic+cubic"),
+                                      law_of("viscous+drag+quadratic+cubic"),
+                                      law_of("viscous+friction"),
+                                      law_of("viscous+hysteresis"),
+                                      smooth_terms,
+                                      every_law_that_rubs,
+                                      every_law};
+#endif
+
+/// What a unit does; see motion_model.h.
+struct MotionFunctions {
+  Trajectory (*states)(const Motion&, const Drive&, std::span<const double>, double);
+  std::vector<double> (*observed)(const Motion&, const Drive&, std::span<const double>, int, double);
+  NormalEquations (*equations)(const FittedParameters&, const Parameters&, const Drive&, const Record&,
+                               double);
+  std::vector<double> (*jacobian)(const FittedParameters&, const Parameters&, const Drive&, const Record&,
+                                  double);
+};
+
+extern const MotionFunctions free_motions, harmonic_motions, recorded_motions;
 
 /// A motion at one sample: what is observed of it, its velocity and position, each with its columns.
 template <class Path>

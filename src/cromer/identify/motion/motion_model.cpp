@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/identify/motion/units.h"
+#include "cromer/identify/motion/integrate_through.h"
 
 namespace cromer::core {
 namespace {

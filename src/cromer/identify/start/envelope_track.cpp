@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "cromer/analysis/cycle_average.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/state.h"

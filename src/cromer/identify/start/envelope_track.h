@@ -1,5 +1,5 @@
 // Amplitude and phase of a swing, followed through a record whatever its law, and the start values that they
-// give: each term makes the amplitude fall and the frequency rise as cycle_average.h says, in proportion to
+// give: each term makes the amplitude fall and the frequency rise as cycle_average() says, in proportion to
 // its coefficient. A pendulum's phase and action are exact at every amplitude.
 #pragma once
 

@@ -1,4 +1,4 @@
-#include "cromer/identify/start/forced_start.h"
+#include "cromer/identify/start/driven_start.h"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -12,7 +12,6 @@
 #include "cromer/base/dual.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/fit_settings.h"
-#include "cromer/identify/start/driven_start.h"
 
 namespace cromer::core {
 namespace {

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "cromer/analysis/amplitude_decay.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/identify/law_fit.h"
 

@@ -4,12 +4,10 @@
 #include <cmath>
 
 #include "cromer/analysis/air.h"
-#include "cromer/analysis/reynolds.h"
 #include "cromer/base/number.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/without_file.h"
 #include "cromer/identify/choose/choose_law.h"
-#include "cromer/identify/diagnose/departures.h"
 #include "cromer/identify/diagnose/doubts.h"
 #include "cromer/identify/diagnose/free_part.h"
 #include "cromer/identify/diagnose/second_mode.h"

@@ -9,7 +9,7 @@
 #include "cromer/analysis/textbook_damping.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
-#include "cromer/identify/choose/two_modes.h"
+#include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/identify/law_fit.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"

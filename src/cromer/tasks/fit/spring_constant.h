@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "cromer/analysis/line_with_errors.h"
+#include "cromer/analysis/line.h"
 #include "cromer/base/quantity.h"
 #include "cromer/tasks/fit/fit.h"
 

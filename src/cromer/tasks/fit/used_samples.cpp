@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cromer/identify/diagnose/drop_outs.h"
 #include "cromer/identify/diagnose/free_part.h"
+#include "cromer/identify/diagnose/outliers.h"
 
 namespace cromer::core {
 namespace {

@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "cromer/analysis/energy.h"
-#include "cromer/analysis/energy_ledger.h"
+#include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/exact_energy_balance.h"
-#include "cromer/analysis/exact_friction_balance.h"
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/law_force.h"

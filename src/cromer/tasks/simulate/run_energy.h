@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cromer/analysis/energy_balance.h"
-#include "cromer/analysis/invariants.h"
+#include "cromer/analysis/energy.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/notice.h"
 #include "cromer/tasks/simulate/simulate.h"

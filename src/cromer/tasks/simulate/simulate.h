@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cromer/analysis/energy.h"
 #include "cromer/analysis/energy_balance.h"
 #include "cromer/analysis/frequency_response.h"
-#include "cromer/analysis/invariants.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"

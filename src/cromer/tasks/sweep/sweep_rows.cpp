@@ -8,7 +8,7 @@
 #include <span>
 
 #include "cromer/analysis/effective_oscillator.h"
-#include "cromer/analysis/method_steady_state.h"
+#include "cromer/analysis/effective_oscillator.h"
 #include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
 #include "cromer/base/pi.h"

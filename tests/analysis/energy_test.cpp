@@ -1,8 +1,7 @@
-#include "cromer/analysis/invariants.h"
+#include "cromer/analysis/energy.h"
 
 #include <gtest/gtest.h>
 
-#include "cromer/analysis/energy.h"
 #include "cromer/base/compensated.h"
 #include "cromer/methods/euler_cromer.h"
 #include "cromer/methods/forward_euler.h"
@@ -61,6 +60,11 @@ TEST(Invariants, TheModifiedEnergyByHand) {
             16 + 13.5 - 9);
   EXPECT_EQ(modified_energy(Oscillator<double>{.mass = 2, .stiffness = 3}, 0.5, State<double>{3, -4}),
             16 + 13.5 + 9);
+}
+
+TEST(Energy, ByHand) {
+  EXPECT_DOUBLE_EQ(energy(Oscillator<double>{.mass = 2, .stiffness = 3, .cubic = 4}, State<double>{-1, 3}),
+                   9 + 1.5 + 1);
 }
 
 }  // namespace

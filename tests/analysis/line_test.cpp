@@ -1,4 +1,4 @@
-#include "cromer/analysis/line_with_errors.h"
+#include "cromer/analysis/line.h"
 
 #include <gtest/gtest.h>
 
@@ -163,6 +163,21 @@ TEST(LineWithErrors, OfPointsOnALineWithoutErrorsNothingIsLeft) {
   EXPECT_EQ(line->intercept, 0);
   EXPECT_LT(line->slope_error, 1e-100);
   EXPECT_LT(line->extra_scatter, 1e-100);
+}
+
+TEST(FitLine, ThroughPointsOnALine) {
+  const std::vector<double> x{1e9, 1e9 + 1, 1e9 + 3}, y{2, 2.5, 3.5};
+  EXPECT_NEAR(fit_line(x, y).slope, 0.5, 1e-14);
+}
+
+TEST(FitLine, IsThatOfLeastSquares) {
+  // About (3, 3.4): Sxx = 10, Sxy = 8.
+  const Line line = fit_line(std::vector<double>{1, 2, 3, 4, 5}, std::vector<double>{2, 2, 4, 4, 5});
+  EXPECT_NEAR(line.slope, 0.8, 1e-15);
+  EXPECT_NEAR(line.intercept, 1, 1e-14);
+  const Line two = fit_line(std::vector<double>{-1, 3}, std::vector<double>{5, -3});
+  EXPECT_NEAR(two.slope, -2, 1e-15);
+  EXPECT_NEAR(two.intercept, 3, 1e-15);
 }
 
 }  // namespace

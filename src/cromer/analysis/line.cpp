@@ -1,9 +1,7 @@
-#include "cromer/analysis/line_with_errors.h"
+#include "cromer/analysis/line.h"
 
 #include <algorithm>
 #include <cmath>
-
-#include "cromer/analysis/line.h"
 
 namespace cromer::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "cromer/analysis/reynolds.h"
+#include "cromer/analysis/air.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,6 @@
 #include <numbers>
 #include <span>
 #include <vector>
-
-#include "cromer/analysis/air.h"
 
 namespace cromer::core {
 namespace {

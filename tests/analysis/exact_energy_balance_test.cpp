@@ -1,4 +1,4 @@
-#include "cromer/analysis/exact_friction_balance.h"
+#include "cromer/analysis/exact_energy_balance.h"
 
 #include <gtest/gtest.h>
 

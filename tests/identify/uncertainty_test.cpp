@@ -1,4 +1,4 @@
-#include "cromer/identify/least_squares/student.h"
+#include "cromer/identify/least_squares/uncertainty.h"
 
 #include <gtest/gtest.h>
 
