@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "commands.h"
-#include "cromer/documents/csv/compare.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/text/fit.h"
-#include "cromer/documents/text/text_table.h"
-#include "cromer/figures/compare.h"
+#include "cromer/documents/csv.h"
+#include "cromer/documents/json.h"
+#include "cromer/documents/text.h"
+#include "cromer/documents/text/words.h"
+#include "cromer/figures/figures.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"

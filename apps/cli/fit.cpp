@@ -6,12 +6,10 @@
 #include <algorithm>
 
 #include "commands.h"
-#include "cromer/documents/csv/fit.h"
-#include "cromer/documents/csv/motion.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/text/fit.h"
-#include "cromer/documents/text/fit_table.h"
-#include "cromer/figures/fit.h"
+#include "cromer/documents/csv.h"
+#include "cromer/documents/json.h"
+#include "cromer/documents/text.h"
+#include "cromer/figures/figures.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"
 #include "cromer/tasks/fit/masses.h"

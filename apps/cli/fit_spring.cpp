@@ -6,9 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/text/interval_text.h"
-#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/json.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"

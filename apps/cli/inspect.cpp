@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "commands.h"
-#include "cromer/documents/csv/recording.h"
-#include "cromer/documents/json/documents.h"
+#include "cromer/documents/csv.h"
+#include "cromer/documents/json.h"
 #include "cromer/read/clean_table.h"
 #include "cromer/report/file.h"
 #include "cromer/report/read_file.h"

@@ -6,9 +6,8 @@
 #include <numbers>
 
 #include "commands.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/text/percent.h"
-#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/json.h"
+#include "cromer/documents/text/words.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"

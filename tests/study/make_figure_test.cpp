@@ -1,4 +1,4 @@
-#include "cromer/study/make_figure.h"
+#include "cromer/study/write_report.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,8 @@ TEST_F(MakeFigure, subtracts_another_result) {
 
 TEST_F(MakeFigure, names_the_place_of_what_is_missing) {
   spec_.panels[0].curves[0].of = "c";
-  EXPECT_EQ(in_words(make_figure(spec_, results_).error()).rfind("lab.toml:7:1: \"c.t\" is no column", 0), 0u);
+  EXPECT_EQ(in_words(make_figure(spec_, results_).error()).rfind("lab.toml:7:1: \"c.t\" is no column", 0),
+            0u);
   spec_.panels[0].curves[0].of = "a";
   spec_.panels[0].y_unit = "kg";
   EXPECT_NE(in_words(make_figure(spec_, results_).error()).find("cannot be drawn in \"kg\""),

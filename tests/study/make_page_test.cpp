@@ -1,4 +1,4 @@
-#include "cromer/study/make_page.h"
+#include "cromer/study/write_report.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cromer/documents/words/words.h"
-#include "cromer/study/study_json.h"
+#include "cromer/study/write_report.h"
 
 namespace cromer::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "cromer/study/text.h"
+#include "cromer/study/results.h"
 
 #include <gtest/gtest.h>
 

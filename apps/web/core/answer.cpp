@@ -11,11 +11,9 @@
 
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
+#include "cromer/documents/json.h"
 #include "cromer/documents/json/described.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/json/fit.h"
 #include "cromer/documents/json/json.h"
-#include "cromer/documents/json/notices.h"
 #include "described.h"
 #include "motions.h"
 #include "request.h"
@@ -102,8 +100,7 @@ Answer fit_task(const Request& request, std::string_view file) {
   Json& list = document["fits"] = Json::array();
   for (const FittedRecording& fitted : *fits) {
     ok = ok && fitted.succeeded();
-    list.push_back(fit_object(fitted, {}));
-    described::add_entries(list.back(), Described<FitOnPage>::own, FitOnPage{fitted}, {});
+    list.push_back(json_of(FitOnPage{fitted}, {}));
   }
   return found(to_text(document), ok);
 }

@@ -135,7 +135,8 @@ template <>
 struct Described<page::FitOnPage> {
   using On = page::FitOnPage;
   static constexpr std::string_view name = "Fit";
-  static constexpr auto own = members(
+  static constexpr auto entries = members(
+      all_of([](const On& f) -> const FittedRecording& { return f.fitted; }),
       field(
           "units", [](const On& f) { return motion_units(f.fitted); }, "", "\"\" where one has no name"),
       field(
@@ -144,8 +145,6 @@ struct Described<page::FitOnPage> {
       field(
           "curves", [](const On& f) { return page::curves_of(f.fitted); }, "",
           "the motion beside the law, sample by sample"));
-  static constexpr auto entries =
-      members(all_of([](const On& f) -> const FittedRecording& { return f.fitted; }), own);
 };
 
 template <>

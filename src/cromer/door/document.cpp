@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "cromer/documents/json/documents.h"
+#include "cromer/documents/json.h"
 
 namespace cromer {
 namespace {

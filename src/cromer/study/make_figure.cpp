@@ -1,6 +1,6 @@
-#include "cromer/study/make_figure.h"
+#include "cromer/study/write_report.h"
 
-#include "cromer/study/text.h"
+#include "cromer/study/results.h"
 
 namespace cromer::core {
 namespace {

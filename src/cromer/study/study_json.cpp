@@ -1,7 +1,6 @@
-#include "cromer/study/study_json.h"
+#include "cromer/study/write_report.h"
 
 #include "cromer/documents/json/json.h"
-#include "cromer/documents/json/notices.h"
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {

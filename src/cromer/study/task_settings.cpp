@@ -4,7 +4,7 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/base/option_name.h"
-#include "cromer/study/text.h"
+#include "cromer/study/results.h"
 #include "cromer/tasks/option_owner.h"
 #include "cromer/tasks/sweep/sweep.h"
 

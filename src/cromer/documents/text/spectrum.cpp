@@ -1,4 +1,4 @@
-#include "cromer/documents/text/spectrum.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,7 @@
 #include <cmath>
 
 #include "cromer/base/quantity.h"
-#include "cromer/documents/csv/spectrum_columns.h"
-#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/text/words.h"
 
 namespace cromer::core {
 namespace {
@@ -128,6 +127,12 @@ std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectru
 }
 
 }  // namespace
+
+std::string component_name(const SpectrumResult& result, std::size_t c) {
+  if (result.components[0].column == result.components[1].column) return fmt::format("component {}", c + 1);
+  const std::string& column = result.components[c].column;
+  return column.substr(0, column.find(" ("));
+}
 
 std::string spectrum_text(const SpectrumResult& result) {
   std::string text = recording_table(result);

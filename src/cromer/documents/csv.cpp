@@ -1,0 +1,333 @@
+#include "cromer/documents/csv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/documents/words/words.h"
+#include "cromer/model/sensor.h"
+#include "cromer/read/clean_table.h"
+#include "cromer/read/column_kind.h"
+#include "cromer/report/csv.h"
+#include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/fit/motion_units.h"
+
+namespace cromer::core {
+
+Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options) {
+  const auto table = clean_table(recording, options);
+  if (!table) return table.error();
+  std::vector<CsvColumn> cells;
+  for (std::size_t i = 0; i < table->columns.size(); ++i)
+    cells.push_back({column_heading(*table, i), std::span<const double>(table->columns[i].values)});
+  std::string out;
+  append_csv(out, cells, {}, true);
+  return out;
+}
+
+namespace {
+
+std::vector<std::string> comments(const SimulateResult& result, const std::string& command) {
+  std::vector<std::string> lines{command};
+  if (result.options.sensor.used)
+    lines.emplace_back("synthetic: a simulated motion sensor, not a measurement");
+  for (std::size_t i = 0; i < result.runs.size(); ++i) {
+    const SimulatedRun& run = result.runs[i];
+    if (result.runs.size() > 1) lines.push_back(fmt::format("run {}: {}", i + 1, run.label));
+    if (!run.message.empty()) lines.push_back(fmt::format("run {}: {}", i + 1, in_words(run.message)));
+  }
+  return lines;
+}
+
+std::string states_csv(const SimulateResult& result, const std::vector<std::string>& head) {
+  std::string out;
+  std::vector<double> energies;
+  for (std::size_t i = 0; i < result.runs.size(); ++i) {
+    const SimulatedRun& run = result.runs[i];
+    energies.resize(run.trajectory.size());
+    for (std::size_t n = 0; n < energies.size(); ++n)
+      energies[n] = energy(run.oscillator, State<double>{run.trajectory.x[n], run.trajectory.v[n]});
+    const CsvColumn columns[] = {{"run", fmt::format("{}", i + 1)},
+                                 {"t (s)", std::span<const double>(run.trajectory.t)},
+                                 {"x (m)", std::span<const double>(run.trajectory.x)},
+                                 {"v (m/s)", std::span<const double>(run.trajectory.v)},
+                                 {"energy (J)", std::span<const double>(energies)}};
+    append_csv(out, columns, i == 0 ? head : std::vector<std::string>{}, i == 0);
+  }
+  return out;
+}
+
+std::string sensor_csv(const SimulateResult& result, const std::vector<std::string>& head) {
+  std::size_t rows = 0;
+  for (const auto& run : result.runs) rows = std::max(rows, run.sensor.size());
+  // Runs of different lengths: the shorter ones end with empty cells.
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  std::vector<std::vector<double>> cells;
+  for (const auto& run : result.runs) {
+    auto& times = cells.emplace_back(run.trajectory.t);
+    std::transform(times.begin(), times.end(), times.begin(), to_15_digits);
+    times.resize(rows, missing);
+    cells.emplace_back(run.sensor).resize(rows, missing);
+  }
+  std::vector<CsvColumn> columns;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::string run = result.runs.size() > 1 ? fmt::format(" Run #{}", i / 2 + 1) : "";
+    columns.push_back({(i % 2 ? "Position (m)" : "Time (s)") + run, std::span<const double>(cells[i])});
+  }
+  std::string out;
+  append_csv(out, columns, head, true);
+  return out;
+}
+
+}  // namespace
+
+std::string simulate_csv(const SimulateResult& result, const std::string& command) {
+  const auto head = comments(result, command);
+  return result.options.sensor.used ? sensor_csv(result, head) : states_csv(result, head);
+}
+
+namespace {
+
+/// A quantity of the table's head: one of another unit (the equilibrium of an angle) is another column.
+struct NamedQuantity {
+  std::string name, unit;
+
+  friend bool operator==(const NamedQuantity&, const NamedQuantity&) = default;
+  std::string heading(std::string_view what) const {
+    return name + std::string(what) + (unit.empty() || unit == "1" ? "" : " (" + unit + ")");
+  }
+};
+
+/// All quantities of one recording, in the order of the JSON document.
+std::vector<Parameter> numbers_of(const FittedRecording& fitted) {
+  std::vector<Parameter> all = fitted.parameters;
+  all.insert(all.end(), fitted.derived.begin(), fitted.derived.end());
+  for (std::size_t i = 0; i < fitted.segments.size(); ++i)
+    all.push_back({fmt::format("decay_rate_segment_{}", i + 1), fitted.segments[i].rate, "1/s"});
+  if (fitted.decay_rate_mean) all.push_back({"decay_rate_mean", *fitted.decay_rate_mean, "1/s"});
+  if (fitted.reynolds_max) all.push_back({"reynolds_max", *fitted.reynolds_max, "1"});
+  if (fitted.keulegan_carpenter) all.push_back({"keulegan_carpenter_max", *fitted.keulegan_carpenter, "1"});
+  return all;
+}
+
+/// A quantity takes its place behind the one that stands before it in its own recording.
+void add_quantities(std::vector<NamedQuantity>& head, const FittedRecording& fitted) {
+  std::size_t place = 0;
+  for (const auto& number : numbers_of(fitted)) {
+    const NamedQuantity quantity{number.name, number.unit};
+    const auto known = std::find(head.begin(), head.end(), quantity);
+    if (known != head.end()) {
+      place = static_cast<std::size_t>(known - head.begin()) + 1;
+      continue;
+    }
+    head.insert(head.begin() + static_cast<std::ptrdiff_t>(place), quantity);
+    ++place;
+  }
+}
+
+double or_empty(double value) {
+  return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+void append_row(std::string& out, const FittedRecording& fitted, const std::vector<NamedQuantity>& head) {
+  const std::vector<Parameter> numbers = numbers_of(fitted);
+  std::vector<double> cells;
+  for (const auto& quantity : head) {
+    const auto found = std::find_if(numbers.begin(), numbers.end(), [&](const Parameter& number) {
+      return number.name == quantity.name && number.unit == quantity.unit;
+    });
+    const Estimate estimate =
+        found == numbers.end() ? Estimate{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL} : found->estimate;
+    cells.push_back(or_empty(estimate.value));
+    cells.push_back(or_empty(estimate.standard_error));
+    cells.push_back(or_empty(estimate.low));
+    cells.push_back(or_empty(estimate.high));
+  }
+  cells.push_back(or_empty(fitted.parameters.empty() ? HUGE_VAL : fitted.fit.residual.rms));
+  const auto cell = [&](std::size_t i) { return std::span<const double>(&cells[i], 1); };
+
+  std::vector<CsvColumn> columns{{"file", fitted.file},
+                                 {"run", fmt::format("{}", fitted.series.run)},
+                                 {"column", fitted.series.column},
+                                 {"law", fitted.parameters.empty() ? "" : to_text(fitted.fit.law)},
+                                 {"status", std::string(fitted.status())}};
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    columns.push_back({head[i].heading(""), cell(4 * i)});
+    columns.push_back({head[i].heading(" standard error"), cell(4 * i + 1)});
+    columns.push_back({head[i].heading(" 95 % low"), cell(4 * i + 2)});
+    columns.push_back({head[i].heading(" 95 % high"), cell(4 * i + 3)});
+  }
+  columns.push_back({"residual rms (SI unit of the column)", cell(cells.size() - 1)});
+  columns.push_back({"message", in_words(fitted.fit.message)});
+  append_csv(out, columns, {}, out.empty());
+}
+
+}  // namespace
+
+std::string fit_csv(const std::vector<FittedRecording>& fits) {
+  std::vector<NamedQuantity> head;
+  for (const auto& fitted : fits) add_quantities(head, fitted);
+  std::string out;
+  for (const auto& fitted : fits) append_row(out, fitted, head);
+  return out;
+}
+
+namespace {
+
+std::string heading(std::string_view name, std::string_view unit) {
+  return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
+}
+
+/// 1 for a sample that is in no fit, else 0.
+std::vector<double> set_aside(const FittedRecording& fitted, const std::vector<double>& t) {
+  std::vector<double> aside(t.size(), 0.0);
+  const auto& outliers = fitted.series.outliers;
+  for (std::size_t i = 0, k = 0; i < t.size(); ++i) {
+    while (k < outliers.size() && outliers[k].t < t[i]) ++k;
+    if (k < outliers.size() && outliers[k].t == t[i]) aside[i] = 1;
+  }
+  return aside;
+}
+
+}  // namespace
+
+std::string motion_csv(const std::vector<FittedRecording>& fits) {
+  std::string out;
+  for (const auto& fitted : fits) {
+    if (fitted.parameters.empty()) continue;
+    const FittedMotion motion = fitted_motion(fitted);
+    const auto [measured, x, v, energy] = motion_units(fitted);
+    std::vector<CsvColumn> columns{{"file", fitted.file},
+                                   {"run", fmt::format("{}", fitted.series.run)},
+                                   {"t (s)", std::span<const double>(motion.t)},
+                                   {heading("measured", measured), std::span<const double>(motion.measured)},
+                                   {heading("x", x), std::span<const double>(motion.x)},
+                                   {heading("v", v), std::span<const double>(motion.v)},
+                                   {heading("energy", energy), std::span<const double>(motion.energy)},
+                                   {heading("residual", measured), std::span<const double>(motion.residual)}};
+    if (!motion.local_velocity.empty())
+      columns.push_back({heading("v from the samples", v), std::span<const double>(motion.local_velocity)});
+    const std::vector<double> aside = set_aside(fitted, motion.t);
+    columns.push_back({"set aside", std::span<const double>(aside)});
+    append_csv(out, columns, {}, out.empty());
+  }
+  return out;
+}
+
+std::string compare_csv(const std::vector<CompareResult>& comparisons) {
+  std::string out;
+  for (const auto& comparison : comparisons) {
+    const Series& series = comparison.recording.series;
+    std::vector<double> measured = series.y;
+    for (double& y : measured) y -= comparison.recording.fit.equilibrium().value;
+    const std::string_view unit = si_unit_of(series.quantity);
+    const std::string in = unit.empty() ? "" : fmt::format(" ({})", unit);
+    const std::string measured_name = "measured displacement" + in,
+                      simulated_name = "simulated displacement" + in;
+    for (const auto& curve : comparison.curves) {
+      const CsvColumn columns[] = {{"run", fmt::format("{}", series.run)},
+                                   {"curve", curve.label},
+                                   {"t (s)", std::span<const double>(series.t)},
+                                   {measured_name, std::span<const double>(measured)},
+                                   {simulated_name, std::span<const double>(curve.trajectory.x)}};
+      append_csv(out, columns, {}, out.empty());
+    }
+  }
+  return out;
+}
+
+namespace {
+
+/// SD, PSV and PSA; `what` says of which motion: "", " 1", " RotD50".
+void add_spectral(NamedColumns& cells, const SpectrumResult& result, const std::vector<double>& displacement,
+                  const std::string& what) {
+  const double unit = result.options.in_g ? standard_gravity : 1;
+  cells.add("SD" + what + " (m)") = displacement;
+  auto& velocity = cells.add("PSV" + what + " (m/s)");
+  for (std::size_t i = 0; i < displacement.size(); ++i)
+    velocity.push_back(pseudo_velocity(displacement[i], result.periods[i]));
+  auto& acceleration = cells.add("PSA" + what + (result.options.in_g ? " (g)" : " (m/s²)"));
+  for (std::size_t i = 0; i < displacement.size(); ++i)
+    acceleration.push_back(pseudo_acceleration(displacement[i], result.periods[i]) / unit);
+}
+
+void add_shock(NamedColumns& cells, const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  const double unit = result.options.in_g ? standard_gravity : 1;
+  auto& frequency = cells.add("frequency (Hz)");
+  for (const double period : result.periods) frequency.push_back(1 / period);
+  const auto add = [&](const std::string& name, auto value) {
+    auto& column = cells.add(name + (result.options.in_g ? " (g)" : " (m/s²)"));
+    for (const Shock& shock : spectrum.shock) column.push_back(value(shock) / unit);
+  };
+  add("primary", [](const Shock& s) { return s.primary; });
+  add("residual", [](const Shock& s) { return s.residual; });
+  add("maximax", [](const Shock& s) { return s.maximax(); });
+  add("positive", [](const Shock& s) { return s.positive; });
+  add("negative", [](const Shock& s) { return s.negative; });
+}
+
+}  // namespace
+
+NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  NamedColumns cells;
+  if (!spectrum.shock.empty()) {
+    add_shock(cells, result, spectrum);
+  } else if (spectrum.displacement.size() == 1) {
+    add_spectral(cells, result, spectrum.displacement[0], "");
+  } else {
+    for (std::size_t c = 0; c < spectrum.displacement.size(); ++c)
+      add_spectral(cells, result, spectrum.displacement[c], fmt::format(" {}", c + 1));
+    add_spectral(cells, result, spectrum.geometric_mean, " geometric mean");
+    add_spectral(cells, result, spectrum.rotd50, " RotD50");
+    add_spectral(cells, result, spectrum.rotd100, " RotD100");
+  }
+  return cells;
+}
+
+namespace {
+
+std::vector<CsvColumn> columns_of(const NamedColumns& cells) {
+  std::vector<CsvColumn> columns;
+  for (std::size_t i = 0; i < cells.headers.size(); ++i)
+    columns.push_back({cells.headers[i], std::span<const double>(cells.values[i])});
+  return columns;
+}
+
+}  // namespace
+
+std::string spectrum_csv(const SpectrumResult& result, const std::string& command) {
+  std::string out;
+  for (const auto& spectrum : result.spectra) {
+    NamedColumns cells;
+    cells.add("period (s)") = result.periods;
+    cells.add(result.hysteretic() ? "loss_factor" : "damping_ratio")
+        .assign(result.periods.size(), spectrum.damping_ratio);
+    NamedColumns computed = spectrum_columns(result, spectrum);
+    for (std::size_t i = 0; i < computed.headers.size(); ++i)
+      cells.add(computed.headers[i]) = std::move(computed.values[i]);
+    const bool first = &spectrum == &result.spectra.front();
+    const std::vector<std::string> comments{command};
+    append_csv(out, columns_of(cells), first ? comments : std::vector<std::string>{}, first);
+  }
+  return out;
+}
+
+std::string fourier_csv(const SpectrumResult& result, const std::string& command) {
+  NamedColumns cells;
+  auto& frequency = cells.add("frequency (Hz)");
+  const FourierAmplitude& first = result.components[0].fourier;
+  for (std::size_t i = 0; i < first.amplitude.size(); ++i)
+    frequency.push_back(first.step * static_cast<double>(i));
+  for (std::size_t c = 0; c < result.components.size(); ++c)
+    cells.add(
+        fmt::format("amplitude{} (m/s)", result.components.size() > 1 ? fmt::format(" {}", c + 1) : "")) =
+        result.components[c].fourier.amplitude;
+  std::string out;
+  append_csv(out, columns_of(cells), std::vector{command}, true);
+  return out;
+}
+
+}  // namespace cromer::core

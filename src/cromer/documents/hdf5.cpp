@@ -1,0 +1,141 @@
+#include "cromer/documents/hdf5.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cromer/analysis/energy.h"
+#include "cromer/documents/csv.h"
+#include "cromer/documents/json.h"
+#include "cromer/documents/words/words.h"
+#include "cromer/tasks/sweep/sweep_rows.h"
+#include "cromer/version.h"
+
+namespace cromer::core {
+
+std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const std::string& command) {
+  std::vector<Hdf5Table> tables(1);
+  tables[0].texts = {
+      {"description", to_json(result, false)}, {"program", "cromer " CROMER_VERSION}, {"command", command}};
+  if (result.options.sensor.used)
+    tables[0].texts.emplace_back("synthetic", "a simulated motion sensor, not a measurement");
+  for (const SimulatedRun& run : result.runs) {
+    Hdf5Table& table = tables.emplace_back();
+    table.name = fmt::format("run_{}", tables.size() - 1);
+    table.texts = {{"method", run.method}, {"label", run.label}};
+    if (!run.message.empty()) table.texts.emplace_back("message", in_words(run.message));
+    std::vector<double> energies;
+    for (std::size_t n = 0; n < run.trajectory.size(); ++n)
+      energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[n], run.trajectory.v[n]}));
+    const auto add = [&](const char* name, std::vector<double> values) {
+      table.columns.push_back(
+          {.name = name, .values = std::move(values), .shape = {}, .axes = name[0] == 't' ? "" : "t"});
+    };
+    add("t (s)", run.trajectory.t);
+    add("x (m)", run.trajectory.x);
+    add("v (m/s)", run.trajectory.v);
+    add("energy (J)", std::move(energies));
+    add("sensor (m)", run.sensor);
+  }
+  return tables;
+}
+
+namespace {
+
+/// "PSA RotD50 (g)" as "PSA_RotD50 (g)".
+std::string without_blanks(std::string header) {
+  std::replace(header.begin(),
+               header.begin() + static_cast<std::ptrdiff_t>(std::min(header.find(" ("), header.size())), ' ',
+               '_');
+  return header;
+}
+
+}  // namespace
+
+std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::string& command) {
+  Hdf5Table table;
+  table.texts = {
+      {"description", to_json(result, false)}, {"program", "cromer " CROMER_VERSION}, {"command", command}};
+  const std::string damping = result.hysteretic() ? "loss_factor" : "damping_ratio";
+  Hdf5Column ratios{.name = damping};
+  for (const auto& spectrum : result.spectra) ratios.values.push_back(spectrum.damping_ratio);
+  table.columns = {std::move(ratios), {.name = "period (s)", .values = result.periods}};
+  const std::vector<std::uint64_t> shape{result.spectra.size(), result.periods.size()};
+  const std::size_t first = table.columns.size();
+  for (const auto& spectrum : result.spectra) {
+    const NamedColumns columns = spectrum_columns(result, spectrum);
+    for (std::size_t i = 0; i < columns.headers.size(); ++i) {
+      if (table.columns.size() == first + i)
+        table.columns.push_back({.name = without_blanks(columns.headers[i]),
+                                 .values = {},
+                                 .shape = shape,
+                                 .axes = damping + " period"});
+      auto& values = table.columns[first + i].values;
+      values.insert(values.end(), columns.values[i].begin(), columns.values[i].end());
+    }
+  }
+  return {std::move(table)};
+}
+
+namespace {
+
+/// The file's rows without their status, which is counted.
+void read_back(const RowsFile& file, SweepResult& result) {
+  const ChunkedRows& work = result.plan.rows;
+  const std::size_t width = work.columns.size() - 1;
+  result.rows.resize(work.rows * width);
+  result.statuses.assign(work.rows, SweepResult::not_reached);
+  result.counts = {};
+  std::vector<double> rows(work.rows_per_chunk * (width + 1));
+  double* to = result.rows.data();
+  for (std::uint64_t chunk = 0; chunk < work.chunks(); ++chunk) {
+    file.read(chunk, rows.data());
+    const double* row = rows.data();
+    for (std::uint64_t i = 0; i < work.rows_of(chunk); ++i, to += width, row += width + 1) {
+      std::copy_n(row, width, to);
+      if (std::isnan(row[width])) continue;  // not reached
+      const std::uint64_t at = chunk * work.rows_per_chunk + i;
+      result.statuses[at] = static_cast<unsigned char>(row[width]);
+      count_row(result.plan, at, row, result.counts);
+    }
+  }
+}
+
+}  // namespace
+
+Result<RowsFile> open_sweep_file(const SweepPlan& plan, const std::string& path, bool resume,
+                                 const std::string& command, const Watch& watch) {
+  RowsFileOptions options{
+      .path = path, .resume = resume, .program = "cromer " CROMER_VERSION, .command = command};
+  for (std::size_t i = 0; i < plan.swept.size(); ++i)
+    options.axes.push_back({plan.swept[i].column, plan.work->axes[i].grid});
+  return RowsFile::open(plan.rows, options, watch);
+}
+
+Result<SweepResult> fill_sweep_file(RowsFile& file, SweepPlan plan, const SweepOptions& options,
+                                    const ChunkMaker& make, const Watch& watch) {
+  SweepResult result{.plan = std::move(plan), .rows = {}, .counts = {}};
+  const ChunkedRows& work = result.plan.rows;
+  const std::size_t width = work.columns.size() - 1;
+  result.done = work.rows;
+  for (const std::uint64_t chunk : file.unfinished()) result.done -= work.rows_of(chunk);
+  const auto sink = [&](std::uint64_t chunk, const double* rows) {
+    for (std::uint64_t i = 0; i < work.rows_of(chunk); ++i)
+      count_row(result.plan, chunk * work.rows_per_chunk + i, rows + i * (width + 1), result.counts);
+    result.done += work.rows_of(chunk);
+    return file.write(chunk, rows);
+  };
+  const auto end = make(work, file.unfinished(), options.threads.value_or(0), sink, watch);
+  const auto closed = file.close();
+  if (!end) return end.error();
+  if (!closed) return closed.error();
+  result.interrupted = *end == ChunksEnd::interrupted;
+  const double numbers = static_cast<double>(work.rows) * static_cast<double>(width);
+  if (numbers * sizeof(double) <= options.memory) read_back(file, result);
+  if (options.check && !result.interrupted) result.check = check_closed_form(result.plan, watch);
+  return result;
+}
+
+}  // namespace cromer::core
