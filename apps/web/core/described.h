@@ -11,7 +11,7 @@
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/motion_units.h"
 #include "cromer/tasks/fit/used_samples.h"
-#include "method_resonance.h"
+#include "resonance_curves.h"
 
 namespace cromer::core {
 
