@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "cromer/analysis/energy.h"
+#include "cromer/documents/described/simulate.h"
+#include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/model/sensor.h"
 #include "cromer/read/clean_table.h"
@@ -17,6 +18,34 @@
 
 namespace cromer::core {
 
+namespace {
+
+/// "PSA (g)"; the name alone where there is no unit.
+std::string heading(std::string_view name, std::string_view unit) {
+  return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
+}
+
+/// Adds each list of numbers that `result` is described by, in the unit that `unit_of` makes of the
+/// description's. `what` comes behind its name: "PSV RotD50 (m/s)".
+template <class Result, class UnitOf>
+void add_columns(NamedColumns& columns, const Result& result, const std::string& what, UnitOf unit_of) {
+  for_each_entry(Described<Result>::entries, [&](const auto& entry) {
+    using Value = described::ValueOf<std::remove_cvref_t<decltype(entry)>, Result>;
+    if constexpr (std::is_same_v<typename described::OptionalTraits<Value>::Inner, std::vector<double>>)
+      if (std::optional<std::vector<double>> numbers = entry.of(result))
+        columns.add(heading(std::string(entry.name) + what, unit_of(entry.unit))) = std::move(*numbers);
+  });
+}
+
+std::vector<CsvColumn> csv_columns(const NamedColumns& columns) {
+  std::vector<CsvColumn> all;
+  for (std::size_t i = 0; i < columns.headers.size(); ++i)
+    all.push_back({columns.headers[i], std::span<const double>(columns.values[i])});
+  return all;
+}
+
+}  // namespace
+
 Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options) {
   const auto table = clean_table(recording, options);
   if (!table) return table.error();
@@ -26,6 +55,12 @@ Result<std::string> recording_csv(const Recording& recording, const ReadOptions&
   std::string out;
   append_csv(out, cells, {}, true);
   return out;
+}
+
+NamedColumns state_columns(const SimulatedRun& run) {
+  NamedColumns columns;
+  add_columns(columns, KeptStates{run}, "", [](std::string_view unit) { return unit; });
+  return columns;
 }
 
 namespace {
@@ -44,17 +79,10 @@ std::vector<std::string> comments(const SimulateResult& result, const std::strin
 
 std::string states_csv(const SimulateResult& result, const std::vector<std::string>& head) {
   std::string out;
-  std::vector<double> energies;
   for (std::size_t i = 0; i < result.runs.size(); ++i) {
-    const SimulatedRun& run = result.runs[i];
-    energies.resize(run.trajectory.size());
-    for (std::size_t n = 0; n < energies.size(); ++n)
-      energies[n] = energy(run.oscillator, State<double>{run.trajectory.x[n], run.trajectory.v[n]});
-    const CsvColumn columns[] = {{"run", fmt::format("{}", i + 1)},
-                                 {"t (s)", std::span<const double>(run.trajectory.t)},
-                                 {"x (m)", std::span<const double>(run.trajectory.x)},
-                                 {"v (m/s)", std::span<const double>(run.trajectory.v)},
-                                 {"energy (J)", std::span<const double>(energies)}};
+    const NamedColumns states = state_columns(result.runs[i]);
+    std::vector<CsvColumn> columns = csv_columns(states);
+    columns.insert(columns.begin(), {"run", fmt::format("{}", i + 1)});
     append_csv(out, columns, i == 0 ? head : std::vector<std::string>{}, i == 0);
   }
   return out;
@@ -177,10 +205,6 @@ std::string fit_csv(const std::vector<FittedRecording>& fits) {
 
 namespace {
 
-std::string heading(std::string_view name, std::string_view unit) {
-  return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
-}
-
 /// 1 for a sample that is in no fit, else 0.
 std::vector<double> set_aside(const FittedRecording& fitted, const std::vector<double>& t) {
   std::vector<double> aside(t.size(), 0.0);
@@ -224,93 +248,51 @@ std::string compare_csv(const std::vector<CompareResult>& comparisons) {
     std::vector<double> measured = series.y;
     for (double& y : measured) y -= comparison.recording.fit.equilibrium().value;
     const std::string_view unit = si_unit_of(series.quantity);
-    const std::string in = unit.empty() ? "" : fmt::format(" ({})", unit);
-    const std::string measured_name = "measured displacement" + in,
-                      simulated_name = "simulated displacement" + in;
     for (const auto& curve : comparison.curves) {
-      const CsvColumn columns[] = {{"run", fmt::format("{}", series.run)},
-                                   {"curve", curve.label},
-                                   {"t (s)", std::span<const double>(series.t)},
-                                   {measured_name, std::span<const double>(measured)},
-                                   {simulated_name, std::span<const double>(curve.trajectory.x)}};
+      const CsvColumn columns[] = {
+          {"run", fmt::format("{}", series.run)},
+          {"curve", curve.label},
+          {"t (s)", std::span<const double>(series.t)},
+          {heading("measured displacement", unit), std::span<const double>(measured)},
+          {heading("simulated displacement", unit), std::span<const double>(curve.trajectory.x)}};
       append_csv(out, columns, {}, out.empty());
     }
   }
   return out;
 }
 
-namespace {
-
-/// SD, PSV and PSA; `what` says of which motion: "", " 1", " RotD50".
-void add_spectral(NamedColumns& cells, const SpectrumResult& result, const std::vector<double>& displacement,
-                  const std::string& what) {
-  const double unit = result.options.in_g ? standard_gravity : 1;
-  cells.add("SD" + what + " (m)") = displacement;
-  auto& velocity = cells.add("PSV" + what + " (m/s)");
-  for (std::size_t i = 0; i < displacement.size(); ++i)
-    velocity.push_back(pseudo_velocity(displacement[i], result.periods[i]));
-  auto& acceleration = cells.add("PSA" + what + (result.options.in_g ? " (g)" : " (m/s²)"));
-  for (std::size_t i = 0; i < displacement.size(); ++i)
-    acceleration.push_back(pseudo_acceleration(displacement[i], result.periods[i]) / unit);
-}
-
-void add_shock(NamedColumns& cells, const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  const double unit = result.options.in_g ? standard_gravity : 1;
-  auto& frequency = cells.add("frequency (Hz)");
-  for (const double period : result.periods) frequency.push_back(1 / period);
-  const auto add = [&](const std::string& name, auto value) {
-    auto& column = cells.add(name + (result.options.in_g ? " (g)" : " (m/s²)"));
-    for (const Shock& shock : spectrum.shock) column.push_back(value(shock) / unit);
-  };
-  add("primary", [](const Shock& s) { return s.primary; });
-  add("residual", [](const Shock& s) { return s.residual; });
-  add("maximax", [](const Shock& s) { return s.maximax(); });
-  add("positive", [](const Shock& s) { return s.positive; });
-  add("negative", [](const Shock& s) { return s.negative; });
-}
-
-}  // namespace
-
 NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  NamedColumns cells;
+  const auto unit_of = [&](std::string_view unit) {
+    return unit == unit_as_written ? written_unit(result) : unit;
+  };
+  const SpectrumOf described{result, spectrum};
+  NamedColumns columns;
+  add_columns(columns, described, "", unit_of);
   if (!spectrum.shock.empty()) {
-    add_shock(cells, result, spectrum);
-  } else if (spectrum.displacement.size() == 1) {
-    add_spectral(cells, result, spectrum.displacement[0], "");
-  } else {
-    for (std::size_t c = 0; c < spectrum.displacement.size(); ++c)
-      add_spectral(cells, result, spectrum.displacement[c], fmt::format(" {}", c + 1));
-    add_spectral(cells, result, spectrum.geometric_mean, " geometric mean");
-    add_spectral(cells, result, spectrum.rotd50, " RotD50");
-    add_spectral(cells, result, spectrum.rotd100, " RotD100");
+    auto& frequency = columns.insert(1, "frequency (Hz)");
+    for (const double period : result.periods) frequency.push_back(1 / period);
   }
-  return cells;
-}
-
-namespace {
-
-std::vector<CsvColumn> columns_of(const NamedColumns& cells) {
-  std::vector<CsvColumn> columns;
-  for (std::size_t i = 0; i < cells.headers.size(); ++i)
-    columns.push_back({cells.headers[i], std::span<const double>(cells.values[i])});
+  if (!described.two()) return columns;
+  const auto add = [&](const std::vector<double>& displacement, const std::string& what) {
+    add_columns(columns, described.values(displacement), what, unit_of);
+  };
+  for (std::size_t c = 0; c < spectrum.displacement.size(); ++c)
+    add(spectrum.displacement[c], fmt::format(" {}", c + 1));
+  add(spectrum.geometric_mean, " geometric mean");
+  add(spectrum.rotd50, " RotD50");
+  add(spectrum.rotd100, " RotD100");
   return columns;
 }
-
-}  // namespace
 
 std::string spectrum_csv(const SpectrumResult& result, const std::string& command) {
   std::string out;
   for (const auto& spectrum : result.spectra) {
-    NamedColumns cells;
-    cells.add("period (s)") = result.periods;
-    cells.add(result.hysteretic() ? "loss_factor" : "damping_ratio")
+    NamedColumns columns = spectrum_columns(result, spectrum);
+    columns.insert(1, result.hysteretic() ? "loss_factor" : "damping_ratio")
         .assign(result.periods.size(), spectrum.damping_ratio);
-    NamedColumns computed = spectrum_columns(result, spectrum);
-    for (std::size_t i = 0; i < computed.headers.size(); ++i)
-      cells.add(computed.headers[i]) = std::move(computed.values[i]);
     const bool first = &spectrum == &result.spectra.front();
     const std::vector<std::string> comments{command};
-    append_csv(out, columns_of(cells), first ? comments : std::vector<std::string>{}, first);
+    append_csv(out, csv_columns(columns), first ? comments : std::vector<std::string>{}, first);
   }
   return out;
 }
@@ -326,7 +308,7 @@ std::string fourier_csv(const SpectrumResult& result, const std::string& command
         fmt::format("amplitude{} (m/s)", result.components.size() > 1 ? fmt::format(" {}", c + 1) : "")) =
         result.components[c].fourier.amplitude;
   std::string out;
-  append_csv(out, columns_of(cells), std::vector{command}, true);
+  append_csv(out, csv_columns(cells), std::vector{command}, true);
   return out;
 }
 

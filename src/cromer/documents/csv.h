@@ -18,6 +18,21 @@ namespace cromer::core {
 /// file's own units, whatever the dialect was.
 Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options);
 
+/// Columns of numbers under headings with their units: "SD (m)".
+struct NamedColumns {
+  std::vector<std::string> headers{};
+  std::vector<std::vector<double>> values{};
+
+  std::vector<double>& add(std::string header) { return insert(headers.size(), std::move(header)); }
+  std::vector<double>& insert(std::size_t at, std::string header) {
+    headers.insert(headers.begin() + static_cast<std::ptrdiff_t>(at), std::move(header));
+    return *values.insert(values.begin() + static_cast<std::ptrdiff_t>(at), std::vector<double>{});
+  }
+};
+
+/// The kept states of a run: t, x, v, energy and, with one, what the simulated sensor says.
+NamedColumns state_columns(const SimulatedRun& run);
+
 /// "run,t (s),x (m),v (m/s),energy (J)"; with a sensor what a logger would write, "Time (s),Position (m)",
 /// several runs side by side. Comments at the head say where the numbers come from.
 std::string simulate_csv(const SimulateResult& result, const std::string& command);
@@ -35,18 +50,7 @@ std::string motion_csv(const std::vector<FittedRecording>& fits);
 /// the SI unit of the column.
 std::string compare_csv(const std::vector<CompareResult>& comparisons);
 
-/// Columns that are computed, with their headers: "SD (m)".
-struct NamedColumns {
-  std::vector<std::string> headers{};
-  std::vector<std::vector<double>> values{};
-
-  std::vector<double>& add(std::string header) {
-    headers.push_back(std::move(header));
-    return values.emplace_back();
-  }
-};
-
-/// What a spectrum's files say of each period: one value for each, in the unit that was asked for.
+/// The periods, and what was found at each of them, in the unit that was asked for.
 NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum);
 
 /// One row for each damping ratio and period, in the order asked for.

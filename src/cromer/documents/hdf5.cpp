@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "cromer/analysis/energy.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/words/words.h"
@@ -26,18 +25,12 @@ std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const std::
     table.name = fmt::format("run_{}", tables.size() - 1);
     table.texts = {{"method", run.method}, {"label", run.label}};
     if (!run.message.empty()) table.texts.emplace_back("message", in_words(run.message));
-    std::vector<double> energies;
-    for (std::size_t n = 0; n < run.trajectory.size(); ++n)
-      energies.push_back(energy(run.oscillator, State<double>{run.trajectory.x[n], run.trajectory.v[n]}));
-    const auto add = [&](const char* name, std::vector<double> values) {
-      table.columns.push_back(
-          {.name = name, .values = std::move(values), .shape = {}, .axes = name[0] == 't' ? "" : "t"});
-    };
-    add("t (s)", run.trajectory.t);
-    add("x (m)", run.trajectory.x);
-    add("v (m/s)", run.trajectory.v);
-    add("energy (J)", std::move(energies));
-    add("sensor (m)", run.sensor);
+    NamedColumns states = state_columns(run);
+    for (std::size_t i = 0; i < states.headers.size(); ++i)
+      table.columns.push_back({.name = std::move(states.headers[i]),
+                               .values = std::move(states.values[i]),
+                               .shape = {},
+                               .axes = i == 0 ? "" : "t"});
   }
   return tables;
 }
@@ -63,16 +56,15 @@ std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::
   for (const auto& spectrum : result.spectra) ratios.values.push_back(spectrum.damping_ratio);
   table.columns = {std::move(ratios), {.name = "period (s)", .values = result.periods}};
   const std::vector<std::uint64_t> shape{result.spectra.size(), result.periods.size()};
-  const std::size_t first = table.columns.size();
   for (const auto& spectrum : result.spectra) {
     const NamedColumns columns = spectrum_columns(result, spectrum);
-    for (std::size_t i = 0; i < columns.headers.size(); ++i) {
-      if (table.columns.size() == first + i)
+    for (std::size_t i = 1; i < columns.headers.size(); ++i) {  // behind the periods
+      if (table.columns.size() == i + 1)
         table.columns.push_back({.name = without_blanks(columns.headers[i]),
                                  .values = {},
                                  .shape = shape,
                                  .axes = damping + " period"});
-      auto& values = table.columns[first + i].values;
+      auto& values = table.columns[i + 1].values;
       values.insert(values.end(), columns.values[i].begin(), columns.values[i].end());
     }
   }

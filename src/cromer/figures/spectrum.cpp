@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <tuple>
 
-#include "cromer/analysis/ground_motion.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
+#include "cromer/documents/described/spectrum.h"
 #include "cromer/documents/text.h"
 #include "cromer/figures/length_unit.h"
 #include "cromer/report/palette.h"
@@ -24,7 +25,7 @@ std::string damping_name(const SpectrumResult& result, const ResponseSpectrum& s
 }
 
 /// The axis of curves that share a damping ratio, which their names leave out.
-std::string at_one_damping(const char* quantity, const SpectrumResult& result, const char* unit) {
+std::string at_one_damping(std::string_view quantity, const SpectrumResult& result, std::string_view unit) {
   return fmt::format("{} at {} ({})", quantity, damping_name(result, result.spectra[0]), unit);
 }
 
@@ -78,10 +79,8 @@ Abscissa abscissa_of(const SpectrumResult& result) {
   return {std::move(frequencies), "natural frequency (Hz)", "Hz"};
 }
 
-const char* acceleration_unit(const SpectrumResult& result) { return result.options.in_g ? "g" : "m/s²"; }
-
 /// The value at the top of a curve: "1.2 g at 0.3 s".
-void say_summit(Curve& curve, const char* value_unit, const char* at_unit) {
+void say_summit(Curve& curve, std::string_view value_unit, std::string_view at_unit) {
   const auto top = std::max_element(curve.y.begin(), curve.y.end(),
                                     [](double a, double b) { return a < b || std::isnan(a); }) -
                    curve.y.begin();
@@ -110,12 +109,12 @@ void point_words(Panel& panel) {
 }
 
 Panel response_panel(const SpectrumResult& result) {
-  const double unit = result.options.in_g ? standard_gravity : 1;
+  const double unit = written_acceleration(result);
   const Abscissa along = abscissa_of(result);
   Panel panel;
   panel.x.name = along.name;
   panel.x.logarithmic = wide(along.values);
-  panel.y.name = fmt::format("pseudo-acceleration ({})", acceleration_unit(result));
+  panel.y.name = fmt::format("pseudo-acceleration ({})", written_unit(result));
   panel.y.low = 0;
   panel.names_inside = true;
   const auto add = [&](const std::vector<double>& displacement, const std::string& name,
@@ -123,7 +122,7 @@ Panel response_panel(const SpectrumResult& result) {
     panel.curves.push_back(curve_of(along.values, name, role, [&](std::size_t i) {
       return pseudo_acceleration(displacement[i], result.periods[i]) / unit;
     }));
-    say_summit(panel.curves.back(), acceleration_unit(result), along.unit);
+    say_summit(panel.curves.back(), written_unit(result), along.unit);
   };
   if (result.components.size() == 1) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i)
@@ -138,7 +137,7 @@ Panel response_panel(const SpectrumResult& result) {
     return panel;
   }
   const ResponseSpectrum& spectrum = result.spectra[0];
-  panel.y.name = at_one_damping("pseudo-acceleration", result, acceleration_unit(result));
+  panel.y.name = at_one_damping("pseudo-acceleration", result, written_unit(result));
   for (std::size_t c = 0; c < 2; ++c) {
     add(spectrum.displacement[c], component_name(result, c), "family:4");
     panel.curves.back().dashed = c == 1;
@@ -152,12 +151,12 @@ Panel response_panel(const SpectrumResult& result) {
 }
 
 Panel shock_panel(const SpectrumResult& result) {
-  const double unit = result.options.in_g ? standard_gravity : 1;
+  const double unit = written_acceleration(result);
   const Abscissa along = abscissa_of(result);
   Panel panel;
   panel.x.name = along.name;
   panel.x.logarithmic = wide(along.values);
-  panel.y.name = fmt::format("largest acceleration ({})", acceleration_unit(result));
+  panel.y.name = fmt::format("largest acceleration ({})", written_unit(result));
   panel.y.logarithmic = true;
   panel.names_inside = true;
   const auto add = [&](const ResponseSpectrum& spectrum, const std::string& name, const std::string& role,
@@ -171,11 +170,11 @@ Panel shock_panel(const SpectrumResult& result) {
     for (std::size_t i = 0; i < result.spectra.size(); ++i) {
       add(result.spectra[i], damping_name(result, result.spectra[i]), family(result, i),
           [](const Shock& s) { return s.maximax(); });
-      say_summit(panel.curves.back(), acceleration_unit(result), along.unit);
+      say_summit(panel.curves.back(), written_unit(result), along.unit);
     }
   } else {
     const ResponseSpectrum& spectrum = result.spectra[0];
-    panel.y.name = at_one_damping("largest acceleration", result, acceleration_unit(result));
+    panel.y.name = at_one_damping("largest acceleration", result, written_unit(result));
     // The largest lies lowest, so that what it is the largest of shows on it.
     add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
     add(spectrum, "positive", "positive", [](const Shock& s) { return s.positive; });
@@ -183,7 +182,7 @@ Panel shock_panel(const SpectrumResult& result) {
     panel.curves.back().dashed = true;
     add(spectrum, "residual", "family:4", [](const Shock& s) { return s.residual; });
     add(spectrum, "negative", "negative", [](const Shock& s) { return s.negative; });
-    for (Curve& curve : panel.curves) say_summit(curve, acceleration_unit(result), along.unit);
+    for (Curve& curve : panel.curves) say_summit(curve, written_unit(result), along.unit);
   }
   // Three decades below the top what is left is of no consequence.
   double top = 0, least = std::numeric_limits<double>::infinity();
@@ -297,17 +296,17 @@ void add_line(Panel& panel, std::vector<Curve>& lines, const Frame& f, double le
 }
 
 /// Frames the panel's curves (pseudo-velocity [m/s] against period [s], both axes logarithmic) and puts under
-/// them the lines on which the displacement, or the pseudo-acceleration (in g if asked), is the same.
-void add_equal_lines(Panel& panel, bool in_g) {
+/// them the lines on which the displacement, or the pseudo-acceleration (in the unit asked for), is the same.
+void add_equal_lines(Panel& panel, const SpectrumResult& result) {
   const Frame f = frame_of(panel);
   panel.x.low = f.t0;
   panel.x.high = f.t1;
   panel.y.low = f.v0;
   panel.y.high = f.v1;
   std::vector<Curve> lines;
-  const double unit = in_g ? standard_gravity : 1;
+  const double unit = written_acceleration(result);
   for (const double a : round_values(two_pi * f.v0 / f.t1 / unit, two_pi * f.v1 / f.t0 / unit))
-    add_line(panel, lines, f, a * unit, 1, fmt::format("{} {}", tick_label(a), in_g ? "g" : "m/s²"));
+    add_line(panel, lines, f, a * unit, 1, fmt::format("{} {}", tick_label(a), written_unit(result)));
   for (const double d : round_values(f.v0 * f.t0 / two_pi, f.v1 * f.t1 / two_pi)) {
     const LengthUnit length = length_unit(d * 1.0000001);
     add_line(panel, lines, f, d, -1, fmt::format("{} {}", tick_label(d / length.metres), length.symbol));
@@ -341,7 +340,7 @@ Figure tripartite_figure(const SpectrumResult& result) {
     add(result.spectra[0].rotd100, "RotD100", "family:0");
   }
   point_words(panel);
-  add_equal_lines(panel, result.options.in_g);
+  add_equal_lines(panel, result);
   Figure figure;
   figure.id = "spectrum";
   figure.title = "Tripartite response spectrum";
