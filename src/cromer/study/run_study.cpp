@@ -75,8 +75,16 @@ struct Work {
   Error error(const Error& inner) const { return task.place.error(inner.notice); }
 };
 
-Option text_option(std::string_view name, std::string& target) {
-  return {.name = name, .target = &target, .unit = "", .help = "", .default_text = "", .group = ""};
+/// An option that only studies have.
+Option own_option(std::string_view name, Option::Target target, std::string_view unit = "",
+                  Range range = Range::any) {
+  return {.name = name,
+          .target = target,
+          .unit = unit,
+          .range = range,
+          .help = "",
+          .default_text = "",
+          .group = ""};
 }
 
 Result<TaskReport> run_simulate(const Work& work) {
@@ -103,7 +111,7 @@ Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
   Options options;
   std::string file;
   auto table = options_of(options);
-  table.push_back(text_option("file", file));
+  table.push_back(own_option("file", &file));
   if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
   const auto bytes = work.recording(file);
   if (!bytes) return bytes.error();
@@ -125,84 +133,58 @@ Result<TaskReport> run_fit(const Work& work) { return run_on_recording<FitOption
 
 Result<TaskReport> run_compare(const Work& work) { return run_on_recording<CompareOptions>(work, compare); }
 
-Option plain_option(std::string_view name, Option::Target target) {
-  return {.name = name,
-          .target = target,
-          .unit = "",
-          .range = Range::positive,
-          .help = "",
-          .default_text = "",
-          .group = ""};
+/// Curves of the oscillator of `simulate`: its options, and the task's own, which are positive numbers.
+template <class Options, class Task>
+Result<TaskReport> run_curves(const Work& work, Options& options, const std::vector<Option>& own, Task task) {
+  auto table = options_of(options.simulate);
+  table.insert(table.end(), own.begin(), own.end());
+  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
+  const auto result = task();
+  if (!result) return work.error(result.error());
+  collect(work.task.id, *result, work.results);
+  TaskReport report;
+  if constexpr (requires { result->notices; }) report.notices = result->notices;
+  return report;
+}
+
+Option positive(std::string_view name, Option::Target target, std::string_view unit = "") {
+  return own_option(name, target, unit, Range::positive);
 }
 
 Result<TaskReport> run_resonance(const Work& work) {
   ResonanceOptions options;
-  auto table = options_of(options.simulate);
-  const std::vector<Option> own = {{.name = "frequency-from",
-                                    .target = &options.frequency_from,
-                                    .unit = "rad/s",
-                                    .range = Range::positive,
-                                    .help = "",
-                                    .default_text = "",
-                                    .group = ""},
-                                   {.name = "frequency-to",
-                                    .target = &options.frequency_to,
-                                    .unit = "rad/s",
-                                    .range = Range::positive,
-                                    .help = "",
-                                    .default_text = "",
-                                    .group = ""},
-                                   plain_option("points", &options.points),
-                                   plain_option("damping-ratios", &options.damping_ratio)};
-  table.insert(table.end(), own.begin(), own.end());
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
-  const auto result = resonance(options, work.watch);
-  if (!result) return work.error(result.error());
-  collect(work.task.id, *result, work.results);
-  return TaskReport{result->notices, {}};
+  return run_curves(work, options,
+                    {positive("frequency-from", &options.frequency_from, "rad/s"),
+                     positive("frequency-to", &options.frequency_to, "rad/s"),
+                     positive("points", &options.points), positive("damping-ratios", &options.damping_ratio)},
+                    [&] { return resonance(options, work.watch); });
 }
 
 Result<TaskReport> run_local_error(const Work& work) {
   LocalErrorOptions options;
-  if (const auto done = assign_settings(work.task, options_of(options.simulate), work.results); !done)
-    return done.error();
-  const auto result = local_errors(options);
-  if (!result) return work.error(result.error());
-  collect(work.task.id, *result, work.results);
-  return TaskReport{};
+  return run_curves(work, options, {}, [&] { return local_errors(options); });
 }
 
 Result<TaskReport> run_method_map(const Work& work) {
   MethodMapOptions options;
-  auto table = options_of(options.simulate);
-  table.push_back(plain_option("from", &options.from));
-  table.push_back(plain_option("to", &options.to));
-  table.push_back(plain_option("points", &options.points));
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
-  const auto result = method_map(options);
-  if (!result) return work.error(result.error());
-  collect(work.task.id, *result, work.results);
-  return TaskReport{};
+  return run_curves(
+      work, options,
+      {positive("from", &options.from), positive("to", &options.to), positive("points", &options.points)},
+      [&] { return method_map(options); });
 }
 
 Result<TaskReport> run_work_precision(const Work& work) {
   WorkPrecisionOptions options;
-  auto table = options_of(options.simulate);
-  table.push_back(plain_option("longest", &options.longest));
-  table.push_back(plain_option("halvings", &options.halvings));
-  if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
-  const auto result = work_precision(options, work.watch);
-  if (!result) return work.error(result.error());
-  collect(work.task.id, *result, work.results);
-  return TaskReport{};
+  return run_curves(work, options,
+                    {positive("longest", &options.longest), positive("halvings", &options.halvings)},
+                    [&] { return work_precision(options, work.watch); });
 }
 
 Result<TaskReport> run_spectrum(const Work& work) {
   SpectrumOptions options;
   std::vector<std::string> names;
   auto table = options_of(options);
-  table.push_back(
-      {.name = "file", .target = &names, .unit = "", .help = "", .default_text = "", .group = ""});
+  table.push_back(own_option("file", &names));
   if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
   if (names.empty()) names.emplace_back();
   std::vector<SpectrumFile> files;
@@ -254,7 +236,7 @@ Result<TaskReport> run_sweep(const Work& work) {
 Result<TaskReport> run_difference(const Work& work) {
   std::string of, minus;
   if (const auto done =
-          assign_settings(work.task, {text_option("of", of), text_option("minus", minus)}, work.results);
+          assign_settings(work.task, {own_option("of", &of), own_option("minus", &minus)}, work.results);
       !done)
     return done.error();
   const auto a = work.results.column(of + ".x"), b = work.results.column(minus + ".x");
