@@ -1,12 +1,11 @@
 #include "fit_spring.h"
 
 #include "answer.h"
-#include "cromer/documents/csv/spring.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/text/spring.h"
-#include "cromer/figures/spring.h"
+#include "cromer/documents/csv.h"
+#include "cromer/documents/json.h"
+#include "cromer/documents/text.h"
+#include "cromer/figures/figures.h"
 #include "cromer/report/read_file.h"
-#include "cromer/tasks/fit/spring_constant.h"
 #include "message.h"
 
 namespace cromer::core::cli {

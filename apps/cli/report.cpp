@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "cromer/base/utf8.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/study/study_json.h"
 #include "cromer/study/write_report.h"
 #include "cromer/version.h"
 #include "exit_status.h"

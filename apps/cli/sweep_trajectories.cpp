@@ -7,7 +7,7 @@
 
 #include "cromer/base/bytes.h"
 #include "cromer/cluster/disk.h"
-#include "cromer/documents/csv/sweep.h"
+#include "cromer/documents/csv.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"

@@ -4,25 +4,71 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <optional>
 #include <type_traits>
 #include <utility>
 #include <variant>
 
+#include "cromer/analysis/energy.h"
+#include "cromer/analysis/frequency_response.h"
 #include "cromer/base/grid.h"
 #include "cromer/base/number.h"
+#include "cromer/documents/described/methods.h"
+#include "cromer/documents/json.h"
 #include "cromer/documents/json/described.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/json/fit.h"
-#include "cromer/documents/json/json.h"
-#include "cromer/documents/json/notices.h"
+#include "cromer/model/linear_quantities.h"
+#include "cromer/tasks/option/option.h"
+#include "cromer/tasks/simulate/run_effect.h"
 #include "described.h"
-#include "motions.h"
-#include "request.h"
 #include "resonance_curves.h"
 
 namespace cromer::core::page {
 namespace {
+
+/// A request of the page, taken apart.
+struct Request {
+  std::string task;
+  std::vector<TypedOption> settings{};  ///< in the order given
+  std::string file_name = "recording";
+};
+
+/// Takes a setting out, where it is there: those that are the page's own.
+std::string take(Request& request, std::string_view name, std::string_view otherwise = "") {
+  auto& settings = request.settings;
+  const auto at =
+      std::find_if(settings.begin(), settings.end(), [&](const auto& s) { return s.first == name; });
+  if (at == settings.end()) return std::string(otherwise);
+  std::string value = std::move(at->second);
+  settings.erase(at);
+  return value;
+}
+
+/// An Error names a line that is not "option=value".
+Result<Request> read_request(std::string_view text) {
+  Request request;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::string_view line = text.substr(from, end - from);
+    from = end + 1;
+    if (line.empty()) continue;
+    const std::size_t equals = line.find('=');
+    if (request.task.empty())
+      request.task = line;
+    else if (equals == std::string_view::npos)
+      return Error{"page_setting", {{"line", line}}};
+    else
+      request.settings.emplace_back(line.substr(0, equals), line.substr(equals + 1));
+  }
+  if (const std::string name = take(request, "file-name"); !name.empty()) request.file_name = name;
+  return request;
+}
+
+/// Every setting into its option. An Error names an option that is not in the table, or what is wrong with
+/// the value, as the command line says it.
+Result<void> assign(const Request& request, const std::vector<Option>& options) {
+  return core::assign(request.settings, options, request.task);
+}
 
 Answer bad_input(const Error& error) {
   return {Status::bad_input, to_text(Json{{"message", said(error.notice, {})}}), {}};
@@ -51,6 +97,99 @@ Answer simulate_task(const Request& request, std::string_view) {
   if (!options) return bad_input(options.error());
   const auto result = simulate(*options);
   return result ? found(to_json(*result, true), result->ok()) : bad_input(result.error());
+}
+
+Json block(std::size_t first, std::size_t count) {
+  Json place = Json::array();
+  place.push_back(first);
+  place.push_back(count);
+  Json object;
+  object["block"] = std::move(place);
+  return object;
+}
+
+/// `count` numbers to be written, at the end of the blocks.
+double* room_for(std::size_t count) {
+  auto& blocks = json_blocks();
+  blocks.resize(blocks.size() + count);
+  return blocks.data() + blocks.size() - count;
+}
+
+Json kept(const std::vector<double>& column) {
+  if (!column.empty()) std::memcpy(room_for(column.size()), column.data(), column.size() * sizeof(double));
+  return block(json_blocks().size() - column.size(), column.size());
+}
+
+Json energies(const SimulatedRun& run) {
+  const auto& [t, x, v] = run.trajectory;
+  double* to = room_for(t.size());
+  for (std::size_t i = 0; i < t.size(); ++i) to[i] = energy(run.oscillator, State<double>{x[i], v[i]});
+  return block(json_blocks().size() - t.size(), t.size());
+}
+
+Json states(const SimulatedRun& run, Json times) {
+  Json columns;
+  columns["t"] = std::move(times);
+  columns["x"] = kept(run.trajectory.x);
+  columns["v"] = kept(run.trajectory.v);
+  columns["energy"] = energies(run);
+  return columns;
+}
+
+Json motion(const SimulatedRun& run, Json times) {
+  const Outcome& outcome = run.outcome;
+  Json object;
+  object["method"] = run.method;
+  object["step"] = run.step;
+  object["until"] = run.until;
+  object["drive_frequency"] = run.drive.frequency;
+  object["status"] = name(outcome.status);
+  object["energy_at_end"] = energy(run.oscillator, outcome.y);
+  described::add_entries(object, effect_entries(&SimulatedRun::effect), run, {});
+  object["states"] = states(run, std::move(times));
+  return object;
+}
+
+/// Of the law without drag, friction and cubic stiffness.
+Json linear_part(const Oscillator<double>& law) {
+  return {{"natural_frequency", natural_frequency(law)},
+          {"damped_frequency", damped_frequency(law)},
+          {"decay_rate", decay_rate(law)},
+          {"critical_damping", critical_damping(law)},
+          {"damping_ratio", damping_ratio(law)},
+          {"quality_factor", quality_factor(law)},
+          {"resonance_frequency", resonance_frequency(law)},
+          {"energy_factor_per_cycle", energy_factor_per_cycle(law)}};
+}
+
+/// The times of those that ended early are the beginning of the others'.
+bool begins_with(const std::vector<double>& all, const std::vector<double>& some) {
+  return some.size() <= all.size() && std::equal(some.begin(), some.end(), all.begin());
+}
+
+/// {"runs": [...], "linear_part": {...}, "warnings": [...]}: of the document of documents/json what is asked
+/// at every move of a slider, and what the law itself is known by. The columns go straight into
+/// json_blocks(); runs with the same times share them.
+Json motions_of(const SimulateResult& result) {
+  const auto& runs = result.runs;
+  const auto longest = std::max_element(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
+    return a.trajectory.size() < b.trajectory.size();
+  });
+  const std::vector<double>& times = longest->trajectory.t;
+  std::size_t count = times.size();
+  for (const SimulatedRun& run : runs) count += 4 * run.trajectory.size();
+  json_blocks().reserve(json_blocks().size() + count);
+  const std::size_t first = json_blocks().size();
+  kept(times);
+  Json document;
+  Json& list = document["runs"] = Json::array();
+  for (const SimulatedRun& run : runs) {
+    const auto& t = run.trajectory.t;
+    list.push_back(motion(run, begins_with(times, t) ? block(first, t.size()) : kept(t)));
+  }
+  document["linear_part"] = linear_part(runs.front().oscillator);
+  add_notices(document, result.notices, {});
+  return document;
 }
 
 /// What the page draws of a simulation, without what only a document tells.
@@ -102,8 +241,7 @@ Answer fit_task(const Request& request, std::string_view file) {
   Json& list = document["fits"] = Json::array();
   for (const FittedRecording& fitted : *fits) {
     ok = ok && fitted.succeeded();
-    list.push_back(fit_object(fitted, {}));
-    described::add_entries(list.back(), Described<FitOnPage>::own, FitOnPage{fitted}, {});
+    list.push_back(json_of(FitOnPage{fitted}, {}));
   }
   return found(to_text(document), ok);
 }

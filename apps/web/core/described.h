@@ -10,7 +10,7 @@
 #include "cromer/documents/described/inspect.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/fit/used_samples.h"
-#include "method_resonance.h"
+#include "resonance_curves.h"
 
 namespace cromer::core {
 
@@ -134,7 +134,8 @@ template <>
 struct Described<page::FitOnPage> {
   using On = page::FitOnPage;
   static constexpr std::string_view name = "Fit";
-  static constexpr auto own = members(
+  static constexpr auto entries = members(
+      all_of([](const On& f) -> const FittedRecording& { return f.fitted; }),
       field(
           "units", [](const On& f) { return motion_units(f.fitted); }, "", "\"\" where one has no name"),
       field(
@@ -143,8 +144,6 @@ struct Described<page::FitOnPage> {
       field(
           "curves", [](const On& f) { return page::curves_of(f.fitted); }, "",
           "the motion beside the law, sample by sample"));
-  static constexpr auto entries =
-      members(all_of([](const On& f) -> const FittedRecording& { return f.fitted; }), own);
 };
 
 template <>

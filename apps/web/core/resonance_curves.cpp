@@ -1,8 +1,14 @@
 #include "resonance_curves.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "cromer/analysis/steady_state.h"
+#include "cromer/methods/dormand_prince.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
-#include "settled_curve.h"
 
 namespace cromer::core::page {
 namespace {
@@ -19,6 +25,85 @@ MethodResonance closed_form_curve(SimulatedRun run, const Grid& frequencies) {
     curve.amplitude.push_back(effect->effective.steady_state->amplitude);
     curve.phase.push_back(effect->effective.steady_state->phase_lag);
   }
+  return curve;
+}
+
+constexpr double first_cycles = 32, most_cycles = 512;
+constexpr int window = 10;          // cycles measured
+constexpr double states_kept = 24;  // a cycle
+constexpr double most_steps = 1e7;
+constexpr double agreement = 1e-3;  // of two windows' amplitudes
+
+using Settled = std::optional<MeasuredSteadyState>;
+
+double period(double frequency) { return 2 * std::numbers::pi / frequency; }
+
+/// What a curve takes at the least.
+double steps_of(double step, const Grid& frequencies) {
+  double time = 0;
+  for (std::uint64_t i = 0; i < frequencies.size(); ++i) time += 2 * first_cycles * period(frequencies[i]);
+  return time / step;
+}
+
+/// Runs for so many cycles and measures their end, from which `options` then go on. None where the run ends
+/// early, or too few states make a cycle.
+Result<Settled> go_on(SimulateOptions& options, double cycles) {
+  const double w = options.drive_frequency.front();
+  const double row = *options.step * static_cast<double>(options.every);
+  options.until = std::ceil(cycles * period(w) / row) * row;
+  const auto simulated = simulate(options);
+  if (!simulated) return simulated.error();
+  const SimulatedRun& run = simulated->runs.front();
+  if (!run.done()) return Settled{};
+  const auto measured = measure_steady_state(run.trajectory, run.drive, window);
+  if (!measured) return Settled{};
+  options.position = run.outcome.y.x;
+  options.velocity = run.outcome.y.v;
+  options.drive_phase = std::remainder(run.drive.phase + w * run.outcome.t, 2 * std::numbers::pi);
+  return Settled{*measured};
+}
+
+/// None where it has not settled.
+Result<Settled> settle(SimulateOptions options) {
+  double amplitude = -1, cycles = first_cycles;
+  for (double passed = 0; passed < most_cycles; passed += cycles) {
+    cycles = std::max(cycles, passed);
+    const auto steady = go_on(options, cycles);
+    if (!steady || !*steady) return steady;
+    const double now = (*steady)->amplitude;
+    if ((*steady)->settled() && std::abs(now - amplitude) <= agreement * now) return steady;
+    amplitude = now;
+  }
+  return Settled{};
+}
+
+/// Of the run's method, from rest at each frequency; `options` are those it was set up by. The run's step, or
+/// Dormand-Prince to 1e-6 where the options give no tolerance. A point has settled where two windows of ten
+/// cycles of the drive give the same amplitude to a thousandth; those that have not after 512 cycles are left
+/// out. A curve that would take more than ten million steps is not begun.
+Result<MethodResonance> settled_curve(const SimulateOptions& options, const SimulatedRun& run,
+                                      const Grid& frequencies) {
+  MethodResonance curve{.method = run.method};
+  const bool chooses_its_steps = run.method == DormandPrince::info.name;
+  if (!chooses_its_steps && steps_of(run.step, frequencies) > most_steps)
+    return MethodResonance{.method = run.method, .settled = false, .too_many_steps = true};
+  SimulateOptions at_rest = options;
+  at_rest.method = {run.method};
+  at_rest.position = at_rest.velocity = 0;
+  if (chooses_its_steps && !options.tolerance) at_rest.tolerance = 1e-6;
+  for (std::uint64_t i = 0; i < frequencies.size(); ++i) {
+    const double w = frequencies[i];
+    at_rest.drive_frequency = {w};
+    at_rest.step = chooses_its_steps ? period(w) / states_kept : run.step;
+    at_rest.every = std::max(1LL, static_cast<long long>(period(w) / (states_kept * *at_rest.step)));
+    const auto steady = settle(at_rest);
+    if (!steady) return steady.error();
+    if (!*steady) continue;
+    curve.frequency.push_back(w);
+    curve.amplitude.push_back((*steady)->amplitude);
+    curve.phase.push_back((*steady)->phase_lag);
+  }
+  curve.settled = curve.frequency.size() > 1;
   return curve;
 }
 

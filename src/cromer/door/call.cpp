@@ -14,9 +14,9 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/c.h"
+#include "cromer/documents/json.h"
 #include "cromer/documents/json/described.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/documents/json/notices.h"
+#include "cromer/documents/json/json.h"
 #include "cromer/door/options.h"
 #include "cromer/door/results.h"
 #include "cromer/door/watching.h"

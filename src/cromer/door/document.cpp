@@ -3,17 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "cromer/documents/csv/compare.h"
-#include "cromer/documents/csv/fit.h"
-#include "cromer/documents/csv/simulate.h"
-#include "cromer/documents/csv/spectrum.h"
-#include "cromer/documents/csv/sweep.h"
-#include "cromer/documents/json/documents.h"
-#include "cromer/figures/compare.h"
-#include "cromer/figures/fit.h"
-#include "cromer/figures/simulate.h"
-#include "cromer/figures/spectrum.h"
-#include "cromer/figures/sweep.h"
+#include "cromer/documents/csv.h"
+#include "cromer/documents/json.h"
+#include "cromer/figures/figures.h"
 
 namespace cromer {
 namespace {

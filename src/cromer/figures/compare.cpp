@@ -1,4 +1,4 @@
-#include "cromer/figures/compare.h"
+#include "cromer/figures/figures.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "cromer/base/quantity.h"
-#include "cromer/figures/measured_axis.h"
 #include "cromer/figures/motion_curves.h"
 
 namespace cromer::core {

@@ -1,4 +1,4 @@
-#include "cromer/figures/fit.h"
+#include "cromer/figures/figures.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,6 @@
 
 #include "cromer/base/quantity.h"
 #include "cromer/figures/length_unit.h"
-#include "cromer/figures/measured_axis.h"
 #include "cromer/figures/motion_curves.h"
 #include "cromer/report/enhanced_text.h"
 

@@ -1,4 +1,4 @@
-#include "cromer/figures/spring.h"
+#include "cromer/figures/figures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "cromer/figures/sweep.h"
+#include "cromer/figures/figures.h"
 
 #include <fmt/format.h>
 

@@ -21,14 +21,6 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
-/// Where it is; not-finite values are passed over.
-std::size_t largest(const std::vector<double>& values) {
-  std::size_t at = 0;
-  for (std::size_t i = 1; i < values.size(); ++i)
-    if (values[i] > values[at] || std::isnan(values[at])) at = i;
-  return at;
-}
-
 /// What the energy of a free motion does.
 void collect_energy(const std::string& name, const SimulatedRun& run, const std::vector<double>& energy,
                     Results& results) {
@@ -93,49 +85,6 @@ void collect_run(const std::string& name, const DescribedRun& all, Results& resu
 void collect(const std::string& id, const SimulateResult& result, Results& results) {
   for (std::size_t i = 0; i < result.runs.size(); ++i)
     collect_run(id + "." + std::to_string(i + 1), DescribedRun{result.runs[i], result.options}, results);
-}
-
-void collect(const std::string& id, const ResonanceResult& resonance, Results& results) {
-  const char* arrives = resonance.of_motion ? "m" : "N";
-  results.set(id + ".points", static_cast<double>(resonance.curves.front().frequency.size()));
-  for (std::size_t i = 0; i < resonance.curves.size(); ++i) {
-    const ResonanceCurve& curve = resonance.curves[i];
-    const std::string name = id + "." + std::to_string(i + 1);
-    const std::size_t peak = largest(curve.amplitude), most = largest(curve.transmissibility);
-    results.set(name + ".label", curve.method);
-    results.set(name + ".damping_ratio", curve.damping_ratio);
-    results.set(name + ".peak", curve.amplitude[peak], "m");
-    results.set(name + ".peak_frequency", curve.frequency[peak], "rad/s");
-    results.set(name + ".peak_transmissibility", curve.transmissibility[most]);
-    results.set(name + ".peak_transmissibility_ratio", curve.frequency_ratio[most]);
-    results.set(name + ".last_transmissibility", curve.transmissibility.back());
-    results.set(name + ".peak_transmitted", curve.transmitted[largest(curve.transmitted)], arrives);
-    results.set(name + ".last_transmitted", curve.transmitted.back(), arrives);
-    results.set_column(name + ".frequency", curve.frequency, "rad/s", "drive frequency *ω*");
-    results.set_column(name + ".frequency_ratio", curve.frequency_ratio, "", "frequency ratio *ω*/*ω*_{0}");
-    results.set_column(name + ".amplitude", curve.amplitude, "m", "steady amplitude");
-    results.set_column(name + ".phase", curve.phase, "rad", "phase lag *φ*");
-    results.set_column(name + ".amplification", curve.amplification, "", "amplification");
-    results.set_column(name + ".transmissibility", curve.transmissibility, "", "transmissibility");
-    results.set_column(name + ".transmitted_phase", curve.transmitted_phase, "rad", "phase lag *φ*");
-    results.set_column(name + ".transmitted", curve.transmitted, arrives,
-                       resonance.of_motion ? "amplitude of the mass" : "force on the ground");
-  }
-}
-
-void collect(const std::string& id, const LocalErrorResult& errors, Results& results) {
-  for (std::size_t i = 0; i < errors.curves.size(); ++i) {
-    const LocalErrorCurve& curve = errors.curves[i];
-    const std::string name = id + "." + std::to_string(i + 1);
-    results.set(name + ".label", curve.method);
-    results.set(name + ".x_slope", curve.x_slope);
-    results.set(name + ".v_slope", curve.v_slope);
-    results.set(name + ".x_over_predicted", curve.x_over_predicted);
-    results.set(name + ".v_over_predicted", curve.v_over_predicted);
-    results.set_column(name + ".h", curve.h, "s", "step *h*");
-    results.set_column(name + ".x_error", curve.x_error, "m", "error of position");
-    results.set_column(name + ".v_error", curve.v_error, "m/s", "error of velocity");
-  }
 }
 
 }  // namespace cromer::core

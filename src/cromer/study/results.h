@@ -1,4 +1,5 @@
-// What the tasks of a study found, by name: numbers for its texts and tables, columns for its figures.
+// What the tasks of a study found, by name: numbers for its texts and tables, columns for its figures; and
+// the texts with them: "k = {two.stiffness}".
 #pragma once
 
 #include <map>
@@ -50,5 +51,17 @@ class Results {
   std::map<std::string, Fact, std::less<>> facts_;
   std::map<std::string, ResultColumn, std::less<>> columns_;
 };
+
+/// {"two.stiffness": {"value", "standard_error", "unit"}, "two.law": "text", ...}: every fact, in SI units,
+/// by name.
+std::string to_json(const Results& results);
+
+/// Replaces each {name, modifier, ...} by its result. Modifiers: a whole number (significant digits), a unit
+/// ("cm", "%", "mJ": converted to), "bare" (without unit), "no ±" (without uncertainty), "concise" (the
+/// uncertainty in brackets behind the last digit), "signed" (a leading
+/// + or minus), "si" (the value alone, exact, for options), "abs". A name that begins with a point is taken
+/// relative to `scope`: {.label}. A brace is written {{; one behind _ or ^ is markup and stays. An unknown
+/// name or modifier is an Error.
+Result<std::string> fill(std::string_view text, const Results& results, std::string_view scope = "");
 
 }  // namespace cromer::core

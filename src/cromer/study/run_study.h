@@ -21,19 +21,10 @@ struct StudyRun {
                    ///< the study ended there
 };
 
-/// What one task said besides its results.
-struct TaskReport {
-  std::vector<Notice> notices;
-  Notice failure;  ///< why it did not succeed; empty if it did
-};
-
 /// Called before each task with what it is ("fit two") and the share done.
 using StudyProgress = std::function<void(const std::string& what, double fraction)>;
 
 /// Bad input is an Error that names the place in the study file.
 Result<StudyRun> run_study(const Study& study, const Watch& watch = {}, const StudyProgress& progress = {});
-
-/// Runs one task and adds what it found under its id.
-Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch);
 
 }  // namespace cromer::core

@@ -34,6 +34,14 @@ concept IsDescribed = requires {
   Described<Result>::entries;
 };
 
+/// A result that may stand for one that could not be had: where `is_refused`, its document has the entries
+/// `refused` alone.
+template <class Result>
+concept MayBeRefused = requires(const Result& result) {
+  Described<Result>::refused;
+  Described<Result>::is_refused(result);
+};
+
 /// One number, truth, text, list or described struct: `get` is a member or a function of the result. A double
 /// that is not finite is null, and so is an empty optional.
 template <class Get>

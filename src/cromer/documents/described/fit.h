@@ -285,6 +285,7 @@ template <>
 struct Described<FittedRecording> {
   using Fitted = FittedRecording;
   static constexpr std::string_view name = "FittedRecording";
+  static bool is_refused(const Fitted& f) { return f.wrong_input; }
   static constexpr auto refused = members(
       field(
           "recording", [](const Fitted& f) { return FittedFrom{f}; }, "", "what was fitted")

@@ -20,7 +20,11 @@ struct SpectralValues {
   }
 };
 
-/// [m/s^2] of the unit that accelerations are written in.
+/// Accelerations are written in m/s² or in g, as was asked for: the unit's name, and its size [m/s^2].
+inline constexpr std::string_view unit_as_written = "m/s² or g";
+inline std::string_view written_unit(const SpectrumResult& result) {
+  return result.options.in_g ? "g" : "m/s²";
+}
 inline double written_acceleration(const SpectrumResult& result) {
   return result.options.in_g ? standard_gravity : 1;
 }
@@ -40,7 +44,7 @@ struct Described<SpectralValues> {
             const double unit = written_acceleration(v.of);
             return v.each([unit](double d, double period) { return pseudo_acceleration(d, period) / unit; });
           },
-          "m/s² or g", "pseudo-acceleration"));
+          unit_as_written, "pseudo-acceleration"));
 };
 
 /// One damping ratio's spectrum.
@@ -69,7 +73,7 @@ struct SpectrumOf {
 template <class Value>
 constexpr auto shock_entry(std::string_view name, Value value, std::string_view meaning) {
   return field(
-             name, [value](const SpectrumOf& s) { return s.shocks(value); }, "m/s² or g", meaning)
+             name, [value](const SpectrumOf& s) { return s.shocks(value); }, unit_as_written, meaning)
       .left_out();
 }
 
@@ -156,7 +160,7 @@ struct Described<ComponentOf> {
           "duration", [](const C& c) { return c.component.duration(); }, "s", "of the record"),
       field(
           "peak_acceleration", [](const C& c) { return c.component.peak / written_acceleration(c.of); },
-          "m/s² or g", "largest magnitude"),
+          unit_as_written, "largest magnitude"),
       field(
           "arias_intensity", [](const C& c) { return c.component.intensity.arias; }, "m/s",
           "pi/(2 g) times the integral of a²"),

@@ -7,7 +7,6 @@
 
 #include "cromer/documents/described/describe.h"
 #include "cromer/documents/json/json.h"
-#include "cromer/documents/json/notices.h"
 
 namespace cromer::core {
 
@@ -83,10 +82,12 @@ void add(Json& object, const Group<When, Entries>& entry, const Result& result, 
   object[std::string(entry.name)] = std::move(inner);
 }
 
+template <class Result>
+void add_all(Json& object, const Result& result, const Voice& voice);
+
 template <class Get, class Result>
 void add(Json& object, const AllOf<Get>& entry, const Result& result, const Voice& voice) {
-  const auto& inner = std::invoke(entry.get, result);
-  add_entries(object, Described<std::remove_cvref_t<decltype(inner)>>::entries, inner, voice);
+  add_all(object, std::invoke(entry.get, result), voice);
 }
 
 template <class Get, class Sample, class Result>
@@ -104,13 +105,21 @@ void add_entries(Json& object, const Entries& entries, const Result& result, con
   for_each_entry(entries, [&](const auto& entry) { add(object, entry, result, voice); });
 }
 
+template <class Result>
+void add_all(Json& object, const Result& result, const Voice& voice) {
+  if constexpr (MayBeRefused<Result>)
+    if (Described<Result>::is_refused(result))
+      return add_entries(object, Described<Result>::refused, result, voice);
+  add_entries(object, Described<Result>::entries, result, voice);
+}
+
 }  // namespace described
 
 /// The object of a described struct, its entries in their order.
 template <IsDescribed Result>
 Json json_of(const Result& result, const Voice& voice) {
   Json object = Json::object();
-  described::add_entries(object, Described<Result>::entries, result, voice);
+  described::add_all(object, result, voice);
   return object;
 }
 

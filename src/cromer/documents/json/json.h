@@ -1,11 +1,12 @@
-// The JSON type all documents are built from, and how they are written. For .cpp files only.
+// The JSON type all documents are built from, how they are written, and what there is to say in them. For
+// .cpp files only.
 #pragma once
 
+#include <span>
 #include <string>
-#include <vector>
 
 #include "cromer/base/utf8.h"
-#include "cromer/read/recording.h"
+#include "cromer/documents/words/words.h"
 
 #ifdef CROMER_PAGE       // which has no JSON library
 #include <json_value.h>  // apps/web/core
@@ -32,5 +33,14 @@ inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_li
          "\n";
 #endif
 }
+
+/// A sentence; on the page {"en", "de"}, which changes its language while it shows one.
+Json said(const Notice& notice, const Voice& voice);
+
+/// {"code", "severity", "text", "values": {name: number, text, list or what a notice holds}}
+Json notice_object(const Notice& notice, const Voice& voice);
+
+/// "warnings": the sentences, and "notices": each of them as an object.
+void add_notices(Json& object, std::span<const Notice> notices, const Voice& voice);
 
 }  // namespace cromer::core

@@ -2,7 +2,6 @@
 
 #include "cromer/documents/json/described.h"
 #include "cromer/documents/json/json.h"
-#include "cromer/documents/json/notices.h"
 
 namespace cromer::core {
 namespace {

@@ -1,14 +1,13 @@
-#include "cromer/documents/text/compare.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <string_view>
 
-#include "cromer/documents/text/fit.h"
-#include "cromer/documents/text/text_table.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/column_kind.h"
+#include "cromer/documents/text/words.h"
 
 namespace cromer::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "cromer/documents/text/inspect.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/read/recording.h"
+#include "cromer/documents/text/words.h"
 
 namespace cromer::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "cromer/documents/text/methods.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "cromer/documents/text/percent.h"
-#include "cromer/documents/text/text_table.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/documents/text/words.h"
 
 namespace cromer::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "cromer/documents/text/simulate.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,7 @@
 
 #include "cromer/analysis/energy.h"
 #include "cromer/analysis/frequency_response.h"
-#include "cromer/documents/text/percent.h"
-#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/simulate/run_effect.h"
 #include "cromer/tasks/simulate/run_energy.h"

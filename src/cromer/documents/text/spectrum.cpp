@@ -1,4 +1,4 @@
-#include "cromer/documents/text/spectrum.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,9 @@
 #include <cmath>
 
 #include "cromer/base/quantity.h"
-#include "cromer/documents/csv/spectrum_columns.h"
-#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/csv.h"
+#include "cromer/documents/described/spectrum.h"
+#include "cromer/documents/text/words.h"
 
 namespace cromer::core {
 namespace {
@@ -64,46 +65,26 @@ std::string oscillator(const SpectrumResult& result, std::size_t i) {
   return rounded(result.by_frequency() ? 1 / period : period, 4);
 }
 
-std::string shock_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  const double unit = result.options.in_g ? standard_gravity : 1;
-  std::vector<std::vector<std::string>> rows{
-      {oscillator_heading(result), "primary", "residual", "maximax", "positive", "negative"}};
-  for (std::size_t i = 1; i < rows[0].size(); ++i) rows[0][i] += result.options.in_g ? " (g)" : " (m/s²)";
-  for (const std::size_t i : shown(result.periods.size())) {
-    const Shock& s = spectrum.shock[i];
-    rows.push_back({oscillator(result, i)});
-    for (const double value : {s.primary, s.residual, s.maximax(), s.positive, s.negative})
-      rows.back().push_back(rounded(value / unit, 5));
+/// What the files say of each period: of two components only their pseudo-accelerations.
+std::string spectrum_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
+  const bool two = !spectrum.rotd50.empty();
+  std::vector<std::vector<std::string>> rows{{oscillator_heading(result)}};
+  const std::vector<std::size_t> oscillators = shown(result.periods.size());
+  for (const std::size_t i : oscillators) rows.push_back({oscillator(result, i)});
+  const NamedColumns columns = spectrum_columns(result, spectrum);
+  for (std::size_t c = spectrum.shock.empty() ? 1 : 2; c < columns.headers.size(); ++c) {
+    if (two && !columns.headers[c].starts_with("PSA")) continue;
+    rows[0].push_back(columns.headers[c]);
+    for (std::size_t i = 0; i < oscillators.size(); ++i)
+      rows[i + 1].push_back(rounded(columns.values[c][oscillators[i]], 5));
   }
-  return text_table(rows, 0, 6);
-}
-
-std::string response_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
-  const double unit = result.options.in_g ? standard_gravity : 1;
-  const std::string psa = result.options.in_g ? "PSA (g)" : "PSA (m/s²)";
-  const bool two = spectrum.displacement.size() > 1;
-  std::vector<std::vector<std::string>> rows;
   if (two)
-    rows.push_back({oscillator_heading(result), fmt::format("{}, {}", psa, component_name(result, 0)),
-                    component_name(result, 1), "geometric mean", "RotD50", "RotD100"});
-  else
-    rows.push_back({oscillator_heading(result), "SD (m)", "PSV (m/s)", psa});
-  for (const std::size_t i : shown(result.periods.size())) {
-    const double period = result.periods[i];
-    const auto acceleration = [&](double sd) { return rounded(pseudo_acceleration(sd, period) / unit, 5); };
-    rows.push_back({oscillator(result, i)});
-    auto& row = rows.back();
-    if (two) {
-      for (const auto* sd : {&spectrum.displacement[0], &spectrum.displacement[1], &spectrum.geometric_mean,
-                             &spectrum.rotd50, &spectrum.rotd100})
-        row.push_back(acceleration((*sd)[i]));
-    } else {
-      const double sd = spectrum.displacement[0][i];
-      row.push_back(rounded(sd, 5));
-      row.push_back(rounded(pseudo_velocity(sd, period), 5));
-      row.push_back(acceleration(sd));
-    }
-  }
+    rows[0] = {oscillator_heading(result),
+               fmt::format("PSA ({}), {}", written_unit(result), component_name(result, 0)),
+               component_name(result, 1),
+               "geometric mean",
+               "RotD50",
+               "RotD100"};
   return text_table(rows, 0, 6);
 }
 
@@ -111,7 +92,6 @@ std::string response_table(const SpectrumResult& result, const ResponseSpectrum&
 std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
   const bool shock = !spectrum.shock.empty();
   const bool two = !spectrum.rotd50.empty();
-  const double unit = result.options.in_g ? standard_gravity : 1;
   std::size_t best = 0;
   double most = -1;
   for (std::size_t i = 0; i < result.periods.size(); ++i) {
@@ -123,11 +103,17 @@ std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectru
     best = i;
   }
   const std::string at = oscillator(result, best) + (result.by_frequency() ? " Hz" : " s");
-  return fmt::format("highest{}: {} {} at {}\n", two ? " RotD50" : "", rounded(most / unit, 4),
-                     result.options.in_g ? "g" : "m/s²", at);
+  return fmt::format("highest{}: {} {} at {}\n", two ? " RotD50" : "",
+                     rounded(most / written_acceleration(result), 4), written_unit(result), at);
 }
 
 }  // namespace
+
+std::string component_name(const SpectrumResult& result, std::size_t c) {
+  if (result.components[0].column == result.components[1].column) return fmt::format("component {}", c + 1);
+  const std::string& column = result.components[c].column;
+  return column.substr(0, column.find(" ("));
+}
 
 std::string spectrum_text(const SpectrumResult& result) {
   std::string text = recording_table(result);
@@ -135,7 +121,7 @@ std::string spectrum_text(const SpectrumResult& result) {
   for (const auto& spectrum : result.spectra) {
     text += fmt::format("\n{} {}: {}\n", result.hysteretic() ? "loss factor" : "damping ratio",
                         shortest(spectrum.damping_ratio), conventions(result));
-    text += spectrum.shock.empty() ? response_table(result, spectrum) : shock_table(result, spectrum);
+    text += spectrum_table(result, spectrum);
     if (all > most_rows) text += fmt::format("{} of {} rows; -o FILE.csv writes all\n", most_rows, all);
     text += summit(result, spectrum);
   }

@@ -1,11 +1,9 @@
-#include "cromer/documents/text/spring.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
 #include <vector>
 
-#include "cromer/documents/text/interval_text.h"
-#include "cromer/documents/text/text_table.h"
 #include "cromer/documents/text/words.h"
 
 namespace cromer::core {

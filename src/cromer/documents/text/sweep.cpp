@@ -1,4 +1,4 @@
-#include "cromer/documents/text/sweep.h"
+#include "cromer/documents/text.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "cromer/documents/text/text_table.h"
+#include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 
 namespace cromer::core {

@@ -1,6 +1,9 @@
 #include "cromer/documents/text/words.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "cromer/base/quantity.h"
 
@@ -20,6 +23,50 @@ std::string fitted_unit(const FittedRecording& fitted) {
   for (const auto& parameter : fitted.parameters)
     if (parameter.name == "equilibrium") return parameter.unit;
   return "";
+}
+
+std::string percent(double part) {
+  if (std::abs(part) < 1e-12) return "0 %";
+  return std::abs(part) < 0.995 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
+}
+std::string percent_off(double part) { return (part >= 1e-12 ? "+" : "") + percent(part); }
+
+std::string interval_text(double low, double high) {
+  const double size = std::max(std::abs(low), std::abs(high)), width = high - low;
+  const bool plain = std::isfinite(size) && std::isfinite(width) && size > 0 && width > 0;
+  const int digits = plain ? std::clamp(static_cast<int>(std::ceil(std::log10(size / width))) + 3, 4, 15) : 4;
+  return fmt::format("between {:.{}g} and {:.{}g}", low, digits, high, digits);
+}
+
+namespace {
+
+/// Characters of a UTF-8 text: bytes that do not continue one.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
+std::string text_table(const std::vector<std::vector<std::string>>& rows, std::size_t numbers_from,
+                       std::size_t numbers_to) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], width(row[i]));
+  }
+  std::string out;
+  for (const auto& row : rows) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string fill(widths[i] - width(row[i]), ' ');
+      const bool number = i >= numbers_from && i < numbers_to;
+      line += (i ? "  " : "") + (number ? fill + row[i] : row[i] + fill);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + '\n';
+  }
+  return out;
 }
 
 }  // namespace cromer::core

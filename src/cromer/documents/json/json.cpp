@@ -1,4 +1,4 @@
-#include "cromer/documents/json/notices.h"
+#include "cromer/documents/json/json.h"
 
 #include <type_traits>
 #include <utility>

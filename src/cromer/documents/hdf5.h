@@ -1,12 +1,23 @@
-// A sweep into FILE.h5, chunk by chunk.
+// Results as HDF5 files.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cromer/cluster/rows_file.h"
+#include "cromer/cluster/tables_file.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
+
+/// A group for each run, "run_1" and so on: t, x, v and energy at the kept states, and what a sensor read.
+std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const std::string& command);
+
+/// One table: the axes damping_ratio (or loss_factor) and period, and over them what the CSV has, names with
+/// "_" for blanks.
+std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::string& command);
 
 /// Lays the file out, or with `resume` opens what there is.
 Result<RowsFile> open_sweep_file(const SweepPlan& plan, const std::string& path, bool resume,

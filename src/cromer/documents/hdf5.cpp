@@ -1,13 +1,76 @@
-#include "cromer/documents/hdf5/sweep.h"
+#include "cromer/documents/hdf5.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "cromer/documents/csv.h"
+#include "cromer/documents/json.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/sweep/sweep_rows.h"
 #include "cromer/version.h"
 
 namespace cromer::core {
+
+std::vector<Hdf5Table> simulate_tables(const SimulateResult& result, const std::string& command) {
+  std::vector<Hdf5Table> tables(1);
+  tables[0].texts = {
+      {"description", to_json(result, false)}, {"program", "cromer " CROMER_VERSION}, {"command", command}};
+  if (result.options.sensor.used)
+    tables[0].texts.emplace_back("synthetic", "a simulated motion sensor, not a measurement");
+  for (const SimulatedRun& run : result.runs) {
+    Hdf5Table& table = tables.emplace_back();
+    table.name = fmt::format("run_{}", tables.size() - 1);
+    table.texts = {{"method", run.method}, {"label", run.label}};
+    if (!run.message.empty()) table.texts.emplace_back("message", in_words(run.message));
+    NamedColumns states = state_columns(run);
+    for (std::size_t i = 0; i < states.headers.size(); ++i)
+      table.columns.push_back({.name = std::move(states.headers[i]),
+                               .values = std::move(states.values[i]),
+                               .shape = {},
+                               .axes = i == 0 ? "" : "t"});
+  }
+  return tables;
+}
+
+namespace {
+
+/// "PSA RotD50 (g)" as "PSA_RotD50 (g)".
+std::string without_blanks(std::string header) {
+  std::replace(header.begin(),
+               header.begin() + static_cast<std::ptrdiff_t>(std::min(header.find(" ("), header.size())), ' ',
+               '_');
+  return header;
+}
+
+}  // namespace
+
+std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::string& command) {
+  Hdf5Table table;
+  table.texts = {
+      {"description", to_json(result, false)}, {"program", "cromer " CROMER_VERSION}, {"command", command}};
+  const std::string damping = result.hysteretic() ? "loss_factor" : "damping_ratio";
+  Hdf5Column ratios{.name = damping};
+  for (const auto& spectrum : result.spectra) ratios.values.push_back(spectrum.damping_ratio);
+  table.columns = {std::move(ratios), {.name = "period (s)", .values = result.periods}};
+  const std::vector<std::uint64_t> shape{result.spectra.size(), result.periods.size()};
+  for (const auto& spectrum : result.spectra) {
+    const NamedColumns columns = spectrum_columns(result, spectrum);
+    for (std::size_t i = 1; i < columns.headers.size(); ++i) {  // behind the periods
+      if (table.columns.size() == i + 1)
+        table.columns.push_back({.name = without_blanks(columns.headers[i]),
+                                 .values = {},
+                                 .shape = shape,
+                                 .axes = damping + " period"});
+      auto& values = table.columns[i + 1].values;
+      values.insert(values.end(), columns.values[i].begin(), columns.values[i].end());
+    }
+  }
+  return {std::move(table)};
+}
+
 namespace {
 
 /// The file's rows without their status, which is counted.

@@ -1,0 +1,82 @@
+// Results as CSV.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cromer/read/recording.h"
+#include "cromer/result.h"
+#include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
+#include "cromer/tasks/sweep/sweep.h"
+#include "cromer/trajectory.h"
+
+namespace cromer::core {
+
+/// The columns of a recording, for inspect -o: time first and strictly increasing, the other columns in the
+/// file's own units, whatever the dialect was.
+Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options);
+
+/// Columns of numbers under headings with their units: "SD (m)".
+struct NamedColumns {
+  std::vector<std::string> headers{};
+  std::vector<std::vector<double>> values{};
+
+  std::vector<double>& add(std::string header) { return insert(headers.size(), std::move(header)); }
+  std::vector<double>& insert(std::size_t at, std::string header) {
+    headers.insert(headers.begin() + static_cast<std::ptrdiff_t>(at), std::move(header));
+    return *values.insert(values.begin() + static_cast<std::ptrdiff_t>(at), std::vector<double>{});
+  }
+};
+
+/// The kept states of a run: t, x, v, energy and, with one, what the simulated sensor says.
+NamedColumns state_columns(const SimulatedRun& run);
+
+/// "run,t (s),x (m),v (m/s),energy (J)"; with a sensor what a logger would write, "Time (s),Position (m)",
+/// several runs side by side. Comments at the head say where the numbers come from, unless
+/// `command` is empty.
+std::string simulate_csv(const SimulateResult& result, const std::string& command);
+
+/// One row per recording and run: "file,run,column,law,status", then every quantity that any of them has,
+/// with its standard error beside it ("stiffness (N/m),stiffness standard error (N/m)"), the residual and the
+/// message. What a recording has not is an empty cell.
+std::string fit_csv(const std::vector<FittedRecording>& fits);
+
+/// "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),v from the samples (m/s),set aside" of
+/// every fit that has values; the units are the column's.
+std::string motion_csv(const std::vector<FittedRecording>& fits);
+
+/// "run,curve,t (s),measured displacement (m),simulated displacement (m)": from the fitted equilibrium, in
+/// the SI unit of the column.
+std::string compare_csv(const std::vector<CompareResult>& comparisons);
+
+/// The periods, and what was found at each of them, in the unit that was asked for.
+NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum);
+
+/// One row for each damping ratio and period, in the order asked for.
+std::string spectrum_csv(const SpectrumResult& result, const std::string& command);
+
+/// Fourier amplitudes of the recording, one column for each component.
+std::string fourier_csv(const SpectrumResult& result, const std::string& command);
+
+/// A row for each hold; the spring constant stands in each of them.
+std::string static_csv(const StaticStiffness& found);
+
+/// A row for each recording: mass, period squared, what the line leaves; and what follows from the line.
+std::string mass_line_csv(const MassLine& line);
+
+/// The swept options, then the measures; one row for each point. What made it stands in comments at the head,
+/// unless `command` is empty.
+std::string sweep_csv(const SweepResult& result, const std::string& command);
+
+/// The swept options, t, x and v: a block of states of the point with these values. The header and the
+/// comments come before the first block.
+void append_trajectory(std::string& out, const SweepPlan& plan, const std::vector<double>& values,
+                       const Trajectory& states, std::span<const std::string> comments, bool first);
+
+}  // namespace cromer::core

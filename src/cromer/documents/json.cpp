@@ -1,0 +1,97 @@
+#include "cromer/documents/json.h"
+
+#include <algorithm>
+
+#include "cromer/documents/described/compare.h"
+#include "cromer/documents/described/fit.h"
+#include "cromer/documents/described/inspect.h"
+#include "cromer/documents/described/methods.h"
+#include "cromer/documents/described/simulate.h"
+#include "cromer/documents/described/spectrum.h"
+#include "cromer/documents/described/spring.h"
+#include "cromer/documents/described/sweep.h"
+#include "cromer/documents/json/described.h"
+
+namespace cromer::core {
+
+std::string to_json(const SimulateResult& result, bool with_states, const Voice& voice) {
+  Json document;
+  Json& runs = document["runs"] = Json::array();
+  std::string message;
+  for (const auto& run : result.runs) {
+    runs.push_back(json_of(DescribedRun{run, result.options, with_states}, voice));
+    if (!run.message.empty())
+      message += (message.empty() ? "" : "; ") + run.label + ": " + in_words(run.message, voice);
+  }
+  add_notices(document, result.notices, voice);
+  if (!message.empty()) document["message"] = message;
+  return to_text(document, with_states);
+}
+
+std::string to_json(std::span<const MethodRow> methods, const Voice& voice) {
+  Json document;
+  Json& rows = document["methods"] = Json::array();
+  for (const auto& method : methods) rows.push_back(json_of(method, voice));
+  return to_text(document);
+}
+
+// The page has no other tasks, or documents of its own for them.
+#ifndef CROMER_PAGE
+
+std::string to_json(const SweepResult& result, bool with_rows, const Voice& voice) {
+  return to_text(json_of(SweepDocument{result, with_rows}, voice), true);
+}
+
+std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice) {
+  return to_text(json_of(SpectrumDocument{result, with_fourier}, voice), with_fourier);
+}
+
+std::string to_json(const Inspection& inspection, bool with_values, const Voice& voice) {
+  return to_text(json_of(InspectedFile{inspection, with_values}, voice), with_values);
+}
+
+namespace {
+
+/// A list under `name`, and how many of its fits failed, where any did.
+template <class Result>
+Json list_of(const char* name, std::span<const Result> results, std::size_t failed, const Voice& voice) {
+  Json document;
+  Json& list = document[name] = Json::array();
+  for (const Result& each : results) list.push_back(json_of(each, voice));
+  if (failed > 0)
+    document["message"] = said(Notice{"fits_failed", {{"failed", failed}, {"all", results.size()}}}, voice);
+  return document;
+}
+
+Json list_of(std::span<const FittedRecording> fits, const Voice& voice) {
+  const auto failed = std::count_if(fits.begin(), fits.end(),
+                                    [](const FittedRecording& fitted) { return !fitted.succeeded(); });
+  return list_of("fits", fits, static_cast<std::size_t>(failed), voice);
+}
+
+}  // namespace
+
+std::string to_json(std::span<const FittedRecording> fits, bool as_list, const Voice& voice) {
+  return to_text(fits.size() == 1 && !as_list ? json_of(fits.front(), voice) : list_of(fits, voice));
+}
+
+std::string to_json(std::span<const CompareResult> comparisons, const Voice& voice) {
+  if (comparisons.size() == 1) return to_text(json_of(comparisons.front(), voice));
+  const auto failed =
+      std::count_if(comparisons.begin(), comparisons.end(), [](const CompareResult& comparison) {
+        return comparison.recording.fit.status != FitStatus::converged;
+      });
+  return to_text(list_of("comparisons", comparisons, static_cast<std::size_t>(failed), voice));
+}
+
+std::string to_json(const StaticStiffness& found) { return to_text(json_of(found, {})); }
+
+std::string to_json(std::span<const FittedRecording> fits, const MassLine& line) {
+  Json all = list_of(fits, {});
+  all["mass_line"] = json_of(line, {});
+  return to_text(all);
+}
+
+#endif
+
+}  // namespace cromer::core

@@ -1,0 +1,61 @@
+// Results as texts for people.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/fit/fit.h"
+#include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/inspect/inspect.h"
+#include "cromer/tasks/methods/methods.h"
+#include "cromer/tasks/simulate/simulate.h"
+#include "cromer/tasks/spectrum/response_spectrum.h"
+#include "cromer/tasks/sweep/sweep.h"
+
+namespace cromer::core {
+
+/// The runs' ends, their events, the steps that --accuracy chose, the steady motion and what gets through,
+/// and what each method made of the law.
+std::string simulate_text(const SimulateResult& result);
+
+/// A list of quantities for each recording, each with unit and uncertainty.
+std::string fit_text(const std::vector<FittedRecording>& fits);
+
+/// One line per recording and run with what the laws have in common; one that failed says why.
+std::string fit_table(const std::vector<FittedRecording>& fits);
+
+/// "lab.csv: run 1: too_short: ..." of a fit that did not succeed.
+std::string failure_text(const FittedRecording& fitted);
+
+/// A table for each damping ratio, of at most 24 periods, and where the spectrum is highest.
+std::string spectrum_text(const SpectrumResult& result);
+
+/// "east" where the two components are columns of one file, else "component 1".
+std::string component_name(const SpectrumResult& result, std::size_t c);
+
+/// What was swept and how, each measure's smallest and largest value with where they are; of a short sweep
+/// every row.
+std::string sweep_text(const SweepResult& result);
+
+/// "euler-cromer, closed form, steps of 0.01 s".
+std::string how(const SweepPlan& plan);
+
+/// The holds, and the spring constant that they give.
+std::string static_text(const StaticStiffness& found);
+
+/// One line, to stand under the table of the fits.
+std::string mass_line_text(const MassLine& line);
+
+/// A table of the curves of each run, and whether one decay rate is enough; what else was asked of the fit
+/// comes first.
+std::string compare_text(const std::vector<CompareResult>& comparisons);
+
+/// Dialect, columns, rate, gaps and outliers, a line each; of long lists the first twenty.
+std::string inspect_text(const Inspection& inspection);
+
+/// Their table; where `options` ask for a step, what each of them simulates instead.
+std::string methods_text(const MethodsOptions& options, std::span<const MethodRow> methods);
+
+}  // namespace cromer::core
