@@ -75,20 +75,15 @@ TEST(DecaySegments, HoldAPeriodAndAHalfAndEightSamples) {
   EXPECT_EQ(fit_segments(swing.record(), 1, 1.55, {}).segments.size(), 7u);
   EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 1.5, {}).notices),
               testing::Each(testing::Not(testing::StartsWith("no decay rates"))));
-  EXPECT_THAT(
-      in_words(fit_segments(swing.record(), 1, 1.49, {}).notices),
-      ElementsAre(
-          "no decay rates by segment: those of --segment 1.49 would be 1.49 s long, and a segment must "
-          "hold 1.5 periods and 8 samples, 1.5 s here"));
-  EXPECT_THAT(
-      in_words(fit_segments(swing.record(), 1, {}, 9).notices),
-      ElementsAre("no decay rates by segment: those of --segments 9 would be 1.33 s long, and a segment must "
-                  "hold 1.5 periods and 8 samples, 1.5 s here"));
-  EXPECT_THAT(
-      in_words(fit_segments(swing.record(), 0.1, 0.19, {}).notices),
-      ElementsAre(
-          "no decay rates by segment: those of --segment 0.19 would be 0.19 s long, and a segment must "
-          "hold 1.5 periods and 8 samples, 0.2 s here"));
+  EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 1.49, {}).notices),
+              ElementsAre("no decay rates by segment: those of --segment 1.49 would be 1.49 s long, but a "
+                          "segment must hold 1.5 periods and 8 samples, here 1.5 s"));
+  EXPECT_THAT(in_words(fit_segments(swing.record(), 1, {}, 9).notices),
+              ElementsAre("no decay rates by segment: those of --segments 9 would be 1.33 s long, but a "
+                          "segment must hold 1.5 periods and 8 samples, here 1.5 s"));
+  EXPECT_THAT(in_words(fit_segments(swing.record(), 0.1, 0.19, {}).notices),
+              ElementsAre("no decay rates by segment: those of --segment 0.19 would be 0.19 s long, but a "
+                          "segment must hold 1.5 periods and 8 samples, here 0.2 s"));
 }
 
 TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
@@ -104,9 +99,8 @@ TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
   const DecaySegments three = fit_segments(swing.record(), 1, 3, {});
   EXPECT_EQ(three.segments.size(), 1u);
   ASSERT_EQ(in_words(three.notices).size(), 1u);
-  EXPECT_THAT(
-      in_words(three.notices)[0],
-      testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s is left out: "));
+  EXPECT_THAT(in_words(three.notices)[0],
+              testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s: "));
   const std::atomic<bool> stop{true};
   EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 3, {}, {&stop, {}}).notices),
               ElementsAre("interrupted after 0 of the 4 segments"));
@@ -205,9 +199,10 @@ TEST(StaticLine, IsGravityOverItsSlope) {
 
 TEST(StaticLine, SaysWhatIsDoubtfulOfIt) {
   const std::string order =
-      "the position does not go one way with the mass: are --masses in the order of the holds?";
+      "the position does not move in one direction as the mass grows: are --masses in the order of the "
+      "holds?";
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4)}, {10, 0})->notices),
-              ElementsAre("two masses give a line whatever they are: nothing shows whether it is one"));
+              ElementsAre("two masses always give a line: nothing shows whether it is one"));
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 6), at(3, 4)}, {10, 0})->notices), Contains(order));
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(3, 6.01), at(2, 4)}, {10, 0})->notices),
               testing::Not(Contains(order)));
