@@ -121,7 +121,7 @@ int run_fit(const Arguments& arguments) {
   if (!fits) return refuse(fits.error());
   const bool interrupted = watch.interrupted();
   if (interrupted)
-    complain(fmt::format("interrupted; what follows is what {} of {} files have given", files_of(*fits),
+    complain(fmt::format("interrupted; what follows are the results of {} of {} files", files_of(*fits),
                          found->files.size()));
   const bool good = !interrupted && std::all_of(fits->begin(), fits->end(),
                                                 [](const auto& each) { return each.succeeded(); });

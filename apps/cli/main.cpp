@@ -21,7 +21,7 @@ constexpr Command commands[] = {
     {"inspect", "say what is in a recording; convert it", run_inspect},
     {"fit", "find the law of motion from a recording", run_fit},
     {"compare", "lay simulations beside a recording", run_compare},
-    {"sweep", "run it over grids of its options: resonance curves, maps", run_sweep},
+    {"sweep", "run the oscillator over grids of options: resonance curves, maps", run_sweep},
     {"spectrum", "response and shock spectra of a recorded acceleration", run_spectrum},
     {"record", "record from a sensor or a phone as it measures", run_record},
     {"serve", "the lab in the browser, with live recording", run_serve},

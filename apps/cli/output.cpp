@@ -24,8 +24,8 @@ void add_output_options(std::vector<Option>& options, OutputOptions& output, Out
         {"plot", &output.plot, "", Range::any, "draw a figure: .svg, .png or .pdf", "none", group});
   options.push_back({"quiet", &output.quiet, "", Range::any, "no warnings, no progress",
                      "warnings on standard error, after the answer", group});
-  options.push_back({"verbose", &output.verbose, "", Range::any, "all there is to say, on a terminal too",
-                     "there the three worst", group});
+  options.push_back({"verbose", &output.verbose, "", Range::any, "all warnings and notes, on a terminal too",
+                     "on a terminal the three worst", group});
 }
 
 Result<FileFormat> file_format(const std::string& path, bool hdf5) {

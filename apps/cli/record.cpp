@@ -89,18 +89,17 @@ int conclude(const Recorder& recorder, const RecordOptions& options, const Outpu
 int run_record(const Arguments& arguments) {
   RecordOptions options;
   OutputOptions output;
-  Syntax syntax{
-      .command = "record",
-      .description =
-          "Records samples as they come: lines `time value` or `value` of a serial device, a TCP "
-          "connection or standard input, or a phone that runs phyphox with remote access allowed. They are "
-          "on the disk within a second; whatever interrupts it, what came until then is a valid file. "
-          "Ctrl-C ends it well.",
-      .files = "",
-      .options = options_of(options),
-      .example =
-          "  cromer record --from serial:/dev/ttyACM0:115200 --for \"60 s\" -o swing.csv\n"
-          "  cromer record --from phyphox:192.168.1.7 --for \"20 s\" -o phone.csv"};
+  Syntax syntax{.command = "record",
+                .description =
+                    "Records samples as they come: lines `time value` or `value` of a serial device, a TCP "
+                    "connection or standard input, or a phone that runs phyphox with remote access allowed. "
+                    "They are on the disk within a second; if the recording is interrupted, what came until "
+                    "then is a valid file. Ctrl-C ends it normally.",
+                .files = "",
+                .options = options_of(options),
+                .example =
+                    "  cromer record --from serial:/dev/ttyACM0:115200 --for \"60 s\" -o swing.csv\n"
+                    "  cromer record --from phyphox:192.168.1.7 --for \"20 s\" -o phone.csv"};
   add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
   std::vector<std::string> none;
   if (const auto status = parse(syntax, arguments, none)) return *status;

@@ -50,7 +50,7 @@ int run_report(const Arguments& arguments) {
                 .options = {},
                 .example = "  cromer report studies/spring_lab.toml -o out/spring_lab"};
   syntax.options.push_back({"output", &folder, "", Range::any,
-                            "the folder to write to; made where it is missing", "required", "Output"});
+                            "the folder to write to; it is made if it is missing", "required", "Output"});
   add_output_options(syntax.options, output, {.files = false, .plot = false}, "");
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
@@ -69,7 +69,7 @@ int run_report(const Arguments& arguments) {
   if (!output.json && good) print(report->index + "\n");
   if (!good) complain(in_words(report->failure));
   if (!output.quiet)
-    for (const Notice& shown : report->shown) complain("as this study is to show, " + in_words(shown));
+    for (const Notice& shown : report->shown) complain("as this study is meant to show, " + in_words(shown));
   tell(report->notices, output);
   return good ? done : no_success;
 }

@@ -34,7 +34,7 @@ Syntax syntax_of(ServeOptions& o) {
       .command = "serve",
       .description =
           "The lab in the browser at http://127.0.0.1:8000/, and with --from live recording in it. At "
-          "another address everybody needs the token in the address that is printed. Ctrl-C ends it.",
+          "another address everybody needs the printed address, which holds a token. Ctrl-C ends it.",
       .files = "",
       .options = {{"port", &o.port, "", Range::any, "0 takes a free one", "8000", "Where"},
                   {"address", &o.address, "", Range::any,

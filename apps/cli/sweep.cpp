@@ -122,7 +122,7 @@ int run_sweep(const Arguments& arguments) {
   if (auto good = check_outputs(output); !good) return refuse(good.error());
   const bool into_file = !output.output.empty() && *file_format(output.output, true) == FileFormat::hdf5;
   if (resume && !into_file)
-    return refuse("--resume: only an HDF5 file can be gone on with; name it with -o FILE.h5");
+    return refuse("--resume: only an HDF5 file can be continued; name it with -o FILE.h5");
   const bool json = output.json || output.output.ends_with(".json");
   options.memory = memory_for_rows(json);
   const Watch watch = place.ranks > 1 ? watching_ranks(output.quiet) : watching(output.quiet);

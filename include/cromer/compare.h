@@ -26,14 +26,14 @@ struct CompareOptions {
 };
 
 /// One simulation laid beside the recording, at the recording's own times; x is the displacement from the
-/// fitted equilibrium. The figures are NaN where it ended early.
+/// fitted equilibrium. The figures are NaN if it ended early.
 struct ComparedCurve {
   std::string label;  ///< "one constant decay rate", "viscous+drag"
   std::string law;
   double step = 0;  // [s]
   Trajectory trajectory;
   bool complete = true;            ///< it reached the recording's end
-  double rms = 0;                  ///< what it leaves, in the unit of the record
+  double rms = 0;                  ///< its residual, in the unit of the record
   double r_squared = 0;            ///< share of the record's variance that it accounts for
   double amplitude_ratio_end = 0;  ///< simulated over measured, at the end
   double phase_drift = 0;          // [rad] simulated minus measured, at the end
@@ -49,8 +49,8 @@ struct Comparison {
   std::shared_ptr<const core::CompareResult> detail{};
 };
 
-/// Simulates what was fitted and lays it beside the record. An Error where the fit was refused or something
-/// drives the motion, or names the argument.
+/// Simulates what was fitted and lays it beside the record. An Error if the fit was refused, if something
+/// drives the motion, or if an argument is wrong, which it names.
 CROMER_API Result<Comparison> compare(const LawFit& fit, const CompareOptions& options = {});
 
 }  // namespace cromer

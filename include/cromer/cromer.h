@@ -1,9 +1,9 @@
 // Cromer: the oscillator on a spring, from a recording to its law of motion and back.
 //
 // Seven verbs: read, fit, simulate, compare, methods, response_spectrum, sweep. Arrays go in as spans of
-// doubles in SI units, results come out as plain structs. Bad arguments are an Error in a Result; how a
-// computation went is a status in its result, and what else there is to know stands in its notices. Nothing
-// throws but what the standard library throws where memory ends. Every call is a pure function of its
+// doubles in SI units, results come out as plain structs. A bad argument gives an Error in a Result. How a
+// computation went is a status in its result; what else there is to know stands in its notices. Nothing
+// throws, except the standard library when memory runs out. Every call is a pure function of its
 // arguments and may run in any thread.
 #pragma once
 

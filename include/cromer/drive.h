@@ -8,8 +8,8 @@
 
 namespace cromer {
 
-/// What something recorded did between its samples: straight lines; each value until the next, as a converter
-/// does; or the sinc series through all of them.
+/// What a recorded quantity did between its samples: straight lines; each value until the next, as a
+/// converter does; or the sinc series through all of them.
 enum class BetweenSamples { linear, hold, band_limited };
 
 /// "linear", "hold", "band-limited".
@@ -41,19 +41,19 @@ struct ShakingBase {
   double phase = 0;         // [rad]
 };
 
-/// A force that sets in, and ends but for the step.
+/// A force that sets in and ends; a step does not end.
 struct Pulse {
   enum class Shape { step, rectangular, half_sine, triangular };
   Shape shape = Shape::step;
   double amplitude = 0;  // [N] > 0, its height
   double start = 0;      // [s] >= 0
-  double duration = 0;   // [s] > 0; not looked at by the step
+  double duration = 0;   // [s] > 0; ignored for a step
 };
 
 /// A sine whose frequency rises or falls, linearly or in even ratios.
 struct Chirp {
   double amplitude = 0;              // [N] > 0
-  double from = 0, to = 0;           // [rad/s] >= 0; > 0 of a logarithmic one
+  double from = 0, to = 0;           // [rad/s] >= 0; > 0 if logarithmic
   double start = 0;                  // [s] >= 0
   std::optional<double> duration{};  // [s] > 0; to the end of the run if not given
   double phase = 0;                  // [rad] at its start

@@ -52,14 +52,14 @@ struct FitOptions {
   OptionalQuantity mass{};                 // [kg] > 0, for the spring constant and all that is a force
   OptionalQuantity spring_mass{};          // [kg] >= 0; a third of it is added
   OptionalQuantity disc_diameter{};        // [m] > 0, for the Reynolds number and the drag coefficient
-  OptionalQuantity temperature{};          // [K] 100 to 1900, of the air; 293.15
-  Observed observed = Observed::position;  ///< of arrays; a file's column says it itself
+  OptionalQuantity temperature{};          // [K] 100 to 1900, of the air; 293.15 if not given
+  Observed observed = Observed::position;  ///< for arrays; a file's column says what it is
   std::span<const double> force{};  // [N] recorded beside the motion at the same, even times; empty: none
   /// What the force did between its samples; the data choose if not given.
   std::optional<BetweenSamples> between_samples{};
-  std::optional<double> drive_frequency{};  // [rad/s] > 0, about, of a harmonic drive
+  std::optional<double> drive_frequency{};  // [rad/s] > 0, rough frequency of a harmonic drive
   bool find_drive = false;                  ///< there is a harmonic drive of unknown frequency
-  bool no_spring = false;                   ///< a body without one, under a recorded force
+  bool no_spring = false;                   ///< a body without a spring, under a recorded force
   double hysteresis_exponent = 1;           ///< >= 1
   std::optional<double>
       hold_out{};  ///< above 0 to 0.9: share of the samples, the last ones, kept to test the law
@@ -85,7 +85,7 @@ struct Residual {
 /// A law that was tried.
 struct Candidate {
   std::string law;
-  double rms = 0;  ///< of what it leaves, in the unit of the record
+  double rms = 0;  ///< of its residual, in the unit of the record
   double bic = 0;  ///< Bayesian information criterion: the smaller, the better
 };
 
@@ -122,7 +122,7 @@ struct LawFit {
   std::optional<Estimate> keulegan_carpenter;  ///< with a disc diameter: 2 pi A/D at the largest amplitude
   std::string file, column;                    ///< where the record comes from; "" of arrays
   int run = 1;
-  bool interrupted = false;     ///< progress ended it: what is missing was not tried
+  bool interrupted = false;     ///< progress ended it; what is missing was not computed
   std::vector<Notice> notices;  ///< what else there is to know
   std::shared_ptr<const core::FittedRecording> detail{};  ///< for at() and document.h
 

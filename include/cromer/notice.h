@@ -1,4 +1,4 @@
-// What there is to say beside the numbers: data, of which text() makes a sentence.
+// What there is to say beside the numbers: data, from which text() makes a sentence.
 #pragma once
 
 #include <concepts>
@@ -14,7 +14,7 @@ namespace cromer {
 
 enum class Language { english, german };
 
-/// What hangs on a notice.
+/// How much a notice matters.
 enum class Severity {
   wrong_if_ignored,  ///< a number does not mean what it seems to mean
   worth_knowing,     ///< how far the numbers go, and what was assumed
@@ -27,7 +27,7 @@ struct NoticeValue;
 struct Notice {
   std::string code;  ///< "unit_assumed"; "" where there is nothing to say
   std::vector<NoticeValue> values;
-  bool of_arrays = false;  ///< said of arrays: samples are counted, not the lines of a file
+  bool of_arrays = false;  ///< about arrays: places are samples, not lines of a file
 
   Notice();
   Notice(std::string code);  // NOLINT: implicit on purpose
@@ -36,8 +36,8 @@ struct Notice {
   friend bool operator==(const Notice&, const Notice&);
 };
 
-/// A number in SI units, a count, a name as the file or its user wrote it, several of them, or what is a
-/// notice itself.
+/// A number in SI units, a count, a name as the file or its user wrote it, several names, or a part that
+/// is a notice itself.
 struct NoticeValue {
   std::string name;  ///< "column"
   std::variant<double, long long, std::string, std::vector<std::string>, std::vector<Notice>> value;

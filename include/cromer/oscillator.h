@@ -18,7 +18,7 @@ struct OscillatorOf {
   Real friction = 0;   // [N] >= 0, while it slides
   Real cubic = 0;      // [N/m^3] any sign
 
-  Real static_friction = 0;  // [N] most that holds it at rest; below `friction` it counts as `friction`
+  Real static_friction = 0;  // [N] largest that holds it at rest; below `friction` it counts as `friction`
 
   Real quadratic = 0;      // [N/m^2] any sign
   Real odd_quadratic = 0;  // [N/m^2] any sign

@@ -27,14 +27,14 @@ struct SimulateResult;
 struct SimulateOptions {
   Method method = "euler-cromer";
   Drive drive{};
-  std::optional<double> position{};   // [m] at t = 0; 1 where nothing else sets the motion going, else 0
-  std::optional<double> velocity{};   // [m/s] at t = 0; 0
-  std::optional<double> step{};       // [s] > 0; 1/200 of the shorter of natural and drive period
-  std::optional<double> until{};      // [s] > 0; 20 natural periods
-  std::optional<double> tolerance{};  // 1e-15 to 1e-2, relative, of Newton's last update (1e-12) or an
-                                      // adaptive method's step (1e-9)
-  std::optional<double> accuracy{};   ///< 1e-9 to 0.5, in place of step: by how much of themselves frequency,
-                                      ///< decay and amplitude may be off in a period
+  std::optional<double> position{};       // [m] at t = 0; 1 where nothing else sets the motion going, else 0
+  std::optional<double> velocity{};       // [m/s] at t = 0; 0
+  std::optional<double> step{};           // [s] > 0; 1/200 of the shorter of natural and drive period
+  std::optional<double> until{};          // [s] > 0; 20 natural periods
+  std::optional<double> tolerance{};      // 1e-15 to 1e-2, relative bound on Newton's last update (1e-12)
+                                          // or on an adaptive method's error in a step (1e-9)
+  std::optional<double> accuracy{};       ///< 1e-9 to 0.5, in place of step: the largest relative error of
+                                          ///< frequency, decay and amplitude in a period
   std::optional<double> beta{}, gamma{};  // of newmark, 0 to 1; 1/4 and 1/2
   std::optional<double> rho_inf{};        // of generalized-alpha, 0 to 1; 0.8
   long long every = 1;                    ///< keep every n-th state, > 0

@@ -31,7 +31,7 @@ constexpr std::string_view name(Peaks peaks) {
 
 struct SpectrumOptions {
   double damping_ratio = 0.05;          // 0 to 20
-  std::optional<double> loss_factor{};  // 0.001 to 2: hysteretic damping in place of it
+  std::optional<double> loss_factor{};  // 0.001 to 2: hysteretic damping instead
   std::span<const double> periods{};    // [s] > 0; empty: 200 from 0.01 s to 10 s in even ratios
   std::span<const double> second{};     // [m/s^2] the other horizontal component, sampled alike; empty: none
   Peaks peaks = Peaks::continuous;

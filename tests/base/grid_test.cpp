@@ -119,7 +119,8 @@ TEST(Grid, OneTooLongSaysWhatItNeeds) {
   EXPECT_EQ((*grid)[grid->size() - 1], 10);
   const auto all = values_of(*grid, 56, 16e9);
   ASSERT_FALSE(all.ok());
-  EXPECT_EQ(in_words(all.error()), "1e+15 points need 56 PB of memory, and there are 16 GB; ask for fewer");
+  EXPECT_EQ(in_words(all.error()),
+            "1e+15 points need 56 PB of memory, but there are only 16 GB; ask for fewer");
   EXPECT_FALSE(values_of(*parse_grid("1:2:9e15", ""), 200, 0).ok());
 }
 

@@ -81,7 +81,7 @@ TEST(ParseQuantity, BracketsHoldDigitsOnly) {
   expect("1.25(123456789012345) m", "m", 1.25, 1234567890123.45);
   for (const char* text : {"1.25(1234567890123456) m", "1.25e3(2) m", "1.25(2.3.4) m", "1.25() m", "1.25(2",
                            "1.25(/) m", "1.25(:) m", "1.25(.) m"})
-    EXPECT_THAT(message(text, "m"), HasSubstr("is not a number with its uncertainty, as 0.2176(3) is"))
+    EXPECT_THAT(message(text, "m"), HasSubstr("is not a number with its uncertainty; write it as 0.2176(3)"))
         << text;
   EXPECT_THAT(message("(5 ± 1 g", "kg"), HasSubstr("lacks a closing bracket"));
   expect("(5) g", "kg", 0.005);

@@ -108,7 +108,8 @@ TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
 TEST(FitLab, RefusesADriveThatTheSamplesDoNotShow) {
   const Finished end = Folder().run({"fit", disc, "--drive-frequency", "1000 Hz"});
   EXPECT_EQ(end.status, 2);
-  EXPECT_THAT(end.err, HasSubstr("1000 Hz is not seen in 100 samples a second: up to 50 Hz is"));
+  EXPECT_THAT(end.err,
+              HasSubstr("1000 Hz cannot be seen in 100 samples per second, only frequencies up to 50 Hz"));
 }
 
 TEST(FitLab, RefusesWhatAMassAtRestDoesNotHave) {
@@ -400,7 +401,7 @@ TEST(FitLab, RefusesOptionsThatDoNotGoTogether) {
   refused({"--goal", "decy_rate 1 %"}, "did you mean decay_rate?");
   refused({"--goal", "drag 1 %", "--law", "viscous"}, "its law is viscous; fit one with drag by --law");
   refused({"--goal", "stiffness 1 %"}, "--mass");
-  refused({"--static", "--masses", "50, 100, 150 g, 200 g"}, "50 has no unit and others have");
+  refused({"--static", "--masses", "50, 100, 150 g, 200 g"}, "50 has no unit, but others have");
   refused({"--mass-line", "--masses", "1 g, 2 g", "--mass", "1 g"}, "takes the masses from --masses");
   refused({"--law", "auto+drag"}, "auto chooses the terms itself");
   refused({"--motion", "lab.csv"}, "--motion lab.csv: that is the recording itself");

@@ -26,7 +26,7 @@ TEST(Summary, OfMethodsSaysWhatWasAskedForAndWhatBecomesOfIt) {
                               "cycle; step 0.01 s: w0 h = 0.06, 105 steps a cycle"));
   EXPECT_THAT(text, HasSubstr("\nWith this step\nforward-euler turns your damping of 0.15 1/s into growth of "
                               "0.02999 1/s and swings at 5.99993 rad/s, 0.03 % too fast\n"));
-  EXPECT_THAT(text, HasSubstr("\neuler-cromer keeps your damping of 0.15 1/s nearly (0.1502)"));
+  EXPECT_THAT(text, HasSubstr("\neuler-cromer nearly keeps your damping of 0.15 1/s (0.1502)"));
   EXPECT_THAT(text, HasSubstr("-120 %"));
   EXPECT_THAT(said({"methods", "--natural-frequency", "6", "--damping-ratio", "2", "--step", "0.01"}),
               HasSubstr("too damped to swing"));

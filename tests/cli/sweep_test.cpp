@@ -180,7 +180,7 @@ TEST(SweepCommand, SaysWhatAnUndampedLawSettlesBy) {
   const Finished rk4 = Folder().run(with(undamped, {"--method", "rk4", "--json"}));
   EXPECT_EQ(rk4.status, 0) << rk4.err;
   EXPECT_THAT(rk4.err,
-              HasSubstr("warning: 2 of 2 points have no damping by the law: what settles there settles by "
+              HasSubstr("warning: 2 of 2 points have no damping in the law: what settles there settles by "
                         "rk4's own damping alone: decay rate "));
   EXPECT_EQ(rk4.json()["statuses"][0], "settled_by_own_damping");
   const Finished verlet = Folder().run(with(undamped, {"--method", "verlet"}));

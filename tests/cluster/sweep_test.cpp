@@ -201,7 +201,7 @@ TEST_F(SweepFile, stopped_by_ctrl_c_goes_on) {
 
   const auto other = run(sweep(slow, {"-o", file, "--resume", "--mass", "2"}));
   EXPECT_EQ(other.status, 2);
-  EXPECT_THAT(other.err, HasSubstr("is of another sweep: mass"));
+  EXPECT_THAT(other.err, HasSubstr("belongs to another sweep: mass"));
 
   const auto resumed = run(sweep(slow, {"-o", file, "--resume"}));
   EXPECT_EQ(resumed.status, 0) << resumed.err;

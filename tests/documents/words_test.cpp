@@ -32,7 +32,7 @@ constexpr Voice german{Language::german}, of_a_library{Language::english, Audien
 
 TEST(Words, NumbersAreWrittenAsTheSentenceSays) {
   const Notice noisy{"too_noisy", {{"percent", 12.46}}};
-  EXPECT_EQ(in_words(noisy), "too noisy: a sinusoid accounts for 12.5 % of the variance only");
+  EXPECT_EQ(in_words(noisy), "too noisy: a sinusoid accounts for only 12.5 % of the variance");
   EXPECT_EQ(in_words(noisy, german),
             "zu viel Rauschen: eine Sinusschwingung erklärt nur 12,5 % der Streuung");
   const Notice many{"points_too_many", {{"points", 2e12}, {"needed", "3.5 TB"}}};

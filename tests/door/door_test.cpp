@@ -603,7 +603,7 @@ TEST(DoorErrors, AreData) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().notice.code, "lengths_differ");
   EXPECT_EQ(refused.error().argument, "y");
-  EXPECT_EQ(refused.error().message(), "y has 7 values and t has 2000: they must be as many");
+  EXPECT_EQ(refused.error().message(), "y has 7 values and t has 2000: both need the same number");
   EXPECT_EQ(refused.error().message(cromer::Language::german),
             "y hat 7 Werte und t hat 2000: es müssen gleich viele sein");
   const auto mass = cromer::fit(made.t, made.y, {.mass = -1});
@@ -614,8 +614,9 @@ TEST(DoorErrors, AreData) {
   EXPECT_THAT(mass.error().message(cromer::Language::german), testing::StartsWith("mass: das muss größer"));
   const auto before = cromer::fit(made.t, made.y, {.law = "viscous"})->at(std::vector<double>{-1.5});
   ASSERT_FALSE(before);
-  EXPECT_EQ(before.error().message(),
-            "t begins at -1.5 s, before the first used sample, 0 s: the law says nothing of what was before");
+  EXPECT_EQ(
+      before.error().message(),
+      "t begins at -1.5 s, before the first used sample, 0 s: the law says nothing about earlier times");
   EXPECT_THAT(before.error().message(cromer::Language::german), HasSubstr("-1,5 s"));
 }
 

@@ -33,7 +33,7 @@ std::string stop_of(const std::vector<double>& amplitudes, bool described = fals
 
 std::string stops(const char* between, const char* amplitude) {
   return std::string("the swing stops between ") + between + " s, from an amplitude of " + amplitude +
-         " to less than a tenth of it within a period, as where a hand catches it: end before with --to";
+         " to less than a tenth of it within a period, as when a hand catches it: end before with --to";
 }
 
 TEST(AmplitudeWindows, StandOneAfterTheOther) {
@@ -165,14 +165,14 @@ TEST(WanderingZero, ALineIsADrift) {
   const Wandered drift = wandered(32, [](double i) { return 5 - 0.25 * i; });
   EXPECT_NEAR(drift.share(), 1, 1e-12);
   EXPECT_EQ(drift.told(),
-            "the zero drifts, by -7.75 m over the record: take the drift off, or choose a shorter part");
+            "the zero drifts, by -7.75 m over the record: remove the drift, or choose a shorter part");
   EXPECT_EQ(wandered(31, [](double i) { return 5 - 0.25 * i; }).told(), "");
   // Later, and in steps of another length.
   Wandered later = drift;
   for (double& t : later.t) t = 100 + 3 * t;
   EXPECT_NEAR(later.share(), 1, 1e-12);
   EXPECT_EQ(later.told(""),
-            "the zero drifts, by -7.75 over the record: take the drift off, or choose a shorter part");
+            "the zero drifts, by -7.75 over the record: remove the drift, or choose a shorter part");
 }
 
 TEST(WanderingZero, AStepIsAJump) {
@@ -206,7 +206,7 @@ TEST(WanderingZero, ALineBesideWhatAlternates) {
     EXPECT_NEAR(beside(b).share(), line / (line + rest), 1e-12) << b;
   }
   EXPECT_EQ(beside(1.4).told(),
-            "the zero drifts, by 3.2 m over the record: take the drift off, or choose a shorter part");
+            "the zero drifts, by 3.2 m over the record: remove the drift, or choose a shorter part");
   EXPECT_EQ(beside(1.5).told(), "");
 }
 

@@ -119,7 +119,7 @@ TEST(DoubtsLimits, AnAmplitudeThatHardlyFalls) {
     return said_of(swing(steady(fours)), fit_with(-std::log(1 - share) / (4.0 * static_cast<double>(fours))));
   };
   EXPECT_THAT(falls_by(0.0195, 5),
-              ElementsAre("the amplitude falls by 1.9 % only over 20 periods (quality factor 3.2e+03): a "
+              ElementsAre("the amplitude falls by only 1.9 % over 20 periods (quality factor 3.2e+03): a "
                           "drive that is not quite steady looks the same. If something drives it, " +
                           then));
   EXPECT_THAT(falls_by(0.0205, 5), IsEmpty());
@@ -127,19 +127,20 @@ TEST(DoubtsLimits, AnAmplitudeThatHardlyFalls) {
   const double duration = 80;
   EXPECT_THAT(
       said_of(swing(steady(20)), fit_with(pi / 5001)),
-      ElementsAre(HasSubstr(fmt::format("falls by {:.2g} % only over 80 periods (quality factor 5e+03)",
+      ElementsAre(HasSubstr(fmt::format("falls by only {:.2g} % over 80 periods (quality factor 5e+03)",
                                         100 * (1 - std::exp(-duration * pi / 5001))))));
   EXPECT_THAT(said_of(swing(steady(20)), fit_with(pi / 4999)), IsEmpty());
-  EXPECT_THAT(falls_by(0.0995, 50), ElementsAre(HasSubstr("falls by 10 % only over 200 periods")));
+  EXPECT_THAT(falls_by(0.0995, 50), ElementsAre(HasSubstr("falls by only 10 % over 200 periods")));
   EXPECT_THAT(falls_by(0.1005, 50), IsEmpty());
 }
 
 TEST(DoubtsLimits, ASwingThatKeepsItself) {
-  EXPECT_THAT(said_of(swing(steady(5)), fit_with(-0.1)),
-              ElementsAre("the swing keeps itself over 20 periods: negative damping feeds it as much as the "
-                          "rest takes. A steady drive looks much the same: then " +
-                          then));
-  EXPECT_THAT(said_of(swing({1, 1, 0.92, 1, 1}), fit_with(-0.1)), ElementsAre(HasSubstr("keeps itself")));
+  EXPECT_THAT(
+      said_of(swing(steady(5)), fit_with(-0.1)),
+      ElementsAre("the swing sustains itself over 20 periods: negative damping feeds it as much as the "
+                  "rest takes. A steady drive looks much the same: then " +
+                  then));
+  EXPECT_THAT(said_of(swing({1, 1, 0.92, 1, 1}), fit_with(-0.1)), ElementsAre(HasSubstr("sustains itself")));
   EXPECT_THAT(said_of(swing({1, 1, 0.9, 1, 1}), fit_with(-0.1)), IsEmpty());
   // What is fed may rise.
   EXPECT_THAT(said_of(swing({0.5, 1, 1, 1, 1}), fit_with(-0.1)), IsEmpty());
@@ -157,8 +158,8 @@ TEST(DoubtsLimits, FourLevels) {
   const std::string end =
       ": the frequency follows from when they change, but amplitude and decay rate hardly show, and their "
       "uncertainties cannot be trusted; measure with a finer resolution";
-  EXPECT_THAT(levels(4, 0.3), ElementsAre("the values take 4 levels only, 0.25 m apart" + end));
-  EXPECT_THAT(levels(3, 0.3, ""), ElementsAre("the values take 3 levels only, 0.25 apart" + end));
+  EXPECT_THAT(levels(4, 0.3), ElementsAre("the values take only 4 levels, 0.25 m apart" + end));
+  EXPECT_THAT(levels(3, 0.3, ""), ElementsAre("the values take only 3 levels, 0.25 apart" + end));
   EXPECT_THAT(levels(5, 0.3), IsEmpty());
   EXPECT_THAT(levels(4, 0.359), testing::SizeIs(1));
   EXPECT_THAT(levels(4, 0.361), IsEmpty());
@@ -175,7 +176,7 @@ LawFit fit_that_leaves_much(double explained = 0.99) {
 
 std::string no_law(double times) {
   return fmt::format(
-      "no law tried describes this recording: what is left is {:.0f} times the noise from sample to sample, "
+      "no law tried describes this recording: the residual is {:.0f} times the noise from sample to sample, "
       "and the uncertainties cannot be trusted",
       times);
 }
@@ -188,7 +189,7 @@ TEST(DoubtsLimits, ALineThatIsLeft) {
   const auto left = said_of(swing(steady(4)), fit_that_leaves_much());
   EXPECT_THAT(left, ElementsAre(no_law(1 / noise)));
   EXPECT_THAT(in_words(doubts(swing(steady(4)).record(), fit_that_leaves_much(), true, "m")),
-              ElementsAre(HasSubstr("the law viscous does not describe this recording: what is left is ")));
+              ElementsAre(HasSubstr("the law viscous does not describe this recording: the residual is ")));
   LawFit fit = fit_that_leaves_much();
   fit.residual.autocorrelation = 0.5;
   EXPECT_THAT(said_of(swing(steady(4)), fit), IsEmpty());

@@ -86,7 +86,7 @@ TEST(ForcedFit, WhatLiesBetweenFineSamplesIsLeftOpen) {
   EXPECT_EQ(choice.chosen.status, FitStatus::converged);
   EXPECT_EQ(choice.chosen.drive.force.between, BetweenSamples::linear);
   EXPECT_THAT(in_words(choice.chosen.notices),
-              testing::Contains(testing::HasSubstr("between its samples is open")));
+              testing::Contains(testing::HasSubstr("between its samples is not certain")));
   // Where the samples are coarse it is told, and nothing is open.
   const auto coarse = forced_synthetic(truth, multisine(60, 3), 3000, 0.03, 1e-4, 4);
   const LawChoice told = choose_forced(coarse, {}, {});

@@ -288,7 +288,7 @@ TEST(FreePartLimits, ADriveThatStops) {
       EXPECT_NEAR(
           std::stod(in_words(part->reason).substr(std::string("the amplitude stays level until ").size())),
           part->from - 1, 0.06);
-      EXPECT_TRUE(in_words(part->reason).ends_with(" s and only falls from there, as where a drive stops"))
+      EXPECT_TRUE(in_words(part->reason).ends_with(" s and only falls from there, as when a drive stops"))
           << in_words(part->reason);
     }
   // Ten samples in two periods show no amplitude.

@@ -38,7 +38,7 @@ TEST(Interruption, AChoiceThatIsNotDoneSaysSo) {
     // What is missing is named, what was compared is not.
     EXPECT_THAT(in_words(choice.chosen.message),
                 testing::EndsWith("drag+friction+odd-quadratic, viscous+drag+friction+odd-quadratic"));
-    EXPECT_EQ(in_words(choice.chosen.message).find("not compared yet are viscous+drag,") != std::string::npos,
+    EXPECT_EQ(in_words(choice.chosen.message).find("not compared yet: viscous+drag,") != std::string::npos,
               after == 1);
   }
 }

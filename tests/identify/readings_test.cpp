@@ -130,9 +130,9 @@ TEST(Readings, ABoundStaysOne) {
 
 std::string open_between(const LawFit& chosen, const LawFit& other, const std::string& differences) {
   return fmt::format(
-      "what the force did between its samples is open: as {} the rms residual is {:.4g}, as {} it is {:.4g}: "
-      "too close to decide{}; the uncertainties are widened for it. --between-samples says which, if it is "
-      "known",
+      "what the force did between its samples is not certain: read as {} the rms residual is {:.4g}, read as "
+      "{} it is {:.4g}, too close to decide{}; the uncertainties are widened for it. If it is known, give "
+      "--between-samples",
       name(chosen.drive.force.between), chosen.residual.rms, name(other.drive.force.between),
       other.residual.rms, differences);
 }
@@ -156,7 +156,7 @@ TEST(Readings, SayWhatTheOtherWouldMakeOfTheNumbers) {
       const double off = std::abs(other[each].value - chosen[each].value) / chosen[each].standard_error;
       if (off > 1)
         expected += fmt::format("{}{} {:.6g} ({:.1f} of the stated standard errors away)",
-                                expected.empty() ? "; the other would make the " : ", ",
+                                expected.empty() ? "; the other reading would make the " : ", ",
                                 std::string(each) == "decay_rate" ? "decay rate" : "force gain",
                                 other[each].value, off);
     }
@@ -164,7 +164,7 @@ TEST(Readings, SayWhatTheOtherWouldMakeOfTheNumbers) {
               open_between(chosen, other, expected));
   }
   // Of the two others together one is further off than the weighted mean of both.
-  EXPECT_NE(in_words(chosen.notices).back().find("the other would make the"), std::string::npos);
+  EXPECT_NE(in_words(chosen.notices).back().find("the other reading would make the"), std::string::npos);
 }
 
 /// How many readings stay open where the chosen fit's criterion is changed to lie so far below another's.

@@ -69,8 +69,8 @@ TEST(RefusalLimits, AMotionThatDoesNotOscillate) {
   const char* at_rest =
       "overdamped: the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back";
   const char* ended =
-      "too_short: the record ends before an oscillation can be seen, if it is one: a fit needs at least 1.5 "
-      "periods";
+      "too_short: the record ends before an oscillation can be seen, if there is one: a fit needs at least "
+      "1.5 periods";
   EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.94, .falls = 0.9}), "");
   EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0.9}), at_rest);
   EXPECT_EQ(told({.periods = 2, .damping_ratio = 0.96, .falls = 0}), ended);
@@ -86,7 +86,7 @@ TEST(RefusalLimits, HowFarALineStandsOut) {
   EXPECT_EQ(told({.explained = 0.51, .independent_samples = 20}), "");
   EXPECT_EQ(told({.explained = 0.231}), "");  // 0.231/0.769 of 1000: 300.4
   EXPECT_EQ(told({.explained = 0.23}),
-            "too_noisy: too noisy: a sinusoid accounts for 23.0 % of the variance only");
+            "too_noisy: too noisy: a sinusoid accounts for only 23.0 % of the variance");
   EXPECT_EQ(told({.periods = 3, .explained = 0.334}), "");  // 501
   EXPECT_THAT(told({.periods = 3, .explained = 0.333}), StartsWith("too_noisy: "));
   EXPECT_EQ(told({.periods = 3, .explained = 0.91, .independent_samples = 6}), "");  // 60.7
@@ -98,11 +98,10 @@ TEST(RefusalLimits, HowFarALineStandsOut) {
 
 TEST(RefusalLimits, NoiseOrNoOscillation) {
   EXPECT_THAT(told({.explained = 0.0567}), StartsWith("too_noisy: "));  // 60.1
-  EXPECT_EQ(
-      told({.explained = 0.0565}),
-      "no_oscillation: no oscillation found: the best decaying sinusoid accounts for 5.7 % of the variance, "
-      "and noise like the rest could do as much; choose the part that oscillates with --from and --to, or "
-      "another --column");
+  EXPECT_EQ(told({.explained = 0.0565}),
+            "no_oscillation: no oscillation found: the best decaying sinusoid accounts for 5.7 % of the "
+            "variance, and noise like the residual could do as much; choose the part that oscillates with "
+            "--from and --to, or another --column");
   // Noise that wanders is no noise that more samples would help against.
   EXPECT_THAT(told({.explained = 0.2, .independent_samples = 501}), StartsWith("too_noisy: "));
   EXPECT_THAT(told({.explained = 0.2, .independent_samples = 499}), StartsWith("no_oscillation: "));
@@ -114,7 +113,7 @@ TEST(RefusalLimits, ThreeLevelsShowNoTops) {
   SyntheticRecord record = record_of(seen);
   record.resolution = 1;  // -1, 0 and 1
   EXPECT_EQ(told(refuse_fit(record.record(), fit_of(seen))),
-            "too_noisy: the values take 3 levels only, 1 apart: the resolution is too coarse for a motion as "
+            "too_noisy: the values take only 3 levels, 1 apart: the resolution is too coarse for a motion as "
             "small as this");
   record.resolution = 0.66;
   EXPECT_THAT(told(refuse_fit(record.record(), fit_of(seen))), StartsWith("no_oscillation: "));
@@ -123,11 +122,11 @@ TEST(RefusalLimits, ThreeLevelsShowNoTops) {
 TEST(RefusalLimits, TopsCutOff) {
   const Seen seen;
   // A sinusoid stays 0.014 s within 1 mm of its top; half as much more and three samples may pass.
-  for (const auto& [top, said] : {std::pair{0.99, ""},  // 0.045 s
-                                  {0.98,
-                                   "clipped: the motion's tops are cut off at the same value again and "
-                                   "again: the sensor was out of its "
-                                   "range; choose the later part by --from"}})  // 0.064 s
+  for (const auto& [top, said] :
+       {std::pair{0.99, ""},  // 0.045 s
+        {0.98,
+         "clipped: the motion's peaks are cut off at the same value again and again: the sensor was out of "
+         "its range; choose the later part with --from"}})  // 0.064 s
     for (const double sign : {1.0, -1.0}) {
       SyntheticRecord record = record_of(seen);
       record.resolution = 1e-3;
@@ -145,8 +144,8 @@ TEST(RefusalLimits, FrequenciesUnknown) {
     return told(refuse_frequency(fit));
   };
   EXPECT_EQ(off_by(0.0499), "");
-  EXPECT_EQ(off_by(0.0501), "too_noisy: too noisy: the frequency is known to 5 % only");
-  EXPECT_EQ(off_by(0.98), "too_noisy: too noisy: the frequency is known to 98 % only");
+  EXPECT_EQ(off_by(0.0501), "too_noisy: too noisy: the frequency is known only to 5 %");
+  EXPECT_EQ(off_by(0.98), "too_noisy: too noisy: the frequency is known only to 98 %");
   EXPECT_EQ(off_by(1.02), "too_noisy: the law viscous+drag fits so badly that the frequency is unknown");
   fit.names[0] = "mass";
   EXPECT_EQ(told(refuse_frequency(fit)), "");

@@ -297,7 +297,7 @@ TEST(ArrivalClock, APauseIsOfWholePeriodsOrOfTheDevice) {
 
 TEST(ArrivalClock, SaysHowManyByTheRate) {
   EXPECT_EQ(in_words(sentence({TimesBy::arrival, 3, 7, 100, 0.2})),
-            "times: those of arrival; no steady rate was found for long; 3 of 10 by one");
+            "times: those of arrival; no steady rate was found for long; 3 of 10 samples follow one");
   EXPECT_EQ(in_words(sentence({TimesBy::arrival, 0, 7})),
             "times: those of arrival; no steady rate was found");
   EXPECT_EQ(in_words(sentence({TimesBy::rate, 7, 0, 100, 0.2})),

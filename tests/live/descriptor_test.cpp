@@ -52,7 +52,7 @@ TEST(Serial, WhatIsNoLineIsRefused) {
     return line ? "opened" : in_words(line.error());
   };
   EXPECT_EQ(refusal("/dev/null", 9601),
-            "serial:/dev/null: 9601 baud is no speed of serial lines; usual are 9600 and 115200");
+            "serial:/dev/null: 9601 baud is not a speed of serial lines; 9600 and 115200 are usual");
   EXPECT_EQ(refusal("/dev/nothing there", 9600), "serial:/dev/nothing there: No such file or directory");
   EXPECT_THAT(refusal("/dev/null", 9600), StartsWith("serial:/dev/null: that is no serial line ("));
 }

@@ -233,7 +233,8 @@ TEST(Timekeeper, CountingBeginsAnewHalfASecondOff) {
   EXPECT_EQ(late(0.49).t, 1);
   EXPECT_EQ(said(late(0.49)), "");
   EXPECT_NEAR(late(0.51).t, 1.51, 1e-9);
-  EXPECT_EQ(said(late(0.51)), "0.51 s later than --rate lets expect at 0.99 s; counting begins anew");
+  EXPECT_EQ(said(late(0.51)),
+            "at 0.99 s a sample came 0.51 s later than --rate predicts; counting begins anew");
   // What comes too fast is counted: its arrival may not lie before the last time.
   Timekeeper fast(100);
   for (int i = 0; i < 100; ++i) EXPECT_EQ(said(fast.of_count(50 + i * 0.001)), "");
@@ -241,7 +242,8 @@ TEST(Timekeeper, CountingBeginsAnewHalfASecondOff) {
   // Early, after a pause.
   Timekeeper early(1);
   early.of_count(50);
-  EXPECT_EQ(said(early.of_count(50.4)), "0.6 s earlier than --rate lets expect at 0 s; counting begins anew");
+  EXPECT_EQ(said(early.of_count(50.4)),
+            "at 0 s a sample came 0.6 s earlier than --rate predicts; counting begins anew");
   EXPECT_NEAR(early.of_count(51.4).t, 1.4, 1e-9);
 }
 

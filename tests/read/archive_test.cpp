@@ -106,7 +106,7 @@ TEST(Zip, AThousandFilesAreRead) {
   std::vector<File> files(1000, {"a", ""});
   EXPECT_EQ(zip_directory(zipped(files))->size(), 1000u);
   files.push_back({"a", ""});
-  EXPECT_EQ(names_of(zipped(files)), "the ZIP archive holds more than 1000 files");
+  EXPECT_EQ(names_of(zipped(files)), "the ZIP archive holds more than 1000 files: unpack it");
 }
 
 TEST(Zip, ACommentMayEndIt) {
@@ -164,7 +164,7 @@ TEST(Zip, FilesAreStoredOrDeflated) {
   const std::string one = zipped({{"a", text}}, false);
   const std::size_t directory = directory_of(one);
   EXPECT_EQ(content_of(with(one, directory + 10, little(9, 2))),
-            "the ZIP archive is packed by a method other than deflate");
+            "the ZIP archive is packed by a method other than deflate: unpack it");
   EXPECT_EQ(content_of(with(one, directory + 8, little(1, 2))),
             "the ZIP archive is locked with a password: export it without");
   EXPECT_EQ(content_of(with(one, directory + 16, little(7, 4))), damaged);

@@ -185,10 +185,10 @@ TEST(MissingValues, FourEvenlySpacedOnesAreASlowerSensor) {
       text += concat({std::to_string(i), ";", values[i] == '.' ? "" : std::string(1, values[i]), "\n"});
     return in_words(read(text).notices).at(0);
   };
-  EXPECT_EQ(said("1.2.3.4"), "column \"x\" is measured in every 2nd row only");
+  EXPECT_EQ(said("1.2.3.4"), "column \"x\" is measured only in every 2nd row");
   EXPECT_EQ(said("1.2.3."), "column \"x\": 3 missing values, the first in line 3");
-  EXPECT_EQ(said(".1..2..3..4"), "column \"x\" is measured in every 3rd row only");
-  EXPECT_EQ(said("1...2...3...4"), "column \"x\" is measured in every 4th row only");
+  EXPECT_EQ(said(".1..2..3..4"), "column \"x\" is measured only in every 3rd row");
+  EXPECT_EQ(said("1...2...3...4"), "column \"x\" is measured only in every 4th row");
   EXPECT_EQ(said("1.2.3.4..5"), "column \"x\": 5 missing values, the first in line 3");
   EXPECT_EQ(said("1234.567"), "column \"x\": 1 missing value, the first in line 6");
   for (const auto& [stride, nth] : {std::pair{11u, "11th"}, {21u, "21st"}, {111u, "111th"}}) {

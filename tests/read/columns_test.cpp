@@ -75,8 +75,8 @@ TEST(MissingValues, SensorsSampledInTurn) {
   std::string text = "Time (s),Pos A (mm),Pos B (mm)\n";
   for (int i = 0; i < 10; ++i) text += concat({"0.", std::to_string(i), i % 2 ? ",1,\n" : ",,2\n"});
   const Recording r = read(text);
-  EXPECT_THAT(in_words(r.notices), ElementsAre("column \"Pos A (mm)\" is measured in every 2nd row only",
-                                               "column \"Pos B (mm)\" is measured in every 2nd row only"));
+  EXPECT_THAT(in_words(r.notices), ElementsAre("column \"Pos A (mm)\" is measured only in every 2nd row",
+                                               "column \"Pos B (mm)\" is measured only in every 2nd row"));
   const auto series = take_series(r, "Pos A", 1, {});
   ASSERT_TRUE(series.ok());
   EXPECT_EQ(series->rate, 5);

@@ -83,15 +83,15 @@ TEST(LabViewFile, ContradictionsAreSaid) {
   };
   EXPECT_THAT(said("Samples\t3\nDelta_X\t1\n"), IsEmpty());
   EXPECT_THAT(said("Samples\t4\t3\n"),
-              ElementsAre("the header says 4 samples a channel, the rows are 3: the rows are taken"));
+              ElementsAre("the header says 4 samples per channel, but there are 3 rows: the rows are taken"));
   EXPECT_THAT(said("Delta_X\t1.0099\n"), IsEmpty());
   EXPECT_THAT(said("Delta_X\t1.011\n"),
-              ElementsAre("the header says Delta_X 1.011, X_Value goes by steps of 1: X_Value is taken"));
+              ElementsAre("the header says Delta_X 1.011, but X_Value goes in steps of 1: X_Value is taken"));
   EXPECT_THAT(said("Delta_X\t0.989\n").size(), 1u);
   EXPECT_THAT(
       in_words(read(head("One") + "Delta_X\t1\n" + end + "X_Value\ta\n0\t1\n0.33333333\t1\n0.66666667\t2\n")
                    .notices),
-      ElementsAre("the header says Delta_X 1, X_Value goes by steps of 0.333333: X_Value is taken"));
+      ElementsAre("the header says Delta_X 1, but X_Value goes in steps of 0.333333: X_Value is taken"));
   EXPECT_THAT(said("Delta_X\t0.5\n", "No"), IsEmpty());
   // Ten of them suffice, each once.
   std::string segments = head("One");

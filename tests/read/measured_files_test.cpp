@@ -119,8 +119,8 @@ std::vector<Known> measured_files() {
             0.7020338666008175,
             -0.12161902326134658,
             {"the first column runs evenly upward: it is taken as the time in seconds",
-             "no column is known to be a position, angle or velocity: \"column 2\" is taken of \"column "
-             "2\", \"column 3\"; --column says another",
+             "no column is known to be a position, angle or velocity: of \"column "
+             "2\", \"column 3\", \"column 2\" is taken; --column names another",
              "column \"column 2\" has no unit: its values are taken as they are",
              "column \"column 1\" has no unit: s is assumed"}},
       Known{"pendulum-plain/encoder_comma_space.csv",
@@ -306,8 +306,8 @@ std::vector<Known> measured_files() {
             {"3941 at 200 Hz, 19.7000 s, 0 gaps, 0 outliers"},
             -0.1637122151,
             0.055309505999999994,
-            {"the header says 1050000 samples a channel, the rows are 3941: the rows are taken",
-             "the header says Delta_X 1.953125e-05, X_Value goes by steps of 0.005: X_Value is taken"}},
+            {"the header says 1050000 samples per channel, but there are 3941 rows: the rows are taken",
+             "the header says Delta_X 1.953125e-05, but X_Value goes in steps of 0.005: X_Value is taken"}},
       Known{"tables/chopra_elcentro_peaks.csv",
             100,
             "plain, UTF-8, comma, point",

@@ -48,8 +48,9 @@ TEST(LabView, XValueWinsOverDeltaX) {
                            "X_Value\tPos\tU\r\n0\t1,5\t2\r\n0,1\t2,5\t3\r\n0,2\t3,5\t4\r\n");
   EXPECT_EQ(r.dialect.decimal, "comma");  // whatever the header says
   EXPECT_THAT(values(r, 0), ElementsAre(0, 0.1, 0.2));
-  EXPECT_THAT(in_words(r.notices),
-              ElementsAre("the header says Delta_X 0.25, X_Value goes by steps of 0.1: X_Value is taken"));
+  EXPECT_THAT(
+      in_words(r.notices),
+      ElementsAre("the header says Delta_X 0.25, but X_Value goes in steps of 0.1: X_Value is taken"));
 }
 
 TEST(LabView, EachChannelMayHaveItsTimes) {

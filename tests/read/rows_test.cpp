@@ -68,7 +68,7 @@ TEST(Rows, FarShorterOnesThanTheTableIsWideAreRefused) {
   };
   EXPECT_TRUE(read(128).ok());
   ASSERT_FALSE(read(129).ok());
-  EXPECT_EQ(in_words(read(129).error()), "most rows are far shorter than the widest of 64 columns");
+  EXPECT_EQ(in_words(read(129).error()), "most rows are far shorter than the widest, which has 64 columns");
 }
 
 TEST(LastLine, EightRowsShowHowNumbersAreWritten) {

@@ -52,18 +52,15 @@ TEST(Series, TheQuantitiesComeInTheirOrder) {
 TEST(Series, WithoutAMotionItSaysSo) {
   EXPECT_EQ(refusal("t (s),f (Hz),g (Hz)\n0,1,2\n1,2,3\n2,4,5\n"),
             "lab.csv: there is no motion beside the time: \"f (Hz)\", \"g (Hz)\" hold frequencies; to fit "
-            "one all the "
-            "same, say it with --column, for instance --column \"f\"");
+            "one all the same, name it with --column, for instance --column \"f\"");
   EXPECT_THAT(refusal("t (s),f (Hz)\n0,1\n1,2\n2,4\n"), HasSubstr("\"f (Hz)\" holds a frequency; to fit"));
   EXPECT_EQ(refusal("t (s)\n0\n1\n2\n"), "lab.csv: there is no column beside the time");
   EXPECT_EQ(refusal("t (s),n\n0,5\n1,5\n2,6\n"), "lab.csv: there is no column beside the time");
   EXPECT_THAT(in_words(series("t (s),q\n0,5\n1,6\n2,5\n").notices),
               Contains("no column is known to be a position, angle or velocity: \"q\" is taken"));
-  EXPECT_THAT(
-      in_words(series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n").notices),
-      Contains(
-          "no column is known to be a position, angle or velocity: \"column 2\" is taken of \"column 2\", "
-          "\"column 3\"; --column says another"));
+  EXPECT_THAT(in_words(series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n").notices),
+              Contains("no column is known to be a position, angle or velocity: of \"column 2\", "
+                       "\"column 3\", \"column 2\" is taken; --column names another"));
 }
 
 TEST(Series, MissingAndUnknownUnitsAreSaid) {
@@ -99,7 +96,7 @@ TEST(Series, ARateIsNotUsedBesideTimes) {
     ReadOptions options;
     options.rate = wrong;
     EXPECT_EQ(in_words(read_recording("1 2\n", "lab.csv", options).error()),
-              "--rate is not a number of samples per second above 0");
+              "--rate must be a number of samples per second above 0");
   }
 }
 

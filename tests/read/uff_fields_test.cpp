@@ -124,9 +124,9 @@ TEST(UffFields, ABinarySetSaysHowItIsWritten) {
   EXPECT_EQ(with("    58b     1     1          11          12"),
             "beam.uff:2: its binary numbers are not IEEE 754: convert the file to dataset 58 as text");
   EXPECT_EQ(with("    58b     1     2          11          -1"),
-            "beam.uff:2: its number of bytes is not one");
+            "beam.uff:2: its number of bytes is not valid");
   EXPECT_EQ(with("    58b     1     2          11        1e15"),
-            "beam.uff:2: its number of bytes is not one");
+            "beam.uff:2: its number of bytes is not valid");
   EXPECT_NE(with("    58b     1     2          11"), "read");
 }
 

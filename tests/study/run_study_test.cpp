@@ -70,7 +70,7 @@ TEST(RunStudy, TheLargestDifferenceIsLookedForInAllRows) {
   EXPECT_EQ(fact(done(difference("a.1", "b.1")).results, "d.peak"), "2 m");
   EXPECT_EQ(fact(done(difference("b.1", "a.1")).results, "d.peak"), "2 m");
   EXPECT_EQ(refusal(difference("a.1", "c.1")),
-            "lab.toml:15:1: \"a.1\" and \"c.1\" have not the same number of rows");
+            "lab.toml:15:1: \"a.1\" and \"c.1\" do not have the same number of rows");
   EXPECT_EQ(refusal(difference("a.2", "b.1")),
             "lab.toml:15:1: \"a.2.x\" is no column of this study; did you mean \"a.1.x\"?");
   EXPECT_EQ(refusal(difference("a.1", "e.1")).substr(0, 23), "lab.toml:15:1: \"e.1.x\" ");
@@ -85,7 +85,7 @@ TEST(RunStudy, NoticesAreNamedAndThoseToBeShownAreNoNotices) {
   const StudyRun other = done(grows + "shows = \"unstable\"\n");
   EXPECT_THAT(in_words(other.notices),
               ElementsAre("grows: --tolerance has no effect on rk4",
-                          files + "lab.toml:1:1: simulate grows is to show \"unstable\", and does not"));
+                          files + "lab.toml:1:1: simulate grows should show \"unstable\", but does not"));
   EXPECT_THAT(in_words(other.shown), IsEmpty());
 }
 

@@ -76,17 +76,17 @@ TEST(DecaySegments, HoldAPeriodAndAHalfAndEightSamples) {
   EXPECT_THAT(
       in_words(fit_segments(swing.record(), 1, 1.49, {}).notices),
       ElementsAre(
-          "no decay rates by segment: those of --segment 1.49 would be 1.49 s long, and a segment must "
-          "hold 1.5 periods and 8 samples, 1.5 s here"));
+          "no decay rates by segment: those of --segment 1.49 would be 1.49 s long, but a segment must "
+          "hold 1.5 periods and 8 samples, here 1.5 s"));
   EXPECT_THAT(
       in_words(fit_segments(swing.record(), 1, {}, 9).notices),
-      ElementsAre("no decay rates by segment: those of --segments 9 would be 1.33 s long, and a segment must "
-                  "hold 1.5 periods and 8 samples, 1.5 s here"));
+      ElementsAre("no decay rates by segment: those of --segments 9 would be 1.33 s long, but a segment must "
+                  "hold 1.5 periods and 8 samples, here 1.5 s"));
   EXPECT_THAT(
       in_words(fit_segments(swing.record(), 0.1, 0.19, {}).notices),
       ElementsAre(
-          "no decay rates by segment: those of --segment 0.19 would be 0.19 s long, and a segment must "
-          "hold 1.5 periods and 8 samples, 0.2 s here"));
+          "no decay rates by segment: those of --segment 0.19 would be 0.19 s long, but a segment must "
+          "hold 1.5 periods and 8 samples, here 0.2 s"));
 }
 
 TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
@@ -104,7 +104,7 @@ TEST(DecaySegments, WhatFailsIsLeftOutAndSaidOnce) {
   ASSERT_EQ(in_words(three.notices).size(), 1u);
   EXPECT_THAT(
       in_words(three.notices)[0],
-      testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s is left out: "));
+      testing::StartsWith("3 of the 4 segments are left out; the first, from 13 to 16 s: "));
   const std::atomic<bool> stop{true};
   EXPECT_THAT(in_words(fit_segments(swing.record(), 1, 3, {}, {&stop, {}}).notices),
               ElementsAre("interrupted after 0 of the 4 segments"));

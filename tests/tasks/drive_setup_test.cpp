@@ -107,9 +107,8 @@ TEST(DriveSetup, HasANameOnceItDrives) {
 
 TEST(DriveSetup, OptionsOfReadingNeedAFile) {
   const std::string said =
-      "--rate, --time-column, --delimiter, --decimal and --skip-bad-rows read a --drive-file or a "
-      "--base-motion, and "
-      "none is given";
+      "--rate, --time-column, --delimiter, --decimal and --skip-bad-rows are for reading a --drive-file or a "
+      "--base-motion, and none is given";
   ReadOptions each[5];
   each[0].rate = 1;
   each[1].time_column = "t";
@@ -288,7 +287,7 @@ TEST(DriveFile, EvenTimesMayBeOffByAFiftieth) {
   EXPECT_EQ(shifted("2.019"), "");
   EXPECT_EQ(shifted("1.981"), "");
   EXPECT_EQ(shifted("2.021"),
-            "f.csv: line 4: the times are not evenly spaced (2.021 s where 2 s is expected, one sample each "
+            "f.csv: line 4: the times are not evenly spaced (2.021 s where 2 s is expected, one sample every "
             "1 s); a "
             "drive needs even samples: resample it first");
   EXPECT_NE(shifted("1.979"), "");

@@ -74,9 +74,9 @@ TEST(FitEdges, AnEndThatIsInNoSegmentIsSaid) {
       if (warning.starts_with("the last ")) return warning;
     return std::string();
   };
-  EXPECT_EQ(said(89.9, 30), "the last 29.9 s are shorter than a segment of 30 s, and in none");
+  EXPECT_EQ(said(89.9, 30), "the last 29.9 s are shorter than a segment of 30 s and belong to none");
   EXPECT_EQ(said(60.9, 30), "");  // under 2 % of the record
-  EXPECT_EQ(said(61.5, 30), "the last 1.5 s are shorter than a segment of 30 s, and in none");
+  EXPECT_EQ(said(61.5, 30), "the last 1.5 s are shorter than a segment of 30 s and belong to none");
   const FittedRecording first_two = fitted(disc(), {.segment = 30, .segments = 2});
   EXPECT_THAT(in_words(first_two.notices), Not(Contains(HasSubstr("the last "))));
 }

@@ -231,7 +231,7 @@ TEST(FitDriven, AGyroscopesRecordIsOneOfAngularVelocities) {
   EXPECT_NEAR(result.find("drive_amplitude")->value, 0.3, 0.01);
   EXPECT_NEAR(result.find("equilibrium")->value, 0.01, 2e-3);
   EXPECT_THAT(in_words(result.notices),
-              testing::Contains(HasSubstr("holds angular velocity: it is fitted as that")));
+              testing::Contains(HasSubstr("holds angular velocity and is fitted as such")));
 }
 
 TEST(FitDriven, WritesTheMotionUnderTheDrive) {

@@ -43,10 +43,9 @@ TEST(FitOptions, KnownQuantitiesArePositive) {
               testing::HasSubstr("between 100 K and 1900 K"));
   EXPECT_EQ(said({.disc_diameter = kilogram, .temperature = Quantity{0, 0}}),
             "--temperature: it must lie between 100 K and 1900 K (for instance \"20 °C\"), not 0 K");
-  EXPECT_EQ(
-      said({.temperature = Quantity{300, 0}}),
-      "--temperature needs --disc-diameter: the air's warmth matters to the Reynolds number and the drag "
-      "coefficient of a disc only");
+  EXPECT_EQ(said({.temperature = Quantity{300, 0}}),
+            "--temperature needs --disc-diameter: the air's temperature matters only to the Reynolds number "
+            "and the drag coefficient of a disc");
   EXPECT_EQ(said({.segment = 1e-300}), "");
   EXPECT_EQ(said({.segment = 0}), "--segment: it must be positive, not 0 s");
   EXPECT_EQ(said({.segments = 1}), "");
@@ -89,10 +88,9 @@ TEST(FitOptions, FromLiesBeforeTo) {
 }
 
 TEST(FitOptions, ABodyWithoutASpringNeedsAForce) {
-  EXPECT_EQ(
-      said({.no_spring = true}),
-      "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded force "
-      "tells its law");
+  EXPECT_EQ(said({.no_spring = true}),
+            "--no-spring needs --force-column: a body without a spring does not swing, and only a recorded "
+            "force shows its law");
   EXPECT_EQ(said({.no_spring = true, .force_column = "F"}), "");
   EXPECT_EQ(said({.law = "pendulum", .no_spring = true, .force_column = "F"}),
             "--no-spring and --law pendulum exclude each other: a pendulum's weight is its spring");
@@ -126,13 +124,13 @@ TEST(FitOptions, ADriveIsRecordedOrHarmonic) {
 
 TEST(FitOptions, SomeAreOfARecordedForceAlone) {
   EXPECT_EQ(said({.between_samples = "hold"}),
-            "--between-samples needs --force-column: only a recorded force has anything between its samples");
+            "--between-samples needs --force-column: it says what a recorded force did between its samples");
   for (const char* good : {"linear", "hold", "band-limited", "auto"})
     EXPECT_EQ(said({.force_column = "F", .between_samples = good}), "") << good;
   EXPECT_EQ(said({.force_column = "F", .between_samples = "cubic"}),
             "--between-samples: \"cubic\" is none of linear, hold, band-limited and auto");
   EXPECT_EQ(said({.hold_out = 0.2}),
-            "--hold-out needs --force-column: only a motion whose force is known can be foretold");
+            "--hold-out needs --force-column: only a motion whose force is known can be predicted");
   for (const double good : {1e-9, 0.9}) EXPECT_EQ(said({.force_column = "F", .hold_out = good}), "");
   EXPECT_EQ(said({.force_column = "F", .hold_out = 0}),
             "--hold-out 0: it must lie above 0 and at most at 90 %");
@@ -142,9 +140,8 @@ TEST(FitOptions, SomeAreOfARecordedForceAlone) {
 
 TEST(FitOptions, SomeAreOfAFreeDecayAlone) {
   const std::string why =
-      " cannot be had of a driven motion, whose amplitude the drive keeps up; fit a free decay, for instance "
-      "a "
-      "part of the record after the drive has stopped, by --from and --to";
+      " is not for a driven motion, whose amplitude the drive keeps up; fit a free decay, for instance a "
+      "part of the record after the drive has stopped, with --from and --to";
   EXPECT_EQ(said({.segment = 1, .force_column = "F"}), "--segment" + why);
   EXPECT_EQ(said({.segments = 1, .drive_frequency = "1"}), "--segments" + why);
   EXPECT_EQ(said({.force_column = "F", .goal = "decay_rate 1 %"}), "--goal" + why);
@@ -167,14 +164,13 @@ TEST(FitOptions, AGoalIsAQuantityAndItsUncertainty) {
         "logarithmic_decrement", "limit_cycle_amplitude", "equilibrium", "position", "velocity"})
     EXPECT_EQ(goal(std::string(name) + " 1 %"), std::string(name) + "|1 %|relative");
   EXPECT_EQ(goal("decay_rate"),
-            "--goal: how well is decay_rate to be known? For instance \"decay_rate 0.5 %\"");
+            "--goal: how well should decay_rate be known? For instance \"decay_rate 0.5 %\"");
   EXPECT_EQ(
       goal("dcay_rate 1 %"),
       "--goal: \"dcay_rate\" is no quantity of a fit; did you mean decay_rate? Give a name and its standard "
       "uncertainty, for instance \"decay_rate 0.5 %\"");
-  EXPECT_EQ(goal("decay_rate 0 %"), "--goal: the uncertainty of decay_rate must be positive, and 0 % is not");
-  EXPECT_EQ(goal("decay_rate -1 %"),
-            "--goal: the uncertainty of decay_rate must be positive, and -1 % is not");
+  EXPECT_EQ(goal("decay_rate 0 %"), "--goal: the uncertainty of decay_rate must be positive, not 0 %");
+  EXPECT_EQ(goal("decay_rate -1 %"), "--goal: the uncertainty of decay_rate must be positive, not -1 %");
   EXPECT_THAT(goal("decay_rate half %"), testing::StartsWith("--goal: "));
   EXPECT_NE(said({.goal = "loudness 1 %"}), "");
 }
@@ -218,7 +214,7 @@ TEST(Masses, OfWhichOneHasAUnitAndItIsNotTheLastCouldMeanAnything) {
   EXPECT_EQ(masses("1 g,2 kg,3 g"), "0.001;2;0.003;");
   EXPECT_EQ(masses("0"), "0;");
   const std::string why =
-      " has no unit and others have: give each its unit, or only the last one, which is then that of all";
+      " has no unit, but others have: give each its unit, or give one to the last mass only, for all of them";
   EXPECT_EQ(masses("1 g,2,3"), "--masses: 2" + why);
   EXPECT_EQ(masses("1 g,2,3 g"), "--masses: 2" + why);
   EXPECT_EQ(masses("1,,2"), "--masses: a mass is missing between two commas");
@@ -310,16 +306,16 @@ TEST(UsedSamples, AreListedInTimeWhereTheFitSetThemAside) {
     EXPECT_EQ(series.outliers[i].value, times[i] * times[i]);
     EXPECT_EQ(series.outliers[i].line, static_cast<long>(times[i]) + 2);
   }
-  EXPECT_THAT(in_words(notices),
-              ElementsAre("2 samples lie far from the fitted motion and from their neighbours, the first "
-                          "at 2 s, and are set aside"));
+  EXPECT_THAT(in_words(notices), ElementsAre("2 samples, the first at 2 s, lie far from the fitted motion "
+                                             "and from their neighbours and are set aside"));
   Series one = ten();
   one.lines.resize(3);
   notices.clear();
   list_outliers(one, samples, {3}, notices);
-  EXPECT_THAT(in_words(notices),
-              ElementsAre("one sample lies far from the fitted motion and from its neighbours, the first "
-                          "at 4 s, and is set aside"));
+  EXPECT_THAT(
+      in_words(notices),
+      ElementsAre(
+          "one sample, at 4 s, lies far from the fitted motion and from its neighbours and is set aside"));
   EXPECT_EQ(one.outliers[1].line, 0);
 }
 
@@ -330,10 +326,9 @@ TEST(Quantities, HaveTheirOrderOfDerivative) {
   for (const char* name : {"force", ""}) EXPECT_EQ(derivative_order(name), -1);
   for (const char* name : {"", "position", "velocity", "acceleration"}) EXPECT_TRUE(is_linear_quantity(name));
   for (const char* name : {"angle", "angular velocity", "force"}) EXPECT_FALSE(is_linear_quantity(name));
-  EXPECT_EQ(
-      in_words(fitted_as_it_is("velocity", "v")),
-      "column \"v\" holds velocity: it is fitted as that, and all but the equilibrium, which is the sensor's "
-      "offset, is said of the displacement");
+  EXPECT_EQ(in_words(fitted_as_it_is("velocity", "v")),
+            "column \"v\" holds velocity and is fitted as such: all results are those of the displacement, "
+            "except the equilibrium, which is the sensor's offset");
   EXPECT_THAT(in_words(fitted_as_it_is("angular velocity", "w")), testing::EndsWith("is said of the angle"));
 }
 

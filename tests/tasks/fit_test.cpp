@@ -225,7 +225,7 @@ TEST(FitTask, AVelocityIsFittedByTheViscousLaw) {
   EXPECT_NEAR(result.find("angular_frequency")->value, w0, 1e-8);
   const std::size_t at = result.simulate.find("--position ") + 11;
   EXPECT_NEAR(std::stod(result.simulate.substr(at)), 0.1, 1e-8);
-  EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("holds velocity: it is fitted as that")));
+  EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("holds velocity and is fitted as such")));
   EXPECT_NEAR(result.find("position")->value, 0.1, 1e-8);
 }
 

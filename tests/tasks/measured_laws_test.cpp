@@ -69,7 +69,7 @@ TEST(MeasuredLaws, TheReleaseOfADrivenPendulumIsFound) {
   SKIP_WITHOUT_FIT(result);
   EXPECT_NEAR(result->series.t.front(), 210.06, 2);  // where its drive's own column ends
   EXPECT_GE(result->series.t.front(), 210.06);
-  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("as where a drive stops")));
+  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("as when a drive stops")));
   // --from overrides.
   const auto own = fitted("torsion-50hz/0.96500.1.csv", {.column = "Pendolo", .from = 220});
   EXPECT_NEAR(own->series.t.front(), 220, 0.02);

@@ -74,7 +74,7 @@ TEST(ResonanceCurves, RefuseWordForWord) {
   options = driven();
   options.simulate.law.drag = 1;
   options.simulate.method = {"rk4"};
-  EXPECT_EQ(refused(options), "--drag: this resonance curve is of the linear law");
+  EXPECT_EQ(refused(options), "--drag: this resonance curve is for the linear law only");
   options = driven();
   options.simulate.damping = 0;
   EXPECT_EQ(refused(options),
@@ -185,9 +185,9 @@ TEST(LocalErrorCurves, RefuseWordForWord) {
   EXPECT_EQ(refusal({.drive = "step", .drive_amplitude = 1}),
             "--drive: the error of a step is measured on a smooth motion, free or under a harmonic drive");
   EXPECT_EQ(refusal({.law = {.drag = 1}}),
-            "--drag: the error of a step is measured against the closed form, which this law has not");
+            "--drag: the error of a step is measured against the closed form, and this law has none");
   EXPECT_EQ(refusal({.stiffness = 0, .step = 1, .until = 1}),
-            "--stiffness: the steps are parts of a natural period, which this law has not");
+            "--stiffness: the steps are parts of a natural period, and this law has none");
   EXPECT_EQ(refusal({.drive_amplitude = 1, .drive_frequency = {2}}), "");
 }
 

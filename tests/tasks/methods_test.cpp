@@ -62,7 +62,7 @@ TEST(ListMethods, SayWhatTheyReallySimulate) {
   EXPECT_THAT(in_words(growing.words),
               testing::HasSubstr("turns your damping of 0.15 1/s into growth of 0.02999 1/s"));
   EXPECT_THAT(in_words(row_of("euler-cromer", theory).words),
-              testing::HasSubstr("keeps your damping of 0.15 1/s nearly (0.1502)"));
+              testing::HasSubstr("nearly keeps your damping of 0.15 1/s (0.1502)"));
   EXPECT_THAT(in_words(row_of("rk4", theory).words), "keeps your damping of 0.15 1/s and your 5.99812 rad/s");
   EXPECT_FALSE(row_of("implicit-euler", theory).effect->stability_limit);
   EXPECT_FALSE(row_of("dormand-prince", theory).effect);
@@ -93,7 +93,7 @@ TEST(ListMethods, SayWhatAStepTooLongDoesToAStiffLaw) {
   // Overdamped: of the trapezoidal rule the fast part changes its sign each step.
   const MethodsOptions stiff{.natural_frequency = 6, .damping_ratio = 1.5, .step = 1};
   EXPECT_EQ(in_words(row_of("newmark", stiff).words),
-            "dies down with another sign each step, which your law does not");
+            "dies down and changes sign at each step, which your law does not do");
   // Yoshida's long step back grows at 0.0626 s already, and no more at 0.1 s.
   const MethodsOptions between{.natural_frequency = 6, .damping_ratio = 1.5, .step = 0.1};
   const MethodRow yoshida = row_of("yoshida4", between);
@@ -128,9 +128,9 @@ TEST(ListMethods, SayWhatTheyDoToAnUndampedLaw) {
       {0.01, "gauss-legendre4", "adds no damping and keeps your 6 rad/s"},
       {0.01, "exact", "adds no damping and keeps your 6 rad/s"},
       {0.4, "forward-euler", "adds growth of 2.389 1/s and swings at 2.94001 rad/s, 51 % too slow"},
-      {0.4, "euler-cromer", "grows, with another sign each step"},
+      {0.4, "euler-cromer", "grows and changes sign at each step"},
       {0.4, "implicit-euler", "adds damping of 2.389 1/s and swings at 2.94001 rad/s, 51 % too slow"},
-      {0.4, "verlet", "grows, with another sign each step"},
+      {0.4, "verlet", "grows and changes sign at each step"},
       {0.4, "newmark", "adds no damping and swings at 4.38029 rad/s, 27 % too slow"},
       {0.4, "implicit-midpoint", "adds no damping and swings at 4.38029 rad/s, 27 % too slow"},
       {0.4, "generalized-alpha", "adds damping of 0.01905 1/s and swings at 4.32341 rad/s, 28 % too slow"},

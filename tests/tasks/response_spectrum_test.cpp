@@ -270,7 +270,7 @@ TEST(ResponseSpectrum, BadOptionsAreNamed) {
                 o.periods = "0.1:1:1000000000000000";
                 o.memory = 8e9;
               }),
-              HasSubstr("1e+15 points need 664 PB of memory, and there are 8 GB"));
+              HasSubstr("1e+15 points need 664 PB of memory, but there are only 8 GB"));
   EXPECT_THAT(with([](auto& o) {
                 o.periods = "1";
                 o.frequencies = "1";
@@ -347,8 +347,8 @@ TEST(ResponseSpectrum, TwoComponentsMustMatch) {
   const SpectrumFile unlike[] = {fast, slow}, unequal[] = {fast, cut}, three[] = {fast, fast, fast};
   const auto refused = response_spectrum(unlike, {});
   ASSERT_FALSE(refused.ok());
-  EXPECT_THAT(in_words(refused.error()), HasSubstr("has a sample each 0.01 s"));
-  EXPECT_THAT(in_words(refused.error()), HasSubstr("one each 0.02 s"));
+  EXPECT_THAT(in_words(refused.error()), HasSubstr("has a sample every 0.01 s"));
+  EXPECT_THAT(in_words(refused.error()), HasSubstr("one every 0.02 s"));
   const auto shortened = response_spectrum(unequal, {});
   ASSERT_TRUE(shortened.ok());
   EXPECT_EQ(shortened->components[0].acceleration.size(), 250u);
@@ -378,7 +378,7 @@ TEST(ResponseSpectrum, DoubtfulPeriodsAreSaid) {
   options.periods = "0.5,50,200";
   EXPECT_THAT(
       in_words(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->notices),
-      ElementsAre(HasSubstr("from a period of 50 s on there are peaks that come after the recording's end")));
+      ElementsAre(HasSubstr("from a period of 50 s on, some peaks come after the recording's end")));
   options.peaks = "samples";
   EXPECT_THAT(in_words(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->notices),
               ElementsAre(HasSubstr("is shorter than the longest period")));

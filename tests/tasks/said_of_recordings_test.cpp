@@ -128,7 +128,7 @@ TEST(SaidOfRecordings, CoarseRoundingIsCalledThat) {
       EXPECT_THAT(in_words(fit.notices), Not(Contains(HasSubstr("out of its range"))));
       if (fit.succeeded())
         EXPECT_THAT(in_words(fit.notices),
-                    Contains(AllOf(HasSubstr("levels only"), HasSubstr("0.01 m apart"))));
+                    Contains(AllOf(HasSubstr("take only"), HasSubstr("levels, 0.01 m apart"))));
       else
         EXPECT_THAT(in_words(fit.fit.message), HasSubstr("the resolution is too coarse"))
             << seed << ' ' << size;
@@ -214,7 +214,7 @@ TEST(SaidOfRecordings, ASecondSteadyLineHasTwoReadings) {
           return std::cos(a * t) / (36 - a * a) + part * std::cos(b * t + 1) / (36 - b * b);
         });
         const FittedRecording fit = fitted(bytes, {.drive_frequency = driven_at(named)});
-        EXPECT_THAT(in_words(fit.notices), Contains(AllOf(HasSubstr("another drive, or an undamped body"),
+        EXPECT_THAT(in_words(fit.notices), Contains(AllOf(HasSubstr("another drive and an undamped body"),
                                                           HasSubstr(shortest(second / two_pi).substr(0, 5)))))
             << named << ' ' << second << ' ' << part;
       }

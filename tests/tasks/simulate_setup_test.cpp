@@ -156,7 +156,7 @@ TEST(SetUp, AForceWithMemoryIsNotRunWithEverything) {
     return refused(options);
   };
   const auto refusal = [](const std::string& other) {
-    return "--hysteresis-stiffness and --" + other + " are not for one run; leave one of them out";
+    return "--hysteresis-stiffness and --" + other + " do not go together in one run; leave one of them out";
   };
   EXPECT_EQ(with_memory({}), "");
   EXPECT_EQ(with_memory({.law = {.friction = 1}}), refusal("friction"));
@@ -194,8 +194,8 @@ TEST(SetUp, StatesFitIntoTheMemory) {
   options.memory = 263;
   EXPECT_EQ(
       refused(options),
-      "--step: keeping 11 states needs 264 bytes of memory, and there are 263 bytes; take a longer --step, a "
-      "shorter --until, or keep every Nth state with --every N");
+      "--step: keeping 11 states needs 264 bytes of memory, but there are only 263 bytes; take a longer "
+      "--step, a shorter --until, or keep every Nth state with --every N");
   options.every = 2;
   EXPECT_EQ(refused(options), "");
   options.every = 1;

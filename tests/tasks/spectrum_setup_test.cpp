@@ -159,7 +159,7 @@ TEST(SpectrumSetup, AnAccelerationHasItsUnitOrIsGivenOne) {
   EXPECT_DOUBLE_EQ(read({g}).components.at(0).acceleration[1], 2 * 9.80665);
   EXPECT_THAT(
       in_words(read({bare}).notices),
-      ElementsAre("a.csv: column \"acceleration\" has no unit and is taken as m/s^2; --unit says another"));
+      ElementsAre("a.csv: column \"acceleration\" has no unit and is taken as m/s^2; --unit names another"));
   EXPECT_EQ(read({bare}).components.at(0).acceleration[1], 2);
   const Read said_so = read({bare}, {.unit = "g"});
   EXPECT_THAT(in_words(said_so.notices), IsEmpty());

@@ -194,9 +194,10 @@ TEST(StaticLine, IsGravityOverItsSlope) {
 
 TEST(StaticLine, SaysWhatIsDoubtfulOfIt) {
   const std::string order =
-      "the position does not go one way with the mass: are --masses in the order of the holds?";
+      "the position does not move in one direction as the mass grows: are --masses in the order of the "
+      "holds?";
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 4)}, {10, 0})->notices),
-              ElementsAre("two masses give a line whatever they are: nothing shows whether it is one"));
+              ElementsAre("two masses always give a line: nothing shows whether it is one"));
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(2, 6), at(3, 4)}, {10, 0})->notices), Contains(order));
   EXPECT_THAT(in_words(static_stiffness({at(1, 2), at(3, 6.01), at(2, 4)}, {10, 0})->notices),
               testing::Not(Contains(order)));

@@ -137,10 +137,10 @@ TEST(SweepPlan, PointsFollowEachOtherAlongTheDrive) {
 
 TEST(SweepPlan, ARunToItsEndIsNotSettled) {
   SweepOptions options = options_with(with(harmonic, {{"until", "5"}}), "rk4");
-  EXPECT_EQ(refused(options),
-            "--until: amplitude is that of the settled motion, which has no end; leave --until out, or "
-            "measure peak, "
-            "final or energy");
+  EXPECT_EQ(
+      refused(options),
+      "--until: amplitude belongs to the settled motion, which has no end; leave --until out, or measure "
+      "peak, final or energy");
   options.measure = {"peak"};
   options.settle = 3;
   EXPECT_EQ(refused(options), "--settle: a run to its end drops no cycles; leave --settle or --until out");
@@ -159,7 +159,7 @@ TEST(SweepPlan, WhatStandsStillNeverSettles) {
 TEST(SweepPlan, HasOneMethodAndADriveThatGoesOn) {
   SweepOptions options = options_with(harmonic);
   options.simulate.method = {"rk4", "verlet", "exact"};
-  EXPECT_EQ(refused(options), "--method: a sweep goes by one method, not by 3; run it once for each");
+  EXPECT_EQ(refused(options), "--method: a sweep uses one method, not 3; run it once for each");
   EXPECT_EQ(planned(options_with(harmonic)).method, "euler-cromer");
   options = options_with({{"drive-amplitude", "1,2"}}, "rk4");
   options.simulate.drive = "step";
@@ -264,10 +264,9 @@ TEST(SweepPlan, WarnsOfADriveThatTheStepsHardlySee) {
   };
   // 2 pi/w over 0.1 s is ten at 6.283 rad/s.
   EXPECT_THAT(notices("1,6.28", "rk4"), IsEmpty());
-  EXPECT_THAT(
-      notices("6.3,1", "rk4"),
-      ElementsAre("--step: at an end of the grid a cycle of the drive has 10 steps only: what is found there "
-                  "is the method's doing, not the law's"));
+  EXPECT_THAT(notices("6.3,1", "rk4"),
+              ElementsAre("--step: at an end of the grid a cycle of the drive has only 10 steps: the result "
+                          "there is the method's, not the law's"));
   EXPECT_THAT(notices("1,20,3", "rk4"), Contains(HasSubstr("has 3.1 steps only")));
   EXPECT_THAT(notices("1,20", "exact"), IsEmpty());
   // Steps that do not fill a run are cut at its end in any sweep.
@@ -305,7 +304,7 @@ TEST(SweepPlan, ALossFactorIsOfSettledLinearMotion) {
         with({{"loss-factor", "0.1"}, {"drive-amplitude", "1"}, {"drive-frequency", "1:3:3"}}, more), method);
   };
   const auto refusal_of = [](const std::string& other) {
-    return "--loss-factor is said of the settled motion of a linear law, in closed form; leave --" + other +
+    return "--loss-factor is for the settled motion of a linear law, in closed form; leave --" + other +
            " out";
   };
   EXPECT_EQ(planned(lossy({})).method, "exact");
@@ -328,8 +327,7 @@ TEST(SweepPlan, ALossFactorIsOfSettledLinearMotion) {
             "--loss-factor: nothing drives the motion; give --drive-amplitude and --drive-frequency");
   options = lossy({});
   options.measure = {"final"};
-  EXPECT_EQ(refused(options),
-            "--loss-factor is said of the settled motion; --measure final looks at another");
+  EXPECT_EQ(refused(options), "--loss-factor is for the settled motion; --measure final looks at another");
   EXPECT_EQ(refused(lossy({{"loss-factor", "-0.1"}})), "--loss-factor: it must not be negative, not -0.1");
 }
 
@@ -357,12 +355,11 @@ TEST(SweepRefusal, SaysWhatASweepDoesNotTake) {
                                 ": a sweep steps position and velocity alone, not a force with "
                                 "memory; run it with simulate, once "
                                 "for each value");
-  EXPECT_EQ(
-      said("settle", "1:2:3"),
-      "--settle: \"1:2:3\" looks like a grid, and this is one number for all points; it says how they are "
-      "found, not what they are");
+  EXPECT_EQ(said("settle", "1:2:3"),
+            "--settle: \"1:2:3\" looks like a grid, but this is one number for all points; it says how they "
+            "are found, not what they are");
   EXPECT_EQ(said("threads", "1,2"),
-            "--threads: \"1,2\" looks like a grid, and this is one number for all points");
+            "--threads: \"1,2\" looks like a grid, but this is one number for all points");
   EXPECT_EQ(said("threads", "12"), "");
   EXPECT_EQ(said("measure", "peak,final"), "");
   EXPECT_EQ(said("mass", "1,2"), "");

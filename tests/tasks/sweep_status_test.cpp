@@ -101,7 +101,7 @@ TEST(SweepStatus, UndampedNothingSettlesButByTheMethodsOwnDamping) {
   char number[100];
   std::snprintf(number, sizeof number, "decay rate %.2g 1/s at drive-frequency 0.5", rate);
   EXPECT_THAT(said[0], HasSubstr(number));
-  EXPECT_THAT(said[0], HasSubstr("2 of 2 points have no damping by the law"));
+  EXPECT_THAT(said[0], HasSubstr("2 of 2 points have no damping in the law"));
   // Stepped, the amplitude at the drive's frequency stands still while the free motion goes on.
   const std::vector<std::string> with_end{"amplitude", "final"};
   const SweepResult stepped = swept(with(drive, {{"drive-frequency", "0.3,0.5"}}), "rk4", {}, with_end);

@@ -12,8 +12,9 @@ constexpr Entry entries[] = {
     {"too_large", error, "\"{text}\" is too large", "„{text}“ ist zu groß"},
     {"has_decimal_comma", error, "\"{text}\" has a decimal comma: write {cure}",
      "„{text}“ hat ein Dezimalkomma: bitte einen Punkt schreiben"},
-    {"bad_concise_uncertainty", error, "\"{text}\" is not a number with its uncertainty, as 0.2176(3) is",
-     "„{text}“ ist keine Zahl mit Unsicherheit, wie es 0.2176(3) ist"},
+    {"bad_concise_uncertainty", error,
+     "\"{text}\" is not a number with its uncertainty; write it as 0.2176(3)",
+     "„{text}“ ist keine Zahl mit Unsicherheit; bitte wie 0.2176(3) schreiben"},
     {"negative_uncertainty", error, "\"{text}\" has a negative uncertainty",
      "„{text}“ hat eine negative Unsicherheit"},
     {"uncertainty_not_used", error,
@@ -82,8 +83,9 @@ constexpr Entry entries[] = {
     {"points_too_many", error, "{points:.6g} points need {needed:n} of memory; ask for fewer",
      "{points:.6g} Punkte brauchen {needed:n} Speicher; bitte weniger verlangen"},
     {"points_beyond_memory", error,
-     "{points:.6g} points need {needed:n} of memory, and there are {memory:n}; ask for fewer",
-     "{points:.6g} Punkte brauchen {needed:n} Speicher, und da sind {memory:n}; bitte weniger verlangen"},
+     "{points:.6g} points need {needed:n} of memory, but there are only {memory:n}; ask for fewer",
+     "{points:.6g} Punkte brauchen {needed:n} Speicher, aber nur {memory:n} sind da; bitte weniger "
+     "verlangen"},
 
     // Names
     {"no_method", error, "there is no method \"{method}\" ({methods})",

@@ -7,13 +7,14 @@ using enum Use;
 
 constexpr Entry entries[] = {
     // Arrays
-    {"no_times", error, "t has no values: a record has samples",
-     "t hat keine Werte: eine Aufnahme hat Messwerte"},
+    {"no_times", error, "t has no values: a record needs samples",
+     "t hat keine Werte: eine Aufnahme braucht Messwerte"},
     {"time_not_finite", error, "t[{index}] is {value}: times must be finite",
      "t[{index}] ist {value}: Zeiten müssen endlich sein"},
     {"times_do_not_increase", error, "t must increase strictly: t[{index}] = {time} s follows {before} s",
      "t muss stets wachsen: t[{index}] = {time} s folgt auf {before} s"},
-    {"lengths_differ", error, "{argument} has {values} values and {other} has {others}: they must be as many",
+    {"lengths_differ", error,
+     "{argument} has {values} values and {other} has {others}: both need the same number",
      "{argument} hat {values} Werte und {other} hat {others}: es müssen gleich viele sein"},
     {"too_few_values", error, "{argument} needs at least {least} values, not {values}",
      "{argument} braucht mindestens {least} Werte, nicht {values}"},
@@ -27,12 +28,11 @@ constexpr Entry entries[] = {
      "zu einem Feld gehören ein Name und seine Werte"},
     {"array_given_twice", error, "there are two arrays {array}", "das Feld {array} steht zweimal da"},
     {"array_is_missing", error, "the array {array} is missing", "das Feld {array} fehlt"},
-    {"not_an_array_of", error, "{array} is no array that {verb} takes",
-     "ein Feld {array} nimmt {verb} nicht"},
-    {"not_an_array_here", error, "{array} is no array that {verb} takes here",
-     "ein Feld {array} nimmt {verb} hier nicht"},
-    {"spacing_of_nothing", error, "spacing is that of the arrays force or acceleration, and none is given",
-     "spacing gehört zu den Feldern force oder acceleration, und keines ist angegeben"},
+    {"not_an_array_of", error, "{verb} takes no array {array}", "{verb} nimmt kein Feld {array}"},
+    {"not_an_array_here", error, "{verb} takes no array {array} here", "{verb} nimmt hier kein Feld {array}"},
+    {"spacing_of_nothing", error,
+     "spacing belongs to the arrays force and acceleration, but neither is given; leave it out",
+     "spacing gehört zu den Feldern force und acceleration, doch keines ist angegeben; bitte weglassen"},
     {"spacing_is_missing", error, "{array} needs its spacing as well, in seconds",
      "zu {array} gehört spacing, der Abstand der Werte in Sekunden"},
     {"force_and_acceleration", error, "force and acceleration both drive the mass; leave one of them out",
@@ -41,10 +41,11 @@ constexpr Entry entries[] = {
     // What is fitted, and what was
     {"file_and_arrays", error, "file and the arrays t and y both give a record; leave one of them out",
      "file und die Felder t und y nennen beide eine Aufnahme; bitte eines weglassen"},
-    {"said_of_a_file", error, "{argument} is said of a file, and arrays are given; leave it out",
-     "{argument} gehört zu einer Datei, und Felder sind angegeben; bitte weglassen"},
-    {"observed_of_file", error, "observed is said of the array y; a file's column says it itself",
-     "observed gehört zum Feld y; die Spalte einer Datei sagt es selbst"},
+    {"said_of_a_file", error, "{argument} is for a file, but arrays are given; leave it out",
+     "{argument} gehört zu einer Datei, doch Felder sind angegeben; bitte weglassen"},
+    {"observed_of_file", error,
+     "observed is for the array y; a file's columns say what they hold, so leave it out",
+     "observed gehört zum Feld y; die Spalten einer Datei sagen selbst, was sie enthalten; bitte weglassen"},
     {"no_record", error, "there is nothing to {verb}: give the arrays t and y, or a file",
      "eine Aufnahme fehlt: bitte die Felder t und y oder eine Datei angeben"},
     {"no_file", error, "there is nothing to read: give a file",
@@ -61,16 +62,16 @@ constexpr Entry entries[] = {
     {"fit_without_law", error, "the fit has no law to be compared: {what}",
      "die Anpassung hat kein Gesetz zum Vergleichen: {what}"},
     {"motion_known_at_samples", error,
-     "a recorded force drives this motion, which is known at its samples alone: ask motion()",
-     "eine aufgenommene Kraft treibt diese Bewegung, die nur an ihren Messwerten bekannt ist: motion() hat "
-     "sie"},
+     "a recorded force drives this motion, so it is known only at the samples: use motion()",
+     "eine aufgenommene Kraft treibt diese Bewegung, deshalb ist sie nur an den Messwerten bekannt: bitte "
+     "motion() nehmen"},
     {"times_before_the_first", error,
-     "t begins at {begin} s, before the first used sample, {first} s: the law says nothing of what was "
-     "before",
-     "t beginnt bei {begin} s, vor dem ersten benutzten Messwert bei {first} s: was davor war, sagt das "
-     "Gesetz nicht"},
-    {"times_too_late", error, "t ends at {end} s, more steps from the record than can be followed",
-     "t endet bei {end} s, mehr Schritte von der Aufnahme, als sich rechnen lassen"},
+     "t begins at {begin} s, before the first used sample, {first} s: the law says nothing about earlier "
+     "times",
+     "t beginnt bei {begin} s, vor dem ersten benutzten Messwert bei {first} s: über frühere Zeiten sagt das "
+     "Gesetz nichts"},
+    {"times_too_late", error, "t ends at {end} s, too many steps after the record to be computed",
+     "t endet bei {end} s, zu viele Schritte nach der Aufnahme, um sie zu rechnen"},
 
     // Arguments
     {"no_enumerator", error, "{argument}: there is no enumerator {number}",
@@ -94,10 +95,10 @@ constexpr Entry entries[] = {
      "{argument} muss eine Zahl, ein Text oder eine Liste davon sein"},
     {"word_not_known", error, "{argument} \"{word}\" is not known; it takes {known:or}",
      "{argument} „{word}“ ist nicht bekannt; es nimmt {known:or}"},
-    {"unknown_argument", error, "\"{argument}\" is nothing that {verb} takes",
-     "„{argument}“ ist nichts, was {verb} nimmt"},
-    {"unknown_argument_but", error, "\"{argument}\" is nothing that {verb} takes; did you mean {near}?",
-     "„{argument}“ ist nichts, was {verb} nimmt; ist {near} gemeint?"},
+    {"unknown_argument", error, "{verb} has no argument \"{argument}\"",
+     "{verb} hat kein Argument „{argument}“"},
+    {"unknown_argument_but", error, "{verb} has no argument \"{argument}\"; did you mean {near}?",
+     "{verb} hat kein Argument „{argument}“; ist {near} gemeint?"},
     {"call_failed", error, "{what}", "der Aufruf ist gescheitert: {what}"},
 };
 

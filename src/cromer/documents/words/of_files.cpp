@@ -32,18 +32,18 @@ constexpr Entry entries[] = {
     {"finished_is_kept", clause, "; what is finished is kept: make room and go on with {--resume}",
      "; was fertig ist, bleibt: bitte Platz schaffen und mit {--resume} fortfahren"},
     {"disk_too_small", error,
-     "{path} needs {needed:n} and there are {free:n} free in {folder}; ask for fewer points or measures, or "
+     "{path} needs {needed:n}, but only {free:n} is free in {folder}; ask for fewer points or measures, or "
      "name a file on a larger disk",
-     "{path} braucht {needed:n}, und in {folder} sind {free:n} frei; bitte weniger Punkte oder Maße "
+     "{path} braucht {needed:n}, doch in {folder} sind nur {free:n} frei; bitte weniger Punkte oder Maße "
      "verlangen oder eine Datei auf einem größeren Datenträger nennen"},
     // Figures.
     {"names_no_figure", error, "\"{path}\" names no figure: end it with .svg, .png or .pdf",
      "„{path}“ nennt keine Abbildung: bitte mit .svg, .png oder .pdf enden lassen"},
     {"librsvg_is_missing", error,
      "PNG and PDF are drawn by librsvg, which cannot be loaded ({why}): install it, for instance with apt "
-     "install librsvg2-2; .svg needs nothing",
-     "PNG und PDF zeichnet librsvg, das sich nicht laden lässt ({why}): bitte installieren, zum Beispiel "
-     "mit apt install librsvg2-2; .svg braucht nichts"},
+     "install librsvg2-2; .svg does without it",
+     "PNG und PDF zeichnet librsvg, das sich nicht laden lässt ({why}): bitte installieren, zum Beispiel mit "
+     "apt install librsvg2-2; .svg geht ohne"},
     {"librsvg_failed", error, "librsvg could not draw the figure: {why}",
      "librsvg konnte die Abbildung nicht zeichnen: {why}"},
     {"no_reason_given", clause, "it gave no reason", "es nannte keinen Grund"},
@@ -54,10 +54,10 @@ constexpr Entry entries[] = {
      "{--plot} weglassen oder weniger durchlaufen"},
     // HDF5 files and the modules that are loaded.
     {"module_not_there", error,
-     "{what} need {module}, which is not there (looked in {looked_in}): this build came without; install "
-     "{package} and build again, or set CROMER_MODULES to the folder that has it",
-     "{what}: {module} fehlt (gesucht in {looked_in}), dieses Programm wurde ohne gebaut; bitte {package} "
-     "installieren und neu bauen oder CROMER_MODULES auf den Ordner setzen, in dem es liegt"},
+     "{what} need {module}, which is not there (looked in {looked_in}): this program was built without it; "
+     "install {package} and build again, or set CROMER_MODULES to the folder that has it",
+     "{what}: {module} fehlt (gesucht in {looked_in}), dieses Programm ist ohne das Modul gebaut; bitte "
+     "{package} installieren und neu bauen oder CROMER_MODULES auf den Ordner setzen, in dem es liegt"},
     {"module_not_loaded", error,
      "{what} need {path}, which cannot be loaded: {why}; install what {package} brings",
      "{what}: {path} lässt sich nicht laden: {why}; bitte installieren, was {package} mitbringt"},
@@ -78,7 +78,8 @@ constexpr Entry entries[] = {
     {"resume_without_description", error, "{--resume}: {path} was not made by cromer: it has no description",
      "{--resume}: {path} ist nicht von cromer: es fehlt die Beschreibung"},
     {"resume_other_sweep", error,
-     "{--resume}: {path} is of another sweep: {differences}; name another file, or ask for the same again",
+     "{--resume}: {path} belongs to another sweep: {differences}; name another file, or ask for the same "
+     "again",
      "{--resume}: {path} gehört zu einer anderen Reihe: {differences}; bitte eine andere Datei nennen oder "
      "dasselbe noch einmal verlangen"},
     {"resume_changed_file", error,
@@ -90,12 +91,12 @@ constexpr Entry entries[] = {
      "ein anderes cromer schreibt gerade in diese Datei (es hält {journal})"},
     {"cannot_write_journal", error, "cannot write {journal}", "{journal} lässt sich nicht schreiben"},
     {"not_the_journal", error,
-     "{journal} is not the journal of this work, or is damaged; remove {file} and it to begin again",
-     "{journal} ist nicht das Tagebuch dieser Arbeit oder beschädigt; bitte {file} und diese Datei "
-     "entfernen, um neu zu beginnen"},
+     "{journal} is not the journal of this work, or is damaged; to begin again, remove it and {file}",
+     "{journal} ist nicht das Tagebuch dieser Arbeit oder beschädigt; um neu zu beginnen, bitte diese Datei "
+     "und {file} entfernen"},
     {"interrupted_at_first", error, "interrupted before the first point; nothing was begun",
      "unterbrochen vor dem ersten Punkt; nichts ist begonnen"},
-    {"described_otherwise", clause, "it is described otherwise", "die Beschreibung ist eine andere"},
+    {"described_otherwise", clause, "its description differs", "die Beschreibung ist eine andere"},
     {"missing_there", clause, "{name} is missing there", "{name} fehlt dort"},
     {"missing_here", clause, "{name} is missing here", "{name} fehlt hier"},
     {"differs", clause, "{name} is {there} there and {here} here", "{name} ist dort {there} und hier {here}"},
@@ -107,10 +108,10 @@ constexpr Entry entries[] = {
      "{started} Prozesse wurden zusammen gestartet, doch MPI sieht {seen}: bitte cromer mit dem mpirun "
      "seiner MPI-Bibliothek starten oder mit srun --mpi=pmix"},
     {"rank_computes_otherwise", error,
-     "rank {rank} on {host} would compute something else (there: the first rank, here: it): {differences}; "
-     "use the same program, files and CROMER_SIMD everywhere",
-     "Rang {rank} auf {host} würde anderes rechnen (dort: der erste Rang, hier: er): {differences}; bitte "
-     "überall dasselbe Programm, dieselben Dateien und dasselbe CROMER_SIMD nehmen"},
+     "rank {rank} on {host} would compute something else (there: the first rank, here: rank {rank}): "
+     "{differences}; use the same program, files and CROMER_SIMD everywhere",
+     "Rang {rank} auf {host} würde etwas anderes rechnen (dort: der erste Rang, hier: Rang {rank}): "
+     "{differences}; bitte überall dasselbe Programm, dieselben Dateien und dasselbe CROMER_SIMD nehmen"},
     {"rank_in_trouble", error, "rank {rank} on {host}: {what}", "Rang {rank} auf {host}: {what}"},
     {"said_in_words", clause, "{words}", "{words}"},
     {"chunk_not_made", error, "a chunk could not be made", "ein Stück ließ sich nicht rechnen"},

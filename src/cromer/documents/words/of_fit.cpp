@@ -13,14 +13,15 @@ constexpr Entry entries[] = {
      "{--monte-carlo} needs {--mass}: it checks the uncertainty of the spring constant",
      "{--monte-carlo} braucht {--mass}: damit wird die Unsicherheit der Federkonstante geprüft"},
     {"temperature_without_disc", error,
-     "{--temperature} needs {--disc-diameter}: the air's warmth matters to the Reynolds number and the drag "
-     "coefficient of a disc only",
-     "zur Lufttemperatur gehört der Durchmesser einer Scheibe"},
+     "{--temperature} needs {--disc-diameter}: the air's temperature matters only to the Reynolds number and "
+     "the drag coefficient of a disc",
+     "zur Lufttemperatur gehört der Durchmesser einer Scheibe: nur deren Reynolds-Zahl und "
+     "Widerstandsbeiwert hängen davon ab"},
     {"seed_without_monte_carlo", error, "{--seed} needs {--monte-carlo}: it is the seed of its trials",
      "{--seed} braucht {--monte-carlo}: damit beginnen dessen Versuche"},
     {"no_spring_without_force", error,
      "{--no-spring} needs {--force-column}: a body without a spring does not swing, and only a recorded "
-     "force tells its law",
+     "force shows its law",
      "{--no-spring} braucht {--force-column}: ein Körper ohne Feder schwingt nicht, und nur eine "
      "aufgenommene Kraft zeigt sein Gesetz"},
     {"pendulum_without_spring", error,
@@ -33,21 +34,21 @@ constexpr Entry entries[] = {
      "{--force-column} und {--drive-frequency} schließen einander aus: der Antrieb ist aufgenommen oder "
      "harmonisch"},
     {"between_samples_without_force", error,
-     "{--between-samples} needs {--force-column}: only a recorded force has anything between its samples",
-     "{--between-samples} braucht {--force-column}: nur bei einer aufgenommenen Kraft liegt etwas zwischen "
-     "den Messwerten"},
+     "{--between-samples} needs {--force-column}: it says what a recorded force did between its samples",
+     "{--between-samples} braucht {--force-column}: es sagt, was eine aufgenommene Kraft zwischen ihren "
+     "Messwerten tat"},
     {"between_samples_unknown", error,
      "{--between-samples}: \"{typed}\" is none of linear, hold, band-limited and auto",
      "{--between-samples}: „{typed}“ ist weder linear noch hold, band-limited oder auto"},
     {"hold_out_without_force", error,
-     "{--hold-out} needs {--force-column}: only a motion whose force is known can be foretold",
+     "{--hold-out} needs {--force-column}: only a motion whose force is known can be predicted",
      "{--hold-out} braucht {--force-column}: nur eine Bewegung, deren Kraft bekannt ist, lässt sich "
      "vorhersagen"},
     {"hold_out_outside", error, "{--hold-out} {share}: it must lie above 0 and at most at 90 %",
      "{--hold-out} {share}: das muss über 0 und höchstens bei 90 % liegen"},
     {"not_of_a_driven_motion", error,
-     "{option:option} cannot be had of a driven motion, whose amplitude the drive keeps up; fit a free "
-     "decay, for instance a part of the record after the drive has stopped, by {--from} and {--to}",
+     "{option:option} is not for a driven motion, whose amplitude the drive keeps up; fit a free decay, for "
+     "instance a part of the record after the drive has stopped, with {--from} and {--to}",
      "{option:option} gibt es nicht zu einer angetriebenen Bewegung, deren Amplitude der Antrieb erhält; "
      "bitte ein freies Abklingen anpassen, zum Beispiel den Teil nach dem Ende des Antriebs, mit {--from} "
      "und {--to}"},
@@ -56,14 +57,14 @@ constexpr Entry entries[] = {
     {"drive_frequency_not_positive", error, "{--drive-frequency} {frequency}: it must be positive",
      "{--drive-frequency} {frequency}: das muss größer als 0 sein"},
     {"drive_not_seen", error,
-     "{--drive-frequency}: {asked:.6g} Hz is not seen in {rate:.4g} samples a second: up to {highest:.4g} "
-     "Hz is",
-     "{--drive-frequency}: {asked:.6g} Hz sind in {rate:.4g} Messwerten je Sekunde nicht zu sehen: bis "
-     "{highest:.4g} Hz ginge es"},
+     "{--drive-frequency}: {asked:.6g} Hz cannot be seen in {rate:.4g} samples per second, only frequencies "
+     "up to {highest:.4g} Hz",
+     "{--drive-frequency}: {asked:.6g} Hz sind in {rate:.4g} Messwerten je Sekunde nicht zu sehen, nur "
+     "Frequenzen bis {highest:.4g} Hz"},
     {"pendulum_without_angle", error,
-     "{--law} {law}: a pendulum's law is one of angles, and column \"{column}\" holds {kind}; use cubic, or "
-     "choose an angle by {--column}",
-     "das Pendelgesetz ist eines für Winkel: bitte die kubische Feder oder einen Winkel wählen"},
+     "{--law} {law}: a pendulum's law needs an angle, but column \"{column}\" holds {kind}; use cubic, or "
+     "choose an angle with {--column}",
+     "das Pendelgesetz braucht einen Winkel: bitte die kubische Feder oder einen Winkel wählen"},
 
     // Which samples
     {"nothing_left_from", error,
@@ -88,41 +89,42 @@ constexpr Entry entries[] = {
     {"time_jumps", error,
      "{@line}: the time jumps from {from:.9g} to {to:.9g} s; choose one side of it with {--from} and {--to}",
      "{@line}: die Zeit springt von {from:.9g} auf {to:.9g} s; bitte mit den Griffen eine Seite wählen"},
-    {"all_set_aside", error, "column \"{column}\" has no value that is not set aside",
-     "in der Spalte „{column}“ ist jeder Wert beiseitegelegt"},
+    {"all_set_aside", error, "all values of column \"{column}\" are set aside",
+     "alle Werte der Spalte „{column}“ sind beiseitegelegt"},
     {"free_part_taken", worth_knowing,
      "{reason}: only what follows, {kept} of {samples} samples, is taken for a free motion; {--from} and "
      "{--to} choose another part",
      "{reason}: nur was folgt, {kept} von {samples} Messwerten, gilt als freie Bewegung"},
     {"sensor_loses_motion", worth_knowing,
-     "the sensor loses the motion at {from:.6g} s: in full swing the column stays at {value:.4g}{unit: } "
-     "from there on, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, "
-     "is fitted; {--from} and {--to} choose another part",
-     "der Sensor verliert die Bewegung bei {from:.6g} s: mitten im Schwingen bleibt die Spalte von da an "
-     "bei {value:.4g}{unit: }, in {share:.3g} % der Messwerte. Angepasst wird nur, was davor liegt, {seen} "
-     "von {samples} Messwerten"},
+     "the sensor loses the motion at {from:.6g} s: from there on the column stays at {value:.4g}{unit: } in "
+     "full swing, in {share:.3g} % of the samples. Only what comes before, {seen} of {samples} samples, is "
+     "fitted; {--from} and {--to} choose another part",
+     "der Sensor verliert die Bewegung bei {from:.6g} s: mitten im Schwingen bleibt die Spalte von da an bei "
+     "{value:.4g}{unit: }, in {share:.3g} % der Messwerte. Angepasst wird nur, was davor liegt, {seen} von "
+     "{samples} Messwerten"},
     {"drop_outs_aside", detail,
      "{samples} samples in flat runs far outside the motion, the first at {first:.6g} s, are taken for "
      "drop-outs of the sensor and set aside",
      "{samples:Messwert|Messwerte} in flachen Stücken weit außerhalb der Bewegung, der erste bei "
      "{first:.6g} s, {samples?ist|sind} als Aussetzer des Sensors beiseitegelegt"},
     {"sample_aside", detail,
-     "one sample lies far from the fitted motion and from its neighbours, the first at {first:.6g} s, and "
-     "is set aside",
-     "ein Messwert liegt weit von Bewegung und Nachbarn, bei {first:.6g} s, und ist beiseitegelegt"},
+     "one sample, at {first:.6g} s, lies far from the fitted motion and from its neighbours and is set aside",
+     "ein Messwert, bei {first:.6g} s, liegt weit von Bewegung und Nachbarn und ist beiseitegelegt"},
     {"samples_aside", detail,
-     "{samples} samples lie far from the fitted motion and from their neighbours, the first at {first:.6g} "
-     "s, and are set aside",
-     "{samples} Messwerte liegen weit von Bewegung und Nachbarn, der erste bei {first:.6g} s, und sind "
+     "{samples} samples, the first at {first:.6g} s, lie far from the fitted motion and from their "
+     "neighbours and are set aside",
+     "{samples} Messwerte, der erste bei {first:.6g} s, liegen weit von Bewegung und Nachbarn und sind "
      "beiseitegelegt"},
     {"fitted_as_it_is", worth_knowing,
-     "column \"{column}\" holds {kind}: it is fitted as that, and all but the equilibrium, which is the "
-     "sensor's offset, is said of the displacement",
-     "die Spalte „{column}“ enthält {kind} und wird so angepasst"},
+     "column \"{column}\" holds {kind} and is fitted as such: all results are those of the displacement, "
+     "except the equilibrium, which is the sensor's offset",
+     "die Spalte „{column}“ enthält {kind} und wird so angepasst: alle Ergebnisse gelten für die Auslenkung, "
+     "nur die Ruhelage ist der Nullpunkt des Sensors"},
     {"fitted_as_it_is_of_angle", worth_knowing,
-     "column \"{column}\" holds {kind}: it is fitted as that, and all but the equilibrium, which is the "
-     "sensor's offset, is said of the angle",
-     "die Spalte „{column}“ enthält {kind} und wird so angepasst"},
+     "column \"{column}\" holds {kind} and is fitted as such: all results are those of the angle, except the "
+     "equilibrium, which is the sensor's offset",
+     "die Spalte „{column}“ enthält {kind} und wird so angepasst: alle Ergebnisse gelten für den Winkel, nur "
+     "die Ruhelage ist der Nullpunkt des Sensors"},
     {"kind_position", clause, "position", "Orte"},
     {"kind_angle", clause, "angle", "Winkel"},
     {"kind_velocity", clause, "velocity", "Geschwindigkeiten"},
@@ -144,18 +146,20 @@ constexpr Entry entries[] = {
      "no Reynolds number: column \"{column}\" is neither a position nor a velocity",
      "keine Reynolds-Zahl: die Spalte „{column}“ ist weder Ort noch Geschwindigkeit"},
     {"long_period_for_reynolds", worth_knowing,
-     "the period of {period:.3g} s is longer than two windows of the Reynolds number: a window may hold no "
-     "turning of the speed",
-     "die Periode von {period:.3g} s ist lang für die Fenster der Reynolds-Zahl"},
-    {"fit_interrupted", error, "interrupted: the law is fitted, what follows from it is not all there",
-     "abgebrochen: das Gesetz ist angepasst, was daraus folgt, ist nicht alles da"},
+     "the period of {period:.3g} s is longer than two windows of the Reynolds number: the speed may have no "
+     "maximum within a window",
+     "die Periode von {period:.3g} s ist länger als zwei Fenster der Reynolds-Zahl: in einem Fenster hat die "
+     "Geschwindigkeit vielleicht kein Maximum"},
+    {"fit_interrupted", error,
+     "interrupted: the law is fitted, but some results that follow from it are missing",
+     "abgebrochen: das Gesetz ist angepasst, doch manches, was daraus folgt, fehlt"},
     {"may_be_the_force", worth_knowing,
-     "if what column \"{column}\" holds drives the motion, say {--force-column} \"{column}\"",
+     "if column \"{column}\" holds what drives the motion, give {--force-column} \"{column}\"",
      "falls die Spalte „{column}“ enthält, was die Bewegung antreibt: mit cromer fit {--force-column} "
      "anpassen"},
     {"hysteresis_from_zero", wrong_if_ignored,
-     "the hysteretic force is taken as 0 at the first sample used, {--from}: where the body had moved "
-     "before, its coefficients and the stiffness are off, and their uncertainties do not hold",
+     "the hysteretic force is taken as 0 at the first sample used, {--from}: if the body had moved before, "
+     "its coefficients and the stiffness are off, and their uncertainties do not hold",
      "die hysteretische Kraft gilt beim ersten benutzten Messwert, {--from}, als 0: hat der Körper sich "
      "vorher bewegt, so stimmen ihre Beiwerte und die Federkonstante nicht, und ihre Unsicherheiten gelten "
      "nicht"},
@@ -165,8 +169,8 @@ constexpr Entry entries[] = {
     {"fits_failed", clause, "{failed} of {all} fits did not succeed",
      "{failed} von {all} Anpassungen sind nicht gelungen"},
     {"decrement_bias", clause,
-     "noise lifts small peaks: too low; a mean where the damping changes with amplitude",
-     "Rauschen hebt kleine Gipfel: zu klein; ein Mittelwert, wo die Dämpfung von der Amplitude abhängt"},
+     "too low, because noise lifts small peaks; a mean where the damping changes with amplitude",
+     "zu klein, weil Rauschen kleine Gipfel hebt; ein Mittelwert, wo die Dämpfung von der Amplitude abhängt"},
     {"bandwidth_bias", clause, "too wide unless the record lasts until the swing has died down",
      "zu breit, wenn die Aufnahme nicht dauert, bis die Schwingung abgeklungen ist"},
     {"of_force_column", error, "{--force-column}: {what}", "{--force-column}: {what}"},
@@ -174,20 +178,20 @@ constexpr Entry entries[] = {
 
     // Segments
     {"segment_too_short", worth_knowing,
-     "no decay rates by segment: those of {--segment} {length:.3g} would be {length:.3g} s long, and a "
-     "segment must hold 1.5 periods and 8 samples, {shortest:.3g} s here",
+     "no decay rates by segment: those of {--segment} {length:.3g} would be {length:.3g} s long, but a "
+     "segment must hold 1.5 periods and 8 samples, here {shortest:.3g} s",
      "keine Abklingraten nach Abschnitten: sie wären {length:.3g} s lang, und ein Abschnitt muss 1,5 "
      "Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
     {"segments_too_short", worth_knowing,
-     "no decay rates by segment: those of {--segments} {count} would be {length:.3g} s long, and a segment "
-     "must hold 1.5 periods and 8 samples, {shortest:.3g} s here",
+     "no decay rates by segment: those of {--segments} {count} would be {length:.3g} s long, but a segment "
+     "must hold 1.5 periods and 8 samples, here {shortest:.3g} s",
      "keine Abklingraten nach Abschnitten: von {count} wäre jeder {length:.3g} s lang, und ein Abschnitt "
      "muss 1,5 Perioden und 8 Messwerte enthalten, hier {shortest:.3g} s"},
     {"fewer_segments", worth_knowing,
      "the record of {duration:.6g} s holds {whole} of the {count} segments of {length:.6g} s",
      "in die Aufnahme von {duration:.6g} s passen {whole} der {count} Abschnitte von {length:.6g} s"},
     {"rest_in_no_segment", detail,
-     "the last {rest:.6g} s are shorter than a segment of {length:.6g} s, and in none",
+     "the last {rest:.6g} s are shorter than a segment of {length:.6g} s and belong to none",
      "die letzten {rest:.6g} s sind kürzer als ein Abschnitt von {length:.6g} s und gehören zu keinem"},
     {"shorter_than_a_segment", worth_knowing,
      "the record of {duration:.6g} s is shorter than one segment of {length:.6g} s",
@@ -197,8 +201,7 @@ constexpr Entry entries[] = {
     {"segment_left_out", worth_knowing, "the segment from {from:.6g} to {to:.6g} s is left out: {why}",
      "der Abschnitt von {from:.6g} bis {to:.6g} s bleibt weg: {why}"},
     {"segments_left_out", worth_knowing,
-     "{left_out} of the {count} segments are left out; the first, from {from:.6g} to {to:.6g} s is left "
-     "out: {why}",
+     "{left_out} of the {count} segments are left out; the first, from {from:.6g} to {to:.6g} s: {why}",
      "{left_out} von {count} Abschnitten bleiben weg; der erste, von {from:.6g} bis {to:.6g} s: {why}"},
 
     // What drives it
@@ -214,10 +217,10 @@ constexpr Entry entries[] = {
     {"overdamped_law", worth_knowing, "the law is overdamped: it has no frequency and no period of its own",
      "das Gesetz ist überdämpft: es hat keine eigene Frequenz und Periode"},
     {"something_else_drives", wrong_if_ignored,
-     "the law accounts for {share:.0f} % of the motion's variance, and what is left is no noise: something "
-     "else drives it as well or instead, or its law is another",
-     "das Gesetz erklärt {share:.0f} % der Streuung, und was übrig bleibt, ist kein Rauschen: etwas anderes "
-     "treibt die Bewegung auch oder stattdessen, oder ihr Gesetz ist ein anderes"},
+     "the law accounts for {share:.0f} % of the motion's variance, and the rest is not noise: something else "
+     "drives the motion as well or instead, or it has another law",
+     "das Gesetz erklärt {share:.0f} % der Streuung, und der Rest ist kein Rauschen: etwas anderes treibt "
+     "die Bewegung auch oder stattdessen, oder sie hat ein anderes Gesetz"},
     {"force_is_the_motion", error,
      "{--force-column}: \"{column}\" is the column that is fitted; say which holds the motion with "
      "{--column}",
@@ -231,18 +234,19 @@ constexpr Entry entries[] = {
      "die Kraftspalte „{column}“ ist durchweg {value:n}: eine Kraft, die sich nie ändert, treibt nichts an; "
      "bitte {--force-column} weglassen und die freie Bewegung anpassen"},
     {"force_has_a_gap", error,
-     "force column \"{column}\" has a gap, the first {length:.6g} s long at {t:.6g} s: what the force did "
-     "there is not known; choose one side of it with {--from} and {--to}, or fill it in",
+     "force column \"{column}\" has a gap, {length:.6g} s long at {t:.6g} s: what the force did there is not "
+     "known; choose one side of it with {--from} and {--to}, or fill it in",
      "die Kraftspalte „{column}“ hat eine Lücke, {length:.6g} s lang bei {t:.6g} s: was die Kraft da tat, "
      "ist nicht bekannt; bitte mit {--from} und {--to} eine Seite wählen oder sie füllen"},
     {"force_has_gaps", error,
      "force column \"{column}\" has {gaps} gaps, the first {length:.6g} s long at {t:.6g} s: what the force "
-     "did there is not known; choose one side of it with {--from} and {--to}, or fill it in",
+     "did there is not known; choose a part without gaps with {--from} and {--to}, or fill them in",
      "die Kraftspalte „{column}“ hat {gaps} Lücken, die erste {length:.6g} s lang bei {t:.6g} s: was die "
-     "Kraft da tat, ist nicht bekannt; bitte mit {--from} und {--to} eine Seite wählen oder sie füllen"},
+     "Kraft da tat, ist nicht bekannt; bitte mit {--from} und {--to} einen Teil ohne Lücken wählen oder sie "
+     "füllen"},
     {"force_is_uneven", error,
      "{@line}: the times are not evenly spaced ({t:.6g} s where {expected:.6g} s is expected, one sample "
-     "each {spacing:.6g} s); a recorded force needs even samples: resample the recording first",
+     "every {spacing:.6g} s); a recorded force needs even samples: resample the recording first",
      "{@line}: die Zeiten haben nicht gleiche Abstände ({t:.6g} s, wo {expected:.6g} s erwartet wird, ein "
      "Messwert je {spacing:.6g} s); eine aufgenommene Kraft braucht gleichmäßige Messwerte: bitte die "
      "Aufnahme erst auf solche umrechnen"},
@@ -262,39 +266,40 @@ constexpr Entry entries[] = {
 
     // Driven, free or two swings at once
     {"motion_is_driven", worth_knowing,
-     "the motion is driven, at {frequency:.6g} Hz: a free motion would leave {free:.3g}, this leaves "
-     "{driven:.3g}; say fit {--drive-frequency} if it is known, or choose a free part with {--from} and "
-     "{--to}",
-     "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: eine freie ließe {free:.3g} übrig, diese "
-     "{driven:.3g}; bitte mit den Griffen einen freien Teil wählen"},
+     "the motion is driven, at {frequency:.6g} Hz: a free law would leave an rms residual of {free:.3g}, the "
+     "driven one leaves {driven:.3g}; give fit {--drive-frequency} if it is known, or choose a free part "
+     "with {--from} and {--to}",
+     "die Bewegung ist angetrieben, mit {frequency:.6g} Hz: ein freies Gesetz ließe einen Effektivwert der "
+     "Reste von {free:.3g}, das angetriebene lässt {driven:.3g}; bitte mit den Griffen einen freien Teil "
+     "wählen"},
     {"mode", clause, "{frequency:n} (amplitude {amplitude:.3g}, decay rate {decay_rate:n})",
      "{frequency:n} (Amplitude {amplitude:.3g}, Abklingrate {decay_rate:n})"},
     {"two_steady_lines", wrong_if_ignored,
-     "two oscillations whose decay hardly shows, at {one} and {other}: a drive on a swing without damping, "
-     "two drives, or two modes, as of coupled pendulums, are the same signal; the numbers here are those of "
-     "the first reading",
-     "zwei Schwingungen, deren Abklingen sich kaum zeigt, mit {one} und {other}: ein Antrieb ohne Dämpfung, "
-     "zwei Antriebe und gekoppelte Pendel sehen so aus"},
+     "two oscillations hardly decay, at {one} and {other}: a drive on a swing without damping, two drives, "
+     "or two modes, as of coupled pendulums, look the same; the numbers here assume the first of these",
+     "zwei Schwingungen klingen kaum ab, mit {one} und {other}: ein Antrieb auf eine Schwingung ohne "
+     "Dämpfung, zwei Antriebe und gekoppelte Pendel sehen gleich aus; die Zahlen hier gelten für das erste"},
     {"line_beside_the_drive", wrong_if_ignored,
-     "beside the drive something oscillates at {line} and does not decay: another drive, or an undamped "
-     "body, are the same signal; the numbers here are those of the second reading",
+     "beside the drive something oscillates at {line} and does not decay: another drive and an undamped body "
+     "look the same; the numbers here assume the undamped body",
      "neben dem Antrieb schwingt etwas mit {line} und klingt nicht ab: ein anderer Antrieb und ein Körper "
      "ohne Dämpfung sehen so aus; die Zahlen hier gelten für den Körper"},
     {"two_readings", error, "the record has two readings: {readings}",
      "die Aufnahme lässt sich auf zwei Arten lesen: {readings}"},
     {"two_modes", clause,
-     "two modes swing here, and both decay, as of coupled pendulums: {one} and {other}; they beat every "
-     "{beat:.3g} s",
+     "two modes swing here, and both decay, like those of coupled pendulums: {one} and {other}; they beat "
+     "every {beat:.3g} s",
      "hier schwingen zwei Moden, die beide abklingen, wie bei gekoppelten Pendeln: {one} und {other}; sie "
      "schweben mit einer Periode von {beat:.3g} s"},
     {"no_single_swing", error,
      "no single swing: {modes}. Let one of them swing alone, or choose another {--column}",
      "keine einzelne Schwingung: {modes}. Bitte eine allein schwingen lassen oder eine andere Spalte wählen"},
     {"modes_beside_the_law", wrong_if_ignored,
-     "{modes}; together they leave {together:.3g}, and the law {law:.3g}",
-     "{modes}; zusammen lassen sie {together:.3g} übrig, das Gesetz {law:.3g}"},
-    {"free_beside_driven", clause, "a free law leaves {free:.4g}, the driven one {driven:.4g}",
-     "ein freies Gesetz lässt {free:.4g} übrig, das angetriebene {driven:.4g}"},
+     "{modes}; together they leave an rms residual of {together:.3g}, the law leaves {law:.3g}",
+     "{modes}; zusammen lassen sie einen Effektivwert der Reste von {together:.3g}, das Gesetz {law:.3g}"},
+    {"free_beside_driven", clause,
+     "a free law leaves an rms residual of {free:.4g}, the driven one {driven:.4g}",
+     "ein freies Gesetz lässt einen Effektivwert der Reste von {free:.4g}, das angetriebene {driven:.4g}"},
     {"no_drive_found", worth_knowing,
      "no drive is seen at any frequency ({compared}): fitted as a free motion",
      "bei keiner Frequenz ist ein Antrieb zu sehen ({compared}): als freie Bewegung angepasst"},
@@ -319,28 +324,28 @@ constexpr Entry entries[] = {
     {"quantity_meant", clause, "did you mean {quantity}?", "ist {quantity} gemeint?"},
     {"quantities_there_are", clause, "there are {quantities}.", "es gibt {quantities}."},
     {"goal_without_uncertainty", error,
-     "{--goal}: how well is {quantity} to be known? For instance \"{quantity} 0.5 %\"",
+     "{--goal}: how well should {quantity} be known? For instance \"{quantity} 0.5 %\"",
      "{--goal}: wie genau soll {quantity} bekannt sein? Zum Beispiel „{quantity} 0.5 %“"},
     {"goal_not_positive", error,
-     "{--goal}: the uncertainty of {quantity} must be positive, and {uncertainty} is not",
-     "{--goal}: die Unsicherheit von {quantity} muss größer als 0 sein, und {uncertainty} ist es nicht"},
+     "{--goal}: the uncertainty of {quantity} must be positive, not {uncertainty}",
+     "{--goal}: die Unsicherheit von {quantity} muss größer als 0 sein, nicht {uncertainty}"},
     {"goal_not_in_fit", error, "{--goal}: there is no {quantity} in this fit: {why}",
      "{--goal}: {quantity} gibt es in dieser Anpassung nicht: {why}"},
     {"term_not_in_law", clause, "its law is {law}; fit one with {term} by {--law}",
      "ihr Gesetz ist {law}; bitte mit {--law} eines mit {term} anpassen"},
     {"quantity_needs_more", clause,
-     "its law is {law}, and quantities of force need a position (or velocity, acceleration) and {--mass}, a "
-     "drag coefficient {--disc-diameter} as well",
-     "ihr Gesetz ist {law}, und Größen der Kraft brauchen einen Ort (oder eine Geschwindigkeit, eine "
+     "its law is {law}; quantities of force need a position (or velocity, acceleration) and {--mass}, and a "
+     "drag coefficient needs {--disc-diameter} as well",
+     "ihr Gesetz ist {law}; Größen der Kraft brauchen einen Ort (oder eine Geschwindigkeit, eine "
      "Beschleunigung) und {--mass}, ein Widerstandsbeiwert auch {--disc-diameter}"},
     {"goal_with_hysteresis", error,
-     "{--goal}: how soon a swing with hysteresis dies down is not foretold; give another {--law}",
+     "{--goal}: how soon a swing with hysteresis dies down is not predicted; give another {--law}",
      "{--goal}: wie bald eine Schwingung mit Hysterese abklingt, wird nicht vorhergesagt; bitte ein anderes "
      "{--law} angeben"},
     {"plan_met", clause,
-     "the goal is met: {quantity} is known to {now:n}, and {goal:n} were wanted; the first {duration:n} "
+     "the goal is met: {quantity} is known to {now:n}, and {goal:n} was asked for; the first {duration:n} "
      "would do",
-     "das Ziel ist erreicht: {quantity} ist auf {now:n} bekannt, und {goal:n} waren gewünscht; die ersten "
+     "das Ziel ist erreicht: {quantity} ist auf {now:n} bekannt, verlangt war {goal:n}; die ersten "
      "{duration:n} hätten genügt"},
     {"plan_possible", clause,
      "{quantity} is known to {now:n} from {present:n}; for {goal:n} record {duration:n} from such a start "
@@ -375,8 +380,8 @@ constexpr Entry entries[] = {
     {"mass_missing", error, "{--masses}: a mass is missing between two commas",
      "{--masses}: zwischen zwei Kommas fehlt eine Masse"},
     {"mass_without_unit", error,
-     "{--masses}: {mass} has no unit and others have: give each its unit, or only the last one, which is "
-     "then that of all",
+     "{--masses}: {mass} has no unit, but others have: give each its unit, or give one to the last mass "
+     "only, for all of them",
      "{--masses}: {mass} hat keine Einheit, und andere haben eine: bitte jeder ihre Einheit geben oder nur "
      "der letzten, dann gilt sie für alle"},
     {"mass_negative", error, "{--masses}: {mass} is negative", "{--masses}: {mass} ist negativ"},
@@ -393,14 +398,13 @@ constexpr Entry entries[] = {
      "{--mass-line}: the period does not grow with the mass; are {--masses} in the order of the recordings?",
      "{--mass-line}: die Periode wächst nicht mit der Masse; stehen {--masses} in der Reihenfolge der "
      "Aufnahmen?"},
-    {"line_of_two", worth_knowing,
-     "two masses give a line whatever they are: nothing shows whether it is one",
+    {"line_of_two", worth_knowing, "two masses always give a line: nothing shows whether it is one",
      "zwei Massen geben immer eine Gerade: nichts zeigt, ob es eine ist"},
     {"points_scatter", worth_knowing,
      "the points scatter about the line by {scatter:.2g} s², more than their errors say: this is added to "
-     "all, and the intervals are those of {degrees:degree|degrees} of freedom",
+     "all errors, and the intervals are those of {degrees:degree|degrees} of freedom",
      "die Punkte streuen um die Gerade um {scatter:.2g} s², mehr als ihre Fehler sagen: das ist allen "
-     "zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
+     "Fehlern zugeschlagen, und die Bereiche sind die von {degrees:Freiheitsgrad|Freiheitsgraden}"},
 
     // Masses at rest
     {"no_meaning_with_static", error,
@@ -434,9 +438,9 @@ constexpr Entry entries[] = {
      "Fehler nicht bekannt sind"},
     {"holds_scatter", worth_knowing,
      "the holds scatter about the line by {scatter:.2g} m, more than each hold's own errors say: this is "
-     "added to all, and the interval is that of {degrees:degree|degrees} of freedom",
+     "added to all errors, and the interval is that of {degrees:degree|degrees} of freedom",
      "die Ruhelagen streuen um die Gerade um {scatter:.2g} m, mehr als ihre eigenen Fehler sagen: das ist "
-     "allen zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
+     "allen Fehlern zugeschlagen, und der Bereich ist der von {degrees:Freiheitsgrad|Freiheitsgraden}"},
     {"hold_moves", wrong_if_ignored,
      "{file}, run {run}, {from:.4g} to {to:.4g} s is not at rest: it moves by {scatter:.2g} m (rms), and "
      "its mean is taken; choose a quiet part by {--from} and {--to}, or fit its swing without {--static}",
@@ -444,9 +448,10 @@ constexpr Entry entries[] = {
      "(Effektivwert), und der Mittelwert gilt; bitte mit {--from} und {--to} einen ruhigen Teil wählen oder "
      "die Schwingung ohne {--static} anpassen"},
     {"holds_out_of_order", wrong_if_ignored,
-     "the position does not go one way with the mass: are {--masses} in the order of the holds?",
-     "der Ort geht mit der Masse nicht immer in eine Richtung: stehen {--masses} in der Reihenfolge der "
-     "Ruhelagen?"},
+     "the position does not move in one direction as the mass grows: are {--masses} in the order of the "
+     "holds?",
+     "der Ort ändert sich mit wachsender Masse nicht immer in dieselbe Richtung: stehen {--masses} in der "
+     "Reihenfolge der Ruhelagen?"},
 
     // Simulations beside a recording
     {"compared_is_driven", error,
@@ -485,8 +490,10 @@ constexpr Entry entries[] = {
      "{law}: {method} wächst mit Schritten von {step:.6g} s auf das {times:.3g}-Fache der Amplitude am "
      "Anfang: es ist da instabil, und die Zahlen sagen nichts über das Gesetz; bitte ein kleineres {--step} "
      "oder ein anderes {--method} nehmen"},
-    {"law_runs_away", error, "{law}: the law runs away from the recording's start; choose another {--law}",
-     "{law}: das Gesetz läuft vom Anfang der Aufnahme an davon; bitte ein anderes {--law} wählen"},
+    {"law_runs_away", error,
+     "{law}: started as the recording was, this law's motion runs away; choose another {--law}",
+     "{law}: vom Anfang der Aufnahme aus läuft die Bewegung dieses Gesetzes davon; bitte ein anderes {--law} "
+     "wählen"},
 
     // Whether one decay rate is enough
     {"simulation_runs_away", clause,
@@ -553,9 +560,8 @@ constexpr Entry entries[] = {
 
     // What is in a file
     {"inspected_one_of_several", worth_knowing,
-     "several columns may be meant: what is said of times and outliers is that of \"{column}\"; a fit needs "
-     "{--column}",
-     "mehrere Spalten kommen infrage: von Zeiten und Ausreißern ist die Rede in „{column}“"},
+     "several columns may be meant: times and outliers are those of \"{column}\"; a fit needs {--column}",
+     "mehrere Spalten kommen infrage: Zeiten und Ausreißer sind die von „{column}“"},
     {"outliers_in_column", worth_knowing,
      "column \"{column}\": {outliers:outlier|outliers}, the first in {@line}: {value:n}",
      "Spalte „{column}“: {outliers:Ausreißer|Ausreißer}, der erste in {@line}: {value:n}"},

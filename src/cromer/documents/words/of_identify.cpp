@@ -46,29 +46,29 @@ constexpr Entry entries[] = {
      "the motion comes to rest without oscillating: it is overdamped, or nothing pulls it back",
      "die Bewegung kommt zur Ruhe, ohne zu schwingen: sie ist überdämpft, oder nichts zieht sie zurück"},
     {"ends_before_an_oscillation", error,
-     "the record ends before an oscillation can be seen, if it is one: a fit needs at least 1.5 periods",
-     "die Aufnahme endet, bevor eine Schwingung zu sehen ist, wenn es eine ist: eine Anpassung braucht "
+     "the record ends before an oscillation can be seen, if there is one: a fit needs at least 1.5 periods",
+     "die Aufnahme endet, bevor eine Schwingung zu sehen ist, falls es eine gibt: eine Anpassung braucht "
      "mindestens 1,5 Perioden"},
     {"too_few_periods", error,
      "the record holds {periods:.2g} periods of {period:.3g} s: a fit needs at least 1.5",
      "die Aufnahme hat {periods:.2g} Perioden von {period:.3g} s: gebraucht werden mindestens 1,5"},
     {"too_few_levels", error,
-     "the values take {levels:.0f} levels only, {resolution:.3g} apart: the resolution is too coarse for a "
+     "the values take only {levels:.0f} levels, {resolution:.3g} apart: the resolution is too coarse for a "
      "motion as small as this",
      "die Werte haben nur {levels:.0f} Stufen im Abstand {resolution:.3g}: die Auflösung ist zu grob für "
      "eine so kleine Bewegung"},
-    {"too_noisy", error, "too noisy: a sinusoid accounts for {percent:.1f} % of the variance only",
+    {"too_noisy", error, "too noisy: a sinusoid accounts for only {percent:.1f} % of the variance",
      "zu viel Rauschen: eine Sinusschwingung erklärt nur {percent:.1f} % der Streuung"},
     {"noise_could_do_as_much", error,
      "no oscillation found: the best decaying sinusoid accounts for {percent:.1f} % of the variance, and "
-     "noise like the rest could do as much; choose the part that oscillates with {--from} and {--to}, or "
+     "noise like the residual could do as much; choose the part that oscillates with {--from} and {--to}, or "
      "another {--column}",
      "keine Schwingung gefunden: die beste abklingende Sinusschwingung erklärt {percent:.1f} % der "
      "Streuung, was Rauschen auch könnte; bitte mit {--from} und {--to} den Teil wählen, der schwingt, oder "
      "mit {--column} eine andere Spalte"},
     {"tops_cut_off", error,
-     "the motion's tops are cut off at the same value again and again: the sensor was out of its range; "
-     "choose the later part by {--from}",
+     "the motion's peaks are cut off at the same value again and again: the sensor was out of its range; "
+     "choose the later part with {--from}",
      "die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: der Sensor war außerhalb "
      "seines Bereichs; bitte den späteren Teil mit {--from} wählen"},
     {"no_line", error, "no oscillation found: the spectrum has no line",
@@ -76,10 +76,10 @@ constexpr Entry entries[] = {
     {"no_resonance", error, "no oscillation found: the force explains no resonance",
      "keine Schwingung gefunden: die Kraft erklärt keine Resonanz"},
     {"force_explains_too_little", error,
-     "the force accounts for {percent:.1f} % of the motion's variance only",
+     "the force accounts for only {percent:.1f} % of the motion's variance",
      "die Kraft erklärt nur {percent:.1f} % der Varianz der Bewegung"},
     {"oscillations_explain_too_little", error,
-     "a decaying and a steady oscillation account for {percent:.1f} % of the variance only",
+     "a decaying and a steady oscillation account for only {percent:.1f} % of the variance",
      "eine abklingende und eine gleichbleibende Schwingung erklären nur {percent:.1f} % der Varianz"},
     {"only_a_harmonic", error,
      "a steady oscillation at {frequency:.6g} Hz and its harmonic of order {order:.0f}, which does not "
@@ -87,14 +87,14 @@ constexpr Entry entries[] = {
      "eine gleichbleibende Schwingung bei {frequency:.6g} Hz und ihre {order:.0f}. Harmonische, die nicht "
      "abklingt: Rundung oder ein nicht linearer Sensor macht eine solche Linie, eine eigene Schwingung des "
      "Körpers ist nicht zu sehen"},
-    {"frequency_hardly_known", error, "too noisy: the frequency is known to {percent:.0f} % only",
+    {"frequency_hardly_known", error, "too noisy: the frequency is known only to {percent:.0f} %",
      "zu viel Rauschen: die Frequenz ist nur auf {percent:.0f} % bekannt"},
     {"frequency_unknown", error, "the law {law} fits so badly that the frequency is unknown",
      "das Gesetz {law} passt so schlecht, dass die Frequenz nicht bekannt ist"},
 
     // Why a fit has not converged.
-    {"fit_not_settled", error, "the fit has not settled after {iterations} iterations",
-     "die Anpassung kommt nach {iterations} Schritten nicht zur Ruhe"},
+    {"fit_not_settled", error, "the fit has not converged after {iterations} iterations",
+     "die Anpassung ist nach {iterations} Schritten nicht konvergiert"},
     {"motion_runs_away", error, "this law's motion runs away from the recorded one",
      "die Bewegung dieses Gesetzes läuft der aufgenommenen davon"},
     {"law_undetermined", error, "the record does not determine this law: {what}",
@@ -120,13 +120,13 @@ constexpr Entry entries[] = {
     {"ended_before_all_laws", error, "{why} before all laws were tried",
      "{why}, bevor alle Gesetze versucht waren"},
     {"ended_before_these_laws", error,
-     "{why} before all laws were tried: {law} is only the best of {laws}, and not compared yet are {missing}",
-     "{why}, bevor alle Gesetze versucht waren: {law} ist nur das beste von {laws}, und noch nicht "
-     "verglichen sind {missing}"},
+     "{why} before all laws were tried: {law} is only the best of {laws}; not compared yet: {missing}",
+     "{why}, bevor alle Gesetze versucht waren: {law} ist nur das beste von {laws}; noch nicht verglichen: "
+     "{missing}"},
 
     // How far a fit's numbers go.
     {"dampings_not_told_apart", worth_knowing,
-     "the damping terms of {law} cannot be told apart here: their sum is known, {sum}, its parts are not, "
+     "the damping terms of {law} cannot be told apart here: their sum is known, {sum}, but not its parts, "
      "and the interval of the {parameters} is cut at its bound 0",
      "die Dämpfungsglieder von {law} lassen sich hier nicht trennen: bekannt ist ihre Summe, {sum}, nicht "
      "ihre Teile"},
@@ -145,8 +145,8 @@ constexpr Entry entries[] = {
      "{rival:.5g} rad/s passt fast so gut wie {frequency:.5g} rad/s: wie viele Perioden in den Lücken "
      "vergingen, ist nicht sicher"},
     {"frequency_changes", worth_knowing,
-     "the frequency changes along the record: one decaying sinusoid accounts for {percent:.0f} % of the "
-     "variance only",
+     "the frequency changes along the record: one decaying sinusoid accounts for only {percent:.0f} % of the "
+     "variance",
      "die Frequenz ändert sich im Lauf der Aufnahme: eine abklingende Sinusschwingung erklärt nur "
      "{percent:.0f} % der Streuung"},
     {"half_swings_before_rest_unsure", worth_knowing,
@@ -157,7 +157,7 @@ constexpr Entry entries[] = {
     {"residuals_correlated", clause, "the residuals are correlated ({correlation:.3f} from sample to sample)",
      "die Reste hängen zusammen ({correlation:.3f} von Messwert zu Messwert)"},
     {"residuals_correlated_apart", clause,
-     "the residuals are correlated ({correlation:.3f} at {samples} samples apart)",
+     "the residuals are correlated ({correlation:.3f} at a lag of {samples} samples)",
      "die Reste hängen zusammen ({correlation:.3f} im Abstand von {samples} Messwerten)"},
     {"uncertainties_hardly_widened", detail,
      "{correlated}, but not at the swing's frequency: the uncertainties of frequency and decay are hardly "
@@ -180,8 +180,8 @@ constexpr Entry entries[] = {
      "die Gesetze wurden an den ersten {compared} von {samples} Messwerten verglichen; das gewählte ist an "
      "alle angepasst"},
     {"rival_laws", worth_knowing,
-     "this record cannot tell {law} from {rivals:or}: the uncertainties hold only if the law is right. "
-     "Known whichever it is: {known}",
+     "this record cannot tell {law} from {rivals:or}: the uncertainties hold only if the law is right. Known "
+     "whichever law is right: {known}",
      "diese Aufnahme kann {law} und {rivals:or} nicht trennen: die Unsicherheiten gelten nur, wenn das "
      "Gesetz stimmt. In jedem Fall bekannt: {known}"},
     {"rival_laws_of_a_fed_swing", worth_knowing,
@@ -191,21 +191,22 @@ constexpr Entry entries[] = {
     {"law_with_coefficients", clause, "{law} ({coefficients:,})", "{law} ({coefficients:,})"},
     {"coefficient", clause, "{parameter} {value:n}", "{parameter} {value:n}"},
     {"force_between_samples_open", worth_knowing,
-     "what the force did between its samples is open: as {reading} the rms residual is {rms:.4g}, as "
-     "{other_reading} it is {other_rms:.4g}: too close to decide; the uncertainties are widened for it. "
-     "{--between-samples} says which, if it is known",
-     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert "
-     "der Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
-     "Entscheidung; die Unsicherheiten sind dafür geweitet. {--between-samples} sagt es, wenn es bekannt "
-     "ist"},
+     "what the force did between its samples is not certain: read as {reading} the rms residual is "
+     "{rms:.4g}, read as {other_reading} it is {other_rms:.4g}, too close to decide; the uncertainties are "
+     "widened for it. If it is known, give {--between-samples}",
+     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert der "
+     "Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
+     "Entscheidung; die Unsicherheiten sind dafür geweitet. Ist es bekannt, bitte {--between-samples} "
+     "angeben"},
     {"force_between_samples_open_and_matters", worth_knowing,
-     "what the force did between its samples is open: as {reading} the rms residual is {rms:.4g}, as "
-     "{other_reading} it is {other_rms:.4g}: too close to decide; the other would make the {differences:,}; "
-     "the uncertainties are widened for it. {--between-samples} says which, if it is known",
-     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert "
-     "der Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
-     "Entscheidung; die andere Lesart gäbe {differences:,}; die Unsicherheiten sind dafür geweitet. "
-     "{--between-samples} sagt es, wenn es bekannt ist"},
+     "what the force did between its samples is not certain: read as {reading} the rms residual is "
+     "{rms:.4g}, read as {other_reading} it is {other_rms:.4g}, too close to decide; the other reading would "
+     "make the {differences:,}; the uncertainties are widened for it. If it is known, give "
+     "{--between-samples}",
+     "was die Kraft zwischen ihren Messwerten tat, ist offen: als {reading} gelesen ist der Effektivwert der "
+     "Reste {rms:.4g}, als {other_reading} gelesen {other_rms:.4g}: zu nah beieinander für eine "
+     "Entscheidung; die andere Lesart gäbe {differences:,}; die Unsicherheiten sind dafür geweitet. Ist es "
+     "bekannt, bitte {--between-samples} angeben"},
     {"parameter_elsewhere", clause,
      "{parameter} {value:.6g} ({errors:.1f} of the stated standard errors away)",
      "{parameter} {value:.6g} ({errors:.1f} Standardfehler entfernt)"},
@@ -226,47 +227,47 @@ constexpr Entry entries[] = {
      "die Schwingung klingt über {periods:.0f} Perioden nicht ab. Treibt sie etwas an, so sind Frequenz und "
      "Federkonstante nicht die der Feder"},
     {"swing_keeps_itself", wrong_if_ignored,
-     "the swing keeps itself over {periods:.0f} periods: negative damping feeds it as much as the rest "
+     "the swing sustains itself over {periods:.0f} periods: negative damping feeds it as much as the rest "
      "takes. A steady drive looks much the same: then the frequency is the drive's, and the stiffness that "
      "follows from it is not the spring's",
      "die Schwingung hält sich über {periods:.0f} Perioden selbst: eine negative Dämpfung gibt ihr, was der "
      "Rest nimmt. Ein gleichmäßiger Antrieb sähe fast genauso aus: dann sind Frequenz und Federkonstante "
      "nicht die der Feder"},
     {"amplitude_hardly_falls", wrong_if_ignored,
-     "the amplitude falls by {percent:.2g} % only over {periods:.0f} periods (quality factor "
+     "the amplitude falls by only {percent:.2g} % over {periods:.0f} periods (quality factor "
      "{quality_factor:.2g}): a drive that is not quite steady looks the same. If something drives it, the "
      "frequency is the drive's, and the stiffness that follows from it is not the spring's",
      "die Amplitude fällt über {periods:.0f} Perioden nur um {percent:.2g} % (Güte {quality_factor:.2g}): "
      "ein nicht ganz gleichmäßiger Antrieb sähe genauso aus. Treibt sie etwas an, so sind Frequenz und "
      "Federkonstante nicht die der Feder"},
     {"coarse_levels", wrong_if_ignored,
-     "the values take {levels:.0f} levels only, {resolution:.3g}{unit: } apart: the frequency follows from "
-     "when they change, but amplitude and decay rate hardly show, and their uncertainties cannot be "
-     "trusted; measure with a finer resolution",
+     "the values take only {levels:.0f} levels, {resolution:.3g}{unit: } apart: the frequency follows from "
+     "when they change, but amplitude and decay rate hardly show, and their uncertainties cannot be trusted; "
+     "measure with a finer resolution",
      "die Werte haben nur {levels:.0f} Stufen im Abstand {resolution:.3g}{unit: }: die Frequenz folgt "
      "daraus, wann sie wechseln, doch Amplitude und Abklingrate zeigen sich kaum, und ihren Unsicherheiten "
      "ist nicht zu trauen; bitte feiner messen"},
     {"law_does_not_describe", wrong_if_ignored,
-     "the law {law} does not describe this recording: what is left is {times:.0f} times the noise from "
+     "the law {law} does not describe this recording: the residual is {times:.0f} times the noise from "
      "sample to sample, and the uncertainties cannot be trusted",
-     "das Gesetz {law} beschreibt diese Aufnahme nicht: übrig bleibt das {times:.0f}-Fache des Rauschens, "
-     "und den Unsicherheiten ist nicht zu trauen"},
+     "das Gesetz {law} beschreibt diese Aufnahme nicht: die Reste sind das {times:.0f}-Fache des Rauschens "
+     "von Messwert zu Messwert, und den Unsicherheiten ist nicht zu trauen"},
     {"no_law_describes", wrong_if_ignored,
-     "no law tried describes this recording: what is left is {times:.0f} times the noise from sample to "
+     "no law tried describes this recording: the residual is {times:.0f} times the noise from sample to "
      "sample, and the uncertainties cannot be trusted",
-     "kein Gesetz beschreibt diese Aufnahme: übrig bleibt das {times:.0f}-Fache des Rauschens, und den "
-     "Unsicherheiten ist nicht zu trauen"},
+     "kein versuchtes Gesetz beschreibt diese Aufnahme: die Reste sind das {times:.0f}-Fache des Rauschens "
+     "von Messwert zu Messwert, und den Unsicherheiten ist nicht zu trauen"},
     {"zero_drifts", wrong_if_ignored,
-     "the zero drifts, by {drift:.3g}{unit: } over the record: take the drift off, or choose a shorter part",
-     "der Nullpunkt wandert, um {drift:.3g}{unit: } in der ganzen Aufnahme: bitte einen kürzeren Teil "
-     "wählen"},
+     "the zero drifts, by {drift:.3g}{unit: } over the record: remove the drift, or choose a shorter part",
+     "der Nullpunkt wandert, um {drift:.3g}{unit: } in der ganzen Aufnahme: bitte die Drift abziehen oder "
+     "einen kürzeren Teil wählen"},
     {"zero_jumps", wrong_if_ignored,
      "the zero jumps by {jump:.3g}{unit: } at {time:.4g} s: choose one side of it with {--from} and {--to}",
      "der Nullpunkt springt um {jump:.3g}{unit: } bei {time:.4g} s: bitte mit {--from} und {--to} eine "
      "Seite wählen"},
     {"swing_stops", wrong_if_ignored,
      "the swing stops between {from:.4g} and {to:.4g} s, from an amplitude of {amplitude:.3g}{unit: } to "
-     "less than a tenth of it within a period, as where a hand catches it: end before with {--to}",
+     "less than a tenth of it within a period, as when a hand catches it: end before with {--to}",
      "die Schwingung endet zwischen {from:.4g} und {to:.4g} s binnen einer Periode, wie von einer Hand "
      "gehalten: bitte mit {--to} vorher enden"},
     {"few_samples_in_a_period", wrong_if_ignored,
@@ -286,39 +287,40 @@ constexpr Entry entries[] = {
 
     // What else oscillates.
     {"line_beside_swing", worth_knowing,
-     "what the law leaves oscillates at {frequency:.5g} Hz, at first with an amplitude of "
-     "{amplitude:.2g}{unit: } ({percent:.2g} % of the swing's at {swing:.5g} Hz): {what}",
-     "was das Gesetz übrig lässt, schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von "
-     "{amplitude:.2g}{unit: } ({percent:.2g} % der Schwingung mit {swing:.5g} Hz): {what}"},
+     "the residual oscillates at {frequency:.5g} Hz, at first with an amplitude of {amplitude:.2g}{unit: } "
+     "({percent:.2g} % of the swing's at {swing:.5g} Hz): {what}",
+     "der Rest schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von {amplitude:.2g}{unit: } "
+     "({percent:.2g} % der Schwingung mit {swing:.5g} Hz): {what}"},
     {"second_harmonic", clause,
-     "twice the swing's own: its second harmonic, from a spring or a sensor that is not symmetric",
-     "das Doppelte der eigenen: ihre zweite Harmonische, von einer Feder oder einem Sensor, die nicht "
+     "twice the swing's frequency: its second harmonic, from a spring or a sensor that is not symmetric",
+     "das Doppelte ihrer Frequenz: die zweite Harmonische, von einer Feder oder einem Sensor, die nicht "
      "symmetrisch sind"},
     {"third_harmonic", clause,
-     "three times the swing's own: its third harmonic, from a spring, a damping or a sensor that is not "
-     "linear in another way than the law",
-     "das Dreifache der eigenen: ihre dritte Harmonische, von einer Feder, einer Dämpfung oder einem "
-     "Sensor, die anders als im Gesetz nicht linear sind"},
+     "three times the swing's frequency: its third harmonic, from a spring, a damping or a sensor that is "
+     "nonlinear in another way than the law",
+     "das Dreifache ihrer Frequenz: die dritte Harmonische, von einer Feder, einer Dämpfung oder einem "
+     "Sensor, die auf andere Weise nichtlinear sind als das Gesetz"},
     {"higher_harmonic", clause,
-     "{order} times the swing's own: a harmonic of it, as of a motion with corners or cut-off tops",
-     "das {order}-Fache der eigenen: eine Harmonische, wie von einer Bewegung mit Ecken oder "
+     "{order} times the swing's frequency: a harmonic of it, as from a motion with corners or cut-off peaks",
+     "das {order}-Fache ihrer Frequenz: eine Harmonische, wie von einer Bewegung mit Ecken oder "
      "abgeschnittenen Gipfeln"},
     {"second_mode", clause,
-     "a second mode, as of a coupled or a sideways swing, or something that shakes the mount",
+     "a second mode, as from a coupled or a sideways swing, or something that shakes the mount",
      "eine zweite Bewegung, wie gekoppelt oder seitwärts, oder etwas rüttelt an der Halterung"},
     {"line_beside_drive", worth_knowing,
-     "what the law leaves oscillates at {frequency:.5g} Hz, at first with an amplitude of "
-     "{amplitude:.2g}{unit: }: {what}",
-     "was das Gesetz übrig lässt, schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von "
-     "{amplitude:.2g}{unit: }: {what}"},
-    {"harmonic_of_drive", clause, "{order} times the drive's, as of a spring or a sensor that is not linear",
-     "das {order}-Fache des Antriebs, wie bei einer Feder oder einem Sensor, die nicht linear sind"},
+     "the residual oscillates at {frequency:.5g} Hz, at first with an amplitude of {amplitude:.2g}{unit: }: "
+     "{what}",
+     "der Rest schwingt mit {frequency:.5g} Hz, anfangs mit einer Amplitude von {amplitude:.2g}{unit: }: "
+     "{what}"},
+    {"harmonic_of_drive", clause,
+     "{order} times the drive's frequency, as from a spring or a sensor that is not linear",
+     "das {order}-Fache der Antriebsfrequenz, wie von einer Feder oder einem Sensor, die nicht linear sind"},
     {"another_drive", clause, "another drive, or another swing",
      "ein anderer Antrieb oder eine andere Schwingung"},
 
     // From where on a motion is free.
     {"level_until", clause,
-     "the amplitude stays level until {time:.4g} s and only falls from there, as where a drive stops",
+     "the amplitude stays level until {time:.4g} s and only falls from there, as when a drive stops",
      "die Amplitude bleibt bis {time:.4g} s gleich und fällt erst dann, wie wenn ein Antrieb endet"},
     {"held_still_until", clause, "it is held still until {time:.4g} s", "bis {time:.4g} s wird festgehalten"},
     {"held_still_then_set_going", clause, "it is held still until {time:.4g} s and then set going",

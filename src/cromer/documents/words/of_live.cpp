@@ -32,12 +32,12 @@ constexpr Entry entries[] = {
      "{path} exists and is not empty; a recording overwrites nothing: name another file, or move that one "
      "away",
      "{path} gibt es schon; eine Aufnahme überschreibt nichts: bitte einen anderen Namen wählen"},
-    {"last_line_not_whole", error, "{what}; its last line is not whole",
-     "{what}; die letzte Zeile ist nicht ganz"},
+    {"last_line_not_whole", error, "{what}; its last line is incomplete",
+     "{what}; die letzte Zeile ist unvollständig"},
 
     // Connections.
     {"serial_speed_unknown", error,
-     "serial:{device}: {baud} baud is no speed of serial lines; usual are 9600 and 115200",
+     "serial:{device}: {baud} baud is not a speed of serial lines; 9600 and 115200 are usual",
      "serial:{device}: {baud} Baud ist keine Geschwindigkeit serieller Leitungen; üblich sind 9600 und "
      "115200"},
     {"serial_not_opened", error, "serial:{device}: {why}", "serial:{device}: {why}"},
@@ -119,28 +119,30 @@ constexpr Entry entries[] = {
     {"device_clock_jumped_back", worth_knowing,
      "the device's clock jumped back by {jump:.6g} s at {time:.6g} s; the times go on from the computer's "
      "clock",
-     "die Uhr des Geräts sprang zurück um {jump:.6g} s bei {time:.6g} s; die Zeiten gehen nach dem Rechner "
+     "die Uhr des Geräts sprang bei {time:.6g} s um {jump:.6g} s zurück; die Zeiten gehen nach dem Rechner "
      "weiter"},
     {"device_clock_jumped_forward", worth_knowing,
-     "the device's clock jumped forward by {jump:.6g} s at {time:.6g} s; the times go on from the "
-     "computer's clock",
-     "die Uhr des Geräts sprang vorwärts um {jump:.6g} s bei {time:.6g} s; die Zeiten gehen nach dem "
-     "Rechner weiter"},
+     "the device's clock jumped forward by {jump:.6g} s at {time:.6g} s; the times go on from the computer's "
+     "clock",
+     "die Uhr des Geräts sprang bei {time:.6g} s um {jump:.6g} s vorwärts; die Zeiten gehen nach dem Rechner "
+     "weiter"},
     {"later_than_counted", worth_knowing,
-     "{difference:.3g} s later than {--rate} lets expect at {time:.6g} s; counting begins anew",
-     "{difference:.3g} s später, als {--rate} erwarten lässt, bei {time:.6g} s; die Zählung beginnt neu"},
+     "at {time:.6g} s a sample came {difference:.3g} s later than {--rate} predicts; counting begins anew",
+     "bei {time:.6g} s kam ein Messwert {difference:.3g} s später, als {--rate} erwarten lässt; die Zählung "
+     "beginnt neu"},
     {"earlier_than_counted", worth_knowing,
-     "{difference:.3g} s earlier than {--rate} lets expect at {time:.6g} s; counting begins anew",
-     "{difference:.3g} s früher, als {--rate} erwarten lässt, bei {time:.6g} s; die Zählung beginnt neu"},
+     "at {time:.6g} s a sample came {difference:.3g} s earlier than {--rate} predicts; counting begins anew",
+     "bei {time:.6g} s kam ein Messwert {difference:.3g} s früher, als {--rate} erwarten lässt; die Zählung "
+     "beginnt neu"},
     {"device_times_pass_too_fast", wrong_if_ignored,
-     "{duration:.4g} s of the device's times passed in {took:.2g} s: if they are milliseconds, "
-     "{--time-unit} ms says so",
-     "{duration:.4g} s des Geräts vergingen in {took:.2g} s: sind es Millisekunden, so sagt es "
-     "{--time-unit} ms"},
+     "{duration:.4g} s of the device's times passed in {took:.2g} s: if they are milliseconds, give "
+     "{--time-unit} ms",
+     "nach der Uhr des Geräts vergingen {duration:.4g} s in {took:.2g} s: sind es Millisekunden, bitte "
+     "{--time-unit} ms angeben"},
     {"device_times_run_fast", wrong_if_ignored,
-     "the device's times run {pace:.4g} times as fast as the clock: {--time-unit} says what they are in",
-     "die Zeiten des Geräts laufen {pace:.4g}-mal so schnell wie die Uhr: {--time-unit} sagt, worin sie "
-     "stehen"},
+     "the device's times run {pace:.4g} times as fast as the clock: give their unit with {--time-unit}",
+     "die Zeiten des Geräts laufen {pace:.4g}-mal so schnell wie die Uhr: bitte ihre Einheit mit "
+     "{--time-unit} angeben"},
     {"times_counted", worth_knowing, "times: counted, at the rate of {--rate}",
      "Zeiten: gezählt, im Takt von {--rate}"},
     {"times_by_rate", worth_knowing,
@@ -155,9 +157,9 @@ constexpr Entry entries[] = {
     {"times_by_arrival", worth_knowing, "times: those of arrival; no steady rate was found",
      "Zeiten: die der Ankunft; ein gleichmäßiger Takt wurde nicht gefunden"},
     {"times_by_arrival_and_rate", worth_knowing,
-     "times: those of arrival; no steady rate was found for long; {by_rate} of {samples} by one",
-     "Zeiten: die der Ankunft; ein gleichmäßiger Takt wurde nicht lange gefunden; {by_rate} von {samples} "
-     "nach einem"},
+     "times: those of arrival; no steady rate was found for long; {by_rate} of {samples} samples follow one",
+     "Zeiten: die der Ankunft; ein gleichmäßiger Takt hielt nie lange; {by_rate} von {samples} Messwerten "
+     "folgen einem"},
 };
 
 }  // namespace

@@ -15,14 +15,14 @@ constexpr Entry entries[] = {
      "{folder}: der Ordner enthält keine Aufnahme (eine Datei mit der Endung {endings}; Ordner darin werden "
      "nicht durchsucht)"},
     {"entries_left_aside", detail,
-     "{folder}: {left} of {all} entries are no recordings by their ending and are left aside",
+     "{folder}: {left} of {all} entries are not recordings by their endings and are left aside",
      "{folder}: {left} von {all} Einträgen sind nach ihrer Endung keine Aufnahmen und bleiben weg"},
     {"no_memory_for_file", error, "not enough memory for this file",
      "für diese Datei reicht der Speicher nicht"},
-    {"tripartite_without_plot", error, "{--tripartite} is a way to draw; say into which file with {--plot}",
+    {"tripartite_without_plot", error, "{--tripartite} is a way to draw; name the file with {--plot}",
      "{--tripartite} ist eine Art zu zeichnen; in welche Datei, sagt {--plot}"},
     {"tripartite_of_shock", error,
-     "{--tripartite} draws pseudo-velocities, which a shock spectrum has not; leave one of them out",
+     "{--tripartite} draws pseudo-velocities, and a shock spectrum has none; leave one of them out",
      "{--tripartite} zeichnet Pseudogeschwindigkeiten, die ein Schockspektrum nicht hat; bitte eines "
      "weglassen"},
     {"fourier_is_csv", error, "{--fourier}: {file}: the amplitudes are written as .csv",

@@ -28,11 +28,11 @@ constexpr Entry entries[] = {
      "das ist ein Tabellenblatt: bitte als CSV ausgeben"},
     {"archive_damaged", error, "the ZIP archive is damaged or not complete: export it again",
      "das ZIP-Archiv ist beschädigt oder nicht vollständig: bitte neu ausgeben"},
-    {"archive_of_many_files", error, "the ZIP archive holds more than {most} files",
-     "das ZIP-Archiv enthält mehr als {most} Dateien"},
+    {"archive_of_many_files", error, "the ZIP archive holds more than {most} files: unpack it",
+     "das ZIP-Archiv enthält mehr als {most} Dateien: bitte auspacken"},
     {"archive_locked", error, "the ZIP archive is locked with a password: export it without",
      "das ZIP-Archiv ist mit einem Kennwort verschlossen: bitte ohne ausgeben"},
-    {"archive_method", error, "the ZIP archive is packed by a method other than deflate",
+    {"archive_method", error, "the ZIP archive is packed by a method other than deflate: unpack it",
      "das ZIP-Archiv ist anders als mit deflate gepackt: bitte auspacken"},
     {"archive_too_large", error, "the ZIP archive claims to hold far more than its size: unpack it by hand",
      "das ZIP-Archiv gibt vor, weit mehr zu enthalten, als es groß ist: bitte von Hand auspacken"},
@@ -94,7 +94,7 @@ constexpr Entry entries[] = {
     {"more_values_than_columns", error, "there are more values than the {columns} columns",
      "das sind mehr Werte als die {columns} Spalten"},
     {"too_many_columns", error, "there are more than {most} columns", "das sind mehr als {most} Spalten"},
-    {"rows_far_shorter", error, "most rows are far shorter than the widest of {columns} columns",
+    {"rows_far_shorter", error, "most rows are far shorter than the widest, which has {columns} columns",
      "die meisten Zeilen sind weit kürzer als die breiteste mit {columns} Spalten"},
     {"bad_rows_left_out", detail, "{rows:bad row|bad rows} left out, the first in {@line}",
      "{rows:schlechte Zeile|schlechte Zeilen} weggelassen, die erste Stelle in {@line}"},
@@ -134,15 +134,15 @@ constexpr Entry entries[] = {
      "no column is known to be a position, angle or velocity: \"{column}\" is taken",
      "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: „{column}“ wird genommen"},
     {"first_column_taken", worth_knowing,
-     "no column is known to be a position, angle or velocity: \"{column}\" is taken of {columns}; "
-     "{--column} says another",
-     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: von {columns} wird „{column}“ "
-     "genommen; {--column} nennt eine andere"},
+     "no column is known to be a position, angle or velocity: of {columns}, \"{column}\" is taken; "
+     "{--column} names another",
+     "keine Spalte ist als Ort, Winkel oder Geschwindigkeit bekannt: von {columns} wird „{column}“ genommen; "
+     "{--column} nennt eine andere"},
     {"frequencies_only", error,
-     "there is no motion beside the time: {columns} {columns?holds a frequency|hold frequencies}; to fit "
-     "one all the same, say it with {--column}, for instance {--column} \"{first}\"",
-     "neben der Zeit gibt es keine Bewegung: {columns} {columns?enthält eine Frequenz|enthalten "
-     "Frequenzen}; soll sie dennoch angepasst werden, bitte wählen"},
+     "there is no motion beside the time: {columns} {columns?holds a frequency|hold frequencies}; to fit one "
+     "all the same, name it with {--column}, for instance {--column} \"{first}\"",
+     "neben der Zeit gibt es keine Bewegung: {columns} {columns?enthält eine Frequenz|enthalten Frequenzen}; "
+     "soll sie dennoch angepasst werden, bitte wählen"},
     {"no_column_beside_time", error, "there is no column beside the time",
      "neben der Zeit gibt es keine Spalte"},
     {"column_without_values", error, "column \"{column}\" of run {run} has no values",
@@ -150,7 +150,7 @@ constexpr Entry entries[] = {
     {"column_never_changes", worth_knowing, "column \"{column}\" never changes",
      "die Spalte „{column}“ ändert sich nie"},
     {"column_tops_cut_off", wrong_if_ignored,
-     "column \"{column}\": the motion's tops are cut off at the same value again and again, as where a "
+     "column \"{column}\": the motion's peaks are cut off at the same value again and again, as when a "
      "sensor is out of its range",
      "Spalte „{column}“: die Gipfel der Bewegung sind immer wieder beim selben Wert abgeschnitten: der "
      "Sensor war außerhalb seines Bereichs"},
@@ -167,7 +167,7 @@ constexpr Entry entries[] = {
      "die Einheit „{unit}“ der Spalte „{column}“ ist unbekannt: ihre Werte gelten, wie sie sind"},
     {"missing_values", detail, "{column}: {values:missing value|missing values}, the first in {@line}",
      "{column}: {values:fehlender Wert|fehlende Werte}, die erste Stelle in {@line}"},
-    {"measured_in_some_rows", detail, "{column} is measured in every {stride}{ending} row only",
+    {"measured_in_some_rows", detail, "{column} is measured only in every {stride}{ending} row",
      "{column} steht nur in jeder {stride}{ending} Zeile"},
     {"ordinal_th", clause, "th", "."},
     {"ordinal_st", clause, "st", "."},
@@ -182,7 +182,7 @@ constexpr Entry entries[] = {
      "{@line}"},
 
     // Times
-    {"rate_no_number", error, "{--rate} is not a number of samples per second above 0",
+    {"rate_no_number", error, "{--rate} must be a number of samples per second above 0",
      "die Messwerte je Sekunde müssen eine Zahl über 0 sein"},
     {"rate_not_used", worth_knowing, "{--rate} is not used: the times stand in \"{column}\"",
      "die Messwerte je Sekunde werden nicht gebraucht: die Zeiten stehen in „{column}“"},
@@ -226,9 +226,10 @@ constexpr Entry entries[] = {
     {"backward_times", detail, "{rows:row|rows} with a backward time left out, the first in {@line}",
      "{rows:Zeile|Zeilen} weggelassen: die Zeit ist rückläufig, die erste Stelle in {@line}"},
     {"times_made_even", detail,
-     "the times are rounded to {rounding:n} s and agree with even ones {spacing:n} s apart, which are taken",
+     "the times are rounded to {rounding:n} s and agree with even times {spacing:n} s apart, which are used "
+     "instead",
      "die Zeiten sind auf {rounding:n} s gerundet und passen zu gleichmäßigen im Abstand {spacing:n} s: "
-     "diese gelten"},
+     "stattdessen gelten diese"},
     {"gaps_in_times", worth_knowing, "{gaps:gap|gaps} in the times, the longest {longest:n} s at {at:n} s",
      "{gaps:Lücke|Lücken} in den Zeiten, die längste {longest:n} s bei {at:n} s"},
 
@@ -265,11 +266,11 @@ constexpr Entry entries[] = {
     {"labview_without_rows", error, "the file holds no segment with rows",
      "die Datei enthält keinen Abschnitt mit Zeilen"},
     {"labview_samples", worth_knowing,
-     "the header says {promised:n} samples a channel, the rows are {rows}: the rows are taken",
-     "der Kopf nennt {promised:n} Messwerte je Kanal, Zeilen sind es {rows}: die Zeilen gelten"},
+     "the header says {promised:n} samples per channel, but there are {rows} rows: the rows are taken",
+     "der Kopf nennt {promised:n} Messwerte je Kanal, doch es sind {rows} Zeilen: die Zeilen gelten"},
     {"labview_step", worth_knowing,
-     "the header says Delta_X {promised:n}, X_Value goes by steps of {step:n}: X_Value is taken",
-     "der Kopf nennt Delta_X {promised:n}, X_Value geht in Schritten von {step:n}: X_Value gilt"},
+     "the header says Delta_X {promised:n}, but X_Value goes in steps of {step:n}: X_Value is taken",
+     "der Kopf nennt Delta_X {promised:n}, doch X_Value geht in Schritten von {step:n}: X_Value gilt"},
 
     // PEER
     {"peer_step", error, "DT is not a step above 0", "DT ist kein Schritt über 0"},
@@ -285,7 +286,7 @@ constexpr Entry entries[] = {
      "seine binären Zahlen sind nicht nach IEEE 754: bitte in Datensätze 58 als Text umwandeln"},
     {"dataset_byte_order", error, "its byte order is neither 1 nor 2",
      "seine Bytereihenfolge ist weder 1 noch 2"},
-    {"dataset_bytes", error, "its number of bytes is not one", "seine Zahl von Bytes ist keine"},
+    {"dataset_bytes", error, "its number of bytes is not valid", "die Zahl seiner Bytes ist ungültig"},
     {"dataset_points", worth_knowing,
      "the dataset in {@line} announces {promised:n} points and holds {points}",
      "der Datensatz in {@line} kündigt {promised:n} Punkte an und enthält {points}"},

@@ -55,9 +55,10 @@ constexpr Entry entries[] = {
      "step",
      "{step} s bis {until} s sind {steps:.3g} Schritte, zu viele: bitte länger schreiten"},
     {"states_beyond_memory", error,
-     "{--step}: keeping {states:.3g} states needs {needed:n} of memory, and there are {memory:n}; take a "
+     "{--step}: keeping {states:.3g} states needs {needed:n} of memory, but there are only {memory:n}; take "
+     "a "
      "longer {--step}, a shorter {--until}, or keep every Nth state with {--every} N",
-     "{--step}: {states:.3g} Zustände zu behalten braucht {needed:n} Speicher, und da sind {memory:n}; "
+     "{--step}: {states:.3g} Zustände zu behalten braucht {needed:n} Speicher, aber nur {memory:n} sind da; "
      "bitte {--step} verlängern, {--until} verkürzen oder mit {--every} N nur jeden N-ten behalten"},
     {"accuracy_out_of_reach", error,
      "{--accuracy}: {accuracy} would need steps below {step:.3g} s, more than {steps:.0e} up to {until} s; "
@@ -93,7 +94,7 @@ constexpr Entry entries[] = {
      "{--hysteresis-stiffness}: eine Kraft mit Gedächtnis rechnet die Seite nicht; bitte cromer simulate "
      "nehmen"},
     {"hysteresis_with_other", error,
-     "{--hysteresis-stiffness} and {option:option} are not for one run; leave one of them out",
+     "{--hysteresis-stiffness} and {option:option} do not go together in one run; leave one of them out",
      "{--hysteresis-stiffness} und {option:option} gehen nicht in einem Lauf; bitte eines davon weglassen"},
     {"compensated_of_adaptive_method", error,
      "{--compensated}: {method} chooses its own steps, whose errors are larger than those of the sums; "
@@ -128,8 +129,8 @@ constexpr Entry entries[] = {
      "„{event}“ ist kein Ereignis, das sich beobachten lässt"},
     {"turning_point_has_no_value", clause, "a turning point has no value", "ein Umkehrpunkt hat keinen Wert"},
     {"event_value_missing", clause, "the value is missing", "der Wert fehlt"},
-    {"rising_and_falling", clause, "only one of rising and falling; without them both count",
-     "nur eines von rising und falling; ohne sie zählt beides"},
+    {"rising_and_falling", clause, "give only one of rising and falling; without them both count",
+     "bitte nur eines von rising und falling; ohne sie zählt beides"},
     {"event_word_unknown", clause, "\"{word}\" is not known", "„{word}“ ist unbekannt"},
     {"events_not_listed", worth_knowing, "{run}: only the first {listed} of {events} events are listed",
      "{run}: nur die ersten {listed} von {events} Ereignissen sind aufgeführt"},
@@ -142,8 +143,8 @@ constexpr Entry entries[] = {
      "{option:option} bewirkt mit {drive} nichts; bitte eines davon weglassen"},
     {"drive_needs_option", error, "{drive} needs {option:option}", "zu {drive} gehört {option:option}"},
     {"nothing_to_read", error,
-     "{--rate}, {--time-column}, {--delimiter}, {--decimal} and {--skip-bad-rows} read a {--drive-file} or "
-     "a {--base-motion}, and none is given",
+     "{--rate}, {--time-column}, {--delimiter}, {--decimal} and {--skip-bad-rows} are for reading a "
+     "{--drive-file} or a {--base-motion}, and none is given",
      "{--rate}, {--time-column}, {--delimiter}, {--decimal} und {--skip-bad-rows} gelten für {--drive-file} "
      "oder {--base-motion}, und keines ist angegeben"},
     {"two_recorded_drives", error, "{--drive-file} and {--base-motion} both drive; give one of them",
@@ -194,7 +195,7 @@ constexpr Entry entries[] = {
      "which column is the acceleration? {columns:,}; say it with {option:option}",
      "welche Spalte ist die Beschleunigung? {columns:,}; bitte mit {option:option} sagen"},
     {"times_not_even", error,
-     "{@line}: the times are not evenly spaced ({t:.6g} s where {even:.6g} s is expected, one sample each "
+     "{@line}: the times are not evenly spaced ({t:.6g} s where {even:.6g} s is expected, one sample every "
      "{spacing:.6g} s); a {use} needs even samples: resample it first",
      "{@line}: die Zeiten sind nicht gleichmäßig ({t:.6g} s, wo {even:.6g} s erwartet wird, alle "
      "{spacing:.6g} s ein Messwert); ein {use} braucht gleichmäßige Messwerte: bitte erst neu abtasten"},
@@ -307,8 +308,8 @@ constexpr Entry entries[] = {
     {"adds_damping", clause, "adds damping of {rate:.4g} 1/s", "fügt eine Dämpfung von {rate:.4g} 1/s hinzu"},
     {"keeps_damping", clause, "keeps your damping of {rate:.4g} 1/s",
      "behält die Dämpfung von {rate:.4g} 1/s"},
-    {"keeps_damping_nearly", clause, "keeps your damping of {rate:.4g} 1/s nearly ({simulated:.4g})",
-     "behält die Dämpfung von {rate:.4g} 1/s beinahe ({simulated:.4g})"},
+    {"keeps_damping_nearly", clause, "nearly keeps your damping of {rate:.4g} 1/s ({simulated:.4g})",
+     "behält beinahe die Dämpfung von {rate:.4g} 1/s ({simulated:.4g})"},
     {"turns_damping_into", clause, "turns your damping of {rate:.4g} 1/s into {simulated:.4g} 1/s",
      "macht aus der Dämpfung von {rate:.4g} 1/s eine von {simulated:.4g} 1/s"},
     {"turns_damping_into_growth", clause,
@@ -324,11 +325,11 @@ constexpr Entry entries[] = {
      "behält die Dämpfung von {rate:.4g} 1/s und die {frequency:.6g} rad/s"},
     {"swings_unlike_the_law", clause, "swings at {frequency:.4g} rad/s, where your law creeps back",
      "schwingt mit {frequency:.4g} rad/s, wo das Gesetz zurückkriecht"},
-    {"grows_hopping", clause, "grows, with another sign each step",
-     "wächst, bei jedem Schritt mit anderem Vorzeichen"},
+    {"grows_hopping", clause, "grows and changes sign at each step",
+     "wächst und wechselt bei jedem Schritt das Vorzeichen"},
     {"grows_without_swinging", clause, "grows without swinging", "wächst, ohne zu schwingen"},
-    {"dies_down_hopping", clause, "dies down with another sign each step, which your law does not",
-     "klingt mit wechselndem Vorzeichen bei jedem Schritt ab, was das Gesetz nicht tut"},
+    {"dies_down_hopping", clause, "dies down and changes sign at each step, which your law does not do",
+     "klingt ab und wechselt bei jedem Schritt das Vorzeichen, was das Gesetz nicht tut"},
     {"creeps_unlike_the_law", clause, "creeps back without swinging, where your law swings",
      "kriecht zurück, ohne zu schwingen, wo das Gesetz schwingt"},
     {"creeps_as_the_law", clause, "creeps back without swinging, as your law does",

@@ -44,7 +44,7 @@ constexpr Entry entries[] = {
      "{--loss-factor} summiert eingeschwungene Zustände über einem bandbegrenzten Boden; bitte "
      "{option:option} weglassen"},
     {"loss_factor_takes_long", error,
-     "{--loss-factor}: until the slowest oscillator rests, {what}: shorter periods or more damping",
+     "{--loss-factor}: until the slowest oscillator rests, {what}: take shorter periods or more damping",
      "{--loss-factor}: bis der langsamste Schwinger ruht, {what}: bitte kürzere Perioden oder mehr Dämpfung"},
     // Recordings.
     {"too_many_components", error,
@@ -61,13 +61,13 @@ constexpr Entry entries[] = {
      "{file}: die Spalte „{column}“ hat {acceleration:.4g} m/s^2 beim Messwert {sample}: so bebt nichts; "
      "bitte die Aufnahme ausbessern"},
     {"not_sampled_alike", error,
-     "{first} has a sample each {first_spacing:.6g} s and {second} one each {second_spacing:.6g} s; the "
+     "{first} has a sample every {first_spacing:.6g} s and {second} one every {second_spacing:.6g} s; the "
      "components of one motion must be sampled alike: resample one of them",
      "{first} hat alle {first_spacing:.6g} s einen Messwert und {second} alle {second_spacing:.6g} s; die "
      "Komponenten einer Bewegung müssen gleich abgetastet sein: bitte eine umrechnen"},
     {"acceleration_unit_assumed", wrong_if_ignored,
-     "{file}: column \"{column}\" has no unit and is taken as m/s^2; {--unit} says another",
-     "{file}: die Spalte „{column}“ hat keine Einheit und gilt als m/s^2; {--unit} sagt eine andere"},
+     "{file}: column \"{column}\" has no unit and is taken as m/s^2; {--unit} names another",
+     "{file}: die Spalte „{column}“ hat keine Einheit und gilt als m/s^2; {--unit} nennt eine andere"},
     {"two_motions", wrong_if_ignored,
      "{first} is of \"{first_motion}\" and {second} of \"{second_motion}\": components of two motions, "
      "whose RotD50 means nothing",
@@ -100,11 +100,11 @@ constexpr Entry entries[] = {
      "{--peaks} {peaks}: die Aufnahme ({duration:.6g} s) ist kürzer als die längste Periode ({longest:.6g} "
      "s), deren Spitze nach dem Ende kommen kann; continuous zählt auch die"},
     {"peaks_after_the_end", worth_knowing,
-     "from a period of {period:.4g} s on there are peaks that come after the recording's end, on a ground "
-     "that goes on at the speed it has then; {--peaks} samples looks no further than the recording",
-     "von einer Periode von {period:.4g} s an gibt es Spitzen nach dem Ende der Aufnahme, auf einem Boden, "
-     "der mit der Geschwindigkeit weitergeht, die er dann hat; {--peaks} samples sieht nicht weiter als die "
-     "Aufnahme"},
+     "from a period of {period:.4g} s on, some peaks come after the recording's end, where the ground is "
+     "taken to go on at the speed it has then; {--peaks} samples looks no further than the recording",
+     "von einer Periode von {period:.4g} s an kommen manche Spitzen nach dem Ende der Aufnahme; der Boden "
+     "gilt dann als mit seiner letzten Geschwindigkeit weiterbewegt; {--peaks} samples sieht nicht weiter "
+     "als die Aufnahme"},
     {"intensity_too_large", worth_knowing,
      "{file}: its Arias intensity, about 10^{decades:.0f} m/s, is above any number that a computer holds",
      "{file}: die Arias-Intensität, etwa 10^{decades:.0f} m/s, ist größer als jede Zahl, die ein Rechner "

@@ -23,8 +23,8 @@ constexpr Entry entries[] = {
      "{option:option}: eine Reihe misst die Bewegung selbst, nicht die Messwerte eines Sensors; bitte "
      "weglassen oder simulate nehmen"},
     {"sweep_takes_the_step", error,
-     "{--accuracy}: a sweep takes the step itself, which may be a grid: {--step} 0.001:0.1:20:log",
-     "{--accuracy}: eine Reihe nimmt den Schritt selbst, auch mehrere: {--step} 0.001:0.1:20:log"},
+     "{--accuracy}: a sweep needs the step itself, which may be a grid: {--step} 0.001:0.1:20:log",
+     "{--accuracy}: eine Reihe braucht den Schritt selbst, auch mehrere: {--step} 0.001:0.1:20:log"},
     {"sweep_has_no_event", error, "{--event}: a sweep measures whole runs; look for events with simulate",
      "{--event}: eine Reihe misst ganze Läufe; Ereignisse sucht simulate"},
     {"sweep_keeps_no_states", error,
@@ -39,12 +39,12 @@ constexpr Entry entries[] = {
      "{option:option}: eine Reihe rechnet mit Ort und Geschwindigkeit allein, nicht mit einer Kraft mit "
      "Gedächtnis; bitte simulate nehmen, einmal für jeden Wert"},
     {"settle_is_no_grid", error,
-     "{--settle}: \"{typed}\" looks like a grid, and this is one number for all points; it says how they "
-     "are found, not what they are",
+     "{--settle}: \"{typed}\" looks like a grid, but this is one number for all points; it says how they are "
+     "found, not what they are",
      "{--settle}: „{typed}“ sieht nach mehreren Werten aus, das hier ist eine Zahl für alle Punkte; sie "
      "sagt, wie sie gefunden werden, nicht, was sie sind"},
     {"threads_are_no_grid", error,
-     "{--threads}: \"{typed}\" looks like a grid, and this is one number for all points",
+     "{--threads}: \"{typed}\" looks like a grid, but this is one number for all points",
      "{--threads}: „{typed}“ sieht nach mehreren Werten aus, das hier ist eine Zahl für alle Punkte"},
     {"sweep_drives_go_on", error,
      "{--drive} {drive}: a sweep takes drives that go on: harmonic, unbalance or base; run the others with "
@@ -53,13 +53,11 @@ constexpr Entry entries[] = {
      "anderen laufen mit simulate"},
     // A loss factor.
     {"loss_factor_in_closed_form", error,
-     "{--loss-factor} is said of the settled motion of a linear law, in closed form; leave {option:option} "
-     "out",
+     "{--loss-factor} is for the settled motion of a linear law, in closed form; leave {option:option} out",
      "{--loss-factor} gilt für die eingeschwungene Bewegung eines linearen Gesetzes, in geschlossener Form; "
      "bitte {option:option} weglassen"},
     {"loss_factor_of_base", error,
-     "{--loss-factor} is said of the settled motion of a linear law, in closed form; leave {--drive} base "
-     "out",
+     "{--loss-factor} is for the settled motion of a linear law, in closed form; leave {--drive} base out",
      "{--loss-factor} gilt für die eingeschwungene Bewegung eines linearen Gesetzes, in geschlossener Form; "
      "bitte {--drive} base weglassen"},
     {"loss_factor_not_stepped", error,
@@ -70,7 +68,7 @@ constexpr Entry entries[] = {
      "{--loss-factor}: nichts treibt die Bewegung an; bitte {--drive-amplitude} und {--drive-frequency} "
      "angeben"},
     {"loss_factor_measure", error,
-     "{--loss-factor} is said of the settled motion; {--measure} {measure} looks at another",
+     "{--loss-factor} is for the settled motion; {--measure} {measure} looks at another",
      "{--loss-factor} gilt für die eingeschwungene Bewegung; {--measure} {measure} betrachtet eine andere"},
     // Grids and points.
     {"nothing_swept", error,
@@ -85,7 +83,7 @@ constexpr Entry entries[] = {
      "{axis:option} {value:n}{unit: }: {what}"},
     {"nothing_swings", error, "{axis:option}: at {low:n} nothing swings, so nothing settles; begin above it",
      "{axis:option}: bei {low:n} schwingt nichts, also schwingt sich nichts ein; bitte darüber beginnen"},
-    {"one_method", error, "{--method}: a sweep goes by one method, not by {methods}; run it once for each",
+    {"one_method", error, "{--method}: a sweep uses one method, not {methods}; run it once for each",
      "{--method}: eine Reihe hat ein Verfahren, nicht {methods}; bitte für jedes einmal rechnen"},
     {"rows_can_stream", error, "{what}, or let them stream to a file: -o FILE.h5",
      "{what}, oder bitte gleich in eine Datei schreiben lassen: -o FILE.h5"},
@@ -118,8 +116,9 @@ constexpr Entry entries[] = {
      "nehmen, zum Beispiel rk4, und keine trockene Reibung"},
     {"sweep_with_friction", clause, "friction", "trockener Reibung"},
     {"until_of_settled_motion", error,
-     "{--until}: {measure} is that of the settled motion, which has no end; leave {--until} out, or measure "
-     "peak, final or energy",
+     "{--until}: {measure} belongs to the settled motion, which has no end; leave {--until} out, or measure "
+     "peak, "
+     "final or energy",
      "{--until}: {measure} gehört zur eingeschwungenen Bewegung, und die hat kein Ende; bitte {--until} "
      "weglassen oder peak, final oder energy messen"},
     {"settle_and_until", error,
@@ -148,21 +147,21 @@ constexpr Entry entries[] = {
     {"chooses_its_steps", clause, "{method} chooses its own steps", "{method} wählt seine Schritte selbst"},
     {"law_not_linear", clause, "the law is not linear", "das Gesetz ist nicht linear"},
     {"grows_without_end", clause, "its motion grows without end", "seine Bewegung wächst ohne Ende"},
-    {"undamped_never_settles", clause, "it has no settled motion, without damping",
+    {"undamped_never_settles", clause, "without damping it has no settled motion",
      "ohne Dämpfung schwingt es sich nie ein"},
     {"stepped_not_settled", clause, "when stepped it does not settle in time",
      "in Schritten schwingt es sich nicht rechtzeitig ein"},
     {"stepped_runs_away", clause, "when stepped it runs away", "in Schritten läuft es davon"},
     // What the numbers rest on.
     {"few_steps_in_a_cycle", wrong_if_ignored,
-     "{--step}: at an end of the grid a cycle of the drive has {steps:.2g} steps only: what is found there "
-     "is the method's doing, not the law's",
-     "{--step}: am Rand hat eine Periode des Antriebs nur {steps:.2g} Schritte: was dort herauskommt, macht "
-     "das Verfahren, nicht das Gesetz"},
+     "{--step}: at an end of the grid a cycle of the drive has only {steps:.2g} steps: the result there is "
+     "the method's, not the law's",
+     "{--step}: am Rand hat eine Periode des Antriebs nur {steps:.2g} Schritte: das Ergebnis dort kommt vom "
+     "Verfahren, nicht vom Gesetz"},
     {"settles_by_own_damping", wrong_if_ignored,
-     "{points} of {all} points have no damping by the law: what settles there settles by {method}'s own "
-     "damping alone{number}; give {--damping} or {--damping-ratio}, or {--until} to see the motion that "
-     "does not settle",
+     "{points} of {all} points have no damping in the law: what settles there settles by {method}'s own "
+     "damping alone{number}; give {--damping} or {--damping-ratio}, or {--until} to see the motion that does "
+     "not settle",
      "{points} von {all} Punkten haben nach dem Gesetz keine Dämpfung: was sich dort einschwingt, tut es "
      "allein durch die Dämpfung des Verfahrens {method}{number}; bitte {--damping} oder {--damping-ratio} "
      "angeben, oder {--until}, um die Bewegung zu sehen, die sich nicht einschwingt"},

@@ -26,11 +26,11 @@ std::vector<Option> options_of(RecordOptions& o) {
   return {
       {"from", &o.from, "", Range::any,
        "serial:DEVICE[:BAUD], tcp:HOST:PORT, phyphox:HOST[:PORT], or - for standard input", "", source},
-      {"rate", &o.rate, "Hz", Range::positive, "samples per second, of lines without a time",
+      {"rate", &o.rate, "Hz", Range::positive, "samples per second, for lines without a time",
        "found from their arrival where it is steady", source},
       {"for", &o.duration, "s", Range::positive, "how long, from the first sample on", "until Ctrl-C",
        source},
-      {"time-unit", &o.time_unit, "", Range::any, "of the device's times: s, ms or us",
+      {"time-unit", &o.time_unit, "", Range::any, "unit of the device's times: s, ms or us",
        "what its heading says, else s", source},
       {"heading", &o.headings, "", Range::any,
        "name and unit of the values, \"Position (mm)\"; several with commas", "the device's own, else Value",

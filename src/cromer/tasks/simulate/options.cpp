@@ -50,8 +50,8 @@ std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {
     }
     if constexpr (std::is_same_v<T, Friction>)
       options.push_back({"static-friction", &o.static_friction, "N", Range::not_negative,
-                         "most that dry friction holds at rest, at least --friction", "as --friction",
-                         group});
+                         "largest force that dry friction holds at rest, at least --friction",
+                         "as --friction", group});
     if constexpr (std::is_same_v<T, Hysteresis>)
       options.push_back({"hysteresis-exponent", &o.law.hysteresis_exponent, "", Range::at_least_one,
                          "how sharply it gives way, n of beta |x'| |z|^(n-1) z + gamma x' |z|^n", "1",
@@ -89,7 +89,7 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"drive-amplitude", &o.drive_amplitude, "N", Range::not_negative,
        "amplitude F of the driving force, or height of a pulse", "0: none", drive},
       {"drive-frequency", &o.drive_frequency, "rad/s", Range::not_negative,
-       "its angular frequency w, where a chirp begins; may be given several times", "none", drive},
+       "its angular frequency w, of a chirp at its start; may be given several times", "none", drive},
       {"drive-phase", &o.drive_phase, "rad", Range::any, "its phase phi at t = 0, of a chirp at its start",
        "0", drive},
       {"drive-to", &o.drive_to, "rad/s", Range::not_negative, "angular frequency where a chirp ends", "",
@@ -122,12 +122,12 @@ std::vector<Option> options_of(SimulateOptions& o) {
        "length of a recorded drive",
        integration},
       {"tolerance", &o.tolerance, "", Range::tolerance,
-       "relative to the motion's scale, of Newton's last update or an adaptive method's step; 1e-15 to 1e-2",
+       "bound on Newton's last update or on the error of an adaptive method's step, relative to the motion's "
+       "scale; 1e-15 to 1e-2",
        "1e-12; adaptive 1e-9", integration},
       {"accuracy", &o.accuracy, "", Range::accuracy,
-       "in place of step: the largest that keeps frequency, decay and amplitude within this part of "
-       "themselves; "
-       "1e-9 to 0.5 (\"0.1 %\")",
+       "in place of step: the largest step that keeps frequency, decay and amplitude right to this relative "
+       "error; 1e-9 to 0.5 (\"0.1 %\")",
        "", integration},
       {"event", &o.event, "", Range::any,
        "report when it happens: position=VALUE, velocity=VALUE or turning-point, then any of :rising, "
@@ -140,8 +140,8 @@ std::vector<Option> options_of(SimulateOptions& o) {
       {"gamma", &o.gamma, "", Range::fraction, "of newmark: above 1/2 it damps, below it grows", "0.5",
        integration},
       {"rho-inf", &o.rho_inf, "", Range::fraction,
-       "of generalized-alpha: what is left of motions far faster than the step, each step", "0.8",
-       integration},
+       "of generalized-alpha: the share of motions far faster than the step that is left after each step",
+       "0.8", integration},
       {"every", &o.every, "", Range::positive, "keep every Nth state", "1", integration},
       {"compensated", &o.compensated, "", Range::any,
        "carry along what the sums of a fixed-step method round off, for runs of millions of steps", "",
@@ -152,7 +152,7 @@ std::vector<Option> options_of(SimulateOptions& o) {
        sensor, &o.sensor.used},
       {"sensor-offset", &o.sensor.offset, "m", Range::any, "reading at x = 0", "0", sensor, &o.sensor.used},
       {"seed", &o.sensor.seed, "", Range::any,
-       "of the noise; the same seed gives the same samples everywhere", "1", sensor, &o.sensor.used},
+       "seed of the noise; the same seed gives the same samples everywhere", "1", sensor, &o.sensor.used},
   };
   const auto terms = coefficients(o, law);
   options.insert(options.begin() + 1, terms.begin(), terms.end());

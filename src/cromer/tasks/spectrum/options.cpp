@@ -6,21 +6,22 @@ namespace cromer::core {
 std::vector<Option> options_of(SpectrumOptions& o) {
   constexpr std::string_view oscillators =
       "Which oscillators: a list, low:high:points or low:high:points:log";
-  constexpr std::string_view what = "What of them";
+  constexpr std::string_view what = "What to compute";
   constexpr std::string_view recording = "The recording";
   std::vector<Option> options{
       {"periods", &o.periods, "", Range::any, "natural periods, \"0.01:10:200:log\", \"20,50,100 ms\"",
        "0.01:10:200:log; of a shock, frequencies that suit it", oscillators},
       {"frequencies", &o.frequencies, "", Range::any,
-       "natural frequencies in their place, \"1:1000:200:log Hz\"", "", oscillators},
+       "natural frequencies instead of periods, \"1:1000:200:log Hz\"", "", oscillators},
       {"damping-ratio", &o.damping_ratio, "", Range::any, "damping ratios; may be given several times",
        "0.05", oscillators},
       {"loss-factor", &o.loss_factor, "", Range::any,
-       "hysteretic damping k (1 + i eta) in place of it, as a sum of steady states", "", oscillators},
+       "hysteretic damping k (1 + i eta) instead of viscous damping, as a sum of steady states", "",
+       oscillators},
       {"peaks", &o.peaks, "", Range::any,
-       "continuous (everywhere, after the recording's end too), samples (at them alone) or peer (ten a "
-       "period "
-       "at least, straight lines between samples)",
+       "where the largest values are looked for: continuous (everywhere, after the recording's end too), "
+       "samples (at the samples alone) or peer (at ten points a period at least, straight lines between "
+       "samples)",
        "continuous", what},
       {"between-samples", &o.between_samples, "", Range::any,
        "linear, hold, or band-limited (windowed sinc, 16 points for each, then linear)", "linear", what},
@@ -32,8 +33,8 @@ std::vector<Option> options_of(SpectrumOptions& o) {
       {"column", &o.column, "", Range::any, "the acceleration; twice for two components in one file",
        "the only one", recording},
       {"run", &o.run, "", Range::positive, "which run of the file, from 1", "the first", recording},
-      {"unit", &o.unit, "", Range::any, "of the acceleration where the file says none: g, m/s^2, cm/s^2",
-       "m/s^2", recording},
+      {"unit", &o.unit, "", Range::any,
+       "unit of the acceleration where the file gives none: g, m/s^2, cm/s^2", "m/s^2", recording},
   };
   const auto read = options_of(o.read);
   options.insert(options.end(), read.begin(), read.end());

@@ -93,7 +93,7 @@ std::vector<Option> options_of(SweepOptions& o) {
         "cycles), energy (likewise, or at the end), final (x and v); several with commas",
         "amplitude,phase of the settled motion; without a drive peak,final,energy", sweep},
        {"settle", &o.settle, "", Range::not_negative, "cycles of the drive that are dropped",
-        "found out: until the changes still to come are below 1e-6", sweep},
+        "as many as it takes until the changes still to come are below 1e-6", sweep},
        {"direction", &o.direction, "", Range::any,
         "up, down or both: each point starts where the one before ended (hysteresis)", "each point by itself",
         sweep},
