@@ -1,4 +1,4 @@
-// What the options of a forced or driven fit say.
+// What the options of a fit say about the law and its drive.
 #pragma once
 
 #include <optional>
@@ -7,25 +7,25 @@
 
 namespace cromer::core {
 
-/// Whether a fit of something driven is asked for.
+/// Whether a driven fit is asked for.
 bool is_driven(const FitOptions& options);
 
-/// Whether --law names one; else the data choose it.
+/// Whether --law names a law; otherwise the data choose it.
 bool law_is_chosen(const FitOptions& options);
 
-/// The names of the options given that ask for something of a free decay: segment, segments, goal, textbook.
+/// Names of the given options that only a free decay can answer: segment, segments, goal, textbook.
 std::vector<std::string_view> unused_if_driven(const FitOptions& options);
 
-/// That each option of a forced or driven fit stands where it has a meaning and has one of its values.
+/// Checks that each option of a driven fit is given where it has a meaning, with a value that it can have.
 Result<void> check_forced_options(const FitOptions& options);
 
-/// How --between-samples reads the force; nothing for auto.
+/// How --between-samples reads the force; empty for auto.
 std::optional<BetweenSamples> reading_of(const FitOptions& options);
 
-/// The law of --law and --no-spring; nothing for auto.
+/// The law of --law and --no-spring; empty for auto.
 Result<std::optional<Law>> law_of(const FitOptions& options);
 
-/// The [rad/s] of --drive-frequency; nothing for auto.
+/// The angular frequency of --drive-frequency [rad/s]; empty for auto.
 Result<std::optional<double>> drive_of(const FitOptions& options);
 
 }  // namespace cromer::core
