@@ -1,4 +1,4 @@
-// The options of fit at, below and above each limit, and what is said of those that cannot be.
+// The options of fit at, below and above each limit, and the messages for those that are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -23,10 +23,10 @@ struct DecaySegments {
 };
 
 /// Fits the viscous law, with an equilibrium of its own, to one segment after the other from the first sample
-/// on. `length` [s] > 0 is their length; `count` > 0 alone divides the record into equal parts; both give at
-/// most `count` segments of that length; neither gives none. Segments that would hold less than 1.5 periods
-/// or 8 samples are not fitted, and a notice says so. A segment whose fit fails is left out; one notice names
-/// them all.
+/// on. `length` [s] > 0 is their length; `count` > 0 alone divides the record into equal parts; both together
+/// give at most `count` segments of that length; with neither there are none. Segments that would hold less
+/// than 1.5 periods or 8 samples are not fitted, and a notice says so. A segment whose fit fails is left out;
+/// one notice tells of all of them.
 DecaySegments fit_segments(const Record& record, double period, std::optional<double> length,
                            std::optional<int> count, const Watch& watch = {});
 

@@ -213,7 +213,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
     law_motion = observed_motion(result.fit.motion, result.fit.drive, t, whole.derivative, result.fit.step);
   result.fit.drive.force.samples = {};  // they do not outlive this function
   if (law_motion.empty()) return result;
-  // The law goes on through what was held out.
+  // The law is carried on through the samples held out.
   HeldOut& held = result.held_out.emplace(HeldOut{.from = t[fitted], .to = t.back(), .samples = 0, .rms = 0});
   for (std::size_t i = fitted; i < law_motion.size(); ++i) {
     held.rms += (y[i] - law_motion[i]) * (y[i] - law_motion[i]);
