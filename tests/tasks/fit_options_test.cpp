@@ -8,7 +8,7 @@
 #include "cromer/model/terms.h"
 #include "cromer/read/in_file.h"
 #include "cromer/tasks/fit/fit.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/option/part_of_work.h"

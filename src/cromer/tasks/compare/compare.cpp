@@ -21,7 +21,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/in_file.h"
 #include "cromer/result.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/option/part_of_work.h"
 #include "cromer/tasks/simulate/run_law.h"

@@ -17,32 +17,14 @@
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
 #include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
-#include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
-#include "cromer/tasks/option/option.h"
 #include "cromer/tasks/option/part_of_work.h"
 
 namespace cromer::core {
 namespace {
-
-/// The table of options has the ranges; here is what options require of each other.
-Result<void> check_options(FitOptions options) {
-  for (const Option& option : options_of(options))
-    if (auto good = check(option); !good) return good;
-  if (options.spring_mass && !options.mass) return Error{"spring_mass_alone"};
-  if (options.monte_carlo && !options.mass) return Error{"monte_carlo_without_mass"};
-  if (options.temperature && !options.disc_diameter) return Error{"temperature_without_disc"};
-  if (options.seed_given && !options.monte_carlo) return Error{"seed_without_monte_carlo"};
-  if (!options.goal.empty())
-    if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
-  if (options.no_spring && options.force_column.empty()) return Error{"no_spring_without_force"};
-  if (const Result<void> good = check_forced_options(options); !good) return good;
-  if (options.from && options.to && !(*options.from < *options.to))
-    return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
-  return {};
-}
 
 void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quantity& temperature,
                   const Watch& watch) {
@@ -132,12 +114,6 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
 }
 
 std::size_t FittedRecording::used() const { return without_outliers(series).t.size(); }
-
-Result<void> check_fit_options(const FitOptions& options) {
-  if (const Result<void> checked = check_options(options); !checked) return checked;
-  if (const auto law = law_of(options); !law) return law.error();
-  return {};
-}
 
 FittedRecording not_fitted(std::string_view file, int run, const Notice& why) {
   FittedRecording row;

@@ -13,8 +13,8 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
-#include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 

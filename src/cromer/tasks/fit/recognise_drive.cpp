@@ -7,7 +7,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/identify/fit_settings.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {

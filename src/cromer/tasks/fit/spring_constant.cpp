@@ -9,7 +9,7 @@
 #include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {

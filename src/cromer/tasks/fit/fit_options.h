@@ -1,11 +1,17 @@
-// What the options of a fit say about the law and its drive.
+// What the options of a fit say, and whether they suit each other.
 #pragma once
 
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core {
+
+/// Checks the range of each option, and what options require of each other. An Error names option, value and
+/// constraint.
+Result<void> check_options(const FitOptions& options);
 
 /// Whether a driven fit is asked for.
 bool is_driven(const FitOptions& options);
@@ -15,9 +21,6 @@ bool law_is_chosen(const FitOptions& options);
 
 /// Names of the given options that only a free decay can answer: segment, segments, goal, textbook.
 std::vector<std::string_view> unused_if_driven(const FitOptions& options);
-
-/// Checks that each option of a driven fit is given where it has a meaning, with a value that it can have.
-Result<void> check_forced_options(const FitOptions& options);
 
 /// How --between-samples reads the force; empty for auto.
 std::optional<BetweenSamples> reading_of(const FitOptions& options);
