@@ -35,7 +35,8 @@ std::string refusal(const SimulateOptions& options) {
 }
 
 TEST(Accuracy, ForwardEulersStepIsItsClosedForm) {
-  // Decay rate b - w^2 h/2: within 1 % of b for h = 0.02 b/w^2; the amplitude after 10 s asks for the like.
+  // Decay rate b - w^2 h/2: within 1 % of b for h = 0.02 b/w^2; the amplitude after 10 s gives about the same
+  // limit.
   const SimulatedRun run = run_of(lightly_damped("forward-euler", 0.01));
   ASSERT_TRUE(run.accuracy);
   const double amplitude = std::log1p(0.01) / 10 * 2 / 36, decay = 0.02 * 0.15 / 36;
@@ -86,7 +87,7 @@ TEST(Accuracy, AShakingBaseIsTheForceThatItMakes) {
   base.base_displacement = 0.01;
   const SimulatedRun by_force = run_of(force), by_base = run_of(base);
   EXPECT_EQ(by_base.step, by_force.step);
-  // Measured on a run, both: what is only predicted differs in the last digits.
+  // Both are measured on a run; what is only predicted differs in the last digits.
   EXPECT_EQ(by_base.accuracy->frequency_error, by_force.accuracy->frequency_error);
   EXPECT_EQ(by_base.accuracy->decay_error, by_force.accuracy->decay_error);
 }

@@ -1,5 +1,5 @@
-// Runs in compensated sums: the same motion by every method and law, and better where sums are what limits
-// it.
+// Runs in compensated sums: the same motion by every method and law, and a better one where rounded sums
+// limit it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// From options to the drive of a run: what each drive needs, takes and has no use for.
+// From options to the drive of a run: what each drive needs, may take, and refuses.
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/documents/words/words.h"
 

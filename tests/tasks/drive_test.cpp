@@ -75,7 +75,7 @@ TEST(Drive, MeetsChoprasTheoreticalHalfSine) {
   for (std::size_t i = 0; i < 11; ++i) EXPECT_NEAR(only.trajectory.x[i], table[i], 2e-4) << i;
 }
 
-// The least that is a recording: two rows, a straight line between them, and no run beyond the second.
+// The shortest recording: two rows, a straight line between them, and no run beyond the second.
 TEST(Drive, TwoRowsAreARamp) {
   const auto two =
       read_drive_record("Time (s),Force (N)\n0,0\n0.5,3\n", "two.csv", {.quantity = "force"}, {});

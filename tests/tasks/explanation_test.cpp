@@ -1,4 +1,4 @@
-// What a comparison and a run say in words, of handmade numbers.
+// Sentences on a comparison and on a run, of handmade numbers.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

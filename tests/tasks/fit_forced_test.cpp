@@ -210,7 +210,7 @@ TEST(FitDriven, SaysTheDrive) {
 }
 
 TEST(FitDriven, AGyroscopesRecordIsOneOfAngularVelocities) {
-  // The derivative of the beats by central differences, which is theirs but for a factor near 1.
+  // The derivative of the beats by central differences: exact apart from a factor near 1.
   std::istringstream angles(beats(0.3));
   std::string line;
   std::getline(angles, line);

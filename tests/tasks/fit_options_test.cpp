@@ -1,4 +1,4 @@
-// The options of fit at, below and above each limit, and what is said of those that cannot be.
+// The options of fit at, below and above each limit, and the messages for those that are refused.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "cromer/model/law_force.h"
 #include "cromer/read/in_file.h"
 #include "cromer/tasks/fit/fit.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/option/part_of_work.h"

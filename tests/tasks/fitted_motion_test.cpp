@@ -1,4 +1,4 @@
-// The units of what a fit says, whatever unit the column was written in.
+// Units of a recorded motion, whatever unit the column was written in.
 #include "cromer/tasks/fit/fitted_motion.h"
 
 #include <gtest/gtest.h>

@@ -17,7 +17,7 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-// Nothing where the recording is not here.
+// Empty if the recording is not here.
 std::optional<FittedRecording> fitted(const char* name, const FitOptions& options) {
   const std::string path = data(name);
   if (!std::filesystem::exists(path)) return std::nullopt;

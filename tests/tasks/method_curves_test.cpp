@@ -1,4 +1,4 @@
-// Curves that studies alone draw: their limits, what they refuse, and what they are without options.
+// Curves that only studies draw: their limits, refusals and defaults.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -64,8 +64,8 @@ TEST(PlanRecording, TheAdvisedLengthReachesTheGoal) {
   EXPECT_NEAR(reached("decay_rate", result.plan->duration, 0.05, 0) / 0.005, 1, 0.1);
 }
 
-// Where the body rests is known the better the longer one looks, swing or none: by one over the root of the
-// samples. A larger swing tells no more of it.
+// The equilibrium is known the better the longer one records, with or without a swing: its error goes as one
+// over the root of the number of samples. A larger swing does not help.
 TEST(PlanRecording, TheEquilibriumGoesOnBeyondTheSwing) {
   const RecordingPlan plan = *fitted(decay(20, 0.2, 1e-3, 1), "equilibrium 3e-6 m").plan;
   EXPECT_TRUE(plan.possible);

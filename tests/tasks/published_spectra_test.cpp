@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "tests/tasks/ground_motion.h"
 #include "cromer/documents/words/words.h"
+#include "tests/tasks/ground_motion.h"
 
 namespace cromer::core {
 namespace {
@@ -91,7 +91,7 @@ TEST(PublishedSpectra, Eqsig) {
     const double off = psa / standard_gravity / rows[i][1] - 1;
     EXPECT_LT(std::abs(off), 0.015) << "at " << period << " s";
     worst = std::max(worst, std::abs(off));
-    // With three samples a period and ten periods in the recording both know what they are about.
+    // With three samples a period and ten periods in the recording, both are accurate.
     if (period > 0.0287 && period < 4.6) {
       const double with_their_g = std::abs(psa / 9.81 / rows[i][1] - 1);
       EXPECT_LT(with_their_g, 3e-4) << "at " << period << " s";

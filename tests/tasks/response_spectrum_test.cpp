@@ -294,7 +294,7 @@ TEST(ResponseSpectrum, BadOptionsAreNamed) {
   EXPECT_THAT(with([](auto& o) { o.column = {"force"}; }), HasSubstr("force"));
 }
 
-// Little damping: half the loss factor is the damping ratio, but for what the ground does between its
+// With little damping, half the loss factor is the damping ratio, apart from what the ground does between its
 // samples.
 TEST(ResponseSpectrum, OfHystereticDampingIsNearThatOfADamper) {
   const SpectrumFile file = recording(600, 0.01, [](double t) { return ripple(t) * t * std::exp(-t); });
@@ -352,7 +352,8 @@ TEST(ResponseSpectrum, TwoComponentsMustMatch) {
   const auto shortened = response_spectrum(unequal, {});
   ASSERT_TRUE(shortened.ok());
   EXPECT_EQ(shortened->components[0].acceleration.size(), 250u);
-  EXPECT_THAT(in_words(shortened->notices), ::testing::Contains(HasSubstr("its last 50 samples are left out")));
+  EXPECT_THAT(in_words(shortened->notices),
+              ::testing::Contains(HasSubstr("its last 50 samples are left out")));
   EXPECT_FALSE(response_spectrum(three, {}).ok());
   SpectrumOptions shock;
   shock.shock = true;
@@ -380,8 +381,9 @@ TEST(ResponseSpectrum, DoubtfulPeriodsAreSaid) {
       in_words(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->notices),
       ElementsAre(HasSubstr("from a period of 50 s on, some peaks come after the recording's end")));
   options.peaks = "samples";
-  EXPECT_THAT(in_words(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->notices),
-              ElementsAre(HasSubstr("is shorter than the longest period")));
+  EXPECT_THAT(
+      in_words(spectrum_of(recording(300, 0.01, [](double t) { return 1 + 0.1 * t; }), options)->notices),
+      ElementsAre(HasSubstr("is shorter than the longest period")));
 }
 
 TEST(ResponseSpectrum, StopsWhenInterrupted) {

@@ -147,7 +147,7 @@ TEST(RunEffect, OfNonlinearLawsWhatWasMeasuredIsSaid) {
   EXPECT_THAT(exact, HasSubstr("swung at 0.9994"));
   EXPECT_THAT(exact, HasSubstr("the method itself nothing"));
   EXPECT_THAT(exact, HasSubstr("had 0.5 J, of which drag took 99."));
-  // What implicit Euler takes, drag cannot take any more.
+  // Energy that implicit Euler takes is no longer there for drag to take.
   const auto& balance = *result.runs[0].energy_balance;
   EXPECT_LT(balance.method(), -0.1 * balance.start);
   EXPECT_THAT(lossy, HasSubstr("the method itself 2"));
@@ -197,7 +197,7 @@ TEST(RunEffect, OptionsOfTheMethodReachIt) {
   EXPECT_THAT(in_words(refused.error()), HasSubstr("--rho-inf: it must lie between 0 and 1, not 1.2"));
 }
 
-/// What arrives, measured on the last cycles of a run.
+/// What is transmitted, measured on the last cycles of a run.
 MeasuredSteadyState measured(const SimulatedRun& run, double base) {
   Trajectory arriving = run.trajectory;
   for (std::size_t i = 0; i < arriving.size(); ++i) {
@@ -218,8 +218,8 @@ SimulateOptions mount(double w) {
   return options;
 }
 
-/// Every method but forward Euler, which grows, for long: the steady state it is said to have is the one its
-/// run gets to, and near the exact one.
+/// Long runs by every method but forward Euler, which grows: each reaches the steady state that its effect
+/// predicts, near the exact one.
 void check(const SimulateOptions& options, double sent) {
   for (const SimulatedRun& run : simulated(options).runs) {
     ASSERT_TRUE(run.transmission) << run.method;

@@ -1,4 +1,4 @@
-// What is said of recordings that are no plain free swing, and refused of them, from the bytes of a file on.
+// Notices and refusals for recordings that are no plain free swing, from the bytes of a file on.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

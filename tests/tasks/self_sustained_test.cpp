@@ -1,4 +1,4 @@
-// What is said of a recorded swing that negative damping feeds and van der Pol's term bounds.
+// A recorded swing that negative damping feeds and van der Pol's term bounds.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

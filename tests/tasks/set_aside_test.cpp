@@ -1,4 +1,4 @@
-// Samples that a fit sets aside are in nothing else that is said of the recording.
+// Samples that a fit sets aside count in no other result.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -23,7 +23,7 @@ using testing::StartsWith;
 
 constexpr double two_pi = 2 * std::numbers::pi;
 
-/// Why no runs are set up; "" where they are.
+/// Why no runs are set up; "" if they are.
 std::string refused(const SimulateOptions& options) {
   const auto runs = set_up_runs(options);
   return runs ? "" : in_words(runs.error());

@@ -116,7 +116,7 @@ TEST(SweepGrids, AGridOfOneValueIsASweepOfOnePoint) {
       swept(options_with(with(driven, {{"damping", "0.1:0.1:1"}, {"drive-phase", "0.2"}}), "exact"));
   EXPECT_EQ(both.plan.rows.columns[0], "damping (kg/s)");
   EXPECT_EQ(both.plan.rows.rows, 57u);
-  // A term of which only 0 is swept is none.
+  // A term that is swept only at 0 is absent.
   EXPECT_EQ(swept(options_with(with(driven, {{"cubic", "0:0:1"}}))).plan.way, "closed form");
   const SweepResult free = swept(options_with({{"position", "0.5"}, {"until", "3"}}, "exact"));
   EXPECT_THAT(free.plan.rows.columns, ElementsAre("position (m)", "until (s)", "peak (m)", "x (m)", "v (m/s)",
@@ -178,12 +178,12 @@ TEST(SweepGrids, SaysHowLongStepsAndRunsAre) {
   EXPECT_EQ(steps(free), "200 steps in a natural period, for 20 natural periods");
   EXPECT_EQ(steps(with(free, {{"until", "3"}, {"step", "0.1"}})), "steps of 0.1 s, to 3 s");
   EXPECT_EQ(steps(with(free, {{"until", "3,4"}, {"step", "0.1"}})), "steps of 0.1 s");
-  // They are these: a point of its own at that step and end has the same bits.
+  // The defaults are these: a point of its own at that step and end has the same bits.
   const double period = 2 * std::acos(-1.0), step = period / 200, until = 20 * period;
   const SweepResult named = swept(options_with(
       with(free, {{"step", fmt::format("{:.17g}", step)}, {"until", fmt::format("{:.17g}", until)}})));
   EXPECT_EQ(swept(options_with(free)).rows, named.rows);
-  // A file that would be gone on with after such a default had changed is another sweep's.
+  // Once such a default has changed, a file cannot be continued: it belongs to another sweep.
   EXPECT_THAT(swept(options_with(free)).plan.rows.description,
               AllOf(HasSubstr("\"steps_per_period\": 200"), HasSubstr("\"periods\": 20")));
 }

@@ -1,4 +1,4 @@
-// What a sweep is planned as, and why it is not: every refusal word for word.
+// The plan of a sweep, and every refusal word for word.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-/// Why it is not planned; "" where it is.
+/// Why it is not planned; "" if it is.
 std::string refused(const SweepOptions& options) {
   const auto plan = plan_sweep(options);
   return plan ? "" : in_words(plan.error());

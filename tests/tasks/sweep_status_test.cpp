@@ -1,4 +1,4 @@
-// What becomes of points that do not simply settle: each has its status, and what is odd is said.
+// Points that do not simply settle: each has its status, and notices say what is odd.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -141,7 +141,7 @@ TEST(SweepStatus, LagsOutsideZeroToPiAreKeptAndCounted) {
   const SweepResult stepped = swept(law, "forward-euler", 200);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(stepped.rows[3 * i + 2], result.rows[3 * i + 2], 1e-6);
   EXPECT_EQ(swept(law, "exact").counts.phase_outside, 0u);
-  // Of a motion that has not settled the lag is anywhere, and the method is not to blame alone.
+  // The lag of a motion that has not settled can be anything; the method alone is not to blame.
   const SweepResult early = swept(
       {{"damping", "0.01"}, {"drive-amplitude", "1"}, {"drive-frequency", "0.8:0.99:20"}, {"velocity", "1"}},
       "rk4", 1);

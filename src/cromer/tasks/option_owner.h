@@ -5,7 +5,7 @@
 
 namespace cromer::core {
 
-/// The first of simulate, fit, compare and methods that has an option of this name; "" where none has.
+/// The first of simulate, fit, compare and methods that has an option of this name; "" if none has.
 std::string_view option_owner(std::string_view name);
 
 }  // namespace cromer::core

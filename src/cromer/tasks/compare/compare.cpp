@@ -21,7 +21,7 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/in_file.h"
 #include "cromer/result.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/option/part_of_work.h"
 #include "cromer/tasks/simulate/run_law.h"
@@ -34,8 +34,9 @@ namespace {
 constexpr double most_steps = 1e8;
 constexpr double of_fits = 0.7;  // of the work, roughly
 
-/// Takes the states of a run at the times `t` [s], strictly increasing, which must outlive it; between two
-/// states by the cubic that has their positions and velocities, within `slack` [s] of one that state.
+/// Keeps the states of a run at the times `t` [s], strictly increasing, which must outlive it. Between two
+/// states of the run it takes the cubic that has their positions and velocities; within `slack` [s] of a
+/// state, that state.
 class KeepAt {
  public:
   KeepAt(const std::vector<double>& t, double slack) : t_(t), slack_(slack) {
@@ -74,7 +75,7 @@ class KeepAt {
   Trajectory kept_;
 };
 
-/// Of two motions sampled at the same times.
+/// How two motions, sampled at the same times, compare at the end.
 struct EndComparison {
   double amplitude_ratio = 1;  ///< of the second over the first
   double phase_drift = 0;      // [rad] of the second minus the first, followed through the record
@@ -98,8 +99,9 @@ std::complex<double> local_sinusoid(std::span<const double> t, std::span<const d
 
 Window late_half(Window window) { return {window.first + (window.last - window.first) / 2, window.last}; }
 
-// The second motion over the first at the window's end: the change of their ratio from the first half to the
-// second, carried on by the quarter of the window that lies between the second half's middle and the end.
+// The second motion over the first at the window's end. The change of their ratio from the first half to the
+// second is extrapolated by a quarter of the window, which lies between the middle of the second half and the
+// end.
 std::complex<double> ratio_at_end(std::span<const double> t, std::span<const double> first,
                                   std::span<const double> second, Window window, double w) {
   const Window late = late_half(window), early{window.first, late.first};
@@ -110,7 +112,7 @@ std::complex<double> ratio_at_end(std::span<const double> t, std::span<const dou
   return std::isfinite(std::abs(change)) ? after * std::sqrt(change) : after;
 }
 
-// From the first to the last upward crossing of zero; `otherwise` where there are fewer than three.
+// From the first to the last upward crossing of zero; `otherwise` if there are fewer than three.
 double frequency_in(std::span<const double> t, std::span<const double> x, Window window, double otherwise) {
   int crossings = 0;
   double from = 0, to = 0;
@@ -123,8 +125,9 @@ double frequency_in(std::span<const double> t, std::span<const double> x, Window
 }
 
 /// Windows of ten periods 2 pi/w follow the phase through the record, so that a drift beyond half a turn is
-/// not folded back; the last one, carried on from its middle to its end, gives the result. The frequency of
-/// each window is that of `guide`, a motion without noise near both, where it turns there; else w [rad/s].
+/// not folded back. The last window, extrapolated from its middle to its end, gives the result. The frequency
+/// of each window is that of `guide`, a motion without noise near both; if it does not oscillate there, w
+/// [rad/s].
 EndComparison compare_ends(std::span<const double> t, std::span<const double> first,
                            std::span<const double> second, std::span<const double> guide, double w) {
   EndComparison end;
@@ -162,7 +165,8 @@ struct NamedLaw {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Empty if there is one, in arcs where friction is all that is added to the linear law.
+/// The option of a term that has no closed form; empty if there is none. With friction alone beside the
+/// linear law there is one, in arcs.
 std::string_view why_no_closed_form(const NamedLaw& law) {
   const std::string_view option = why_not_exact(law.motion.per_mass);
   return option == Friction::coefficients[0].option ? "" : option;
@@ -181,7 +185,7 @@ double standard_deviation(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-/// What noise alone puts into the amplitude of a sinusoid fitted to so many samples, at most.
+/// The most that noise alone adds to the amplitude of a sinusoid fitted to so many samples.
 double noise_amplitude(double rms, std::size_t samples) {
   constexpr double standard_errors = 5;
   return standard_errors * rms * std::sqrt(2 / static_cast<double>(std::max<std::size_t>(samples, 1)));
@@ -223,11 +227,11 @@ void compare_with_measured(ComparedCurve& curve, const FittedRecording& recordin
   curve.law_amplitude_ratio_end = of_law.amplitude_ratio;
 }
 
-// The method's own part: the same law without it.
+// The method's own part: against the same law solved without its error.
 void compare_with_law(ComparedCurve& curve, const FittedRecording& recording, const Samples& samples) {
   const EndComparison end = compare_ends(samples.t, samples.law, samples.simulated, samples.law,
                                          recording.fit.angular_frequency().value);
-  // Below this a law has stopped, or has died down beyond what its own rounding leaves.
+  // Below this the law's motion has stopped, or has died down to its own rounding.
   const double nothing = 1e-9 * standard_deviation(samples.law);
   if (!(end.first_amplitude > nothing)) return;
   curve.method_amplitude_ratio = end.amplitude_ratio;
@@ -239,9 +243,9 @@ Notice said(const NamedLaw& law) {
   return law.label == text ? Notice{"law_by_name", {{"law", text}}} : Notice{"one_constant_decay_rate"};
 }
 
-/// Runs the law by the method and step of the options over the recording's times. Samples set aside are in no
-/// figure. A run that ended early, or that grows tenfold, is a notice. The law must be one that the method
-/// can integrate, else an Error.
+/// Runs the law over the recording's times, by the method and step of the options. The figures leave out
+/// samples set aside. A run that ended early, or that grows tenfold, is a notice. A law that the method
+/// cannot integrate is an Error.
 Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const NamedLaw& law,
                                      const CompareOptions& options, double step, std::vector<Notice>& notices,
                                      const Watch& watch) {
@@ -287,7 +291,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   const Samples samples = good_samples(recording, curve.trajectory, itself);
   compare_with_measured(curve, recording, samples);
   compare_with_law(curve, recording, samples);
-  // A free swing never exceeds its start by much: what does has grown from step to step.
+  // A free swing never exceeds its start by much: one that does has grown from step to step.
   double largest = 0;
   const double start = std::hypot(motion.position, motion.velocity / motion.angular_frequency());
   for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
@@ -305,7 +309,7 @@ double dividing_step(double spacing, double period) {
   return spacing / std::max(1.0, std::ceil(default_steps_per_period * spacing / period - 1e-9));
 }
 
-// The same recording, fitted with a law of one's own choice.
+// Fits the same recording with a given law.
 Result<FittedRecording> with_law(const FittedRecording& recording, const Law& law, const Watch& watch) {
   FitOptions options = recording.options;
   options.law = to_text(law);
@@ -327,7 +331,7 @@ Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& wa
     if (!fitted) return fitted.error();
     if (watch.interrupted()) return NamedLaw{};
     if (recording.decay_rate_mean || fitted->fit.status != FitStatus::converged) {
-      // The segments' mean goes from where the chosen law begins.
+      // The segments' mean rate starts where the chosen law does.
       const Motion& begun = recording.fit.motion;
       constant =
           Motion{.equilibrium = begun.equilibrium, .position = begun.position, .velocity = begun.velocity};
@@ -396,7 +400,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
 
 namespace {
 
-// A motion that is a driven one: free ones are laid beside it all the same, and it is said.
+// A driven motion is compared with free ones all the same, and a notice says so.
 Result<CompareResult> compare_driven(std::string_view bytes, std::string_view file,
                                      const FittedRecording& driven, const CompareOptions& options,
                                      const Watch& watch) {

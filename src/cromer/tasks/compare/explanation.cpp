@@ -23,7 +23,7 @@ Notice amplitude_at_the_end(const ComparedCurve& curve) {
                 {{"off", rounded(off, 2)}}};
 }
 
-/// What the method adds to the law's own misfit; empty where that is nothing to speak of.
+/// What the method adds to the law's own misfit; empty if that is negligible.
 Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
   const double phase = std::abs(curve.method_phase), change = std::abs(curve.method_amplitude_ratio - 1);
   if (!(curve.rms > 1.02 * curve.law_rms || phase > 0.01 || change > 0.005)) return {};
@@ -39,7 +39,7 @@ Notice method_adds(const ComparedCurve& curve, std::string_view unit) {
                  {"adds", adds}}};
 }
 
-/// A simulation that left the motion is no word on the law.
+/// A simulation that ran away says nothing about the law.
 Notice divergence(const std::vector<ComparedCurve>& curves) {
   for (const ComparedCurve& curve : curves)
     if (curve.diverged)

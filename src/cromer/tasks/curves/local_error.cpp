@@ -20,8 +20,8 @@ struct Force {
   double rate;      // [m/s^3]
 };
 
-/// The rate is a difference over a length where neither rounding nor curvature shows: 1e-5 of a period, good
-/// to some 1e-9.
+/// The rate is a central difference over 1e-5 of a period, where neither rounding nor curvature shows: good
+/// to about 1e-9.
 template <class S>
 Force force_at(const S& system, double t, const State<double>& y, double period) {
   const double h = 1e-5 * period;

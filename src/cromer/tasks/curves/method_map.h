@@ -18,12 +18,13 @@ struct MethodMapOptions {
   long long points = 200;  ///< >= 2, evenly spaced in log(w h)
 };
 
-/// What a method makes of the law at one step; NaN where its motion does not oscillate or no step is found.
+/// What a method simulates at one step. NaN if its motion does not oscillate, or an implicit step has no
+/// solution.
 struct MethodMapPoint {
   double decay_rate = 0;       // [1/s]
   double frequency_error = 0;  ///< |effective over the law's own damped frequency - 1|
   double decay_error = 0;      ///< |effective decay rate - the law's| over the natural frequency
-  double energy_factor = 0;    ///< of the energy per cycle
+  double energy_factor = 0;    ///< energy after a cycle over the energy before
 };
 
 /// One method.
@@ -32,8 +33,8 @@ struct MethodMapCurve {
   int order = 0;                         ///< 0: exact
   std::vector<double> wh;                ///< natural frequency times step
   std::vector<MethodMapPoint> at;        ///< one for each
-  MethodMapPoint at_a_tenth;             ///< at w h = 0.1, the place to compare methods at
-  std::optional<double> stable_up_to{};  ///< w h; 0 where no step is stable, empty where every one is
+  MethodMapPoint at_a_tenth;             ///< at w h = 0.1, where methods are compared
+  std::optional<double> stable_up_to{};  ///< w h; 0 if no step is stable, empty if every step is
 };
 
 struct MethodMapResult {
@@ -42,7 +43,7 @@ struct MethodMapResult {
   std::vector<MethodMapCurve> curves;  ///< in the order of the methods
 };
 
-/// Of an underdamped linear law. An adaptive method is shown at the steps that it might choose.
+/// The law must be linear and underdamped. An adaptive method is shown at steps that it might choose.
 Result<MethodMapResult> method_map(const MethodMapOptions& options);
 
 }  // namespace cromer::core

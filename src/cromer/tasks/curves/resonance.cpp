@@ -56,7 +56,7 @@ double slowest_decay(const Oscillator<double>& law) {
   return b * b <= w2 ? b : w2 / (b + std::sqrt(b * b - w2));
 }
 
-/// A steady motion and what it passes on.
+/// A steady motion and what it transmits.
 struct Point {
   SteadyState motion;
   Transmission transmission;
@@ -65,8 +65,8 @@ struct Point {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 constexpr Point unsettled{{nothing, nothing}, {nothing, nothing}};
 
-/// What arrives, state by state: the base's displacement and the mass's own on it, or the force of spring and
-/// damper. As the positions of a trajectory.
+/// What is transmitted, state by state, in place of the positions: the base's displacement plus the mass's
+/// own relative to it, or the force of spring and damper.
 Trajectory arriving(const SimulatedRun& run, bool of_motion, double sent) {
   Trajectory out = run.trajectory;
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -77,7 +77,8 @@ Trajectory arriving(const SimulatedRun& run, bool of_motion, double sent) {
   return out;
 }
 
-/// The one run at w: from the exact steady motion, so that only the method's own difference has to die down.
+/// The run at w. It starts at the exact steady motion, so that only the method's own difference has to die
+/// down.
 SimulateOptions run_at(const SimulateOptions& options, const Oscillator<double>& law,
                        const std::string& method, double w, const SteadyState& exact) {
   SimulateOptions run = options;
@@ -131,7 +132,7 @@ void add(ResonanceCurve& curve, const SimulateOptions& options, const SimulatedR
   curve.transmitted.push_back(point.transmission.amplitude * sent);
 }
 
-/// Empty where every run settled.
+/// Empty if every run settled.
 Notice notice_of(const ResonanceCurve& curve) {
   const auto& amplitudes = curve.amplitude;
   const auto missing =
@@ -150,7 +151,7 @@ Result<ResonanceResult> resonance(const ResonanceOptions& options, const Watch& 
   result.of_motion = sends_motion(options.simulate);
   double work_done = 0;
   for (const SimulateOptions& law : *laws) {
-    // A run at the first frequency has every other option checked and every default filled in.
+    // Setting up a run at the first frequency checks all other options and fills in the defaults.
     SimulateOptions first = law;
     first.drive_frequency = {options.frequency_from};
     const auto runs = set_up_runs(first);

@@ -68,7 +68,7 @@ Result<WorkPrecisionResult> work_precision(const WorkPrecisionOptions& options, 
       SimulateOptions trial = options.simulate;
       trial.method = {run.method};
       const double step = first.step * default_steps_per_period * options.longest;
-      // Halved, a step that fills the run once fills it ever after.
+      // A step that fills the run a whole number of times still does when halved.
       trial.step =
           adaptive ? first.until : first.until / (std::ceil(first.until / step) * std::ldexp(1.0, int(i)));
       if (adaptive)

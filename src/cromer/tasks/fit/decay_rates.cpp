@@ -16,7 +16,7 @@ constexpr double wanted_certainty = 0.05;  // of each rate
 constexpr std::size_t most_stretches = 60;
 constexpr std::size_t fewest_samples = 12;  // of a stretch
 
-/// The amplitude after `duration`: the averaged law in small steps.
+/// The amplitude after `duration`, by the averaged law in small steps.
 double carried_on(const AmplitudeDecay& decay, double amplitude, double duration) {
   constexpr int steps = 32;
   for (int i = 0; i < steps && amplitude > 0; ++i)
@@ -24,8 +24,8 @@ double carried_on(const AmplitudeDecay& decay, double amplitude, double duration
   return amplitude;
 }
 
-/// How long the stretches are: each as long as the one before has shown to be needed, for
-/// sd(b) = sqrt(24 h/T^3) sigma/A of a short one.
+/// The length of the stretches. Each error shows how long the next stretch must be, by sd(b) = sqrt(24 h/T^3)
+/// sigma/A of a short one.
 class StretchLength {
  public:
   StretchLength(const Record& record, double angular_frequency) {
@@ -40,7 +40,7 @@ class StretchLength {
   double length() const { return length_; }
   double shortest() const { return shortest_; }
 
-  /// After a stretch whose rate had this error for each of what was wanted; not a number where it had none.
+  /// After a stretch whose rate had this error over the wanted one; NaN if it had none.
   void learn(double error_over_wanted) {
     const double change = std::pow(error_over_wanted, 2.0 / 3);
     length_ = std::clamp(length_ * (change >= 0 ? std::clamp(change, 0.5, 2.0) : 2.0), shortest_, longest_);
@@ -50,7 +50,7 @@ class StretchLength {
   double length_ = 0, shortest_ = 0, longest_ = 0;
 };
 
-/// One decaying sinusoid through the samples; its frequency is near `w`, which becomes its own.
+/// Fits one decaying sinusoid, with a frequency near `w`, which is then set to the fitted one.
 std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g) {
   const DampedPhasor model(part);
   const DampedPhasor::Linear linear = model.best_linear(w, g);
@@ -71,7 +71,7 @@ std::optional<AmplitudeRate> fit_stretch(const Record& part, double& w, double g
   if (summary.reason != LeastSquaresReason::converged) return std::nullopt;
   constexpr int n = DampedPhasor::parameter_count;
   const double degrees = static_cast<double>(part.t.size()) - n;
-  // What the stretch itself leaves: a law that does not fit the whole record widens nothing here.
+  // From the stretch's own residuals: a law that does not fit the whole record widens nothing here.
   std::vector<double> residuals;
   model.residuals(summary.parameters, residuals);
   const double spacing = (part.t.back() - part.t.front()) / static_cast<double>(part.t.size() - 1);
@@ -181,8 +181,8 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
   const AmplitudeDecay decay = amplitude_decay(fit);
   const double amplitude = first_amplitude(fit);
   if (record.t.size() < 24 || !(amplitude > 0) || !std::isfinite(amplitude)) return result;
-  // The frequency at the first amplitude, not below half of that of small swings; from then on each stretch
-  // starts from the one before.
+  // The first stretch starts from the frequency at the first amplitude, at least half of that of small
+  // swings; each other one from the stretch before.
   const double lowest = 0.5 * fit.angular_frequency().value,
                there = swing_of(fit).angular_frequency(amplitude);
   double w = there > lowest ? there : lowest;
@@ -190,7 +190,7 @@ std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit
   StretchLength stretch(record, w);
   const auto t = record.t;
   for (std::size_t first = 0; t.back() - t[first] > 0.75 * stretch.shortest() && !watch.interrupted();) {
-    // What would be left and too short for a stretch of its own belongs to this one.
+    // A rest that is too short for a stretch of its own belongs to this one.
     const double end = t[first] + stretch.length();
     const bool last = t.back() - end < 0.5 * stretch.length();
     const auto next =

@@ -18,13 +18,14 @@ struct DecaySegment {
 struct DecaySegments {
   std::vector<DecaySegment> segments;
   std::optional<Estimate> mean;  ///< of the rates; its error from theirs
-  std::vector<Notice> notices;   ///< of segments that are left out
+  std::vector<Notice> notices;   ///< on what is left out
 };
 
-/// Fits the viscous law, with an equilibrium of its own, to each whole segment from the first sample on: of
-/// `length` [s] > 0, or the record in `count` > 0 equal parts, or with both at most `count` segments of that
-/// length. None where neither is given, and a notice where a segment would hold less than 1.5 periods or 8
-/// samples. What fails is left out, and said in one notice.
+/// Fits the viscous law, with an equilibrium of its own, to one segment after the other from the first sample
+/// on. `length` [s] > 0 is their length; `count` > 0 alone divides the record into equal parts; both together
+/// give at most `count` segments of that length; with neither there are none. Segments that would hold less
+/// than 1.5 periods or 8 samples are not fitted, and a notice says so. A segment whose fit fails is left out;
+/// one notice tells of all of them.
 DecaySegments fit_segments(const Record& record, double period, std::optional<double> length,
                            std::optional<int> count, const Watch& watch = {});
 
@@ -38,17 +39,17 @@ struct AmplitudeRate {
 /// What the law's damping does to the amplitude.
 AmplitudeDecay amplitude_decay(const LawFit& fit);
 
-/// What its springs do to a swing.
+/// The law's springs alone, without what damps or drives.
 Swing<double> swing_of(const LawFit& fit);
 
-/// The largest swing that the law has from the first sample on: [unit of the displacement]; NaN of a
-/// hysteretic law, whose force the state does not tell.
+/// Amplitude of the swing that begins at the first sample [unit of the displacement]. NaN for a hysteretic
+/// law: its force does not follow from the state.
 double first_amplitude(const LawFit& fit);
 
-/// Stretches of at least two periods and twelve samples, as long as a rate takes to be known to a twentieth
-/// and no longer than a sixth of the record; at most 60 of them. A stretch whose rate is less certain than
-/// its size is left out; none where first_amplitude is NaN. `fit` has values. Errors are widened for the
-/// correlation of the stretch's own residuals.
+/// The decay rate of stretches of the record against their amplitude. A stretch holds at least two periods
+/// and twelve samples. It is as long as its rate takes to be known to 5 %, but at most a sixth of the record;
+/// there are at most 60. A stretch whose error exceeds its rate is left out. Empty if first_amplitude is NaN.
+/// `fit` must have values. Errors are widened for the correlation of the stretch's own residuals.
 std::vector<AmplitudeRate> decay_by_amplitude(const Record& record, const LawFit& fit,
                                               const Watch& watch = {});
 

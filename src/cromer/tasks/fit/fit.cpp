@@ -15,32 +15,14 @@
 #include "cromer/read/columns.h"
 #include "cromer/read/in_file.h"
 #include "cromer/tasks/fit/fit_forced.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
-#include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
-#include "cromer/tasks/option/option.h"
 #include "cromer/tasks/option/part_of_work.h"
 
 namespace cromer::core {
 namespace {
-
-/// Ranges stand in the table of options; here is what they ask of each other.
-Result<void> check_options(FitOptions options) {
-  for (const Option& option : options_of(options))
-    if (auto good = check(option); !good) return good;
-  if (options.spring_mass && !options.mass) return Error{"spring_mass_alone"};
-  if (options.monte_carlo && !options.mass) return Error{"monte_carlo_without_mass"};
-  if (options.temperature && !options.disc_diameter) return Error{"temperature_without_disc"};
-  if (options.seed_given && !options.monte_carlo) return Error{"seed_without_monte_carlo"};
-  if (!options.goal.empty())
-    if (const Result<Goal> goal = parse_goal(options.goal); !goal) return goal.error();
-  if (options.no_spring && options.force_column.empty()) return Error{"no_spring_without_force"};
-  if (const Result<void> good = check_forced_options(options); !good) return good;
-  if (options.from && options.to && !(*options.from < *options.to))
-    return Error{"from_behind_to", {{"from", *options.from}, {"to", *options.to}}};
-  return {};
-}
 
 void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quantity& temperature,
                   const Watch& watch) {
@@ -71,8 +53,7 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
   }
   if (!top) return;
 
-  // At the top the speed does not depend on when it is taken: its derivatives are those of the velocity
-  // there.
+  // At its maximum the speed does not change with time: its derivatives are those of the velocity there.
   double variance = 0;
   const VelocityGradient gradient = velocity_gradient(
       fitted_parameters(fit.law, DriveKind::none, {}, fit.motion), fit.motion, top->at - t0, fit.step);
@@ -80,7 +61,7 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       variance += gradient.derivative[i] * fit.covariance[i * n + j] * gradient.derivative[j];
-  // The viscosity's change with temperature as a difference over its uncertainty, which is exact enough.
+  // How the viscosity changes with temperature, as a difference: exact enough.
   const double warmer = air_kinematic_viscosity(temperature.value + temperature.uncertainty);
   const double relative = std::hypot(std::sqrt(std::max(0.0, variance)) / top->speed,
                                      diameter.uncertainty / diameter.value, warmer / nu - 1);
@@ -89,7 +70,7 @@ void add_reynolds(FittedRecording& result, const Quantity& diameter, const Quant
   result.reynolds_max_t = top->at;
 }
 
-// A pause so long that the motion cannot be followed through it: a wrong time, or two recordings in one.
+// A pause so long that the motion cannot be followed through it is a wrong time, or two recordings in one.
 Result<void> check_pauses(const Series& series) {
   constexpr double longest_pause = 1e6;  // [sample spacings]
   for (std::size_t i = 1; i < series.t.size(); ++i)
@@ -101,7 +82,7 @@ Result<void> check_pauses(const Series& series) {
   return {};
 }
 
-// The law asked for, or the one the record asks for.
+// Fits the law that is asked for, or chooses one.
 Result<LawChoice> law_of_record(const Record& record, const Series& series, const FitOptions& options,
                                 std::vector<Notice>& notices, const Watch& watch) {
   LawFitOptions decay;
@@ -131,12 +112,6 @@ const Estimate* FittedRecording::find(std::string_view wanted) const {
 }
 
 std::size_t FittedRecording::used() const { return without_outliers(series).t.size(); }
-
-Result<void> check_fit_options(const FitOptions& options) {
-  if (const Result<void> checked = check_options(options); !checked) return checked;
-  if (const auto law = law_of(options); !law) return law.error();
-  return {};
-}
 
 FittedRecording not_fitted(std::string_view file, int run, const Notice& why) {
   FittedRecording row;
@@ -183,7 +158,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
                  {{"reason", part->reason}, {"kept", result.series.t.size()}, {"samples", before}}});
     }
   }
-  // The law's motion begins at the first sample that the fit sees, and so does the series.
+  // The law's motion begins at the first sample that the fit sees; so must the series.
   if (!samples.t.empty() && result.series.t.front() < samples.t.front()) {
     FitOptions later = options;
     later.from = samples.t.front();
@@ -258,8 +233,7 @@ Result<FittedRecording> fit_motion_of_run(const Recording& recording, int run, s
   return fit_forced(*series, *force, file, options, watch);
 }
 
-// Another column than the fitted one that may hold what drives its motion; "" where none does, or where one
-// is named.
+// A column other than the fitted one that may hold the force; "" if there is none, or one is named.
 std::string column_of_a_force(const Recording& recording, const std::string& fitted,
                               const FitOptions& options) {
   if (!options.force_column.empty()) return "";
@@ -271,12 +245,12 @@ std::string column_of_a_force(const Recording& recording, const std::string& fit
 Result<FittedRecording> fit_run(const Recording& recording, int run, std::string_view file,
                                 const FitOptions& options, const Watch& watch) {
   Result<FittedRecording> fitted = fit_motion_of_run(recording, run, file, options, watch);
-  constexpr double well = 0.9;  // of the variance: what drives a motion leaves more than that unexplained
+  constexpr double well = 0.9;  // of the variance: a drive leaves more than that unexplained
   if (fitted && !(fitted->succeeded() && fitted->fit.explained > well))
     if (const std::string force = column_of_a_force(recording, fitted->series.column, options);
         !force.empty())
       fitted->notices.push_back(Notice{"may_be_the_force", {{"column", force}}});
-  // The inner force is no parameter of the fit.
+  // The inner force at the start is no parameter of the fit.
   if (fitted && options.from && fitted->fit.law.has<Hysteresis>())
     fitted->notices.push_back(Notice{"hysteresis_from_zero"});
   if (fitted && options.hysteresis_exponent != 1 && !fitted->fit.law.has<Hysteresis>())
@@ -284,7 +258,7 @@ Result<FittedRecording> fit_run(const Recording& recording, int run, std::string
   return fitted;
 }
 
-// Of an Error that names neither a file nor an option, but a column or a line.
+// Whether the Error names neither file nor option, but a column or a line.
 bool needs_a_file(const Notice& what) {
   static constexpr std::string_view codes[] = {
       "column_has_no_values", "values_too_small",   "values_too_large",    "time_jumps",
@@ -307,7 +281,7 @@ Result<std::vector<FittedRecording>> fit_runs(const Recording& recording, const 
     Result<FittedRecording> one = fit_run(recording, run, file, options, part);
     if (one) {
       any_read = true;
-      // What is said of the file is said once.
+      // Notices on the file are given once.
       if (fits.empty())
         one->notices.insert(one->notices.begin(), recording.notices.begin(), recording.notices.end());
       fits.push_back(std::move(*one));

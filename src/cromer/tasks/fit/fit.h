@@ -26,7 +26,7 @@ struct FitOptions {
   std::optional<int> run{};            ///< from 1; all runs when not given
   std::optional<double> from{}, to{};  // [s]
   std::string law = "auto";
-  bool no_spring = false;                   ///< a body without one, under a recorded force
+  bool no_spring = false;                   ///< a body without a spring, under a recorded force
   double hysteresis_exponent = 1;           ///< >= 1
   std::optional<Quantity> mass{};           // [kg] > 0
   std::optional<Quantity> spring_mass{};    // [kg] >= 0; a third of it is added
@@ -34,19 +34,20 @@ struct FitOptions {
   std::optional<Quantity> temperature{};    // [K] of the air; 293.15 by default
   std::optional<double> segment{};          // [s] > 0
   std::optional<int> segments{};            ///< > 0
-  std::string force_column{};               ///< of a recorded force; "" where none drives
+  std::string force_column{};               ///< of a recorded force; "" if there is none
   std::string between_samples{};            ///< linear, hold, band-limited or auto; "" is auto
-  std::string drive_frequency{};     ///< of a harmonic drive, with its unit, or auto; "" where none drives
-  bool recognise_drive = true;       ///< a motion that is no free one may be fitted as a driven one
-  std::optional<double> hold_out{};  ///< share of the samples, above 0: the last ones, kept from the fit
-  std::string goal{};                ///< "decay_rate 0.5 %": how long to record
+  std::string drive_frequency{};  ///< of a harmonic drive, with its unit, or auto; "" if there is none
+  bool recognise_drive = true;    ///< a motion that is not free may be fitted as a driven one
+  std::optional<double>
+      hold_out{};      ///< share of the samples, above 0 to 0.9: the last ones, kept out of the fit
+  std::string goal{};  ///< "decay_rate 0.5 %": how long to record
   std::optional<int> monte_carlo{};  ///< trials, 1000 to 1e7
   unsigned long long seed = 1;       ///< of the trials
   bool seed_given = false;
-  bool textbook = false;  ///< decrement and bandwidth beside the fit
+  bool textbook = false;  ///< also the damping by decrement and bandwidth
 };
 
-/// What textbooks would say of the damping; each empty where it cannot be had.
+/// The damping by the textbook methods; empty where a method does not apply.
 struct TextbookDamping {
   static Notice decrement_bias() { return Notice{"decrement_bias"}; }
   static Notice bandwidth_bias() { return Notice{"bandwidth_bias"}; }
@@ -65,7 +66,7 @@ struct Candidate {
   double rms;
   double bic;
   bool converged;
-  std::string between_samples{};  ///< how a recorded force was read; "" without one
+  std::string between_samples{};  ///< how a recorded force was read between samples; "" without one
 };
 
 /// The fitted motion of a driven law at the series' times.
@@ -74,7 +75,7 @@ struct DrivenMotion {
   Trajectory states;           ///< displacement from the equilibrium and velocity
 };
 
-/// How the law, carried on beyond the samples it was fitted to, meets those held out.
+/// How well the law predicts the samples that were held out of the fit.
 struct HeldOut {
   double from, to;  // [s]
   std::size_t samples;
@@ -104,13 +105,13 @@ struct FittedRecording {
   std::optional<RecordingPlan> plan;
   std::optional<TextbookDamping> textbook;
   std::optional<DrivenMotion> driven{};  ///< of a motion under a force, recorded or harmonic
-  std::vector<Mode> modes{};             ///< where two oscillations were found, the larger first
+  std::vector<Mode> modes{};             ///< if two oscillations were found; the larger first
   std::string between_samples{};         ///< how the recorded force is read; "" without one
   std::optional<HeldOut> held_out{};
   std::vector<Notice> notices;
-  bool wrong_input = false;  ///< it could not be read: file, run and the fit's message are all that is here
+  bool wrong_input = false;  ///< the run could not be read: only file, run and the fit's message are set
 
-  /// How many samples the fit saw: those of the series that are no outliers.
+  /// Number of samples that the fit used: those of the series that are no outliers.
   std::size_t used() const;
   bool succeeded() const { return fit.status == FitStatus::converged; }
   std::string_view status() const { return wrong_input ? "wrong_input" : name(fit.status); }
@@ -118,27 +119,27 @@ struct FittedRecording {
   const Estimate* find(std::string_view name) const;  ///< among parameters and derived; nullptr if absent
 };
 
-/// What is wrong with the options whatever the recording is.
+/// Checks what can be checked of the options without a recording.
 Result<void> check_fit_options(const FitOptions& options);
 
-/// The row of a recording that could not be read; what is said of it without the file's name before it.
+/// The row of a recording that could not be read. Its message is `why` without the file's name.
 FittedRecording not_fitted(std::string_view file, int run, const Notice& why);
 
-/// The samples from --from to --to, without those of a sensor that has lost the motion for good where neither
-/// is given, drop-outs among their outliers. An Error where none is left.
+/// The samples from --from to --to. If neither is given, the series ends where a sensor has lost the motion
+/// for good. Drop-outs join the outliers. An Error if no sample is left.
 Result<Series> samples_in_use(const Series& series, const FitOptions& options);
 
-/// A free motion: one quantity of one run, of which --from and --to choose a part. Bad input (a law that
-/// cannot be fitted, no sample left) is an Error.
+/// Fits one quantity of one run, from --from to --to, as a free motion. Bad input (a law that cannot be
+/// fitted, no sample left) is an Error.
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 
-/// All runs asked for of one recording. Bad input is an Error; a failed fit is a status in its row, and so is
-/// one of several runs that could not be read.
+/// Fits every run that the options ask for. Bad input is an Error. A failed fit is a status in its row; so is
+/// a run that could not be read, if others could.
 Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
                                                    const Watch& watch = {});
 
-/// The same of a file's bytes.
+/// Reads a file's bytes, and does the same.
 Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
                                          const FitOptions& options, const Watch& watch = {});
 

@@ -13,8 +13,8 @@
 #include "cromer/read/column_kind.h"
 #include "cromer/read/recording.h"
 #include "cromer/result.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/fitted_quantities.h"
-#include "cromer/tasks/fit/forced_options.h"
 #include "cromer/tasks/fit/lab_quantities.h"
 #include "cromer/tasks/fit/used_samples.h"
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr double most_uneven = 0.02;  // of a sample spacing
 
-/// An even grid of times, by the force's own samples.
+/// The even times at which the force was sampled.
 struct ForceGrid {
   double begin = 0;    // [s]
   double spacing = 1;  // [s] > 0
@@ -32,7 +32,7 @@ struct ForceGrid {
   double time(std::size_t i) const { return begin + static_cast<double>(i) * spacing; }
 };
 
-/// The grid of a force column. An Error where it has gaps, uneven times, or one value throughout.
+/// An Error if the force has gaps, uneven times, or one value throughout.
 Result<ForceGrid> grid_of(const Series& force) {
   if (force.t.size() < 2) return Error{"force_is_too_short", {{"column", force.column}}};
   const auto [low, high] = std::minmax_element(force.y.begin(), force.y.end());
@@ -57,8 +57,8 @@ Result<ForceGrid> grid_of(const Series& force) {
   return grid;
 }
 
-/// The part of a force column from one time to another [s], with the margin that its reading between the
-/// samples wants, as far as that has no gap.
+/// The part of a force column from one time to another [s], with the margin that reading between samples
+/// needs, as far as it has no gap.
 Series force_around(const Series& force, double from, double to) {
   constexpr double margin = 64;  // [samples]
   const double reach = force.rate > 0 ? margin / force.rate : 0;
@@ -77,7 +77,7 @@ Series force_around(const Series& force, double from, double to) {
   return part;
 }
 
-/// Each sample's place on the grid. An Error where one has none.
+/// Index of each sample of the motion on the grid. An Error if one has none.
 Result<std::vector<std::size_t>> places_on(const ForceGrid& grid, const Series& motion, const Series& force) {
   std::vector<std::size_t> places;
   places.reserve(motion.t.size());
@@ -98,14 +98,14 @@ Result<std::vector<std::size_t>> places_on(const ForceGrid& grid, const Series& 
   return places;
 }
 
+/// Outliers are sorted by time.
 bool is_outlier(const Series& series, std::size_t i) {
-  // They stand in the order of their times.
   const auto found = std::lower_bound(series.outliers.begin(), series.outliers.end(), series.t[i],
                                       [](const Outlier& outlier, double t) { return outlier.t < t; });
   return found != series.outliers.end() && found->t == series.t[i];
 }
 
-// What both kinds of driven fits say.
+// Fills what both kinds of driven fits have.
 void describe(FittedRecording& result, LawChoice&& choice, const Record& record, const std::vector<double>& t,
               std::string_view force_unit, bool has_force_column, const Watch& watch) {
   result.fit = std::move(choice.chosen);
@@ -166,7 +166,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   const Result<std::vector<std::size_t>> places = places_on(*grid, *used, force);
   if (!places) return places.error();
 
-  // The force's own times, where the motion has samples and where it has none.
+  // The motion's samples that are no outliers, at the force's own times.
   const ForceRecord recorded{around.y, grid->begin, grid->spacing};
   std::vector<double> t, y;
   for (std::size_t i = 0; i < used->t.size(); ++i) {
@@ -211,9 +211,9 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   std::vector<double> law_motion;
   if (result.driven && fitted < t.size())
     law_motion = observed_motion(result.fit.motion, result.fit.drive, t, whole.derivative, result.fit.step);
-  result.fit.drive.force.samples = {};  // which end with this function
+  result.fit.drive.force.samples = {};  // they do not outlive this function
   if (law_motion.empty()) return result;
-  // The law goes on through what was held out.
+  // The law is carried on through the samples held out.
   HeldOut& held = result.held_out.emplace(HeldOut{.from = t[fitted], .to = t.back(), .samples = 0, .rms = 0});
   for (std::size_t i = fitted; i < law_motion.size(); ++i) {
     held.rms += (y[i] - law_motion[i]) * (y[i] - law_motion[i]);

@@ -1,5 +1,5 @@
-// Task: the law of a motion that something drove, a force recorded beside it or a harmonic drive; and whether
-// a motion is driven, free, or two swings at once.
+// Task: the law of a driven motion, under a recorded force or a harmonic drive; and whether a motion is
+// driven, free, or two modes at once.
 #pragma once
 
 #include <string_view>
@@ -8,26 +8,27 @@
 
 namespace cromer::core {
 
-/// One run's motion and the force column of the same run. Bad input (a force with gaps, at other times or
-/// that never changes, times that are not even) is an Error.
+/// Fits a motion under a force that was recorded in the same run. Bad input is an Error: a force with gaps,
+/// one that never changes, one sampled unevenly or at other times.
 Result<FittedRecording> fit_forced(const Series& motion, const Series& force, std::string_view file,
                                    const FitOptions& options, const Watch& watch = {});
 
-/// One run's motion under a harmonic drive of known or (--drive-frequency auto) unknown frequency; whether
-/// there is one, check_drive tells.
+/// Fits a motion under a harmonic drive. Its frequency is known, or searched for (--drive-frequency auto).
+/// Whether there is a drive at all is for check_drive to say.
 Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, const FitOptions& options,
                                    const Watch& watch = {});
 
-/// A free fit, or the same motion fitted as a driven one where that is what it is: a free law has left
-/// structure, and a steady oscillation that makes up much of the motion accounts for it better than two
-/// decaying ones. Two modes stay with the free fit, which then names them, also where their beats were
-/// refused as no oscillation. As it is where law or drive was given.
+/// Returns the free fit, or the same motion fitted as a driven one if it is one: the free law leaves
+/// structure in its residuals, and a steady oscillation that makes up much of the motion explains it better
+/// than two decaying ones. Two modes stay with the free fit, which then names them, even if their beats were
+/// refused as no oscillation. If a law or a drive was given, the free fit is returned as it is.
 FittedRecording recognise_drive(FittedRecording free, const Series& motion, const FitOptions& options,
                                 const Watch& watch = {});
 
-/// A fit under --drive-frequency, held against a free one of the same samples. Where nothing drives, auto
-/// gives the free fit, and a frequency that was named a notice, or no_oscillation where the motion is driven
-/// at another one. Two steady lines, of which the drive is one, are said to have two readings.
+/// Compares a fit under --drive-frequency with a free fit of the same samples. If nothing drives the motion,
+/// the free fit is returned with a notice; if a frequency was given and the free law does not fit either, the
+/// status is no_oscillation. If the drive is one of two steady lines, the record has two readings, and the
+/// status is undetermined.
 Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
                                     const Watch& watch = {});
 

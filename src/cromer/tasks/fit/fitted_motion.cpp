@@ -13,17 +13,17 @@
 namespace cromer::core {
 namespace {
 
-/// The sums of a level and a sinusoid fitted to the samples of a window that slides along: each sample comes
-/// and goes once, whatever the window's length.
+/// A level and a sinusoid, fitted to the samples of a sliding window. Its sums take in each sample once and
+/// drop it once, whatever the window's length.
 class SlidingSinusoid {
  public:
-  /// `level` [unit of y] is near the mean: sums of what lies about 0 keep their digits.
+  /// `level` [unit of y] is near the mean: sums of values about 0 keep their digits.
   SlidingSinusoid(const FittedSamples& samples, double w, double level)
       : samples_(samples), w_(w), level_(level) {}
 
-  /// To samples [first, last), neither of them going back.
+  /// Moves the window to samples [first, last); neither end may go back.
   void move_to(std::size_t first, std::size_t last) {
-    // What has come and gone leaves its rounding: it is summed afresh once for each window that has passed.
+    // Samples that come and go leave rounding errors: the sums are made afresh once in every window's length.
     if (first >= fresh_at_) {
       sums_ = {};
       first_ = last_ = first;
@@ -86,7 +86,7 @@ std::vector<double> local_velocities(const Series& series, double w, double leve
   for (std::size_t i = 0; i < v.size(); ++i) {
     while (first < good.t.size() && good.t[first] < series.t[i] - half) ++first;
     while (last < good.t.size() && good.t[last] <= series.t[i] + half) ++last;
-    // A window that is cut at the record's end would lean on one side.
+    // A window that is cut off at the record's end would be lopsided.
     const bool whole = series.t[i] - half >= series.t.front() && series.t[i] + half <= series.t.back();
     if (!whole || last < first + 8) continue;
     window.move_to(first, last);

@@ -1,8 +1,8 @@
-// Velocity and energy of a recorded motion, and their units, without the bias of finite differences.
+// Velocity and energy of a recorded motion without the bias of finite differences, and their units.
 //
 // A difference of neighbouring samples multiplies their noise and shrinks an oscillation. The fitted law's
-// own velocity does neither. Beside it stands a check that uses the samples alone: in a window of about a
-// period around each, a sinusoid and a level are fitted, whose slope in the middle is the velocity.
+// own velocity does neither. A check uses the samples alone: a sinusoid and a level are fitted to a window of
+// a period around each sample, and their slope in the middle is the velocity.
 #pragma once
 
 #include <string>
@@ -14,34 +14,35 @@ namespace cromer::core {
 
 /// One value for each sample used, in SI units.
 struct FittedMotion {
-  std::vector<double> t;               // [s]
-  std::vector<double> measured;        ///< the column
-  std::vector<double> residual;        ///< measured less fitted
-  std::vector<double> x, v;            ///< displacement from the equilibrium and velocity of the law
-  std::vector<double> local_velocity;  ///< from those not set aside; NaN where a window has less than 8
-  std::vector<double> energy;          ///< of the law, with its mass [J], else per unit mass
+  std::vector<double> t;         // [s]
+  std::vector<double> measured;  ///< the column
+  std::vector<double> residual;  ///< measured less fitted
+  std::vector<double> x, v;      ///< displacement from the equilibrium and velocity of the law
+  std::vector<double>
+      local_velocity;          ///< from samples not set aside; NaN if a window is cut off or has less than 8
+  std::vector<double> energy;  ///< of the law, with its mass [J], else per unit mass
   bool per_mass = true;
 };
 
-/// `fitted` has values, of a position, an angle or one of their derivatives: x and v are those of the
-/// displacement whatever was recorded; local_velocity is empty unless it was a displacement. An angle's
-/// energy is per moment of inertia.
+/// `fitted` must have values. Whatever was recorded (a position, an angle or a derivative of them), x and v
+/// are those of the displacement. local_velocity is empty unless a displacement was recorded. The energy of
+/// an angle is per moment of inertia.
 FittedMotion fitted_motion(const FittedRecording& fitted);
 
-/// Energy of states of the fitted law's oscillator, x from its equilibrium [m] and v [m/s], kinetic and of
-/// its spring: with its mass [J], else per unit mass (of an angle: of inertia).
+/// Kinetic and spring energy of states of the fitted oscillator: x from its equilibrium [m], v [m/s]. In J if
+/// the mass is known, else per unit mass (of an angle: per moment of inertia).
 std::vector<double> energies_of(const FittedRecording& fitted, const std::vector<double>& x,
                                 const std::vector<double>& v);
 
-/// "" where a unit has no name.
+/// SI units of a recorded motion; "" if a unit is not known.
 struct MotionUnits {
-  std::string measured;      ///< of the column, and of what the law leaves of it
-  std::string displacement;  ///< of x, and of the amplitudes
+  std::string measured;      ///< of the column, and of the residuals
+  std::string displacement;  ///< of x and of amplitudes
   std::string velocity;
-  std::string energy;  ///< without a mass per mass, of an angle per moment of inertia
+  std::string energy;  ///< per unit mass without a mass; of an angle per moment of inertia
 };
 
-/// Of any recording, fitted or not; with a stiffness among the parameters the energy is in J.
+/// `fitted` need not have values. With a stiffness among its parameters the energy is in J.
 MotionUnits motion_units(const FittedRecording& fitted);
 
 }  // namespace cromer::core

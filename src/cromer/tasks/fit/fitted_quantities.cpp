@@ -20,8 +20,8 @@
 namespace cromer::core {
 namespace {
 
-// Of a coefficient per unit mass, where displacements have the unit `length`, in a law with this hysteresis
-// exponent n: beta |x'| |z|^(n-1) z is the rate of an acceleration z.
+// Unit of a coefficient per unit mass, `length` being the unit of displacements, n the hysteresis exponent of
+// the law: beta |x'| |z|^(n-1) z is the rate of an acceleration z.
 std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, double n) {
   if (info.fitted == FittedAs::square_root) return "rad/s";
   if (info.fitted == FittedAs::not_a_force && n != 1)
@@ -30,7 +30,7 @@ std::string unit_per_mass(const CoefficientInfo& info, std::string_view length, 
   return unit_of_powers({{length, 1 + info.length}, {"s", info.time - 2}});
 }
 
-// Of the parameters beside the law's.
+// Unit of a parameter that is no coefficient of the law.
 std::string unit_of_parameter(std::string_view name, std::string_view observed, std::string_view length,
                               std::string_view force_unit) {
   if (name == "drive_frequency") return "rad/s";
@@ -43,7 +43,7 @@ std::string unit_of_parameter(std::string_view name, std::string_view observed, 
   return std::string(length);
 }
 
-// c times an estimate, where c has a relative uncertainty of its own that is independent of the estimate.
+// c times an estimate; c has a relative uncertainty of its own, independent of the estimate.
 Estimate scaled(const Estimate& estimate, double c, double relative_uncertainty, double t) {
   const double value = c * estimate.value;
   Estimate result =
@@ -57,7 +57,7 @@ Estimate scaled(const Estimate& estimate, double c, double relative_uncertainty,
   return result;
 }
 
-// Its interval is that of the root, squared.
+// The interval is that of the root, squared.
 Estimate squared(const Estimate& root) {
   const double low = std::max(0.0, root.low);
   return {root.value * root.value, 2 * root.value * root.standard_error, low * low, root.high * root.high};
@@ -106,8 +106,8 @@ Estimate estimate_of(const Real& number, const LawFit& fit) {
   return estimate_of(number.value, number.derivative, fit);
 }
 
-// Where something surely feeds the swing, and something surely bounds it. By differences: the cycle has no
-// closed form.
+// If something surely feeds the swing, and something surely bounds it. The slopes are differences: the cycle
+// has no closed form.
 std::optional<Estimate> limit_cycle(const LawFit& fit, double near, double period) {
   const Estimate* bound = fit.find(VanDerPol::coefficients[0].parameter);
   if (!is_fed(fit) || !bound || !(bound->low > 0)) return std::nullopt;
@@ -137,7 +137,7 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   std::vector<Parameter> list{{"frequency", estimate_of(1 / period, fit), "Hz"},
                               {"period", estimate_of(period, fit), "s"},
                               {"damping_ratio", estimate_of(equivalent / undamped, fit), "1"}};
-  // What is fed, or grows, has no quality factor.
+  // A motion that is fed, or grows, has no quality factor.
   const bool fed = value_of(g) < 0;
   if (!fed && !(value_of(equivalent) < 0))
     list.push_back({"quality_factor", estimate_of(undamped / (2 * equivalent), fit), "1"});
@@ -148,7 +148,7 @@ std::vector<Parameter> at_amplitude(LawAtAmplitude law, const Real& A, const Law
   return list;
 }
 
-// What an overdamped motion, which has no cycle, does not have.
+// What an overdamped motion does not have, as it has no cycle.
 constexpr std::string_view no_cycle[] = {"frequency", "period", "logarithmic_decrement"};
 
 }  // namespace

@@ -24,22 +24,23 @@ struct Body {
   Quantity effective_mass() const;
 };
 
-/// "m" from "m", "m/s" or "m/s²", the unit of a record that is this derivative of the displacement.
+/// Unit of the displacement, "m", from the unit of a derivative of it, "m", "m/s" or "m/s²".
 std::string displacement_unit(std::string_view unit, int derivative);
 
-/// Per unit mass, in the order of fitted_parameters(); `observed` is the unit of the record, which is this
-/// derivative of the displacement, `force_unit` that of a recorded force, "" where there is none or it is not
-/// known.
+/// The law's parameters per unit mass, in the order of fitted_parameters(). `observed` is the unit of the
+/// record, `derivative` says which derivative of the displacement it is. `force_unit` is that of a recorded
+/// force; "" if there is none or it is not known.
 std::vector<Parameter> law_parameters(const LawFit& fit, std::string_view observed, int derivative,
                                       std::string_view force_unit = {});
 
-/// With a mass and a record of lengths or its derivatives: each term's coefficient in SI (stiffness, damping,
-/// drag_constant, …), the force of a harmonic drive, and with a disc drag_coefficient: C_d = 2 d/(rho S),
-/// where S = pi D^2/4 and rho is dry air's density at the temperature. Averaged over a cycle that is 3 pi m
-/// q/(2 rho S w), q the slope of the decay rate against amplitude.
+/// The parameters in SI, of a body with a mass (else none) and a record of a length or its derivatives: each
+/// term's coefficient (stiffness, damping, drag_constant, …), the force of a harmonic drive and, with a disc,
+/// drag_coefficient: C_d = 2 d/(rho S), where S = pi D^2/4 and rho is the density of dry air at the
+/// temperature. Averaged over a cycle this is 3 pi m q/(2 rho S w), q being the slope of the decay rate
+/// against amplitude.
 std::vector<Parameter> force_parameters(const LawFit& fit, const Body& body);
 
-/// Those that a goal may be set for, by name.
+/// Derived quantities that a goal may be set for.
 inline constexpr std::string_view derived_names[] = {"frequency",
                                                      "period",
                                                      "damping_ratio",
@@ -47,17 +48,22 @@ inline constexpr std::string_view derived_names[] = {"frequency",
                                                      "logarithmic_decrement",
                                                      "limit_cycle_amplitude"};
 
-/// frequency [Hz], period [s], damping_ratio, quality_factor, logarithmic_decrement and at_amplitude, the
-/// amplitude at which they hold: that of the first sample, where viscous damping of this ratio takes as much
-/// energy in a cycle as all terms of the law. The frequency is that of the springs at this amplitude, lowered
-/// by the viscous term alone: drag and friction do not shift it to first order. Of the viscous law they do
-/// not depend on the amplitude. Standard errors follow from the covariance of all parameters, start included.
-/// Quantities that do not exist are NaN; of a hysteretic law, whose loops depend on how the motion came where
-/// it is, there are none. `observed` and `derivative` as of law_parameters. Of a driven motion they are said
-/// at the amplitude of a sinusoid as large as the law's motion `x` is on average (root mean square), which is
-/// taken as given; of an overdamped law damping_ratio, quality_factor and at_amplitude alone. Of a swing that
-/// negative damping feeds, limit_cycle_amplitude in place of the quality factor: where it keeps itself. Of a
-/// body without a spring mass = 1/force_gain [unit of force per unit of acceleration] alone.
+/// What the whole law is like at one amplitude, in the words of the linear oscillator: frequency [Hz], period
+/// [s], damping_ratio, quality_factor, logarithmic_decrement, and at_amplitude, the amplitude at which they
+/// hold.
+///
+/// Free motion: the amplitude of the first sample. Driven motion: that of a sinusoid with the root mean
+/// square of the law's motion `x`, taken as certain. Viscous damping of this ratio takes as much energy in a
+/// cycle at this amplitude as all terms of the law. The frequency is that of the springs at this amplitude,
+/// lowered by the viscous term alone: drag and friction do not shift it to first order. Of the viscous law
+/// nothing depends on the amplitude. Standard errors follow from the covariance of all parameters, start
+/// included.
+///
+/// Quantities that do not exist are NaN. A hysteretic law has none: its loops depend on the motion before. An
+/// overdamped driven law has damping_ratio, quality_factor and at_amplitude alone. A swing that negative
+/// damping feeds has limit_cycle_amplitude, where it sustains itself, in place of the quality factor. A body
+/// without a spring has mass = 1/force_gain [unit of force per unit of acceleration] alone. `observed`,
+/// `derivative` and `force_unit` are as in law_parameters.
 std::vector<Parameter> derived_quantities(const LawFit& fit, std::string_view observed, int derivative,
                                           const std::vector<double>& x = {},
                                           std::string_view force_unit = {});

@@ -16,7 +16,8 @@
 namespace cromer::core {
 namespace {
 
-// KC = 2 pi A/D. The amplitude's error from those of the displacement and velocity at the first sample.
+// KC = 2 pi A/D. The error of the amplitude follows from those of displacement and velocity at the first
+// sample.
 void add_keulegan_carpenter(FittedRecording& result, const Quantity& diameter) {
   const LawFit& fit = result.fit;
   if (!is_linear_quantity(result.series.quantity)) return;

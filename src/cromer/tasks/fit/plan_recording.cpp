@@ -39,7 +39,7 @@ const std::vector<std::string_view>& known_quantities() {
 
 constexpr double most_periods = 20'000;
 
-/// The covariance that records of other lengths would have.
+/// What records of other lengths would tell.
 class Prospect {
  public:
   Prospect(const LawFit& fit, const Record& record)
@@ -69,7 +69,7 @@ class Prospect {
   }
 
  private:
-  /// The bound of white noise of the residual's size. Twenty points in a period stand for all samples.
+  /// The covariance by white noise of the residual's size. Twenty points in a period stand for all samples.
   SquareMatrix white(double duration) const {
     const double period = two_pi / fit_.angular_frequency().value;
     const double points = std::max(24.0, std::ceil(20 * duration / period));
@@ -92,7 +92,7 @@ class Prospect {
   std::vector<double> excess_;
 };
 
-/// When the swing has become too small to tell anything, or the counting of periods too long.
+/// When the swing has become too small to tell anything, or too many periods have passed to count them.
 struct SwingEnd {
   double t = 0;  // [s]
   bool dies_down = false;
@@ -124,7 +124,7 @@ std::string certainty(const RecordingPlan& plan, bool relative, double error) {
                      plan.unit == "1" ? "" : plan.unit);
 }
 
-/// Known from where the samples lie, also where nothing swings any more.
+/// Quantities that the position of the samples tells, even if nothing swings any more.
 bool is_of_the_place(std::string_view quantity) {
   return quantity == "equilibrium" || is_of_the_start(quantity);
 }
@@ -156,7 +156,7 @@ Notice sentence(const RecordingPlan& plan, bool relative, double present, double
   if (plan.noise_ratio == 0)
     return Notice{"plan_limited_by_values", {{"goal", goal}, {"quantity", plan.quantity}, {"now", now}}};
   const Notice limits = limits_of(plan, goal, certainty(plan, relative, plan.best), dies_down);
-  // What is said of the place gains nothing by a larger swing; the terms of a law that is not linear gain
+  // A larger swing does not help quantities of the place; it helps the terms of a law that is not linear by
   // more than in proportion, or less.
   Notice start;
   if (!is_of_the_place(plan.quantity))
@@ -166,7 +166,7 @@ Notice sentence(const RecordingPlan& plan, bool relative, double present, double
       {{"limits", limits}, {"noise", plan.noise_ratio}, {"start", start}, {"rate", plan.rate_ratio}}};
 }
 
-/// "did you mean decay_rate?", also of "decay rate 1 %"; else all there are.
+/// "did you mean decay_rate?", also for "decay rate 1 %"; else all quantities there are.
 Notice meant(std::string_view text, std::string_view quantity) {
   std::string joined(text);
   std::replace(joined.begin(), joined.end(), ' ', '_');
@@ -261,7 +261,7 @@ Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const 
     }
     plan.duration = high;
   } else {
-    // What is left when the record says all: the mass's part.
+    // The part that no record can reduce: that of the mass.
     LawFit certain = prospect.after(last);
     for (double& c : certain.covariance) c = 0;
     for (Estimate& estimate : certain.estimates) estimate.standard_error = 0;

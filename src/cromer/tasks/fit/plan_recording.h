@@ -1,8 +1,8 @@
-// How long to record until a quantity is known as well as wanted.
+// How long to record until a quantity is known well enough.
 //
-// The information that a record of any length would hold is computed from the fitted law itself (the normal
-// equations of its motion): in the long run the bounds of theory.md, with all correlations. What the present
-// record's errors exceed it by (noise that is correlated or rounded) is taken to stay as it is.
+// The fitted law itself (the normal equations of its motion) says how much a record of any length tells: in
+// the long run the bounds of theory.md, with all correlations. The present record's errors exceed this by
+// some factor (noise that is correlated or rounded), which is assumed to stay.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,7 @@ namespace cromer::core {
 /// A quantity and the standard uncertainty it should have.
 struct Goal {
   std::string quantity;   ///< a name of the fit's parameters or derived quantities
-  bool relative = false;  ///< `uncertainty` is a part of the value
+  bool relative = false;  ///< a part of the value, not an amount
   std::string text;       ///< "0.5 %", "0.0001 1/s"
 };
 
@@ -30,20 +30,19 @@ struct RecordingPlan {
   double goal = 0;  ///< standard uncertainty wanted, in the quantity's unit
   double now = 0;   ///< standard uncertainty of this record
   bool met = false;
-  bool possible = true;  ///< by a longer record from such a start
-  double duration = 0;   // [s] that reaches the goal; where none does, beyond which nothing is gained
-  double best = 0;       ///< where it is not possible: what the longest record gives
-  double noise_ratio =
-      1;  ///< where it is not possible: how many times less noise it takes; 0: no less would do
-  double rate_ratio = 1;  ///< or how many times the samples per second, if their noise is white
-  Notice text;            ///< all this in a sentence
+  bool possible = true;    ///< by a longer record from such a start
+  double duration = 0;     // [s] that reaches the goal; if none does, beyond which nothing is gained
+  double best = 0;         ///< if not possible: what the longest record gives
+  double noise_ratio = 1;  ///< if not possible: how many times less noise it takes; 0: no less is enough
+  double rate_ratio = 1;   ///< or how many times the samples per second, if the noise is white
+  Notice text;             ///< all this in a sentence
 };
 
 /// The named quantities of a fit, with the errors that its covariance gives them.
 using QuantitiesOf = std::function<std::vector<Parameter>(const LawFit& fit)>;
 
-/// `fit` has values; `record` is the one it came from. A goal for what this law does not have, or in a wrong
-/// unit, is an Error.
+/// `fit` must have values and come from `record`. A goal for what this law does not have, or in a wrong unit,
+/// is an Error.
 Result<RecordingPlan> plan_recording(const Goal& goal, const LawFit& fit, const Record& record,
                                      const QuantitiesOf& quantities_of);
 

@@ -7,7 +7,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/identify/choose/kind_of_motion.h"
 #include "cromer/identify/fit_settings.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
@@ -21,7 +21,7 @@ MotionJudgement judged(const FittedRecording& free, const FittedRecording& drive
                       frequency_known);
 }
 
-// Amplitude of the steady oscillation over that of a lasting sinusoid with the record's variance.
+// Amplitude of the steady oscillation, over that of a sinusoid with the record's variance.
 double share_of_steady(const FittedRecording& driven) {
   const Motion& law = driven.fit.motion;
   const double w0 = law.angular_frequency(), w = law.drive_frequency;
@@ -34,7 +34,7 @@ double share_of_steady(const FittedRecording& driven) {
   return steady / std::sqrt(2 * square / static_cast<double>(samples.y.size()));
 }
 
-// A drive that accounts for next to nothing is none.
+// A drive that explains next to nothing is no drive.
 bool drive_helps(const FittedRecording& driven, const FittedRecording& free) {
   return driven.fit.residual.rms < 0.9 * free.fit.residual.rms;
 }
@@ -54,7 +54,8 @@ Notice said(const Mode& mode) {
                  {"decay_rate", format_quantity({g.value, g.standard_error}, "1/s")}}};
 }
 
-// Of a motion in which neither line decays: where the drive was searched, and where it was named.
+// Neither of two lines decays. The first is for a drive that was searched for, the second for one that was
+// given.
 Notice either_reading(const TwoModes& modes) {
   return Notice{"two_steady_lines", {{"one", said(modes.modes[0])}, {"other", said(modes.modes[1])}}};
 }
@@ -73,7 +74,7 @@ Notice of_two_modes(const TwoModes& found) {
                 {{"one", said(found.modes[0])}, {"other", said(found.modes[1])}, {"beat", two_pi / apart}}};
 }
 
-// Which of two readings it is, no record can tell.
+// No record can tell which of two readings is right.
 void leave_undetermined(FittedRecording& result, const TwoModes& found, Notice readings) {
   result.modes.assign(found.modes.begin(), found.modes.end());
   result.fit.status = FitStatus::undetermined;
@@ -92,7 +93,7 @@ void say_two_modes(FittedRecording& result, const TwoModes& found) {
       {{"modes", of_two_modes(found)}, {"together", found.residual.rms}, {"law", result.fit.residual.rms}}});
 }
 
-// A refused fit in which a line accounts for some of the variance, and what is left is no noise.
+// A refused fit in which one line explains some of the variance, and the rest is no noise.
 bool may_be_beats(const LawFit& fit) {
   const bool refused = fit.status == FitStatus::no_oscillation || fit.status == FitStatus::too_noisy;
   return refused && fit.explained > 0.1 && fit.residual.rms > 0 && fit.residual.autocorrelation >= structured;
@@ -113,9 +114,8 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   same.drive_frequency = "auto";
   same.from = free.series.t.front();
   same.to = free.series.t.back();
-  // A drive must account for what the free law leaves, without the help of another law: one fit tells most
-  // free motions.
-  // A swing that feeds itself may be a driven one in disguise, of another law.
+  // The drive alone, without another law, must explain what the free law leaves: one fit then tells most free
+  // motions. But a swing that feeds itself may be a driven one in disguise, of another law.
   const bool loses = !free.fit.law.shares(bounding_terms);
   if (loses) same.law = refused ? "viscous" : to_text(free.fit.law);
   Result<FittedRecording> driven = fit_driven(motion, free.file, same, watch);
@@ -124,7 +124,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   const bool settled = (driven->fit.has_values() && !drive_helps(*driven, free)) ||
                        (driven->fit.status == FitStatus::converged &&
                         (judgement.kind == MotionKind::free || judgement.kind == MotionKind::two_modes));
-  // What no free law accounts for a drive must, for more than half.
+  // Where every free law was refused, a drive must explain more than half.
   const bool worth_more = !refused || driven->fit.explained > 0.5;
   if (loses && !settled && worth_more) {
     same.law = options.law;
@@ -153,7 +153,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
 
 Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion, const FitOptions& options,
                                     const Watch& watch) {
-  // A fit that ends nowhere has found no drive either, if the motion is a free one.
+  // A fit that did not converge has found no drive either, if the motion is a free one.
   const bool searched = options.drive_frequency == "auto";
   const bool settled = !driven.parameters.empty() && driven.fit.status == FitStatus::converged;
   if (!(settled || driven.fit.status == FitStatus::iteration_limit) || watch.interrupted()) return driven;

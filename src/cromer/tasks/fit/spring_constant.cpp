@@ -9,7 +9,7 @@
 #include "cromer/base/pi.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/uncertainty.h"
-#include "cromer/tasks/fit/forced_options.h"
+#include "cromer/tasks/fit/fit_options.h"
 #include "cromer/tasks/fit/used_samples.h"
 
 namespace cromer::core {
@@ -58,8 +58,8 @@ double median(const std::vector<double>& y, std::size_t first, std::size_t last)
   return upper_median(part);
 }
 
-/// Stretches that stay at a level. In blocks of a fiftieth of the record for each mass a quiet block spans
-/// little; neighbouring quiet blocks of one level are one plateau, which must last for three of them.
+/// Stretches that stay at a level. The record is cut into blocks, fifty for each mass. A quiet block spans
+/// little; neighbouring quiet blocks at one level are a plateau, which must last for three blocks.
 std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
   const std::size_t n = series.y.size(), block = std::max<std::size_t>(5, n / (50 * masses));
   const auto [low, high] = std::minmax_element(series.y.begin(), series.y.end());
@@ -101,7 +101,8 @@ std::vector<Plateau> plateaus(const Series& series, std::size_t masses) {
   return joined;
 }
 
-/// More mass, more extension, as far as the positions are known: the sensor may look from either side.
+/// Whether more mass gives more extension, as far as the positions are known. The sensor may look from either
+/// side.
 bool goes_one_way(std::vector<UncertainPoint> points) {
   std::sort(points.begin(), points.end(),
             [](const UncertainPoint& one, const UncertainPoint& other) { return one.x < other.x; });
@@ -135,7 +136,7 @@ Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& op
   return found;
 }
 
-/// The first option given that says or asks something of a motion; empty where none does.
+/// The first given option that has a meaning for a motion only; empty if there is none.
 std::string_view of_a_motion(const FitOptions& o) {
   if (o.mass || o.spring_mass) return o.mass ? "mass" : "spring-mass";
   if (law_is_chosen(o)) return "law";
@@ -164,7 +165,7 @@ Result<std::vector<Quantity>> parse_masses(std::string_view text) {
     if (part.empty()) return Error{"mass_missing"};
     with_unit += !unit_in(part).empty();
   }
-  // One unit at the end is that of all; some with and some without one could mean anything.
+  // A single unit at the end is that of all. Units on some of them could mean anything.
   const std::string unit(unit_in(parts.back()));
   for (std::string& part : parts) {
     if (with_unit == parts.size() || with_unit == 0 || !unit_in(part).empty()) continue;

@@ -19,9 +19,9 @@
 
 namespace cromer::core {
 
-/// Reads "48.4 g, 67.95 ± 0.01 g, 0.088": parts between commas, each a quantity in kg; a part without unit
-/// takes the unit of the next that has one ("48.4, 67.95, 87.96 g"), and is in kg where none has. All must be
-/// zero or more. Errors begin with the option.
+/// Reads a list of masses in kg, all >= 0: "48.4 g, 67.95 ± 0.01 g, 0.088 kg". If only the last has a unit,
+/// all have it ("48.4, 67.95, 87.96 g"); if none has one, all are in kg; anything between is an Error. Errors
+/// name the option.
 Result<std::vector<Quantity>> parse_masses(std::string_view text);
 
 /// A mass at rest: the mean of its samples.
@@ -33,7 +33,7 @@ struct Hold {
   double position = 0;        // [m]
   double scatter = 0;         // [m] standard deviation of the samples
   double standard_error = 0;  // [m] of the mean, widened for correlation
-  bool moves = false;         ///< slowly, as a swing does, not from sample to sample as noise
+  bool moves = false;         ///< slowly, as a swing does; noise changes from sample to sample
   Quantity mass;              // [kg]
 };
 
@@ -45,15 +45,15 @@ struct StaticStiffness {
   std::vector<Notice> notices;
 };
 
-/// Samples at rest, one hold for each run if there are as many runs as `masses`, else the so many plateaus of
-/// one run, in their order in time. A column of another quantity than a position, and plateaus that cannot be
-/// told apart or are more or fewer than the masses, are Errors.
+/// The samples at rest, in the order of `masses`: one hold for each run or, of a single run, one for each
+/// plateau. A column that is no position is an Error, and so is another number of runs or plateaus than of
+/// masses.
 Result<std::vector<Hold>> find_holds(const std::vector<Series>& runs, std::string_view file,
                                      const std::vector<Quantity>& masses);
 
-/// The weighted line, errors in both coordinates. What the means scatter more than their own errors (hooking
-/// masses on, friction, creep) is found from the line and added; with three masses that rests on one degree
-/// of freedom, and the interval says so. Fewer than two holds, or all masses alike, are Errors.
+/// Fits a line, weighted, with errors in both coordinates. Scatter beyond the errors of the means (hooking
+/// masses on, friction, creep) is estimated from the line and added; with three masses that rests on one
+/// degree of freedom, and the interval is as wide. Fewer than two holds, or all masses alike, are Errors.
 Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity& gravity);
 
 struct StaticOptions {
@@ -65,8 +65,8 @@ struct StaticOptions {
 /// A file's name and its bytes.
 using NamedBytes = std::pair<std::string, std::string>;
 
-/// The holds in the order of the files and their runs; a file of one run may hold several plateaus where it
-/// is the only file. Files without times need no rate. Bad input is an Error.
+/// Takes the holds in the order of the files and their runs; a single file of one run may hold several
+/// plateaus. Files without times need no rate. Bad input is an Error.
 Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options);
 
 struct MassLinePoint {
@@ -85,8 +85,9 @@ struct MassLine {
   std::vector<Notice> notices;
 };
 
-/// One mass for each fit, in their order; fits that did not succeed are left out and said. Not as many masses
-/// as fits, and fewer than two different masses left, are Errors.
+/// `masses` has one for each fit, in their order. Fits that did not succeed are left out, with a notice.
+/// Errors: another number of masses than of fits, fewer than two different masses left, periods that do not
+/// grow.
 Result<MassLine> mass_line(const std::vector<FittedRecording>& fits, const std::vector<Quantity>& masses);
 
 }  // namespace cromer::core

@@ -19,14 +19,14 @@ struct Contribution {
   std::string unit;
   double sensitivity;   ///< dk/d(quantity)
   double contribution;  // [N/m] |sensitivity| times standard_uncertainty
-  double share;         ///< of k's variance, 0 to 1; 0 where there is none
+  double share;         ///< of k's variance, 0 to 1; 0 if that is 0
 };
 
-/// Mass, spring mass (if any) and frequency. `body` has a mass.
+/// The parts of mass, spring mass (if any) and frequency. `body` must have a mass.
 std::vector<Contribution> stiffness_budget(const LawFit& fit, const Body& body);
 
-/// The same propagated as distributions (JCGM 101:2008): masses normal, the frequency by Student's t scaled
-/// to its standard error (6.4.9.2) with the fit's degrees of freedom.
+/// The same propagated as distributions (JCGM 101:2008): masses are normal; the frequency follows Student's t
+/// with the fit's degrees of freedom, scaled to its standard error (6.4.9.2).
 struct MonteCarlo {
   long long trials = 0;
   std::uint64_t seed = 1;
@@ -34,7 +34,7 @@ struct MonteCarlo {
   double low = 0, high = 0;                 // [N/m] 95 % of the trials lie between, as many below as above
 };
 
-/// `trials` from 1000 to 1e7; the same seed gives the same numbers on every machine. Empty where interrupted.
+/// `trials` from 1000 to 1e7. The same seed gives the same numbers on every machine. Empty if interrupted.
 std::optional<MonteCarlo> stiffness_monte_carlo(const LawFit& fit, const Body& body, long long trials,
                                                 std::uint64_t seed, const Watch& watch = {});
 

@@ -12,7 +12,7 @@
 namespace cromer::core {
 namespace {
 
-/// The first of what a fit would take in a run: a position, else an angle, ..., else anything beside the
+/// The first column of the kind that a fit would take: a position, else an angle, ..., else anything but the
 /// time.
 const Column* main_column(const Recording& recording, int run) {
   for (const std::string_view quantity :
@@ -25,8 +25,7 @@ const Column* main_column(const Recording& recording, int run) {
   return nullptr;
 }
 
-/// Where several columns are alike, that of the first of them, since a description need not choose: that is
-/// said.
+/// Of several columns alike a description takes the first, and a notice says so.
 Result<Series> main_series(const Recording& recording, int run, const ReadOptions& options) {
   auto series = take_series(recording, "", run, options);
   const Column* main = series ? nullptr : main_column(recording, run);
@@ -47,8 +46,7 @@ InspectedColumn look_at(const Recording& recording, std::size_t j, std::optional
   return found;
 }
 
-/// What a run's other columns hold beside their motion: a description is not only of the one that a fit
-/// takes.
+/// Outliers in the run's other columns: a description is not only of the column that a fit takes.
 std::vector<Notice> outliers_elsewhere(const Recording& recording, int run, const std::string& inspected,
                                        const ReadOptions& options) {
   std::vector<Notice> found;

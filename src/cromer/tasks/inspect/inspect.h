@@ -13,12 +13,12 @@ namespace cromer::core {
 /// What is known of one column of the table beside its name and values.
 struct InspectedColumn {
   std::size_t samples = 0;  ///< values that are not missing
-  std::string time_column;  ///< the one it is taken with, with unit; "" of a time, and where there is none
+  std::string time_column;  ///< the one that goes with it, with unit; "" for a time, and if there is none
 };
 
-/// In JSON a column's name is its title, "Time (s)": as time_column spells it, and as --column and
-/// --time-column take it (they also take the bare name). What `cromer inspect` says: of the whole file, and
-/// of one column in each run.
+/// What `cromer inspect` says of the whole file, and of one column in each run. In JSON a column's name is
+/// its title, "Time (s)", as time_column spells it, and as --column and --time-column take it (they take the
+/// bare name too).
 struct Inspection {
   Recording recording;
   std::vector<InspectedColumn> columns;  ///< as in the table
@@ -34,8 +34,8 @@ struct Inspection {
   std::vector<Notice> notices;
 };
 
-/// `column` is the one described, named as in --column; empty: the one that a fit would take, or the first of
-/// several alike. A run without it has a notice in place of a series.
+/// `column` is the one to describe, named as in --column; empty: the one that a fit would take, or the first
+/// of several alike. A run without it has a notice instead of a series.
 Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
                            std::string_view column = "");
 

@@ -7,13 +7,13 @@
 namespace cromer::core {
 namespace {
 
-/// Angular frequency of the free motion; empty if it does not swing.
+/// Angular frequency of the free motion; empty if it does not oscillate.
 std::optional<double> free_frequency(const LinearLaw<double>& law) {
   const double squared = law.stiffness - law.decay_rate * law.decay_rate;
   return squared > 0 ? std::optional(std::sqrt(squared)) : std::nullopt;
 }
 
-/// Equal to four digits or, of a rate, to a ten-millionth of the frequency.
+/// Equal to four digits; a rate, to a ten-millionth of the frequency.
 bool keeps(double effective, double true_value, double frequency) {
   return std::abs(effective - true_value) <= 5e-5 * std::abs(true_value) + 1e-7 * frequency;
 }
@@ -65,12 +65,12 @@ std::optional<MethodEffect> effect_at_step(std::string_view method, const Method
     result.stability_limit = first_unstable_step(free, [&](double step) {
       return effective_oscillator_of(method, settings, free, step).spectral_radius;
     });
-    // Where every step is stable a radius above 1 is rounding.
+    // If every step is stable, a radius above 1 is rounding.
     result.stable = result.stable || !result.stability_limit;
   }
   if (std::isnan(result.effective.spectral_radius)) return std::nullopt;
   if (method == "exact") {
-    // Also where the step is too long to show the frequency.
+    // Also if the step is too long to show the frequency.
     result.effective.angular_frequency = free_frequency(law);
     result.effective.decay_rate =
         result.effective.angular_frequency ? std::optional(law.decay_rate) : std::nullopt;

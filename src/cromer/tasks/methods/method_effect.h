@@ -1,4 +1,4 @@
-// What a method with a step really simulates, in numbers and to be said.
+// What a method with a step really simulates, in numbers and in words.
 #pragma once
 
 #include <optional>
@@ -15,20 +15,20 @@ namespace cromer::core {
 struct MethodEffect {
   EffectiveOscillator effective{};
   bool stable = true;
-  std::optional<double> stability_limit{};  // [s] 0 where no step is stable; empty where there is no limit
+  std::optional<double> stability_limit{};  // [s] 0 if no step is stable; empty if there is no limit
 };
 
-/// Of the method of that name (check_method_name) with steps h > 0 [s]; empty for adaptive methods, which
-/// choose their steps, and where an implicit method finds no solution. `exact` is its own oscillator. The
-/// limit is looked for where the step is unstable or `with_limit` asks; a law without spring has none.
+/// The effect of the method of that name (check_method_name) with steps h > 0 [s]. Empty for adaptive
+/// methods, which choose their steps, and if an implicit method finds no solution. `exact` keeps the law. The
+/// limit is searched for if the step is unstable or `with_limit` asks; a law without a spring has none.
 std::optional<MethodEffect> method_effect(std::string_view method, const MethodSettings& settings,
                                           const LinearLaw<double>& law, double h, bool with_limit);
 
-/// The same of any method: of an adaptive one at a step that it might have chosen.
+/// The same for every method; for an adaptive one at a step that it might choose.
 std::optional<MethodEffect> effect_at_step(std::string_view method, const MethodSettings& settings,
                                            const LinearLaw<double>& law, double h, bool with_limit);
 
-/// The oscillator that the method of that name simulates of the law with steps h > 0 [s].
+/// The oscillator that the method of that name really simulates with steps h > 0 [s].
 EffectiveOscillator effective_oscillator_of(std::string_view method, const MethodSettings& settings,
                                             const LinearLaw<double>& law, double h);
 
@@ -36,8 +36,8 @@ EffectiveOscillator effective_oscillator_of(std::string_view method, const Metho
 /// swings at 5.98 rad/s, 0.3 % too slow".
 Notice effect_notice(const MethodEffect& effect, const LinearLaw<double>& law);
 
-/// Says that a step is beyond the limit, which it names; empty if it is not. Of a law that is not linear the
-/// effect is that of some motions only, which are named: "small motions".
+/// Says that a step is beyond the stability limit, and names the limit; empty if it is not. If the law is not
+/// linear, the effect is that of `motions`, which are named: "small motions".
 Notice instability_notice(std::string_view method, const MethodEffect& effect, double h,
                           const Notice& motions = {});
 

@@ -32,8 +32,8 @@ struct MethodRow {
   bool reversible = false;
   bool a_stable = false;
   std::string_view source;               ///< where it is published
-  std::optional<MethodEffect> effect{};  ///< with a step, of methods that do not choose their own
-  Notice words{};                        ///< the same for people
+  std::optional<MethodEffect> effect{};  ///< with a step; empty for adaptive methods
+  Notice words{};                        ///< the same in words
 };
 
 /// One row per method, in the order of the registry. An Error names option, value and constraint.

@@ -53,7 +53,7 @@ struct Option {
   std::string_view unit;  ///< SI unit of the value; "" for a plain number or a text; "Hz" counts per second
   Range range = Range::any;
   std::string_view help;          ///< what it is, in a few words
-  std::string_view default_text;  ///< what holds when it is not given; "" where nothing does
+  std::string_view default_text;  ///< what holds when it is not given; "" if nothing does
   std::string_view group;         ///< heading in --help
   bool* asked = nullptr;          ///< set to true when the option is given
 
@@ -77,7 +77,7 @@ std::vector<Option> options_of(FitOptions& options);  ///< with those of its Rea
 std::vector<Option> options_of(
     CompareOptions& options);  ///< with those of its FitOptions but the driven ones
 std::vector<Option> options_of(MethodsOptions& options);
-/// Those of simulate that can have a grid are texts here, whatever their unit.
+/// Options of simulate that can have a grid are texts here, whatever their unit.
 std::vector<Option> options_of(SweepOptions& options);
 std::vector<Option> options_of(SpectrumOptions& options);  ///< with those of its ReadOptions
 
@@ -88,12 +88,12 @@ Result<void> assign(const Option& option, std::string_view text);
 /// One option as it was given: its name and its value as text.
 using TypedOption = std::pair<std::string, std::string>;
 
-/// Every setting into its option, checked. An Error names one that is not in the table, with the nearest that
-/// is, or what is wrong with the value; `task` is whose options they are.
+/// Puts every setting into its option, and checks it. The Error names an option that is not in the table,
+/// with the nearest one, or says what is wrong with the value. `task` is the one whose options they are.
 Result<void> assign(const std::vector<TypedOption>& settings, const std::vector<Option>& options,
                     std::string_view task);
 
-/// That the target's present value keeps to the option's range and is finite; the Error names option, value
+/// Checks that the target's present value is finite and in the option's range; the Error names option, value
 /// and constraint.
 Result<void> check(const Option& option);
 

@@ -1,12 +1,12 @@
-// Progress of work that is one part of a longer one.
+// Progress of one part of a longer work.
 #pragma once
 
 #include "cromer/base/interrupt.h"
 
 namespace cromer::core {
 
-/// A Watch for the part of the work that takes it from `from` to `to`, 0 <= from <= to <= 1. `whole` outlives
-/// it.
+/// A Watch for the part of the work from share `from` to share `to`, 0 <= from <= to <= 1. `whole` must
+/// outlive it.
 inline Watch part_of(const Watch& whole, double from, double to) {
   Watch part{whole.interrupt, {}};
   if (whole.progress)

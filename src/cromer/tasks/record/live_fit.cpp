@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t fewest = 20;  // rows
 
-/// What the fit leaves of the swing's spread; 1 where there is no fit.
+/// RMS of the residuals over the standard deviation of the samples; 1 if there is no fit.
 double unexplained(const FittedRecording& fitted) {
   if (!fitted.succeeded()) return 1;
   double mean = 0, squares = 0, n = 0;
@@ -63,7 +63,7 @@ std::shared_ptr<const FittedRecording> LiveFitter::latest() const {
   return latest_;
 }
 
-// Out of memory there is no fit for a while; the recording goes on.
+// Without memory there is no fit for a while; the recording goes on.
 void LiveFitter::work() {
   while (!stop_) {
     try {

@@ -17,21 +17,20 @@ namespace cromer::core {
 
 constexpr std::size_t live_fit_rows = 100000;
 
-/// Viscous law of the last live_fit_rows at most, found as `cromer fit --law viscous` finds it in the file.
-/// `column` is a heading, with or without its unit; where none is named, the column that such a swing
-/// explains best, by what is left of its spread. Nothing while the rows are too few to say anything, or
-/// cannot be fitted at all.
+/// Fits the viscous law to the last rows, at most live_fit_rows, as `cromer fit --law viscous` does to the
+/// file. `column` is a heading, with or without its unit; "" takes the column that a viscous swing explains
+/// best. Empty while there are too few rows, and if none can be fitted.
 std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headings, std::string_view column,
                                         const Watch& watch = {});
 
 /// Fits a recording while it goes on, in a thread of its own.
 class LiveFitter {
  public:
-  /// At most one fit a second, and never more than a third of the time.
+  /// Fits at most once a second, and for no more than a third of the time.
   LiveFitter(const Recorder& recorder, std::string column);
   ~LiveFitter();
 
-  /// The last fit that there is, and how many there have been; null before the first.
+  /// The latest fit, null before the first; and how many there have been.
   std::shared_ptr<const FittedRecording> latest() const;
   std::size_t count() const { return count_; }
 

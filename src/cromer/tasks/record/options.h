@@ -1,4 +1,4 @@
-// What record and serve both ask about a source.
+// The options of a recording, for record and serve.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 namespace cromer::core {
 
 struct RecordOptions {
-  std::string from;                ///< a source; "" none
+  std::string from;                ///< a source; "" if none
   double rate = 0;                 ///< [1/s] of lines without a time
   std::optional<double> duration;  // [s]
   std::string time_unit;
@@ -30,11 +30,11 @@ struct RecordSetup {
   std::string column;
 };
 
-/// That source, unit of time and the name of the file are good.
+/// Checks source, unit of time and the name of the file.
 Result<RecordSetup> check(const RecordOptions& options);
 
-/// A recorder to `path`, not started; the file's head says with which command line and when it began. `words`
-/// makes the sentences at its end.
+/// A recorder to `path`, not started yet. The file's head holds the command line and the time of the start;
+/// `words` makes sentences of the notices at its end.
 std::unique_ptr<Recorder> make_recorder(const RecordSetup& setup, std::optional<double> duration,
                                         const std::string& path, const std::string& command,
                                         std::string (*words)(const Notice&));

@@ -22,7 +22,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double most_steps = 1e8;
 constexpr double reference_tolerance = 1e-13;
 
-/// What may be asked of a run: its errors with a step, the worst of them infinite where it fails.
+/// The errors of a run with a step; the worst is infinite if it fails.
 using Attempt = std::function<Accuracy(double step)>;
 
 /// The longest step not above h that fills the run a whole number of times.
@@ -41,7 +41,7 @@ double damped_frequency(const LinearLaw<double>& law) {
   return std::sqrt(law.stiffness - law.decay_rate * law.decay_rate);
 }
 
-/// Errors of a free motion with this frequency and decay rate, of the law over the run.
+/// Errors over the run of a free motion with this frequency and decay rate.
 Accuracy errors_of(const LinearLaw<double>& law, double until, double frequency, double decay_rate) {
   Accuracy found;
   found.frequency_error = std::abs(frequency / damped_frequency(law) - 1);
@@ -51,7 +51,7 @@ Accuracy errors_of(const LinearLaw<double>& law, double until, double frequency,
   return found;
 }
 
-/// From the method's own oscillator; nothing is run.
+/// The errors of the oscillator that the method simulates; nothing is run.
 Accuracy predicted(const SimulatedRun& run, const LinearLaw<double>& law, double step) {
   Accuracy failed;
   failed.amplitude_error = infinite;
@@ -148,8 +148,8 @@ Error none(double asked, double step, double until) {
                {{"accuracy", asked}, {"step", step}, {"steps", most_steps}, {"until", until}}};
 }
 
-/// The largest step below `longest` (within 1 %) whose trial keeps to what is asked, on the branch that
-/// reaches down to short steps: every one of eight shorter ones must keep to it too, where `thorough`.
+/// The largest step below `longest` (within 1 %) whose errors keep to `asked`, and those of all shorter
+/// steps. If `thorough`, eight shorter steps in a row are tried, else one.
 Result<double> largest_step(const Attempt& trial, double asked, double longest, double until, bool thorough,
                             const Watch& watch) {
   const auto good = [&](double h) { return trial(whole_step(h, until)).worst() <= asked; };
@@ -159,7 +159,7 @@ Result<double> largest_step(const Attempt& trial, double asked, double longest, 
   int kept = 0;
   for (double h = longest; kept < in_a_row; h *= ratio) {
     if (watch.interrupted()) return Error{"interrupted"};
-    // Steps that only confirm the branch below are predicted, not run.
+    // Shorter steps only confirm that all below are good: they are predicted, not run.
     if (until / (kept > 0 ? low : h) > most_steps) return none(asked, h, until);
     if (good(h)) {
       if (kept++ == 0) low = h;
@@ -175,10 +175,11 @@ Result<double> largest_step(const Attempt& trial, double asked, double longest, 
   return whole_step(low, until);
 }
 
-/// The largest step, to 1 %, that keeps all errors of the run within `asked`; empty for `exact`, which has
-/// none. A linear law under a harmonic drive: solved from the oscillator that the method really simulates,
-/// then measured on a free run. Other laws and drives: by halving, each trial measured against a fine
-/// reference. An Error says why there is none. `options` ask for this one run; its step is not looked at.
+/// The largest step, to 1 %, that keeps all errors of the run within the accuracy asked for; empty for
+/// `exact`, which has none. For a linear law under a harmonic drive it is solved from the oscillator that the
+/// method really simulates, then measured on a free run. For other laws and drives it is found by halving,
+/// each trial measured against a fine reference. An Error says why there is none. `options` are those of this
+/// one run; their step is ignored.
 Result<std::optional<Accuracy>> find_step(const SimulateOptions& options, const SimulatedRun& run,
                                           const Watch& watch) {
   if (run.method == "exact") return std::optional<Accuracy>{};
@@ -193,7 +194,7 @@ Result<std::optional<Accuracy>> find_step(const SimulateOptions& options, const 
       largest_step(trial, asked, std::min(60 * run.step, run.until), run.until, law.has_value(), watch);
   if (!step) return step.error();
   Accuracy found = law ? verified(options, run, *law, *step, watch) : trial(*step);
-  // What a run shows may lie a rounding above the prediction.
+  // The error of the run may lie slightly above the prediction.
   for (int tries = 0; found.worst() > asked && tries < 20; ++tries) {
     *step = whole_step(*step * 0.99, run.until);
     found = law ? verified(options, run, *law, *step, watch) : trial(*step);

@@ -17,19 +17,19 @@ struct DriveRecord {
   std::vector<Notice> notices;
   std::string column{};    ///< as the file names it, with unit
   std::string motion{};    ///< as Recording has it
-  bool unit_known = true;  ///< else the values are as they stand in the file
+  bool unit_known = true;  ///< if not, the values are as they stand in the file
 };
 
-/// What is wanted of a file, and how notices call it.
+/// What is wanted of a file, and how notices name it.
 struct DriveRequest {
   std::string_view quantity;                        ///< "force" or "acceleration"
-  std::string_view column{};                        ///< "" where only one can be meant
+  std::string_view column{};                        ///< "": the only one that can be meant
   int run = 0;                                      ///< 0: the first
-  std::string_view column_option = "drive-column";  ///< that says another column
+  std::string_view column_option = "drive-column";  ///< the option that names another column
   std::string_view use = "drive";                   ///< what the samples are for: "drive" or "spectrum"
 };
 
-/// An Error for what is no such recording: another quantity, gaps or missing values, times that are not even.
+/// An Error if the file holds no such recording: another quantity, gaps or missing values, uneven times.
 Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view file,
                                       const DriveRequest& request, const ReadOptions& options);
 

@@ -103,7 +103,7 @@ Result<void> check_needs(const SimulateOptions& o, const Kind& kind, const Notic
 
 SampledDrive sampled_drive(const SimulateOptions& o) {
   const DriveRecord& record = *o.drive_record;
-  // Ground that accelerates pushes the mass, seen from it, the other way.
+  // Seen from ground that accelerates, the mass is pushed the other way.
   const double factor = o.base_motion.empty() ? 1 : -o.mass;
   SampledDrive drive;
   drive.spacing = record.spacing;
@@ -180,7 +180,7 @@ Result<void> set_drive(const SimulateOptions& o, double w, SimulatedRun& run) {
       return Error{"unbalance_heavier_than_mass", {{"mass", o.mass}, {"unbalance", *o.unbalance_mass}}};
     run.drive = *harmonic;
   } else if (kind == "chirp" || kind == "logarithmic-chirp") {
-    run.drive.frequency = w;  // by which runs are told apart
+    run.drive.frequency = w;  // tells runs apart
     run.general = ChirpDrive<double>{.amplitude = o.drive_amplitude,
                                      .from = w,
                                      .to = *o.drive_to,

@@ -10,42 +10,43 @@
 
 namespace cromer::core {
 
-/// What is asked for: a name that --drive takes, "drive-file" or "base-motion"; "none" where nothing drives.
+/// The drive that is asked for: a name that --drive takes, "drive-file" or "base-motion"; "none" if nothing
+/// drives.
 std::string_view drive_name(const SimulateOptions& options);
 
-/// That the name is known, everything it needs is given, and nothing that it has no use for. An Error names
-/// the option.
+/// Checks that the drive is known, that all it needs is given, and nothing that has no effect on it. An Error
+/// names the option.
 Result<void> check_drive(const SimulateOptions& options);
 
-/// The drive at this frequency of a law of that mass, where it is a harmonic one (none, a force, an
+/// The drive at this frequency [rad/s] on a body of that mass [kg], if it is harmonic (none, a force, an
 /// unbalance, a shaking base); empty for the others.
 std::optional<HarmonicDrive<double>> harmonic_drive(const SimulateOptions& options, double frequency,
                                                     double mass);
 
-/// Sets the run's drive at this frequency. A chirp without a duration gets one in end_drive.
+/// Sets the run's drive at this frequency [rad/s]. A chirp without a duration gets one in end_drive.
 Result<void> set_drive(const SimulateOptions& options, double frequency, SimulatedRun& run);
 
-/// Period of a harmonic drive [s]; 0 where nothing swings.
+/// Period of a harmonic drive [s]; 0 if nothing swings.
 double drive_period(const HarmonicDrive<double>& drive);
 
-/// The length by which step and end are chosen [s]: a period of the drive, the shortest of a chirp, the
-/// duration of a pulse; 0 where there is none.
+/// The time by which step and end are chosen [s]: the period of the drive, the shortest period of a chirp,
+/// the duration of a pulse; 0 if there is none.
 double drive_period(const SimulatedRun& run);
 
-/// When the drive sets in [s]; 0 where it acts from the start, or none does.
+/// When the drive begins [s]; 0 if it acts from the start, or there is none.
 double drive_begin(const SimulatedRun& run);
 
-/// Where the drive itself ends [s]; 0 where it does not.
+/// When the drive ends [s]; 0 if it does not.
 double drive_end(const SimulatedRun& run);
 
-/// A chirp without a duration sweeps until the end of the run; a recording must last that long, and `exact`
-/// needs a closed form.
+/// Lets a chirp without a duration sweep until the end of the run. Errors: a chirp that begins after the end,
+/// a recording that ends before it, a drive of which `exact` knows no closed form.
 Result<void> end_drive(const SimulateOptions& options, SimulatedRun& run);
 
-/// Whether it is the base that moves.
+/// Whether the base moves, and a displacement is transmitted; otherwise a force is.
 bool sends_motion(const SimulateOptions& options);
 
-/// The amplitude of what goes in.
+/// Amplitude of the base's displacement [m], or of the force [N].
 double sent_amplitude(const SimulateOptions& options, const SimulatedRun& run);
 
 }  // namespace cromer::core

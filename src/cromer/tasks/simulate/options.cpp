@@ -12,8 +12,8 @@ namespace cromer::core {
 
 namespace {
 
-/// "Law of motion: m x'' = F(t) - k x - c x' ...", each term as its header writes it; the rate of an inner
-/// state, which stands behind a comma, at the end.
+/// "Law of motion: m x'' = F(t) - k x - c x' ...", each term as its header writes it. The rate of an inner
+/// state, behind a comma in the formula, goes to the end.
 std::string law_in_words() {
   std::string sum = "Law of motion: m x'' = F(t)", rates;
   for (const TermInfo& term : term_infos) {
@@ -42,7 +42,7 @@ std::vector<Option> coefficients(SimulateOptions& o, std::string_view group) {
       const CoefficientInfo& info = T::coefficients[i];
       const auto member = T::template members<double>[i];
       Option::Target target = &(o.law.*member);
-      // What has other names as well is told apart from what is not given.
+      // These two have other options as well: not given differs from 0.
       if (member == &Oscillator<double>::stiffness) target = &o.stiffness;
       if (member == &Oscillator<double>::damping) target = &o.damping;
       options.push_back({info.option, target, units[i], range_of(info.sign), info.meaning,

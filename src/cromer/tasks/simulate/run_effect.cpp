@@ -30,7 +30,7 @@ Notice swing_notice(const MeasuredOscillator& swing) {
                  {"last", swing.last_amplitude}}};
 }
 
-/// Of a law that keeps its energy.
+/// For a law that conserves energy.
 Notice kept_energy_notice(const EnergyBalance& balance, bool symplectic) {
   const double off = balance.end / balance.start - 1;
   if (std::abs(off) < nothing_to_speak_of) return Notice{"kept_its_energy", {{"energy", balance.start}}};
@@ -42,7 +42,7 @@ Notice kept_energy_notice(const EnergyBalance& balance, bool symplectic) {
                 {{"energy", balance.start}, {"percent", percent}}};
 }
 
-/// What gives or takes energy.
+/// Name of a term that gives or takes energy.
 template <class T>
 Notice name_of() {
   if constexpr (std::is_same_v<T, Viscous>) return Notice{"damping"};
@@ -103,13 +103,13 @@ std::optional<MethodEffect> effect_of(const SimulatedRun& run) {
 
 Notice step_notice(const SimulatedRun& run) {
   if (run.effect) return instability_notice(run.method, *run.effect, run.step);
-  // Of a law that is not linear the small motions about the rest position tell, as long as they swing; of a
-  // spring that hardens also its stiffness where the motion begins.
+  // For a law that is not linear, look at small motions about the rest position, as long as they oscillate;
+  // for a spring that hardens, also at its stiffness where the motion begins.
   const Oscillator<double>& o = run.oscillator;
   const double period = natural_period(o);
   if (!(period > 0)) return {};
   const double w = two_pi / period;
-  // What drag, friction and their like take may outweigh a growth that only vanishes with the step.
+  // Drag, friction and the like may outweigh a growth that only vanishes with the step.
   const bool braked = law_of(o).shares(dissipative_terms.without(law_with<Viscous>));
   const auto of_motions = [&](double stiffness, const Notice& motions) -> Notice {
     const LinearLaw<double> tangent{.decay_rate = decay_rate(o), .stiffness = stiffness};

@@ -27,8 +27,8 @@ bool dense_enough(const SimulatedRun& run, double period, double states) {
          (period == 0 || spacing_of(run.trajectory) * states <= period * (1 + 1e-9));
 }
 
-/// Of the kept states from one index to another, both included, and of the last one where that is meant.
-/// force per mass.
+/// From the kept states first to last, both included, and the final state if last is the last one kept.
+/// `force` is per unit mass.
 template <class F>
 EnergyBalance from_states(const SimulatedRun& run, const F& force, std::size_t first, std::size_t last) {
   const Trajectory& kept = run.trajectory;
@@ -39,8 +39,8 @@ EnergyBalance from_states(const SimulatedRun& run, const F& force, std::size_t f
   return ledger.balance();
 }
 
-/// Where the kept states at the breaks of the force are; empty where one falls between two states, whose
-/// quadrature would go wrong.
+/// Indices of the kept states at the breaks of the force. Empty if a break falls between two states, where
+/// the quadrature would go wrong.
 template <class F>
 std::optional<std::vector<std::size_t>> states_at_breaks(const SimulatedRun& run, const F& force) {
   constexpr double same = 1e-6;  // of a spacing
@@ -54,7 +54,7 @@ std::optional<std::vector<std::size_t>> states_at_breaks(const SimulatedRun& run
   return found;
 }
 
-/// From break to break of a force that has few.
+/// From break to break, for a force that has few.
 template <class F>
 std::optional<EnergyBalance> from_stretches(const SimulatedRun& run, const F& force) {
   const auto breaks = states_at_breaks(run, force);
@@ -76,7 +76,7 @@ std::optional<EnergyBalance> from_stretches(const SimulatedRun& run, const F& fo
   return sum;
 }
 
-/// The force must know the closed form of its own motion; from break to break where it has any.
+/// The force must know the closed form of its motion. If it has breaks, from break to break.
 template <class F>
 EnergyBalance from_closed_form(const SimulatedRun& run, const F& force, double panel) {
   const Oscillator<double>& o = run.oscillator;
@@ -104,7 +104,7 @@ EnergyBalance from_closed_form(const SimulatedRun& run, const F& force, double p
   return energy_balance(o, run.start, motion(end), work);
 }
 
-/// With dry friction, which `exact` takes without a drive only.
+/// With dry friction, which `exact` takes only without a drive.
 EnergyBalance from_arcs(const SimulatedRun& run) {
   return with_terms(run.oscillator, run.drive, [&](const auto& system) {
     if constexpr (requires { exact_friction_balance(system, run.oscillator, run.start, run.until); })
@@ -120,7 +120,7 @@ bool conserves_modified_energy(const SimulatedRun& run) {
          o.stiffness > 0 && o.stiffness * run.step * run.step < 4 * o.mass;
 }
 
-/// The kept states but the last where that was reached by part of a step.
+/// Number of kept states without the last, if only part of a step led to it.
 std::size_t states_of_whole_steps(const SimulatedRun& run) {
   const bool partly = run.outcome.last_step > 0 ||
                       (run.outcome.status == Status::stopped_by_event && !run.outcome.interrupted);
@@ -142,7 +142,7 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
   const bool closed = run.method == "exact";
   const Law law = law_of(run.oscillator);
   const bool rubs = law.has<Friction>();
-  // The states do not tell what a hysteretic force was.
+  // A hysteretic force does not follow from the states.
   if (law.has<Hysteresis>()) return std::nullopt;
   if (!dense_enough(run, period, closed ? 0 : 20)) return std::nullopt;
   if (closed && rubs) return from_arcs(run);
@@ -160,7 +160,7 @@ std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run) {
           if constexpr (HasClosedForm<std::remove_const_t<decltype(force)>, double>)
             if (closed)
               return from_closed_form(run, force, period > 0 ? std::min(period / 4, spacing) : spacing);
-          // Of a recording the breaks are as many as its samples, and hardly jumps.
+          // A recording has a break at each sample, but hardly a jump.
           if constexpr (std::is_same_v<std::remove_cvref_t<decltype(drive)>, SampledDrive>)
             return from_states(run, force, 0, run.trajectory.size() - 1);
           else

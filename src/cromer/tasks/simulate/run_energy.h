@@ -1,5 +1,5 @@
-// What a finished run says about itself: its energy balance, the energy that its method conserves and, where
-// no closed form tells, its oscillation.
+// What a finished run shows: its energy balance, the energy that its method conserves, and the oscillation of
+// a law without a closed form.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,23 @@
 
 namespace cromer::core {
 
-/// From the kept states and the final one; of a run by `exact` from its closed form, with dry friction arc by
-/// arc, closed to rounding. Empty if the run ended early, its law has hysteresis, its states are fewer than
-/// 20 a period, or the drive jumps or bends between two of them.
+/// From the kept states and the final one. A run by `exact` uses its closed form (with dry friction arc by
+/// arc), and closes to rounding. Empty if the run ended early, its law has hysteresis, a period has fewer
+/// than 20 states, or the drive jumps or bends between two of them.
 std::optional<EnergyBalance> energy_balance_of(const SimulatedRun& run);
 
-/// [J] kinetic and potential, one for each kept state.
+/// Kinetic plus potential energy of each kept state [J].
 std::vector<double> energies(const SimulatedRun& run);
 
-/// Of a free motion under a law that is not linear; empty for others, and with fewer than 8 kept states a
-/// period.
+/// The oscillation of a free motion under a law that is not linear. Empty for others, and if a period has
+/// fewer than 8 kept states.
 std::optional<MeasuredOscillator> measured_oscillator_of(const SimulatedRun& run);
 
-/// Of a free undamped linear motion by euler-cromer with steps below the stability limit, from the kept
-/// states that whole steps reached; empty otherwise, and where nothing moves.
+/// The energy that euler-cromer conserves in a free undamped linear motion below its stability limit, from
+/// the kept states that whole steps reached. Empty otherwise, and if nothing moves.
 std::optional<ModifiedEnergy> modified_energy_of(const SimulatedRun& run);
 
-/// "euler-cromer conserves ..."; empty where there is none.
+/// "euler-cromer conserves ..."; empty if there is none.
 Notice modified_energy_notice(const SimulatedRun& run);
 
 }  // namespace cromer::core

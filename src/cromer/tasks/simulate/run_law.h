@@ -19,19 +19,19 @@ namespace cromer::core {
 /// What to run.
 struct LawRun {
   Oscillator<double> oscillator;
-  HarmonicDrive<double> drive{};                  ///< not looked at where there is a general one
+  HarmonicDrive<double> drive{};                  ///< ignored if there is a general one
   const GeneralDrive<double>* general = nullptr;  ///< outlives the run
   std::string_view method;                        ///< in the list of methods; it can integrate the law
   MethodSettings settings{};
   Interval interval{};
   State<double> start{};
   StepControl control;
-  EventLog* events = nullptr;  ///< watched for and found, without hysteresis; nullptr: none
+  EventLog* events = nullptr;  ///< what to watch for and what was found, without hysteresis; nullptr: none
   bool compensated = false;    ///< states in compensated sums: without friction and events, by a method that
                                ///< takes_compensated_sums
 };
 
-/// Methods that add increments to a state in steps of fixed length.
+/// Whether the method adds increments to a state in steps of fixed length.
 constexpr bool takes_compensated_sums(const MethodInfo& info) {
   return info.error_order == 0 && info.order > 0;
 }

@@ -37,8 +37,8 @@ Notice message_of(const Outcome& outcome) {
   return {};
 }
 
-/// States whose energy overflows have left the numbers too: the run then ends at the last kept state before
-/// them.
+/// A state whose energy overflows is as bad as one that is not finite: the run ends at the last kept state
+/// before it.
 void end_before_overflow(SimulatedRun& run, long long every) {
   Trajectory& kept = run.trajectory;
   const auto overflows = [&](const State<double>& y) { return !std::isfinite(energy(run.oscillator, y)); };

@@ -31,7 +31,7 @@ struct SensorOptions {
   double resolution = 0;  // [m] >= 0; 0: not rounded
   double offset = 0;      // [m]
   unsigned long long seed = 1;
-  bool used = false;  ///< any of them was asked for
+  bool used = false;  ///< any of these options was given
 };
 
 /// What `cromer simulate` takes; empty optionals are the documented defaults.
@@ -40,18 +40,18 @@ struct SimulateOptions {
   std::optional<double> stiffness{};          // [N/m] any sign; 1 by default
   std::optional<double> damping{};            // [kg/s] >= 0; 0 by default
   double loss_factor = 0;                     // >= 0; of sweeps alone, not an option of simulate
-  Oscillator<double> law{};                   ///< its other terms' coefficients, and no more, are looked at
-  std::optional<double> static_friction{};    // [N] >= friction, which it is by default
+  Oscillator<double> law{};                   ///< only the coefficients of its other terms are used
+  std::optional<double> static_friction{};    // [N] >= friction; by default equal to it
   std::optional<double> natural_frequency{};  // [rad/s] > 0, in place of stiffness
   std::optional<double> damping_ratio{};      // >= 0, in place of damping
   std::optional<double> quality_factor{};     // > 0, in place of damping
-  std::string drive{};                        ///< a name of drive_setup.h; harmonic by default
+  std::string drive{};                        ///< a name that --drive takes; harmonic by default
   double drive_amplitude = 0;                 // [N] >= 0
   std::vector<double> drive_frequency{};      // [rad/s] >= 0; one run each; where a chirp begins
   double drive_phase = 0;                     // [rad]
   std::optional<double> drive_to{};           // [rad/s] >= 0, where a chirp ends
   std::optional<double> drive_start{};        // [s] >= 0, of pulses and chirps; 0
-  std::optional<double> drive_duration{};     // [s] > 0, of pulses and chirps; a chirp's: to the end
+  std::optional<double> drive_duration{};     // [s] > 0, of pulses and chirps; a chirp: to the end
   std::optional<double> unbalance_mass{};     // [kg] > 0
   std::optional<double> eccentricity{};       // [m] > 0, of the unbalance
   std::optional<double> base_displacement{};  // [m] > 0, amplitude of a shaking base
@@ -79,32 +79,31 @@ struct SimulateOptions {
   bool motion_only = false;  ///< no energy balance, nothing measured or transmitted. Set by the caller
 };
 
-/// What was asked, the step that gives it, and the errors measured on a run with that step: relative, of the
-/// mean frequency, the mean decay rate and the amplitude at the end.
+/// The accuracy asked for, the step that gives it, and the errors measured on a run with that step. They are
+/// relative: of the mean frequency, the mean decay rate and the amplitude.
 struct Accuracy {
   double asked = 0;                         ///< 1e-9 to 0.5
   double step = 0;                          // [s] a whole number of them fills the run
-  std::optional<double> frequency_error{};  ///< empty where the motion is not a free swing
-  std::optional<double> decay_error{};      ///< empty likewise, and where nothing is damped
-  double amplitude_error = 0;               ///< driven: of the steady amplitude, or of the whole motion
+  std::optional<double> frequency_error{};  ///< empty if the motion is not a free swing
+  std::optional<double> decay_error{};      ///< empty likewise, and if nothing is damped
+  double amplitude_error = 0;  ///< at the end; driven: of the steady amplitude, or of the whole motion
 
   /// The largest of them.
   double worst() const;
 };
 
-/// What gets through the spring and damper of a driven run: from a shaking base to the mass, or from a force
-/// on the mass to the ground. What goes in is a displacement [m] under --drive base, else a force [N]; so is
-/// what comes out.
+/// What the spring and damper of a driven run transmit: from a shaking base to the mass a displacement [m],
+/// from a force on the mass to the ground a force [N].
 struct RunTransmission {
   bool of_motion = false;
   double sent = 0;                          // [m] or [N] amplitude
   double frequency_ratio = 0;               ///< drive over undamped natural frequency
   Transmission exact{};                     ///< infinite at undamped resonance
-  std::optional<Transmission> simulated{};  ///< where the method's own motion settles; empty where it does
+  std::optional<Transmission> simulated{};  ///< where the method's own motion settles; empty if it does
                                             ///< not, and for methods that choose their own steps
 
   bool bounded() const { return std::isfinite(exact.amplitude); }
-  /// Relative, of the amplitude that comes out.
+  /// Relative error of the transmitted amplitude.
   std::optional<double> error() const {
     return simulated && bounded() ? std::optional(simulated->amplitude / exact.amplitude - 1) : std::nullopt;
   }
@@ -115,27 +114,27 @@ struct SimulatedRun {
   std::string method;
   std::string label;  ///< what tells it from the others: "euler-cromer, 3 rad/s"
   Oscillator<double> oscillator;
-  HarmonicDrive<double> drive;  ///< amplitude 0 where nothing drives, or another drive does
+  HarmonicDrive<double> drive;  ///< amplitude 0 if nothing drives, or `general` does
   std::optional<GeneralDrive<double>> general{};
   State<double> start;
   double step = 0;   // [s]
   double until = 0;  // [s]
   double tolerance = 0;
-  MethodSettings settings{};                      ///< what the method takes besides
+  MethodSettings settings{};                      ///< further settings of the method
   bool compensated = false;                       ///< states in compensated sums
-  std::optional<MethodEffect> effect{};           ///< what it really simulates, of linear laws
-  std::optional<RunTransmission> transmission{};  ///< what gets through, of driven linear laws
+  std::optional<MethodEffect> effect{};           ///< what the method really simulates, of linear laws
+  std::optional<RunTransmission> transmission{};  ///< what is transmitted, of driven linear laws
   Outcome outcome;
   Trajectory trajectory;
   std::vector<double> sensor{};                     ///< one sample per kept state; empty without a sensor
   Notice message;                                   ///< why it ended early, with time and step
-  EventLog events{};                                ///< what was watched for and found
-  std::optional<Accuracy> accuracy{};               ///< where it was asked for
-  std::optional<MeasuredOscillator> measured{};     ///< of a free motion that is not the linear law's
-  std::optional<EnergyBalance> energy_balance{};    ///< where the kept states are dense enough for it
-  std::optional<ModifiedEnergy> modified_energy{};  ///< where the method conserves one
+  EventLog events{};                                ///< what to watch for, and what was found
+  std::optional<Accuracy> accuracy{};               ///< if asked for
+  std::optional<MeasuredOscillator> measured{};     ///< of a free motion under a law that is not linear
+  std::optional<EnergyBalance> energy_balance{};    ///< if the kept states are dense enough
+  std::optional<ModifiedEnergy> modified_energy{};  ///< if the method conserves one
 
-  /// It reached its end, or an event that was to stop it.
+  /// It reached its end, or an event that stops it.
   bool done() const {
     return outcome.status == Status::reached_end ||
            (outcome.status == Status::stopped_by_event && !outcome.interrupted);
@@ -156,8 +155,8 @@ struct SimulateResult {
 /// Checks the options (an Error names option, value and constraint), then runs.
 Result<SimulateResult> simulate(const SimulateOptions& options, const Watch& watch = {});
 
-/// Fills options.drive_record where a --drive-file or a --base-motion is named, its path relative to
-/// `folder`; otherwise does nothing. An Error says what is wrong with the file.
+/// Reads the file of a --drive-file or a --base-motion, its path relative to `folder`, into
+/// options.drive_record; without one it does nothing. An Error says what is wrong with the file.
 Result<void> load_drive(SimulateOptions& options, const std::string& folder);
 
 }  // namespace cromer::core

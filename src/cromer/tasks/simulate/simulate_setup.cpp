@@ -42,14 +42,14 @@ Result<void> check_alternatives(const SimulateOptions& o) {
   return {};
 }
 
-/// Energies are part of the answer, so they must be numbers too.
+/// Energies are results too, so they must be finite.
 Result<void> check_start(const SimulatedRun& run) {
   if (std::isfinite(energy(run.oscillator, run.start))) return {};
   return Error{"start_energy_too_large", {{"x", run.start.x}, {"v", run.start.v}}};
 }
 
-/// Where a body that x = 0 pushes away comes to rest [m]: the first such place on either side, looked for
-/// over twenty decades; 0 where there is none.
+/// Where a body that is pushed away from x = 0 comes to rest [m]: the first such place on either side,
+/// searched over twenty decades; 0 if there is none.
 double bottom_of_well(const Oscillator<double>& oscillator) {
   constexpr double nearest = 1e-10, farthest = 1e10;
   for (const double side : {1.0, -1.0}) {
@@ -102,7 +102,7 @@ Result<void> check_exact(const SimulatedRun& run) {
   return Error{"exact_with_term", {{"term", option}, {"value", value}, {"unit", unit}}};
 }
 
-/// What the states that carry an inner state along are not made for.
+/// Refuses what states with an inner state are not made for.
 Result<void> check_hysteresis(const SimulateOptions& o, const SimulatedRun& run) {
   const Law law = law_of(run.oscillator);
   if (!law.has<Hysteresis>()) return {};
@@ -146,8 +146,8 @@ Result<void> check_memory(const SimulateOptions& o, const std::vector<SimulatedR
                {{"states", states}, {"needed", bytes_in_words(bytes)}, {"memory", bytes_in_words(memory)}}};
 }
 
-/// Methods that choose their steps, or solve an equation in every step or where the force depends on the
-/// velocity.
+/// Methods that choose their steps, or solve an equation in every step (or only if the force depends on the
+/// velocity).
 bool uses_tolerance(std::string_view name) {
   return is_adaptive(name) || visit_method(name, {}, [](const auto& method) {
            return requires { method.newton; };
@@ -158,7 +158,7 @@ Error wrong(std::string_view text, const Notice& why) {
   return Error{"event_is_wrong", {{"event", text}, {"what", why}}};
 }
 
-/// Cuts the part up to the next separator off the text.
+/// Cuts off the text's part up to the next separator.
 std::string_view take(std::string_view& text, char separator) {
   const std::size_t end = std::min(text.find(separator), text.size());
   const std::string_view part = text.substr(0, end);
@@ -360,7 +360,7 @@ std::vector<Notice> setup_notices(const SimulateOptions& options, const std::vec
     if (const double begin = drive_begin(run); begin >= run.until)
       add_once(Notice{"drive_begins_after_end", {{"start", begin}, {"until", run.until}}});
     const Steps steps = count_steps({0, run.until}, run.step);
-    // Where one of them is ours, so is the remainder.
+    // If one of them is a default, so is the remainder.
     if (steps.last > 0 && options.step && options.until)
       add_once(
           Notice{"last_step_is_shorter", {{"until", run.until}, {"step", run.step}, {"last", steps.last}}});

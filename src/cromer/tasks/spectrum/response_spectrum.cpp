@@ -25,7 +25,7 @@ constexpr double slice_of_work = 3e7;  // samples times periods: a fraction of a
 
 double angular_frequency(double period) { return two_pi / period; }
 
-/// What shakes the oscillators: the samples, or the denser ones of a band-limited motion.
+/// The motion that shakes the oscillators: the samples, or denser ones of a band-limited motion.
 struct Shaking {
   std::vector<double> refined;
   GroundMotion ground;
@@ -64,7 +64,7 @@ void extend_hysteretic(ResponseSpectrum& spectrum, const Component& component,
     spectrum.displacement[0].push_back(peak);
 }
 
-/// A slice of the periods.
+/// Adds a slice of the periods.
 void extend(ResponseSpectrum& spectrum, const std::vector<Shaking>& shaking,
             std::span<const LinearLaw<double>> laws, PeakSearch search, bool shock) {
   if (shock) {
@@ -122,7 +122,7 @@ Result<void> check_hysteretic_memory(const SpectrumResult& result, std::span<con
   return Error{"loss_factor_takes_long", {{"what", fits.error().notice}}};
 }
 
-/// Peaks that come after the end are those of a ground that has stopped accelerating, not of one at rest.
+/// Peaks after the end are those of a ground that stopped accelerating, not of one at rest.
 Notice after_the_end_notice(const SpectrumResult& result) {
   double least = std::numeric_limits<double>::infinity();
   for (const auto& spectrum : result.spectra)
@@ -150,7 +150,7 @@ double pseudo_acceleration(double displacement, double period) {
 
 namespace {
 
-/// Makes the components once the options are known to be right; its notices come first.
+/// Makes the components once the options are checked; its notices come first.
 using MakeComponents = FunctionRef<Result<std::vector<Component>>(std::vector<Notice>& notices)>;
 
 Result<SpectrumResult> spectrum_of(MakeComponents make_components, const SpectrumOptions& options,

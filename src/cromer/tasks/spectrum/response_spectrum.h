@@ -30,7 +30,7 @@ struct SpectrumOptions {
   std::vector<double> these_periods{};  // [s] in place of the grids. Set by the caller, not an option
   double memory = 0;  // [bytes] most that may be used; 0: no limit. Set by the caller, not an option
 
-  /// The oscillators were asked for by their frequencies, and people read them so.
+  /// The oscillators were given by their frequencies, and are shown by them.
   bool by_frequency() const { return !frequencies.empty(); }
 };
 
@@ -56,20 +56,20 @@ struct Component {
 struct Shock {
   double primary;   ///< while the shock lasts
   double residual;  ///< after it
-  double positive;  ///< towards positive values, ever
-  double negative;  ///< towards negative values, ever
+  double positive;  ///< towards positive values, during or after
+  double negative;  ///< towards negative values, during or after
 
   double maximax() const { return std::max(positive, negative); }
 };
 
-/// Of one damping ratio, at all periods.
+/// The spectrum of one damping ratio, at all periods.
 struct ResponseSpectrum {
   double damping_ratio = 0;
   std::vector<std::vector<double>> displacement{};            // [m] SD of each component
   std::vector<double> geometric_mean{}, rotd50{}, rotd100{};  // [m] SD, of two components
-  std::vector<Shock> shock{};                                 ///< of a shock spectrum, then alone
+  std::vector<Shock> shock{};                                 ///< of a shock spectrum, which has nothing else
   std::vector<std::size_t>
-      after_the_end{};  ///< periods whose continuous peak comes after the last sample, by 1 %
+      after_the_end{};  ///< indices of periods whose peak comes after the last sample and is higher by 1 %
 };
 
 /// Pseudo-velocity [m/s] and pseudo-acceleration [m/s^2] of a peak displacement [m].
@@ -95,8 +95,8 @@ struct SpectrumResult {
 Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
                                          const Watch& watch = {});
 
-/// The same of components whose file, column, acceleration and spacing are set, and alike where there are
-/// two.
+/// The same of components whose file, column, acceleration and spacing are set; two must be sampled alike and
+/// equally long.
 Result<SpectrumResult> response_spectrum(std::vector<Component> components, const SpectrumOptions& options,
                                          const Watch& watch = {});
 

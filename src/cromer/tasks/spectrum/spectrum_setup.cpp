@@ -40,7 +40,7 @@ void add_once(std::vector<Notice>& notices, const Notice& notice) {
   if (std::find(notices.begin(), notices.end(), notice) == notices.end()) notices.push_back(notice);
 }
 
-/// Of a column whose unit is not known.
+/// Whether a notice is about a column whose unit is not known.
 bool says_no_unit(const Notice& notice) {
   if (notice.code == "unit_assumed" || notice.code == "column_without_unit") return true;
   for (const NoticeValue& each : notice.values)
@@ -81,7 +81,7 @@ Result<Component> read_component(const SpectrumFile& file, const std::string& co
   const auto factor = factor_of(options, *record, file.name, notices);
   if (!factor) return factor.error();
   for (const Notice& notice : record->notices)
-    if (!says_no_unit(notice)) add_once(notices, notice);  // what it is taken as is said already
+    if (!says_no_unit(notice)) add_once(notices, notice);  // factor_of has said what it is taken as
   Component component;
   component.file = file.name;
   component.column = record->column;
@@ -104,7 +104,7 @@ std::string name_of(const Component& component) {
                                   : fmt::format("{} \"{}\"", component.file, component.column);
 }
 
-/// Two components are one motion: sampled alike, cut to the shorter.
+/// Two components of one motion must be sampled alike; the longer one is cut.
 Result<void> match(std::vector<Component>& components, std::vector<Notice>& notices) {
   Component &first = components[0], &second = components[1];
   if (std::abs(first.spacing - second.spacing) > 1e-6 * first.spacing)
@@ -210,7 +210,7 @@ Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component
                     : by_period ? parse_grid(options.periods, "s")
                                 : parse_grid(options.frequencies, "rad/s");
   if (!grid) return wrong_grid(option, grid.error());
-  // Results, and what is written of them.
+  // For the results, and for what is written of them.
   const double bytes = 64 + 600 * static_cast<double>(damping_ratios);
   auto values = values_of(*grid, bytes, options.memory);
   if (!values) return wrong_grid(option, values.error());

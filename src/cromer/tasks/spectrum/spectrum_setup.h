@@ -10,23 +10,23 @@
 
 namespace cromer::core {
 
-/// Words of the options as values; an Error suggests the nearest right one.
+/// The value of an option's word; an Error suggests the nearest word.
 Result<Peaks> peaks_of(const SpectrumOptions& options);
 
 Result<BetweenSamples> between_of(const SpectrumOptions& options);
 
-/// Damping ratios, or loss factors where those are given.
+/// Damping ratios, or loss factors if those are given.
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options);
 
 /// The one or two components, sampled alike and equally long; `notices` grows.
 Result<std::vector<Component>> read_components(std::span<const SpectrumFile> files,
                                                const SpectrumOptions& options, std::vector<Notice>& notices);
 
-/// The periods asked for, or those of this recording by default. `options` then says which.
+/// The periods asked for [s], or the default ones for this recording, which are then written into `options`.
 Result<std::vector<double>> periods_of(SpectrumOptions& options, const Component& component,
                                        std::size_t damping_ratios);
 
-/// What is doubtful about these periods with this recording.
+/// Notices on periods about which this recording says little.
 std::vector<Notice> period_notices(const SpectrumOptions& options, std::span<const double> periods,
                                    const Component& component, Peaks peaks);
 

@@ -1,4 +1,4 @@
-// Hysteretic damping in a sweep: a spring k (1 + i eta), of which steady states alone can be told.
+// Hysteretic damping in a sweep: a spring k (1 + i eta), which has a meaning in steady states only.
 #include "cromer/tasks/sweep/sweep_rows.h"
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 namespace cromer::core {
 namespace {
 
-/// What a sweep takes of simulate: a grid, as the terms' coefficients do, or as it is.
+/// Options of simulate that a sweep takes: with a grid, as the terms' coefficients do too, or as they are.
 constexpr std::string_view with_grid[] = {"mass",
                                           "static-friction",
                                           "natural-frequency",
@@ -37,7 +37,7 @@ bool is_in(const std::string_view (&names)[n], std::string_view name) {
   return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
 
-/// Options of simulate that would change nothing of a sweep's rows, or have no sense in it.
+/// Options of simulate that would not change a sweep's rows, or make no sense in one.
 Notice left_out(std::string_view option) {
   constexpr std::string_view of_drives_that_end[] = {"drive-to", "drive-start", "drive-duration"};
   constexpr std::string_view of_records[] = {"drive-file", "base-motion", "drive-column", "between-samples"};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t checked_points = 8;
 
-/// Of a point in closed form and when stepped, one of which has no numbers.
+/// For a point that has no numbers in closed form, or none when stepped.
 Notice why_left_out(PointStatus known, PointStatus stepped) {
   if (known == PointStatus::unstable) return Notice{"grows_without_end"};
   if (!has_numbers(known)) return Notice{"undamped_never_settles"};

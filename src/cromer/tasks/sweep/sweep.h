@@ -21,13 +21,13 @@ namespace cromer::core {
 
 /// What `cromer sweep` takes.
 struct SweepOptions {
-  SimulateOptions simulate{};                        ///< method, tolerance, drive's kind: what is not a grid
+  SimulateOptions simulate{};                        ///< what takes no grid: the method, the kind of drive
   std::map<std::string_view, std::string> values{};  ///< numeric options of simulate by name, as typed
   std::vector<std::string> measure{};                ///< names, also several with commas
-  std::optional<double> settle{};                    ///< cycles dropped, >= 0; empty: found out
+  std::optional<double> settle{};                    ///< cycles to drop, >= 0; empty: until settled
   std::string direction{};                           ///< up, down or both; empty: each point by itself
   std::optional<int> threads{};                      ///< > 0; empty: one for each processor
-  bool check = false;                                ///< step a few points of a closed form, too
+  bool check = false;                                ///< also step a few points that have a closed form
   double memory = 0;  // [bytes] that the rows may take; 0: no limit. Set by the caller, not an option
 };
 
@@ -42,7 +42,7 @@ struct SweptOption {
 
 struct SweepWork;
 
-/// A sweep that is ready to go: its rows, to be made in chunks by whoever does.
+/// A sweep that is ready to run: its rows, made chunk by chunk.
 struct SweepPlan {
   std::vector<SweptOption> swept;     ///< outermost first
   std::vector<std::string> measured;  ///< columns of the measures
@@ -55,10 +55,10 @@ struct SweepPlan {
   std::shared_ptr<const SweepWork> work;  ///< what the rows depend on (sweep_rows.h)
 };
 
-/// Checks the options (an Error names option, value and constraint) and says what there is to do.
+/// Checks the options (an Error names option, value and constraint) and plans the sweep.
 Result<SweepPlan> plan_sweep(const SweepOptions& options);
 
-/// How many points ended in which way, and which of them is to be explained.
+/// How many points ended in each status, and which rows the notices are about.
 struct SweepCounts {
   static constexpr std::uint64_t none = std::numeric_limits<std::uint64_t>::max();
 
@@ -71,10 +71,10 @@ struct SweepCounts {
   std::uint64_t with_numbers() const { return done + own_damping; }
 };
 
-/// Closed form and stepping side by side at a few points.
+/// The closed form compared with stepping at a few points.
 struct SweepCheck {
   std::size_t points = 0;
-  double difference = 0;             ///< largest of the amplitude, relative
+  double difference = 0;             ///< largest relative difference of the amplitude
   std::size_t left_out = 0;          ///< points without a settled motion in closed form, or when stepped
   std::uint64_t first_left_out = 0;  ///< the row of the first of them
   Notice why{};                      ///< why that one is left out
@@ -91,15 +91,15 @@ struct SweepResult {
   static constexpr unsigned char not_reached = 255;
 };
 
-/// All rows, in memory.
+/// Makes all rows in memory.
 Result<SweepResult> sweep(const SweepOptions& options, const Watch& watch = {});
 
-/// The same of options that are planned already, made by `make`.
+/// The same of a plan, whose chunks `make` makes.
 Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const ChunkMaker& make,
                           const Watch& watch);
 
-/// Stepping beside the closed form at points all over the sweep; empty where there is no closed form, or no
-/// time.
+/// Compares the closed form with stepping at points all over the sweep. Empty if there is no closed form, or
+/// no time.
 std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch);
 
 /// Counts a row as it was made: its status, in the last column, and a lag outside 0 to pi.
@@ -112,31 +112,33 @@ std::string_view status_word(const SweepPlan& plan, unsigned char status);
 /// "60 points: 58 settled, 2 not_settled".
 std::string status_counts(const SweepResult& result);
 
-/// The plan's notices, and those that only the rows give.
+/// The plan's notices, and those that follow from the rows.
 std::vector<Notice> notices_of(const SweepResult& result);
 
-/// How many points did not come to an answer, one notice for each way in which they did not.
+/// How many points failed: one notice for each way in which they did.
 std::vector<Notice> trouble_of(const SweepResult& result);
 
-/// Why a sweep does not take this option of simulate, or this text for one of its own that has no grid; empty
-/// where there is nothing particular to say.
+/// Why a sweep does not take this option of simulate, or this grid for one of its own; empty if there is
+/// nothing particular to say.
 Notice sweep_refusal(std::string_view option, std::string_view text);
 
-/// About how many states that will be: the first and every Nth of each point, every > 0. Of more than 10000
-/// points some are looked at for all. An adaptive method counts as if it took the step of the others. An
-/// Error where the sweep looks for settled motion, which has no end.
+/// About how many states run_trajectories hands on: of each point the first and every n-th, n = `every` > 0.
+/// Of more than 10000 points some stand for all. An adaptive method counts as if it took the default step. An
+/// Error if the sweep looks for settled motion, which has no end.
 Result<double> count_trajectory_states(const SweepPlan& plan, long long every);
 
 /// Takes the next states of the point with these values of the swept options, in order; at most 4096 at once.
 using TrajectorySink = FunctionRef<Result<void>(const std::vector<double>& values, const Trajectory& states)>;
 
 struct SweptTrajectories {
-  std::uint64_t points = 0;  ///< that came to their end
-  std::uint64_t failed = 0;  ///< that ran away, or found no solution: what came before is there
+  std::uint64_t points = 0;  ///< that reached their end
+  std::uint64_t failed = 0;  ///< that ran away, or found no solution; their states up to there are handed on
   bool interrupted = false;
 };
 
-/// Point by point in the order of the rows. An Error of the sink ends it.
+/// Hands on every n-th state (n = `every`) of each point of a sweep that runs to an end, point by point in
+/// the order of the rows: a sweep of any length takes the memory of one block of states. An Error of the sink
+/// ends it.
 Result<SweptTrajectories> run_trajectories(const SweepPlan& plan, long long every, const TrajectorySink& sink,
                                            const Watch& watch);
 

@@ -29,7 +29,7 @@ struct Run {
   double peak = 0, energy = 0, square = 0;
 };
 
-/// To `until` [s], keeping what follows `from`.
+/// Runs to `until` [s], and keeps what follows `from` [s].
 Run run_to(const SweepWork& work, const SweepPoint& at, double from, double until, const Watch& watch) {
   const Point& point = at.point;
   Run run;
@@ -100,7 +100,7 @@ std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& at
     result.rms = std::sqrt(run.square);
     result.energy = run.energy;
     result.cycles = cycles;
-    // Its window holds whole cycles to a step only: overtones leak in by some 1e-5.
+    // The window holds whole cycles only to within a step: overtones leak in by some 1e-5.
     const double tolerance = std::max(work.settling.tolerance, 1e-5);
     if (work.settling.dropped || std::abs(steady->amplitude - amplitude) <= tolerance * steady->amplitude)
       return result;

@@ -24,8 +24,8 @@ constexpr std::uint64_t most_looked_at = 100000;  // values of a grid
 
 constexpr double enough_steps = 10;  // in a cycle of the drive, to say nothing of it
 
-/// Grids into axes, single values into the base. A range is a grid of however few points; where there is
-/// nothing else to sweep, one point is swept: along the drive's frequency, or all that has a value.
+/// Grids become axes, single values go into the base. A range is a grid, however few points it has. If there
+/// is no grid, a single point is swept: along the drive's frequency, or all options that have a value.
 Result<void> read_values(const SweepOptions& options, SweepWork& work) {
   std::vector<SweepAxis> single;
   for (const Option& option : point_options(work.base)) {
@@ -67,8 +67,8 @@ Result<SweepDirection> direction_of(std::string_view name) {
   return Error{"no_such_direction", {{"typed", name}}};
 }
 
-/// The axis along which points follow each other comes last: the drive's frequency by nature. The method's
-/// settings come first: points that share them run side by side.
+/// The axis along which points follow each other comes last: the drive's frequency, if it is swept. The
+/// method's settings come first, so that points that share them run side by side.
 Result<void> order_axes(SweepWork& work) {
   std::stable_partition(work.axes.begin(), work.axes.end(),
                         [](const SweepAxis& axis) { return is_method_setting(axis.name); });
@@ -100,7 +100,7 @@ SimulateOptions options_at(const SweepWork& work, double (*value_of)(const Grid&
   return options;
 }
 
-/// The run that these options describe: whatever `simulate` would refuse is refused.
+/// The run that these options describe; what `simulate` refuses is refused.
 Result<SimulatedRun> run_of(const SimulateOptions& options) {
   auto runs = set_up_runs(options);
   if (!runs) return runs.error();
@@ -114,7 +114,7 @@ bool has_term(const SweepWork& work, double value, std::initializer_list<std::st
          });
 }
 
-/// How the points are found.
+/// Chooses how the points are computed.
 Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
   const SimulateOptions& o = work.base;
   const MethodInfo& info = *find_method(work.method);
@@ -134,7 +134,7 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
 
   const bool in_closed_form = std::all_of(work.measures.begin(), work.measures.end(),
                                           [](const Measure* m) { return m->in_closed_form; });
-  // Without a spring only stepping tells where the mass comes to swing about.
+  // Without a spring only stepping tells about which place the mass comes to swing.
   const bool held = has_term(work, o.stiffness.value_or(1), {"stiffness"});
   const bool fixed_steps = info.order > 0 && info.error_order == 0;
   if (linear && held && !to_end && !options.settle && in_closed_form &&
@@ -151,7 +151,7 @@ Result<void> choose_way(const SweepOptions& options, SweepWork& work) {
   return {};
 }
 
-/// Points whose motion has cycles to settle over.
+/// Checks that the points whose motion has to settle have cycles.
 Result<void> check_cycles(const SweepWork& work) {
   if (work.runs_to_end()) return {};
   for (const SweepAxis& axis : work.axes) {
@@ -162,7 +162,7 @@ Result<void> check_cycles(const SweepWork& work) {
   return {};
 }
 
-/// Along each axis, the others at their first value: that every value describes an oscillator which can be
+/// Checks along each axis, the others at their first value, that every value gives an oscillator that can be
 /// run.
 Result<void> check_along_axes(const SweepWork& work) {
   SweepPoints points(work.base, work.axes);
@@ -184,7 +184,7 @@ Result<void> check_along_axes(const SweepWork& work) {
   return {};
 }
 
-/// Why --check finds no closed form to check; empty where there is one.
+/// Why --check finds no closed form to check; empty if there is one.
 Notice nothing_to_check(const SweepOptions& options, const SweepWork& work) {
   const auto none = [](const Notice& why) { return Notice{"nothing_to_check", {{"why", why}}}; };
   const MethodInfo& info = *find_method(work.method);
@@ -199,7 +199,7 @@ Notice nothing_to_check(const SweepOptions& options, const SweepWork& work) {
   return none(Notice{"law_not_linear"});
 }
 
-/// A drive that the steps hardly see.
+/// For a drive with few steps in its cycle.
 Notice few_steps(const SimulatedRun& one, const SimulatedRun& other) {
   double fewest = enough_steps;
   for (const SimulatedRun* run : {&one, &other})
@@ -243,15 +243,14 @@ std::string_view words(SweepWay way) {
   return "";
 }
 
-/// How long the steps are and how far they go, unless that is swept or settled by the method: "steps of
-/// 0.01 s, to 60 s", "200 steps in a natural period, for 20 natural periods"; empty where there is nothing to
-/// say.
+/// How long the steps are and how far they go, unless that is swept or the method settles it: "steps of 0.01
+/// s, to 60 s", "200 steps in a natural period, for 20 natural periods"; may be empty.
 std::string steps_in_words(const SweepWork& work) {
   const std::string step = step_in_words(work), end = end_in_words(work);
   return step + (step.empty() || end.empty() ? "" : ", ") + end;
 }
 
-/// Everything that the rows depend on, in a fixed order, as JSON; `settings` are those of the first row.
+/// All that the rows depend on, in a fixed order, as JSON; `settings` are those of the first row.
 std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
                      const SweepPlan& plan) {
   std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
@@ -279,7 +278,7 @@ std::string column_of(const SweepAxis& axis, std::string_view unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
-/// What the rows are and how they come about, in words and numbers.
+/// Describes the rows and how they are made, in words and numbers.
 void describe_rows(const SweepOptions& options, const SweepWork& work, SweepPlan& plan) {
   plan.method = work.method;
   plan.simd = work.unit.name;

@@ -11,7 +11,7 @@
 namespace cromer::core {
 namespace {
 
-/// The point that options with one value each describe, but for its settings.
+/// The point of options with one value each, without its settings.
 Result<SweepPoint> sweep_point_of(const SimulateOptions& options) {
   const auto oscillator = oscillator_of(options);
   if (!oscillator) return oscillator.error();

@@ -27,15 +27,15 @@ constexpr std::uint64_t group_size = cromer_group::size;
 /// Per unit mass, with its drive.
 LinearLaw<double> linear_law(const Point& point) { return linear_law(point.oscillator, point.drive); }
 
-/// The free motion of a linear law, as the method has it, grows without end. A method that is exact, or
-/// chooses its steps, has the law's own.
+/// Whether the free motion of a linear law, as the method simulates it, grows without end. A method that is
+/// exact, or chooses its steps, has the law's own motion.
 template <class M>
 bool grows(const M& method, const Point& point) {
   if constexpr (M::info.order > 0 && M::info.error_order == 0) {
     LinearLaw<double> law = linear_law(point);
     law.drive_amplitude = 0;
     const EffectiveOscillator effective = effective_oscillator(method, law, point.step);
-    // Of a free mass x grows with the time alone: both eigenvalues are 1, to the root of rounding.
+    // For a free mass x grows linearly in time: both eigenvalues are 1, to the root of rounding.
     const double rounding = law.stiffness == 0 ? 1e-8 : 1e-12;
     return effective.spectral_radius > 1 + rounding;
   } else {
@@ -43,10 +43,10 @@ bool grows(const M& method, const Point& point) {
   }
 }
 
-/// Tells of a stepped result what stepping alone cannot see. A linear law that grows is unstable: not just
-/// unsettled, run away, or measured after --settle. Where the law takes no energy the free motion stays,
-/// though the amplitude at the drive's frequency may not show it: that counts as settled only if the method's
-/// own damping had the time for it.
+/// Corrects the status of a stepped result where stepping alone cannot tell. A linear law that grows is
+/// unstable, not just unsettled, run away, or measured after --settle. If the law takes no energy, the free
+/// motion stays, though the amplitude at the drive's frequency may not show it: the point has settled only if
+/// the method's own damping had the time for it.
 void name_status(const SweepWork& work, const MethodSettings& settings, const Point& point,
                  PointResult& result) {
   if (work.runs_to_end()) return;
@@ -58,13 +58,13 @@ void name_status(const SweepWork& work, const MethodSettings& settings, const Po
     return;
   }
   if (law_of(o).shares(terms_of_velocity) || work.settling.dropped || !has_numbers(result.status)) return;
-  // Of a law that is not linear the decay of small motions.
+  // For a law that is not linear, the decay of small motions.
   const double rate = o.stiffness > 0 ? own_decay_rate(work, settings, point).value_or(0) : 0;
   const bool decayed = rate * result.end_time > -std::log(work.settling.tolerance);
   result.status = decayed ? PointStatus::own_damping : PointStatus::not_settled;
 }
 
-/// What has not settled has no settled motion to tell of.
+/// A point without numbers has no settled motion to measure.
 void write_measures(const SweepWork& work, const PointResult& found, double* to) {
   const PointResult result = has_numbers(found.status) ? found : PointResult{.status = found.status};
   for (const Measure* measure : work.measures) {
@@ -81,7 +81,7 @@ PointResult without_numbers() {
   return result;
 }
 
-/// Where a linear law's motion settles, or why it does not.
+/// Where the motion of a linear law settles, or why it does not.
 template <class M>
 PointResult in_closed_form(const M& method, const SweepPoint& at) {
   const Point& point = at.point;
@@ -115,7 +115,7 @@ PointResult in_closed_form(const M& method, const SweepPoint& at) {
 bool make_in_closed_form(const SweepWork& work, SweepPoints& points, std::uint64_t first, std::uint64_t count,
                          double* rows) {
   const std::size_t width = work.columns(), axes = work.axes.size();
-  // The name is looked up once a stretch.
+  // The method's name is looked up once.
   return visit_method(work.method, points.settings_of(first), [&](const auto& method) {
     for (std::uint64_t i = 0; i < count; ++i) {
       double* row = rows + i * width;
@@ -162,7 +162,7 @@ bool make_in_groups(const SweepWork& work, SweepPoints& points, std::uint64_t fi
   return true;
 }
 
-/// Goes on from where a motion ended, the drive's angle with it.
+/// Goes on from where a motion ended, at the drive's phase there.
 void continue_from(const PointResult& ended, const Point& before, Point& next) {
   if (ended.status != PointStatus::not_settled && !has_numbers(ended.status)) return;
   next.start = ended.end;
@@ -190,7 +190,7 @@ bool make_chains(const SweepWork& work, SweepPoints& points, std::uint64_t first
       row = rows + places[c] * width;
       points.values_of(first + places[c], row);
       const auto at = points.at(row);
-      if (!at) return true;  // plan_sweep has looked at them: it cannot be
+      if (!at) return true;  // cannot be: plan_sweep has checked them
       group[c] = at->point;
       if (j > 0) continue_from(ended[c], before[c], group[c]);
     }

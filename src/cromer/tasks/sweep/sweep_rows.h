@@ -25,11 +25,11 @@ struct SweepAxis {
   std::string name;  ///< as typed
   std::string unit;  ///< SI
   Grid grid;
-  GridUnit typed{};  ///< what people read it in
+  GridUnit typed{};  ///< the unit it was typed in
 };
 
-/// Whether it is one of a method's own settings, which all lanes of a group share: tolerance, beta, gamma,
-/// rho-inf.
+/// Whether the option is a setting of the method (tolerance, beta, gamma, rho-inf), which all lanes of a
+/// group share.
 bool is_method_setting(std::string_view option);
 
 /// A point, its end (that of --until, or the default), and what its method is set to.
@@ -43,7 +43,7 @@ struct SweepPoint {
 /// Turns row numbers into points. One for each thread.
 class SweepPoints {
  public:
-  /// Both outlive it. The last axis runs fastest.
+  /// `axes` must outlive it; the last one runs fastest.
   SweepPoints(const SimulateOptions& base, const std::vector<SweepAxis>& axes);
   SweepPoints(const SweepPoints&) = delete;
   SweepPoints& operator=(const SweepPoints&) = delete;
@@ -62,27 +62,28 @@ class SweepPoints {
 
   const std::vector<SweepAxis>& axes_;
   SimulateOptions options_;
-  std::vector<std::optional<Option::Target>> targets_;  ///< empty: of no option
-  MethodSettings settings_;                             ///< where no axis is one of them
+  std::vector<std::optional<Option::Target>> targets_;  ///< empty: no option (direction)
+  MethodSettings settings_;                             ///< if no axis is one of them
   bool settings_vary_ = false;
 };
 
-/// Puts a number into an option's target, whatever it is.
+/// Stores a number in an option's target of any type that takes one.
 void set_number(const Option::Target& target, double value);
 
 /// One name of --measure.
 struct Measure {
   std::string_view name;
-  bool of_settled_motion;  ///< there only where a drive keeps the motion going
+  bool of_settled_motion;  ///< exists only under a drive that keeps the motion going
   bool in_closed_form;     ///< known of a linear law without stepping
   std::vector<std::string> columns;
   void (*write)(const PointResult& result, double* to);
 };
 
-/// By names, also several with commas; what is usual where none is given. An Error suggests the nearest name.
+/// The measures of these names, also several with commas; without names the usual ones. An Error suggests the
+/// nearest name.
 Result<std::vector<const Measure*>> find_measures(const std::vector<std::string>& names, bool driven);
 
-/// Where the numbers come from.
+/// How the points are computed.
 enum class SweepWay {
   closed_form,  ///< of the method's map: a linear law's settled motion
   settled,      ///< stepped in groups until the motion has settled
@@ -90,8 +91,8 @@ enum class SweepWay {
   one_by_one,   ///< with friction, or steps that the method chooses: run by run
 };
 
-/// Hysteresis: along the last axis each point starts where the one before ended. Both: the first axis says
-/// which, 1 up and -1 down.
+/// With a direction, each point along the last axis starts where the one before ended (hysteresis). `both`:
+/// the first axis is the direction, 1 up and -1 down.
 enum class SweepDirection { none, up, down, both };
 inline constexpr std::string_view direction_axis = "direction";
 
@@ -107,35 +108,35 @@ struct SweepWork {
   std::string method{};
   bool driven = false;  ///< by a force that swings, at the highest values of the grids
 
-  /// For a given time, or without a drive: nothing is waited for.
+  /// For a given time, or without a drive: nothing has to settle.
   bool runs_to_end() const { return base.until.has_value() || !driven; }
 
   Stepping stepping(const MethodSettings& settings) const { return {method, settings}; }
   std::size_t columns() const;  ///< axes, measures, status
 
-  /// Rows that one chunk has: few enough to share out, many enough to be worth it.
+  /// Rows of a chunk: few enough to share among threads, many enough to be worth it.
   std::uint64_t rows_per_chunk() const;
 
-  /// Rows that follow each other with the same settings of the method: its axes come before all others but
+  /// Rows that follow each other with the same settings of the method. Their axes come before all others but
   /// the direction.
   std::uint64_t rows_of_equal_settings() const;
 };
 
-/// Makes `count` rows from `first` on. False: interrupted.
+/// Makes `count` rows from `first` on; false if interrupted.
 bool make_rows(const SweepWork& work, std::uint64_t first, std::uint64_t count, double* rows,
                const Watch& watch);
 
-/// One point by stepping, alone: what a closed form is checked by.
+/// Steps one point until it settles, to check a closed form. Empty if interrupted.
 std::optional<PointResult> settle_one(const SweepWork& work, const SweepPoint& at, const Watch& watch);
 
-/// The settled motion of a linear law from the map of the method.
+/// The settled motion of a linear law, from the method's map.
 PointResult closed_form(const SweepWork& work, const SweepPoint& at);
 
-/// Run by run: to the end, or until the motion settles. Empty: interrupted.
+/// Runs one point to the end, or until its motion settles. Empty if interrupted.
 std::optional<PointResult> run_point(const SweepWork& work, const SweepPoint& point, const Watch& watch);
 
-/// The decay rate of the free motion [1/s] that the method has of an undamped linear law: its own damping.
-/// Empty where nothing oscillates.
+/// The method's own damping: the decay rate of the free motion [1/s] that it simulates of an undamped linear
+/// law. Empty if nothing oscillates.
 std::optional<double> own_decay_rate(const SweepWork& work, const MethodSettings& settings,
                                      const Point& point);
 
@@ -145,11 +146,12 @@ std::vector<Option> point_options(SimulateOptions& options);
 /// Whether the sweep's springs have a loss factor.
 bool has_loss_factor(const SweepOptions& options);
 
-/// That what else is asked for can be told of it: a steady state of the linear law, no damper, closed form.
-/// Called when `work` has its method and base. An Error names the option and the cure.
+/// Checks that a loss factor suits the rest: the steady state of a linear law without a damper, in closed
+/// form. `work` must have its method and base. An Error names the option and the cure.
 Result<void> check_loss_factor(const SweepOptions& options, const SweepWork& work);
 
-/// That there is a settled motion and that it is what is measured, once `work` knows.
+/// Checks that a sweep with a loss factor is driven, and measures settled motion alone. `work` must have its
+/// measures.
 Result<void> check_settled_loss(const SweepOptions& options, const SweepWork& work);
 
 }  // namespace cromer::core

@@ -27,7 +27,7 @@ std::string place_of(const SweepPlan& plan, std::uint64_t row) {
   return text;
 }
 
-/// What the settled motion of an undamped law rests on.
+/// Says on what the settled motion of an undamped law rests.
 Notice own_damping_notice(const SweepPlan& plan, const SweepCounts& counts) {
   SweepPoints points(plan.work->base, plan.work->axes);
   std::vector<double> values(plan.swept.size());
@@ -36,7 +36,7 @@ Notice own_damping_notice(const SweepPlan& plan, const SweepCounts& counts) {
   const auto rate = at ? own_decay_rate(*plan.work, at->settings, at->point) : std::nullopt;
   Notice number;
   if (rate && *rate > 0) {
-    // Down to a millionth, as stepping would have it.
+    // Down to a millionth, as stepping does.
     const double cycles = std::log(1e6) / *rate * at->point.drive.frequency / two_pi;
     number =
         Notice{"own_decay_rate",
@@ -50,7 +50,7 @@ Notice own_damping_notice(const SweepPlan& plan, const SweepCounts& counts) {
 Notice phase_notice(const SweepPlan& plan, const SweepCounts& counts) {
   const SweepWork& work = *plan.work;
   Notice why;
-  // Stepping leaves something of the free motion, and of it in the lag.
+  // Stepping leaves some free motion, and so an error in the lag.
   if (work.way != SweepWay::closed_form && work.settling.dropped)
     why = Notice{"free_motion_may_be_there", {{"cycles", *work.settling.dropped}}};
   else if (work.way != SweepWay::closed_form && counts.phase_excess < 10 * work.settling.tolerance)
@@ -64,7 +64,7 @@ Notice phase_notice(const SweepPlan& plan, const SweepCounts& counts) {
                  {"method", plan.method}}};
 }
 
-/// No term of the law takes energy at any point.
+/// Whether no term of the law takes energy at any point.
 bool undamped(const SweepPlan& plan) {
   const SimulateOptions& base = plan.work->base;
   const bool swept = std::any_of(plan.swept.begin(), plan.swept.end(), [](const SweptOption& option) {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t block = 4096;              // states
 constexpr std::uint64_t points_counted = 10000;  // of a longer sweep
 
-/// Keeps every Nth state and hands on whole blocks.
+/// Keeps every n-th state and hands on whole blocks.
 class Blocks {
  public:
   Blocks(long long every, const TrajectorySink& sink) : every_(every), sink_(sink) {}

@@ -1,0 +1,34 @@
+// What the options of a fit say, and whether they suit each other.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "cromer/tasks/fit/fit.h"
+
+namespace cromer::core {
+
+/// Checks the range of each option, and what options require of each other. An Error names option, value and
+/// constraint.
+Result<void> check_options(const FitOptions& options);
+
+/// Whether a driven fit is asked for.
+bool is_driven(const FitOptions& options);
+
+/// Whether --law names a law; otherwise the data choose it.
+bool law_is_chosen(const FitOptions& options);
+
+/// Names of the given options that only a free decay can answer: segment, segments, goal, textbook.
+std::vector<std::string_view> unused_if_driven(const FitOptions& options);
+
+/// How --between-samples reads the force; empty for auto.
+std::optional<BetweenSamples> reading_of(const FitOptions& options);
+
+/// The law of --law and --no-spring; empty for auto.
+Result<std::optional<Law>> law_of(const FitOptions& options);
+
+/// The angular frequency of --drive-frequency [rad/s]; empty for auto.
+Result<std::optional<double>> drive_of(const FitOptions& options);
+
+}  // namespace cromer::core
