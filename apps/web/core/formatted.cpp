@@ -172,7 +172,8 @@ Decimal fewest_digits(double value) {
     return std::move(digits->decimal);
   }
   const Decimal all = all_digits(value);
-  // No two normal doubles have the same 15 digits.
+  // Two decimals of 15 digits are never read as the same normal double: fewer digits need no try of their
+  // own.
   for (int count = std::isnormal(value) ? 15 : 1;; ++count) {
     const Cut at = cut(all, count);
     const Decimal above = one_more(at.first);
