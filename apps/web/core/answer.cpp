@@ -26,14 +26,14 @@
 namespace cromer::core::page {
 namespace {
 
-/// A request of the page, taken apart.
+/// A request of the page.
 struct Request {
   std::string task;
   std::vector<TypedOption> settings{};  ///< in the order given
   std::string file_name = "recording";
 };
 
-/// Takes a setting out, where it is there: those that are the page's own.
+/// Removes a setting that is the page's own, and returns its value; `otherwise` if it was not given.
 std::string take(Request& request, std::string_view name, std::string_view otherwise = "") {
   auto& settings = request.settings;
   const auto at =
@@ -44,7 +44,7 @@ std::string take(Request& request, std::string_view name, std::string_view other
   return value;
 }
 
-/// An Error names a line that is not "option=value".
+/// Reads a request. An Error names a line that is not "option=value".
 Result<Request> read_request(std::string_view text) {
   Request request;
   for (std::size_t from = 0; from < text.size();) {
@@ -64,8 +64,8 @@ Result<Request> read_request(std::string_view text) {
   return request;
 }
 
-/// Every setting into its option. An Error names an option that is not in the table, or what is wrong with
-/// the value, as the command line says it.
+/// Assigns every setting to its option. An Error names an unknown option, or what is wrong with a value, in
+/// the words of the command line.
 Result<void> assign(const Request& request, const std::vector<Option>& options) {
   return core::assign(request.settings, options, request.task);
 }
@@ -108,7 +108,7 @@ Json block(std::size_t first, std::size_t count) {
   return object;
 }
 
-/// `count` numbers to be written, at the end of the blocks.
+/// Room for `count` numbers at the end of the blocks.
 double* room_for(std::size_t count) {
   auto& blocks = json_blocks();
   blocks.resize(blocks.size() + count);
@@ -150,7 +150,7 @@ Json motion(const SimulatedRun& run, Json times) {
   return object;
 }
 
-/// Of the law without drag, friction and cubic stiffness.
+/// The quantities of the law without its terms that are not linear.
 Json linear_part(const Oscillator<double>& law) {
   return {{"natural_frequency", natural_frequency(law)},
           {"damped_frequency", damped_frequency(law)},
@@ -162,13 +162,13 @@ Json linear_part(const Oscillator<double>& law) {
           {"energy_factor_per_cycle", energy_factor_per_cycle(law)}};
 }
 
-/// The times of those that ended early are the beginning of the others'.
+/// Whether `all` begins with `some`, as the times of a run do that ended early.
 bool begins_with(const std::vector<double>& all, const std::vector<double>& some) {
   return some.size() <= all.size() && std::equal(some.begin(), some.end(), all.begin());
 }
 
-/// {"runs": [...], "linear_part": {...}, "warnings": [...]}: of the document of documents/json what is asked
-/// at every move of a slider, and what the law itself is known by. The columns go straight into
+/// {"runs": [...], "linear_part": {...}, "warnings": [...]}: the part of the document of `simulate` that
+/// every move of a slider needs, and the quantities of the linear law. The columns go straight into
 /// json_blocks(); runs with the same times share them.
 Json motions_of(const SimulateResult& result) {
   const auto& runs = result.runs;
@@ -192,7 +192,7 @@ Json motions_of(const SimulateResult& result) {
   return document;
 }
 
-/// What the page draws of a simulation, without what only a document tells.
+/// The states of a simulation, which the page draws, without the rest of its document.
 Answer motion_task(const Request& request, std::string_view) {
   auto options = simulate_options(request);
   if (!options) return bad_input(options.error());
@@ -261,7 +261,7 @@ Answer compare_task(const Request& request, std::string_view file) {
   return found(to_text(document), ok);
 }
 
-/// What a logger would write of a simulated motion: a recording whose truth is known.
+/// A simulated motion as a logger would write it: a recording whose law is known.
 Answer synthetic_task(const Request& request, std::string_view) {
   auto options = simulate_options(request);
   if (!options) return bad_input(options.error());
@@ -276,7 +276,7 @@ Answer synthetic_task(const Request& request, std::string_view) {
   return found(to_text(Json{{"text", text}}), result->ok());
 }
 
-/// The number that an option of simulate was given; none of a text.
+/// The value of an option; empty if it is no number.
 std::optional<double> number_of(const Option& option) {
   return std::visit(
       [](const auto* target) -> std::optional<double> {
@@ -289,7 +289,7 @@ std::optional<double> number_of(const Option& option) {
       option.target);
 }
 
-/// What a quantity as typed means for an option of simulate, in SI units.
+/// Values for options of simulate, as typed, in SI units.
 Answer quantity_task(const Request& request, std::string_view) {
   SimulateOptions options;
   const std::vector<Option> table = options_of(options);

@@ -5,7 +5,7 @@
 namespace cromer::core::page {
 namespace {
 
-/// With a method of its own: the registry hands out temporary ones.
+/// Owns its method, because those of the registry are temporary.
 template <class M>
 class Owning final : public Stepper {
  public:

@@ -1,4 +1,4 @@
-// Any method at work on any law: the page has one code of each method for all that it does with it.
+// Any method on any law: the page compiles each method once, for all its uses.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace cromer::core::page {
 
-/// The method of that name, which must be in the list, at the start of a run from y at t. The system outlives
-/// it.
+/// A stepper of the named method at the start of a run from y at t. The name must be in the registry; the
+/// system must outlive the stepper.
 std::unique_ptr<Stepper> stepper_of(std::string_view method, const MethodSettings& settings,
                                     const AnyTerms& system, double t, const State<double>& y);
 

@@ -1,4 +1,4 @@
-// What the page's documents have beyond the program's.
+// What the documents of the page have beyond those of the program.
 #pragma once
 
 #include <cmath>
@@ -42,28 +42,28 @@ struct Described<MotionUnits> {
 
 namespace page {
 
-/// All that is in a file, with the numbers of the column that it describes.
+/// A file that was inspected, with the numbers of the column that is described.
 struct InspectedOnPage {
   const Inspection& seen;
 };
 
-/// A fit beside its samples; nothing but the program's of one that could not be read.
+/// A fit with its curves.
 struct FitOnPage {
   const FittedRecording& fitted;
 };
 
-/// A comparison with the states of each of its curves.
+/// A comparison with the states of its curves.
 struct ComparedOnPage {
   const CompareResult& compared;
 };
 
-/// One value for each sample used.
+/// Curves with one value for each sample used.
 struct FitCurves {
   FittedMotion motion;
   std::vector<double> measured_energy, set_aside;
 };
 
-/// Empty where there is no fit.
+/// Empty if there is no fit.
 inline std::optional<FitCurves> curves_of(const FittedRecording& fitted) {
   if (!fitted.succeeded() || fitted.series.t.empty()) return std::nullopt;
   FitCurves curves{fitted_motion(fitted), {}, {}};
@@ -74,8 +74,8 @@ inline std::optional<FitCurves> curves_of(const FittedRecording& fitted) {
   return curves;
 }
 
-/// [unit of the displacement] what the law leaves; of a column of its derivatives, the swing that has as
-/// much.
+/// [unit of the displacement] The rms of the residuals. If the column is a derivative of the displacement:
+/// the amplitude of a swing whose derivative is as large.
 inline double displacement_rms(const FittedRecording& fitted) {
   const int derivative = std::max(0, derivative_order(fitted.series.quantity));
   return fitted.fit.residual.rms / std::pow(fitted.fit.angular_frequency().value, derivative);

@@ -1,5 +1,5 @@
-// The page's effective oscillators, by the same code of each method as its runs. It takes the place of the
-// file of the same name in tasks/methods, which has code for each set of terms and in more digits.
+// Effective oscillators on the page, by the same code as its runs. This file replaces the one of the same
+// name in tasks/methods, which is compiled for each set of terms and computes with more digits.
 #include "any_method.h"
 #include "cromer/tasks/methods/method_effect.h"
 

@@ -1,4 +1,4 @@
-// Comes before fast_float's header of this name and, by its mark, in the place of it.
+// Replaces fast_float's header of this name: it is included first, and its include guard keeps the other out.
 #ifndef FASTFLOAT_FAST_TABLE_H
 #define FASTFLOAT_FAST_TABLE_H
 

@@ -13,13 +13,13 @@
 namespace cromer::core::page {
 namespace {
 
-/// digits[0].digits[1]... × 10^exponent; "0" and 0 for zero.
+/// A decimal number: digits[0].digits[1]... × 10^exponent; "0" and 0 for zero.
 struct Decimal {
   std::string digits;
   int exponent = 0;
 };
 
-/// A whole number in figures of 32 bits, the lowest first.
+/// A large whole number in words of 32 bits, the lowest first.
 class Whole {
  public:
   explicit Whole(std::uint64_t value)
@@ -35,7 +35,7 @@ class Whole {
     if (carry > 0) figures_.push_back(static_cast<std::uint32_t>(carry));
   }
 
-  /// The remainder.
+  /// Returns the remainder.
   std::uint32_t divide(std::uint32_t divisor) {
     std::uint64_t rest = 0;
     for (std::size_t i = figures_.size(); i-- > 0;) {
@@ -53,7 +53,7 @@ class Whole {
   std::vector<std::uint32_t> figures_;
 };
 
-/// All digits of a double: at most 767 of them.
+/// The exact decimal value of a double, which has at most 767 digits.
 Decimal all_digits(double value) {
   if (value == 0) return {"0", 0};
   int exponent = 0;
@@ -88,7 +88,7 @@ Decimal one_more(Decimal decimal) {
   return decimal;
 }
 
-/// The first digits, and whether the others round them up.
+/// The first digits of a number, and whether the rest rounds them up.
 struct Cut {
   Decimal first;
   bool up = false;
@@ -109,21 +109,21 @@ Decimal rounded(const Decimal& all, int count) {
   return at.up ? one_more(at.first) : at.first;
 }
 
-/// 10^power, exactly: up to 22.
+/// 10^power; exact up to 22.
 double power_of_ten(int power) {
   double ten = 1;
   for (; power > 0; --power) ten *= 10;
   return ten;
 }
 
-/// The digits of value × 10^shift, and what they are read as.
+/// Rounded digits, and the number that they are read as.
 struct Quick {
   Decimal decimal;
   double read = 0;
 };
 
-/// Up to 15 digits of numbers of everyday size, where arithmetic in doubles is sure to round rightly: its
-/// error is less than a tenth of the last digit.
+/// Up to 15 digits of numbers of everyday size, in double arithmetic, whose error is less than a tenth of the
+/// last digit. Empty where that may round the wrong way.
 std::optional<Quick> quick(double value, int count) {
   if (!(value > 1e-8 && value < 1e15) || count < 1 || count > 15) return std::nullopt;
   const int exponent = static_cast<int>(std::floor(std::log10(value))), shift = count - 1 - exponent;
@@ -146,25 +146,25 @@ double value_of(const Decimal& decimal) {
       ->value;
 }
 
-/// The finite `value`, which is not negative, with `count` significant digits; halves to the even digit.
+/// The value rounded to `count` significant digits, halves to even. It is finite and not negative.
 Decimal significant(double value, int count) {
   if (auto digits = quick(value, count)) return std::move(digits->decimal);
   return rounded(all_digits(value), count);
 }
 
-/// The same with `count` digits behind the point.
+/// The value rounded to `count` digits behind the point.
 Decimal behind_point(double value, int count) {
   const Decimal all = all_digits(value);
   const int significant_digits = all.exponent + 1 + count;
   if (significant_digits < 0) return {"0", -count};
   Decimal decimal = rounded(all, significant_digits);
-  // 9.96 to one digit has become 10.0, or 0.6 to none 1.
+  // Rounding has added a digit: 9.96 to one digit becomes 10.0.
   if (decimal.exponent > all.exponent && significant_digits > 0) decimal.digits += '0';
   if (decimal.digits.empty()) return {"0", -count};
   return decimal;
 }
 
-/// The fewest digits that are read back as the same double, and of those the nearest.
+/// The fewest digits that are read back as the same double; among those the nearest to it.
 Decimal fewest_digits(double value) {
   if (value == 0) return {"0", 0};
   if (auto digits = quick(value, 15); digits && digits->read == value) {
@@ -172,11 +172,12 @@ Decimal fewest_digits(double value) {
     return std::move(digits->decimal);
   }
   const Decimal all = all_digits(value);
-  // Of doubles with all their bits no two have the same 15 digits.
+  // Two decimals of 15 digits are never read as the same normal double: fewer digits need no try of their
+  // own.
   for (int count = std::isnormal(value) ? 15 : 1;; ++count) {
     const Cut at = cut(all, count);
     const Decimal above = one_more(at.first);
-    // Below a power of two the doubles are nearer than above it.
+    // Below a power of two doubles lie closer together than above it.
     for (const Decimal& each : {at.up ? above : at.first, above}) {
       if (value_of(each) != value) continue;
       Decimal fewest = each;

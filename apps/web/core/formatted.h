@@ -1,4 +1,4 @@
-// Text with numbers in it, as the library fmt writes it, but much smaller.
+// Formats text as the library fmt does, with much less code.
 #pragma once
 
 #include <concepts>
@@ -19,7 +19,7 @@ class Argument {
   Argument(Whole value) : kind_(Kind::whole), whole_(static_cast<long long>(value)) {}
   Argument(double value) : kind_(Kind::number), number_(value) {}
 
-  /// `how`: what stands between the colon and the brace.
+  /// `how`: the text between the colon and the closing brace.
   void append_to(std::string& text, std::string_view how, int digits) const;
   int whole() const { return static_cast<int>(whole_); }
 
@@ -32,7 +32,8 @@ class Argument {
   double number_ = 0;
 };
 
-/// {}, {0} and, of numbers, {:.6g}, {:.2f}, {:.0e} or {:.{}g}, whose digits are an argument of their own.
+/// Knows {}, {0} and, for numbers, {:.6g}, {:.2f}, {:.0e} and {:.{}g}, which takes its digits from an
+/// argument.
 std::string formatted(std::string_view text, std::initializer_list<Argument> arguments);
 
 }  // namespace cromer::core::page

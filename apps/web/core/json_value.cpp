@@ -36,7 +36,7 @@ void write_block(const std::vector<double>& numbers, std::string& to, std::vecto
   to += "{\"block\":[" + std::to_string(blocks.size()) + ',' + std::to_string(numbers.size()) + "]}";
   const std::size_t before = blocks.size();
   blocks.resize(before + numbers.size());
-  // insert would take them one by one
+  // insert() would copy them one by one
   if (!numbers.empty()) std::memcpy(blocks.data() + before, numbers.data(), numbers.size() * sizeof(double));
 }
 

@@ -1,7 +1,7 @@
-// A JSON value that is only ever written: what the page's core has in place of a JSON library.
+// A JSON value that can only be written. The page's core has it in place of a JSON library.
 //
-// It takes what the documents of documents/json use of nlohmann's ordered_json, and writes long lists of
-// numbers not as text but into a block beside it, from where the page takes them as they are.
+// It has the part of nlohmann's ordered_json that documents/json uses. Long lists of numbers are not written
+// as text but into a block of numbers beside it.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace cromer::core {
 
-/// The blocks of the documents written since they were last cleared.
+/// The numbers of all documents since they were last cleared.
 std::vector<double>& json_blocks();
 
 class JsonValue {
@@ -34,19 +34,19 @@ class JsonValue {
   JsonValue(const std::vector<std::string>& texts) : kind_(Kind::list) {  // NOLINT
     for (const std::string& text : texts) items_.emplace_back("", text);
   }
-  /// Pairs that each begin with a text are an object, anything else is a list.
+  /// An object if all items are pairs that begin with a text, else a list.
   JsonValue(std::initializer_list<JsonValue> list);  // NOLINT
 
   static JsonValue array() { return of(Kind::list); }
   static JsonValue object() { return of(Kind::object); }
 
-  /// The member of that name, made where it is not there.
+  /// The member of that name; it is added if it is missing.
   JsonValue& operator[](std::string_view name);
   void push_back(JsonValue value);
   JsonValue& back() { return items_.back().second; }
 
-  /// On one line; NaN and infinity are null. Lists of many numbers go to json_blocks(), where they stay what
-  /// they are.
+  /// The document on one line; NaN and infinity are null. Lists of many numbers go to json_blocks(), NaN and
+  /// infinity included.
   std::string text() const {
     std::string text;
     write(text, json_blocks());

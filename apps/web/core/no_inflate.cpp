@@ -1,5 +1,5 @@
-// The parts of zlib that the readers ask for. The browser unpacks archives itself before they come here, so
-// that nothing is ever inflated.
+// The functions of zlib that the readers call. The browser unpacks archives before they come here, so nothing
+// is ever inflated.
 #include <zlib.h>
 
 extern "C" {
@@ -8,7 +8,7 @@ int inflateInit2_(z_streamp, int, const char*, int) { return Z_STREAM_ERROR; }
 int inflate(z_streamp, int) { return Z_STREAM_ERROR; }
 int inflateEnd(z_streamp) { return Z_OK; }
 
-/// The cyclic redundancy check of ISO 3309, bit by bit: archives are small.
+/// The cyclic redundancy check of ISO 3309, bit by bit, since archives are small.
 uLong crc32(uLong crc, const Bytef* bytes, uInt length) {
   if (!bytes) return 0;
   crc = ~crc & 0xffffffff;

@@ -1,5 +1,5 @@
-// The first 128 bits of powers of five, which reading a decimal number multiplies by: computed when the core
-// starts, since a table of 10 kB that nothing compresses would have to be fetched.
+// The first 128 bits of powers of five, which are needed to read decimal numbers. They are computed when the
+// core starts: a table would be 10 kB more to load, and does not compress.
 //
 // D. Lemire, "Number parsing at a gigabyte per second", Software: Practice and Experience 51 (2021)
 // 1700-1727.
@@ -11,7 +11,7 @@
 
 namespace cromer::core::page {
 
-/// A whole number of up to 1152 bits, the lowest 32 first.
+/// A whole number of up to 1152 bits, in words of 32 bits, the lowest first.
 class LongNumber {
  public:
   /// 2^exponent
@@ -26,7 +26,7 @@ class LongNumber {
     }
   }
 
-  /// The remainder is dropped.
+  /// Drops the remainder.
   constexpr void divide_by_5() {
     std::uint64_t rest = 0;
     for (std::size_t i = limbs_.size(); i-- > 0;) {
@@ -36,7 +36,7 @@ class LongNumber {
     }
   }
 
-  /// Its first 128 bits, the upper 64 first; zeros follow a shorter number.
+  /// The first 128 bits, the upper 64 first; a shorter number is filled up with zeros.
   constexpr std::array<std::uint64_t, 2> first_bits() const {
     int highest = static_cast<int>(limbs_.size()) * 32 - 1;
     while (!bit(highest)) --highest;
@@ -55,7 +55,7 @@ class LongNumber {
   std::array<std::uint32_t, 36> limbs_{};
 };
 
-/// 5^least to 5^most, two numbers each. Rounded down, but up from 5^-27 to 5^-1.
+/// 5^least to 5^most, two numbers each; rounded down, except 5^-27 to 5^-1, which are rounded up.
 template <int least, int most>
 std::array<std::uint64_t, 2 * (most - least + 1)> powers_of_five() {
   std::array<std::uint64_t, 2 * (most - least + 1)> powers;
@@ -66,12 +66,12 @@ std::array<std::uint64_t, 2 * (most - least + 1)> powers_of_five() {
   };
   LongNumber positive(0);
   for (int power = 0; power <= most; ++power, positive.multiply_by_5()) put(power, positive.first_bits());
-  // Of the quotient at least 200 bits are left.
+  // The quotient keeps at least 200 bits.
   LongNumber negative(1100);
   for (int power = -1; power >= least; --power) {
     negative.divide_by_5();
     auto first = negative.first_bits();
-    // None of these ends in 64 ones, so that nothing is carried.
+    // None of these ends in 64 ones, so there is no carry.
     if (power >= -27) ++first[1];
     put(power, first);
   }

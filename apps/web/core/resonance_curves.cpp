@@ -13,13 +13,13 @@
 namespace cromer::core::page {
 namespace {
 
-/// `run` has an effect of its own.
+/// By the closed form of the effective oscillator, which `run` has.
 MethodResonance closed_form_curve(SimulatedRun run, const Grid& frequencies) {
   MethodResonance curve{.method = run.method};
   for (std::uint64_t i = 0; i < frequencies.size(); ++i) {
     run.drive.frequency = frequencies[i];
     const auto effect = effect_of(run);
-    // Whether a motion dies away does not depend on what drives it.
+    // Whether free motions die away does not depend on the drive: no other frequency will do.
     if (!effect || !effect->effective.steady_state) return {.method = run.method, .settled = false};
     curve.frequency.push_back(frequencies[i]);
     curve.amplitude.push_back(effect->effective.steady_state->amplitude);
@@ -29,24 +29,24 @@ MethodResonance closed_form_curve(SimulatedRun run, const Grid& frequencies) {
 }
 
 constexpr double first_cycles = 32, most_cycles = 512;
-constexpr int window = 10;          // cycles measured
-constexpr double states_kept = 24;  // a cycle
+constexpr int window = 10;          // [cycles] that are measured
+constexpr double states_kept = 24;  // per cycle
 constexpr double most_steps = 1e7;
-constexpr double agreement = 1e-3;  // of two windows' amplitudes
+constexpr double agreement = 1e-3;  // between the amplitudes of two windows
 
 using Settled = std::optional<MeasuredSteadyState>;
 
 double period(double frequency) { return 2 * std::numbers::pi / frequency; }
 
-/// What a curve takes at the least.
+/// The least number of steps that a curve takes.
 double steps_of(double step, const Grid& frequencies) {
   double time = 0;
   for (std::uint64_t i = 0; i < frequencies.size(); ++i) time += 2 * first_cycles * period(frequencies[i]);
   return time / step;
 }
 
-/// Runs for so many cycles and measures their end, from which `options` then go on. None where the run ends
-/// early, or too few states make a cycle.
+/// Runs for `cycles` and measures the last of them; `options` then start where the run ended. Empty if the
+/// run ends early or a cycle has too few states.
 Result<Settled> go_on(SimulateOptions& options, double cycles) {
   const double w = options.drive_frequency.front();
   const double row = *options.step * static_cast<double>(options.every);
@@ -63,7 +63,7 @@ Result<Settled> go_on(SimulateOptions& options, double cycles) {
   return Settled{*measured};
 }
 
-/// None where it has not settled.
+/// The settled motion; empty if it does not settle.
 Result<Settled> settle(SimulateOptions options) {
   double amplitude = -1, cycles = first_cycles;
   for (double passed = 0; passed < most_cycles; passed += cycles) {
@@ -77,10 +77,10 @@ Result<Settled> settle(SimulateOptions options) {
   return Settled{};
 }
 
-/// Of the run's method, from rest at each frequency; `options` are those it was set up by. The run's step, or
-/// Dormand-Prince to 1e-6 where the options give no tolerance. A point has settled where two windows of ten
-/// cycles of the drive give the same amplitude to a thousandth; those that have not after 512 cycles are left
-/// out. A curve that would take more than ten million steps is not begun.
+/// By stepping from rest at each frequency, with the method and the step of `run`; dormand-prince with a
+/// tolerance of 1e-6 if the options give none. A point has settled when two windows of ten cycles of the
+/// drive agree in amplitude to a thousandth; it is left out if it has not after 512 cycles. A curve that
+/// would take more than ten million steps is not begun.
 Result<MethodResonance> settled_curve(const SimulateOptions& options, const SimulatedRun& run,
                                       const Grid& frequencies) {
   MethodResonance curve{.method = run.method};

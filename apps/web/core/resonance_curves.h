@@ -1,4 +1,4 @@
-// Where the motion settles under a harmonic drive, against its frequency, as each method simulates it.
+// The steady motion under a harmonic drive against its frequency, as each method simulates it.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace cromer::core::page {
 
-/// One method's resonance curve.
+/// The resonance curve of one method.
 struct MethodResonance {
   std::string method;
-  bool settled = true;              ///< false: its motion grows, or never settles, or was not tried
-  bool too_many_steps = false;      ///< why it was not tried
+  bool settled = true;              ///< false if the motion grows, never settles or was not tried
+  bool too_many_steps = false;      ///< the reason why it was not tried
   std::vector<double> frequency{};  // [rad/s]
   std::vector<double> amplitude{};  // [m]
   std::vector<double> phase{};      // [rad] lag behind the force
 };
 
-/// One for each method of the options. Of a linear law and a method with a step of its own by the closed form
-/// of the method's map; else by stepping (settled_curve.h). An Error where nothing drives it.
+/// One curve for each method of the options: by the closed form of the method's map if the law is linear and
+/// the steps are fixed, else by stepping until the motion settles. An Error if nothing drives the motion.
 Result<std::vector<MethodResonance>> resonance_curves(const SimulateOptions& options,
                                                       const Grid& frequencies);
 

@@ -1,5 +1,5 @@
-// The page's laws: smooth ones, the pendulum and dry friction, under a harmonic drive or none. It takes the
-// place of tasks/simulate/run_law, which has code for each kind of law, method and drive.
+// Runs of any law under a harmonic drive or none. This file replaces tasks/simulate/run_law, which has code
+// for each kind of law, method and drive.
 #include "cromer/tasks/simulate/run_law.h"
 
 #include <cassert>
@@ -12,7 +12,7 @@
 namespace cromer::core {
 namespace {
 
-/// As take_uniform_steps.
+/// The same as take_uniform_steps.
 Outcome uniform_steps(AnyTerms& system, Stepper& stepper, const LawRun& run, KeepEvery& keep,
                       const Watch& watch) {
   const double step = run.control.step, from = run.interval.from;
@@ -56,7 +56,7 @@ Outcome uniform_steps(AnyTerms& system, Stepper& stepper, const LawRun& run, Kee
   return outcome;
 }
 
-/// As solve of a FrictionSystem.
+/// The same as solve() of a FrictionSystem.
 Outcome slip_and_stick(const AnyFriction& system, const LawRun& run, KeepEvery& keep, const Watch& watch) {
   const Rows rows{run.interval, run.control.step};
   Course<double> course{run.interval.from, run.start};

@@ -1,4 +1,4 @@
-// The core's door: plain numbers and bytes in and out of the module's memory.
+// The functions that the module exports: bytes and numbers in its memory.
 #include <cstdlib>
 #include <string_view>
 
@@ -18,7 +18,7 @@ cromer::core::page::Answer& last() {
 CROMER_EXPORT(page_allocate) void* page_allocate(std::size_t bytes) { return std::malloc(bytes); }
 CROMER_EXPORT(page_release) void page_release(void* bytes) { std::free(bytes); }
 
-/// The status; text and numbers are good until the next call.
+/// Returns the status. Text and numbers are valid until the next call.
 CROMER_EXPORT(page_answer)
 int page_answer(const char* request, std::size_t length, const char* file, std::size_t file_length) {
   last() = cromer::core::page::answer({request, length}, {file, file_length});

@@ -25,8 +25,8 @@ std::string heading(std::string_view name, std::string_view unit) {
   return unit.empty() ? std::string(name) : fmt::format("{} ({})", name, unit);
 }
 
-/// Adds each list of numbers that `result` is described by, in the unit that `unit_of` makes of the
-/// description's. `what` comes behind its name: "PSV RotD50 (m/s)".
+/// Adds a column for each list of numbers in the description of `result`. `what` follows its name:
+/// "PSV RotD50 (m/s)". `unit_of` replaces units that depend on the result.
 template <class Result, class UnitOf>
 void add_columns(NamedColumns& columns, const Result& result, const std::string& what, UnitOf unit_of) {
   for_each_entry(Described<Result>::entries, [&](const auto& entry) {
@@ -92,7 +92,7 @@ std::string states_csv(const SimulateResult& result, const std::vector<std::stri
 std::string sensor_csv(const SimulateResult& result, const std::vector<std::string>& head) {
   std::size_t rows = 0;
   for (const auto& run : result.runs) rows = std::max(rows, run.sensor.size());
-  // Runs of different lengths: the shorter ones end with empty cells.
+  // Shorter runs end with empty cells.
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   std::vector<std::vector<double>> cells;
   for (const auto& run : result.runs) {
@@ -120,7 +120,7 @@ std::string simulate_csv(const SimulateResult& result, const std::string& comman
 
 namespace {
 
-/// A quantity of the table's head: one of another unit (the equilibrium of an angle) is another column.
+/// A quantity as a column. The same quantity in another unit (the equilibrium of an angle) is another column.
 struct NamedQuantity {
   std::string name, unit;
 
@@ -142,7 +142,7 @@ std::vector<Parameter> numbers_of(const FittedRecording& fitted) {
   return all;
 }
 
-/// A quantity takes its place behind the one that stands before it in its own recording.
+/// Adds the quantities of a fit that are new. Each stands behind the one that precedes it in its own fit.
 void add_quantities(std::vector<NamedQuantity>& head, const FittedRecording& fitted) {
   std::size_t place = 0;
   for (const auto& number : numbers_of(fitted)) {
@@ -206,7 +206,7 @@ std::string fit_csv(const std::vector<FittedRecording>& fits) {
 
 namespace {
 
-/// 1 for a sample that is in no fit, else 0.
+/// 1 for samples that were set aside, else 0.
 std::vector<double> set_aside(const FittedRecording& fitted, const std::vector<double>& t) {
   std::vector<double> aside(t.size(), 0.0);
   const auto& outliers = fitted.series.outliers;

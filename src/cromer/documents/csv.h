@@ -18,8 +18,8 @@
 
 namespace cromer::core {
 
-/// The columns of a recording, for inspect -o: time first and strictly increasing, the other columns in the
-/// file's own units, whatever the dialect was.
+/// All columns of a recording, whatever its dialect: time first and strictly increasing, the others in the
+/// file's own units. An Error where the recording has no such time.
 Result<std::string> recording_csv(const Recording& recording, const ReadOptions& options);
 
 /// Columns of numbers under headings with their units: "SD (m)".
@@ -34,34 +34,34 @@ struct NamedColumns {
   }
 };
 
-/// The kept states of a run: t, x, v, energy and, with one, what the simulated sensor says.
+/// The kept states of a run: t, x, v, energy and, if there is one, the simulated sensor.
 NamedColumns state_columns(const SimulatedRun& run);
 
-/// "run,t (s),x (m),v (m/s),energy (J)"; with a sensor what a logger would write, "Time (s),Position (m)",
-/// several runs side by side. Comments at the head say where the numbers come from, unless
-/// `command` is empty.
+/// "run,t (s),x (m),v (m/s),energy (J)". With a simulated sensor, what a logger would write:
+/// "Time (s),Position (m)", several runs side by side. Comments at the head say where the numbers come from,
+/// unless `command` is empty.
 std::string simulate_csv(const SimulateResult& result, const std::string& command);
 
-/// One row per recording and run: "file,run,column,law,status", then every quantity that any of them has,
-/// with its standard error beside it ("stiffness (N/m),stiffness standard error (N/m)"), the residual and the
-/// message. What a recording has not is an empty cell.
+/// One row per recording and run: "file,run,column,law,status", then every quantity that any of the fits has,
+/// each with its standard error and its 95 % interval ("stiffness (N/m),stiffness standard error (N/m)"),
+/// then the residual and the message. A cell is empty where a fit does not have the quantity.
 std::string fit_csv(const std::vector<FittedRecording>& fits);
 
-/// "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),v from the samples (m/s),set aside" of
-/// every fit that has values; the units are the column's.
+/// The fitted motions, sample by sample: "file,run,t (s),measured (m),x (m),v (m/s),energy (J),residual (m),
+/// v from the samples (m/s),set aside". The units depend on the column. A fit without values has no rows.
 std::string motion_csv(const std::vector<FittedRecording>& fits);
 
-/// "run,curve,t (s),measured displacement (m),simulated displacement (m)": from the fitted equilibrium, in
-/// the SI unit of the column.
+/// "run,curve,t (s),measured displacement (m),simulated displacement (m)". Displacements are from the fitted
+/// equilibrium, in the SI unit of the column.
 std::string compare_csv(const std::vector<CompareResult>& comparisons);
 
-/// The periods, and what was found at each of them, in the unit that was asked for.
+/// The periods and the spectral values at them, accelerations in the unit asked for.
 NamedColumns spectrum_columns(const SpectrumResult& result, const ResponseSpectrum& spectrum);
 
 /// One row for each damping ratio and period, in the order asked for.
 std::string spectrum_csv(const SpectrumResult& result, const std::string& command);
 
-/// Fourier amplitudes of the recording, one column for each component.
+/// Fourier amplitudes against frequency, one column for each component.
 std::string fourier_csv(const SpectrumResult& result, const std::string& command);
 
 /// A row for each hold; the spring constant stands in each of them.

@@ -73,7 +73,7 @@ std::vector<Hdf5Table> spectrum_tables(const SpectrumResult& result, const std::
 
 namespace {
 
-/// The file's rows without their status, which is counted.
+/// Reads all rows of the file into the result, and counts their statuses.
 void read_back(const RowsFile& file, SweepResult& result) {
   const ChunkedRows& work = result.plan.rows;
   const std::size_t width = work.columns.size() - 1;

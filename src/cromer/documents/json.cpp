@@ -35,7 +35,7 @@ std::string to_json(std::span<const MethodRow> methods, const Voice& voice) {
   return to_text(document);
 }
 
-// The page has no other tasks, or documents of its own for them.
+// The page has not these tasks, or has documents of its own for them.
 #ifndef CROMER_PAGE
 
 std::string to_json(const SweepResult& result, bool with_rows, const Voice& voice) {
@@ -52,7 +52,7 @@ std::string to_json(const Inspection& inspection, bool with_values, const Voice&
 
 namespace {
 
-/// A list under `name`, and how many of its fits failed, where any did.
+/// {name: [...]}, with "message" if any of its fits failed.
 template <class Result>
 Json list_of(const char* name, std::span<const Result> results, std::size_t failed, const Voice& voice) {
   Json document;

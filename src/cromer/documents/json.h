@@ -1,5 +1,5 @@
-// The results of the tasks as the JSON documents that contract.md promises. Not-finite numbers are null.
-// Their sentences are in the words of `voice`.
+// The results of the tasks as JSON documents, described in docs/results.md. Numbers that are not finite are
+// null. `voice` is the language and the audience of the sentences.
 #pragma once
 
 #include <span>
@@ -18,33 +18,33 @@
 
 namespace cromer::core {
 
-/// {"runs": [...], "warnings": [...]}, with "message" when a run ended early. `with_states` adds the kept
-/// states of each run.
+/// {"runs": [...], "warnings": [...]}, with "message" if a run ended early. `with_states` adds the kept
+/// states of each run, all on one line.
 std::string to_json(const SimulateResult& result, bool with_states, const Voice& voice = {});
 
 /// {"methods": [...]}
 std::string to_json(std::span<const MethodRow> methods, const Voice& voice = {});
 
-/// The sweep's swept options and columns, on one line; `with_rows` adds the rows.
+/// The swept options, the columns and how the points ended, on one line; `with_rows` adds the rows.
 std::string to_json(const SweepResult& result, bool with_rows = true, const Voice& voice = {});
 
-/// What is in the file; `with_values` adds the columns' numbers.
+/// The contents of the file; `with_values` adds the numbers of the columns, all on one line.
 std::string to_json(const Inspection& inspection, bool with_values, const Voice& voice = {});
 
-/// The fit's object; {"fits": [...]} unless there is exactly one and no list is wanted.
+/// The object of a single fit; of several, or `as_list`, {"fits": [...]}.
 std::string to_json(std::span<const FittedRecording> fits, bool as_list = false, const Voice& voice = {});
 
-/// The spring constant by held extensions: parameters{stiffness}, line, holds.
+/// The spring constant from held masses: {"parameters": {"stiffness"}, "line", "holds", ...}
 std::string to_json(const StaticStiffness& found);
 
 /// {"fits": [...], "mass_line": {...}}
 std::string to_json(std::span<const FittedRecording> fits, const MassLine& line);
 
-/// The comparison's object; {"comparisons": [...]} unless there is exactly one.
+/// The object of a single comparison; of several {"comparisons": [...]}.
 std::string to_json(std::span<const CompareResult> comparisons, const Voice& voice = {});
 
 /// {"components": [...], "spectra": [...], "arias_intensity", "duration_5_95", ...}; `with_fourier` adds the
-/// Fourier amplitudes, all on one line.
+/// Fourier amplitudes and puts all on one line.
 std::string to_json(const SpectrumResult& result, bool with_fourier, const Voice& voice = {});
 
 }  // namespace cromer::core

@@ -16,14 +16,14 @@
 
 namespace cromer::core {
 
-/// The runs' ends, their events, the steps that --accuracy chose, the steady motion and what gets through,
-/// and what each method made of the law.
+/// The last states of the runs, their events, the steps that --accuracy chose, the steady motion and the
+/// transmissibility, and what each method makes of the law.
 std::string simulate_text(const SimulateResult& result);
 
-/// A list of quantities for each recording, each with unit and uncertainty.
+/// For each recording a list of its quantities with units and uncertainties.
 std::string fit_text(const std::vector<FittedRecording>& fits);
 
-/// One line per recording and run with what the laws have in common; one that failed says why.
+/// One line for each recording and run, with the quantities that most laws have. A fit that failed says why.
 std::string fit_table(const std::vector<FittedRecording>& fits);
 
 /// "lab.csv: run 1: too_short: ..." of a fit that did not succeed.
@@ -32,14 +32,14 @@ std::string failure_text(const FittedRecording& fitted);
 /// A table for each damping ratio, of at most 24 periods, and where the spectrum is highest.
 std::string spectrum_text(const SpectrumResult& result);
 
-/// "east" where the two components are columns of one file, else "component 1".
+/// Component `c` of two, by its column: "east"; "component 1" if both columns have the same name.
 std::string component_name(const SpectrumResult& result, std::size_t c);
 
-/// What was swept and how, each measure's smallest and largest value with where they are; of a short sweep
-/// every row.
+/// What was swept and how, then every row of a short sweep; of a longer one each measure's smallest and
+/// largest value, and where they are.
 std::string sweep_text(const SweepResult& result);
 
-/// "euler-cromer, closed form, steps of 0.01 s".
+/// How the points are found: "euler-cromer, closed form, steps of 0.01 s".
 std::string how(const SweepPlan& plan);
 
 /// The holds, and the spring constant that they give.

@@ -11,7 +11,7 @@
 namespace cromer::core {
 namespace {
 
-/// How far the amplitude is off at the end, in words.
+/// The error of the amplitude at the end, in words.
 std::string at_the_end(const ComparedCurve& curve) {
   if (curve.diverged) return "runs away: step too long";
   if (!curve.complete) return "ends early";
@@ -21,14 +21,13 @@ std::string at_the_end(const ComparedCurve& curve) {
   return fmt::format("{} % too {} at the end", rounded(100 * off, 2), ratio > 1 ? "large" : "small");
 }
 
-/// What the simulation's method does to it, where that is to be seen.
+/// Method and step, if the method itself changes the amplitude visibly.
 std::string by_its_method(const ComparedCurve& curve) {
   if (!curve.complete || curve.diverged || !(std::abs(curve.method_amplitude_ratio - 1) > 5e-3)) return "";
   return fmt::format("by {} in steps of {} s:\n", curve.method, rounded(curve.step, 3));
 }
 
-/// The law in its own colour; one constant rate, which is there to be compared with it, in the method's,
-/// dashed.
+/// The law in the colour of fits; one constant decay rate dashed, in the colour of its method.
 Curve look_of(const ComparedCurve& compared) {
   const bool constant = compared.label.find("constant") != std::string::npos;
   Curve look;
@@ -67,7 +66,7 @@ Figure compare_figure(const std::vector<CompareResult>& comparisons) {
     panel.x.name = axis.time_name;
     panel.y.name = axis.name;
     add_measured(panel, comparison.recording, axis);
-    // The law first: it lies below.
+    // In reverse order, so that the law lies below.
     for (auto each = comparison.curves.rbegin(); each != comparison.curves.rend(); ++each)
       add_motion(panel, comparison.recording, axis, {each->trajectory.t, axis.scaled(each->trajectory.x)},
                  look_of(*each));

@@ -1,4 +1,4 @@
-// What each task draws, as figures.
+// The figure of each task.
 #pragma once
 
 #include <vector>
@@ -14,28 +14,29 @@
 
 namespace cromer::core {
 
-/// Positions of simulated runs in one plot: methods by their own colours, the exact solution first; one
-/// method at several drive frequencies as an ordered family. A run that grows without end is cut at the frame
-/// and said to grow.
+/// Positions against time in one plot. Each method has its own colour, with the exact solution below the
+/// others; one method at several drive frequencies is a family of shades. A run that grows without end is cut
+/// off and marked.
 Figure simulate_figure(const SimulateResult& result);
 
-/// Motion and residual of each recording that could be fitted, one above the other, and what else its fit
-/// shows (decay, samples held out, hysteretic swings); measured samples alone of one that could not. More
-/// than three recordings stand in a grid.
+/// For each recording its motion, its residual, and what else the fit has: samples held out, decay rate
+/// against amplitude. A recording that could not be fitted shows its samples alone. More than three
+/// recordings share a grid, one panel each.
 Figure fit_figure(const std::vector<FittedRecording>& fits);
 
-/// One panel for each recording: the measured motion, and its simulations over it.
+/// One panel for each recording: its simulations over the measured motion.
 Figure compare_figure(const std::vector<CompareResult>& comparisons);
 
-/// One panel for each measure. Over one option a curve; over two, of which the outer takes at most five
-/// values, a curve for each of them, else a map. An Error where more than two are swept.
+/// One panel for each measure: a curve over one swept option; over two, a curve for each value of the outer
+/// one, or a map if it takes more than five. An Error if more than two options are swept.
 Result<Figure> sweep_figure(const SweepResult& result);
 
-/// Pseudo-acceleration against period (of two components with their rotations), or a shock spectrum against
-/// frequency.
+/// Pseudo-acceleration, or the largest accelerations of a shock, against period or frequency, as asked for.
+/// Two components are shown with their geometric mean, RotD50 and RotD100.
 Figure spectrum_figure(const SpectrumResult& result);
 
-/// Pseudo-velocity against period, both logarithmic, over lines of equal displacement and acceleration.
+/// Tripartite plot: pseudo-velocity against period, both logarithmic, over lines of equal displacement and of
+/// equal pseudo-acceleration.
 Figure tripartite_figure(const SpectrumResult& result);
 
 /// Position at rest against mass, and what the line leaves.

@@ -23,7 +23,7 @@ Panel measured_panel(const FittedRecording& fitted, const MeasuredAxis& axis) {
 }
 
 Panel residual_panel(const FittedRecording& fitted, MeasuredAxis axis) {
-  // Of a file in metres in the unit that suits what is left; else in the file's own.
+  // In the unit that suits the residuals if the file is in metres, else in the file's unit.
   if (fitted.series.quantity == "position" && fitted.series.to_si == 1) {
     const LengthUnit unit = length_unit(4 * fitted.fit.residual.rms);
     axis.unit = unit.symbol;
@@ -39,7 +39,7 @@ Panel residual_panel(const FittedRecording& fitted, MeasuredAxis axis) {
   return panel;
 }
 
-/// Amplitudes of the displacement, growing to the right.
+/// Decay rate against the amplitude of the displacement: measured, with error bars, and by the law.
 Panel decay_panel(const FittedRecording& fitted) {
   Panel panel;
   panel.title = "Decay rate against amplitude";
@@ -92,7 +92,7 @@ void add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& ax
   add_motion(panel, fitted, axis, law_motion(fitted, axis, true), look);
 }
 
-/// The part of an irregular motion that shows most of the law; `which` says of what it is a part.
+/// The largest swings of an irregular motion. `which` follows in the title: ", held out".
 Panel swings_panel(const FittedRecording& fitted, std::string_view which) {
   const FittedRecording part = largest_swings(fitted);
   const MeasuredAxis axis = measured_axis(part);
@@ -132,13 +132,13 @@ void append_panels(Figure& figure, const FittedRecording& fitted) {
   if (fitted.decay_by_amplitude.size() >= 3) figure.panels.push_back(decay_panel(fitted));
 }
 
-/// A file's name without its folders; of a long one both ends.
+/// The name of a file without its folders; a long one is cut in the middle.
 std::string short_name(std::string_view file) {
   constexpr std::size_t longest = 34, end = 14;
   const auto slash = file.find_last_of('/');
   std::string name(slash == std::string_view::npos ? file : file.substr(slash + 1));
   if (name.size() <= longest) return name;
-  // Not inside of a character.
+  // Do not cut a UTF-8 character.
   const auto inside = [&](std::size_t i) { return (static_cast<unsigned char>(name[i]) & 0xC0) == 0x80; };
   std::size_t front = longest - end - 1, back = name.size() - end;
   while (front > 0 && inside(front)) --front;
@@ -146,7 +146,7 @@ std::string short_name(std::string_view file) {
   return name.substr(0, front) + "…" + name.substr(back);
 }
 
-/// One small panel for each recording: measured and fitted, what they are called above.
+/// One small panel for each recording, with its title above.
 Panel small_panel(const FittedRecording& fitted) {
   const MeasuredAxis axis = measured_axis(fitted);
   Panel panel = measured_panel(fitted, axis);
@@ -158,7 +158,7 @@ Panel small_panel(const FittedRecording& fitted) {
   return panel;
 }
 
-/// As many recordings as can be read on a page.
+/// A grid of as many recordings as fit on a page.
 void append_grid(Figure& figure, const std::vector<FittedRecording>& fits) {
   constexpr std::size_t most_panels = 24;
   std::size_t drawable = 0;

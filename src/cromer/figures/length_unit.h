@@ -10,7 +10,7 @@ struct LengthUnit {
   double metres;
 };
 
-/// m, cm, mm or um, so that `size` [m] is at least 1 in it; um for anything smaller.
+/// The largest of m, cm and mm in which `size` [m] is at least 1; µm for anything smaller.
 constexpr LengthUnit length_unit(double size) {
   constexpr LengthUnit units[] = {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}};
   for (const auto& unit : units)

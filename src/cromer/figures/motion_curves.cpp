@@ -29,8 +29,7 @@ bool in_degrees(const Series& series) {
   return series.unit.find("deg") != std::string::npos || series.unit.find("°") != std::string::npos;
 }
 
-/// Seconds, milliseconds or microseconds; from the first sample where ticks of the whole time would all read
-/// alike.
+/// Chooses s, ms or µs. Times count from the first sample if all ticks would read alike otherwise.
 void set_time(MeasuredAxis& axis, const std::vector<double>& t) {
   constexpr double far_from_zero = 20;  // durations
   if (t.empty()) return;
@@ -110,7 +109,7 @@ constexpr std::size_t columns = 2000;         // more than a figure has pixels
 constexpr double smooth_points = 100;         // of a period
 constexpr std::size_t most_points = 400'000;  // of a smooth curve
 
-/// Ends a stretch before each gap: there is nothing measured in it.
+/// The motion with a NaN in each gap.
 SampledMotion broken_at_gaps(const SampledMotion& motion, const std::vector<Gap>& gaps) {
   SampledMotion broken;
   std::size_t gap = 0;
@@ -128,7 +127,7 @@ SampledMotion broken_at_gaps(const SampledMotion& motion, const std::vector<Gap>
   return broken;
 }
 
-/// Stretches without a break.
+/// The stretches between NaNs.
 std::vector<SampledMotion> stretches_of(const SampledMotion& motion) {
   std::vector<SampledMotion> stretches(1);
   for (std::size_t i = 0; i < motion.t.size(); ++i) {
@@ -142,7 +141,8 @@ std::vector<SampledMotion> stretches_of(const SampledMotion& motion) {
   return stretches;
 }
 
-/// Of the turning points in each window only the outermost: a driven motion turns more than once in a period.
+/// Keeps only the outermost turning point of each window: a driven motion may turn more than once in a
+/// period.
 void outermost(std::vector<double>& t, std::vector<double>& x, double window, double sign) {
   std::vector<double> kept_t, kept_x;
   for (std::size_t i = 0; i < t.size();) {
@@ -176,7 +176,7 @@ void append(Curve& curve, const MeasuredAxis& axis, const std::vector<double>& t
   }
 }
 
-/// Times of the recording's stretches, closely spaced.
+/// Times close enough for a smooth curve, with none inside the gaps.
 std::vector<double> smooth_times(const FittedRecording& fitted) {
   const std::vector<double>& t = fitted.series.t;
   const double duration = t.back() - t.front(), period = period_of(fitted);
@@ -197,7 +197,7 @@ std::vector<double> smooth_times(const FittedRecording& fitted) {
   return fine;
 }
 
-/// The column's value under the free law, less the equilibrium.
+/// The values of the column by the free law, less the equilibrium.
 std::vector<double> free_values(const FittedRecording& fitted, const std::vector<double>& t) {
   const std::vector<double> zeros(t.size(), 0.0);
   const int derivative = std::max(0, derivative_order(fitted.series.quantity));
@@ -208,8 +208,7 @@ std::vector<double> free_values(const FittedRecording& fitted, const std::vector
   return values;
 }
 
-}  // namespace
-
+/// The samples of the fit, broken where samples are missing.
 Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
   const FittedSamples good = without_outliers(fitted.series);
   Curve curve;
@@ -222,6 +221,8 @@ Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
   curve.mark = Mark::dots;
   return curve;
 }
+
+}  // namespace
 
 Curve residual_curve(const FittedRecording& fitted, const MeasuredAxis& axis) {
   const FittedSamples good = without_outliers(fitted.series);

@@ -1,5 +1,5 @@
 // Measured and computed motions as curves of a panel, and the axes they are drawn on: displacement from the
-// fitted equilibrium against time, in units that suit them.
+// fitted equilibrium against time, in suitable units.
 #pragma once
 
 #include <string>
@@ -10,30 +10,29 @@
 
 namespace cromer::core {
 
-/// Names and units are safe for a figure's text.
+/// Names and units may be used as texts of a figure.
 struct MeasuredAxis {
   std::string name;      ///< "displacement {/:Italic x} (cm)"
-  std::string unit;      ///< "cm"; the file's own but for metres
+  std::string unit;      ///< "cm"; that of the file unless it is in metres
   double unit_size = 1;  ///< in the SI unit of the column
   double equilibrium = 0;
-  std::string time_name;  ///< "time {/:Italic t} (s)"; with what was taken off where times are far from 0
+  std::string time_name;  ///< "time {/:Italic t} (s)"; names `time_from` if that is not 0
   double time_unit = 1;   // [s]
-  double time_from = 0;   // [s] drawn as 0
+  double time_from = 0;   // [s] that is drawn as 0
 
-  /// SI values of the recording as displacements in `unit`.
+  /// Recorded values in SI units as displacements in `unit`.
   std::vector<double> displacements(std::vector<double> values) const;
-  /// SI displacements in `unit`.
+  /// Displacements in SI units, in `unit`.
   std::vector<double> scaled(std::vector<double> values) const;
-  /// Seconds as they are drawn.
+  /// Times [s] in the unit of the axis, from `time_from` on.
   std::vector<double> times(std::vector<double> t) const;
 };
 
 MeasuredAxis measured_axis(const FittedRecording& fitted);
 
-/// The unit amplitudes of the motion behind the column are drawn in: of the displacement, whatever was
-/// recorded.
+/// The unit that amplitudes are drawn in. They are amplitudes of the displacement, whatever was recorded.
 struct AmplitudeUnit {
-  std::string symbol;  ///< safe for a figure's text
+  std::string symbol;  ///< may be used as a text of a figure
   double size = 1;     ///< in the SI unit of the displacement
 };
 AmplitudeUnit amplitude_unit(const FittedRecording& fitted, double largest);
@@ -44,34 +43,31 @@ struct SampledMotion {
   std::vector<double> y;  ///< in the unit of the axis, from the equilibrium
 };
 
-/// The samples that the fit was made of, as dots, broken where samples are missing.
-Curve measured_curve(const FittedRecording& fitted, const MeasuredAxis& axis);
-
-/// Those and, as crosses that the axes do not follow, the samples set aside.
+/// Adds the samples of the fit as dots, and those set aside as crosses, which do not widen the axes.
 void add_measured(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis);
 
-/// What the law has less the equilibrium, at the samples of the series (`smooth`: closely enough in time for
-/// a smooth curve).
+/// The motion by the law, from the equilibrium, at the times of the samples; with `smooth` at times close
+/// enough for a smooth curve.
 SampledMotion law_motion(const FittedRecording& fitted, const MeasuredAxis& axis, bool smooth);
 
-/// Measured less fitted at the samples of the fit, as dots.
+/// Measured minus fitted at the samples of the fit, as dots.
 Curve residual_curve(const FittedRecording& fitted, const MeasuredAxis& axis);
 
-/// Whether a recorded force drives it: its swings follow no envelope.
+/// Whether a recorded force drives the motion; its swings then follow no envelope.
 bool irregular(const FittedRecording& fitted);
 
-/// Of an irregular motion some periods about its largest swing: `fitted` with those samples alone, or all of
-/// them where it has no period.
+/// `fitted` with only the samples within 12 periods of its largest swing; with all of them if it has no
+/// period.
 FittedRecording largest_swings(const FittedRecording& fitted);
 
-/// What was held out, as a recording of its own.
+/// The samples that were held out, as a recording of their own.
 FittedRecording held_out_part(const FittedRecording& fitted);
 
-/// Adds a computed motion, in the axis's units, with the look of `look`, as a line broken at gaps.
+/// Adds a computed motion, in the units of the axis, as a line broken at gaps. `look` has its name and style.
 void add_line(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis,
               const SampledMotion& motion, Curve look);
 
-/// The same, or, where its swings are too many to be told apart, as its envelope above and below.
+/// Adds the same line, or, if it has too many swings to tell apart, its upper and lower envelope.
 void add_motion(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis, SampledMotion motion,
                 const Curve& look);
 

@@ -16,7 +16,7 @@
 namespace cromer::core {
 namespace {
 
-/// Largest |x| from the first state to the one at `until`.
+/// Largest |x| between the times `from` and `until`.
 double largest(const Trajectory& trajectory, double from, double until) {
   double size = 0;
   for (std::size_t i = 0; i < trajectory.size(); ++i)
@@ -24,13 +24,13 @@ double largest(const Trajectory& trajectory, double from, double until) {
   return size;
 }
 
-/// A first period (or a twentieth of the run where there is none): what a run does before it grows.
+/// The first period, or a twentieth of the run if there is none [s]: a run has not grown yet by then.
 double first_part(const SimulatedRun& run) {
   const double period = natural_period(run.oscillator);
   return period > 0 ? period : run.until / 20;
 }
 
-/// Half the height of the plot [m]: all of every run, unless one outgrows the others, or itself, by far.
+/// Half the height of the plot [m]. All runs fit in, unless one grows far beyond the others or its own start.
 double frame(const std::vector<SimulatedRun>& runs) {
   double smallest = std::numeric_limits<double>::infinity(), greatest = 0;
   for (const auto& run : runs) {
@@ -47,7 +47,7 @@ struct Ends {
   double low = std::numeric_limits<double>::infinity(), high = -low;
 };
 
-/// What the motion reaches to both sides from a time on.
+/// The extremes of the motion from a time on.
 Ends ends_from(const Trajectory& motion, double from) {
   Ends ends;
   for (std::size_t i = 0; i < motion.size(); ++i) {
@@ -58,7 +58,7 @@ Ends ends_from(const Trajectory& motion, double from) {
   return ends;
 }
 
-/// The last turning points of a motion that nothing drives.
+/// The last turning points of a free motion.
 Ends last_turns(const Trajectory& motion) {
   const Envelope turns = envelope(motion.t, motion.x);
   if (turns.top.empty() || turns.bottom.empty()) return {};
@@ -81,7 +81,7 @@ std::string remark(const SimulatedRun& run, double height, const LengthUnit& uni
   if (run.outcome.status != Status::reached_end) return fmt::format("ends at {:.4g} s", run.outcome.t);
   const bool harmonic = run.drive.amplitude > 0 && run.drive.frequency > 0;
   if (!harmonic && !run.general) return swing(last_turns(run.trajectory), unit);
-  // The largest excursion says something only where at least a period is looked at.
+  // The extremes tell the amplitude only over at least one period.
   const double period = natural_period(run.oscillator);
   const double window = std::max(period > 0 ? period : 0.1 * run.until,
                                  harmonic ? 2 * std::numbers::pi / run.drive.frequency : 0.1 * run.until);
@@ -100,7 +100,7 @@ bool all_one_method(const std::vector<SimulatedRun>& runs) {
                      [&](const auto& run) { return run.method == runs.front().method; });
 }
 
-/// One panel of runs that are laid over each other.
+/// One panel with all these runs.
 Panel panel_of(const std::vector<const SimulatedRun*>& runs, const SimulateResult& result, double height,
                const LengthUnit& unit, bool one_method, bool name_frequency) {
   Panel panel;
@@ -117,7 +117,7 @@ Panel panel_of(const std::vector<const SimulatedRun*>& runs, const SimulateResul
     curve.remark = remark(run, height, unit);
     panel.curves.push_back(std::move(curve));
   }
-  // The exact solution is the road under everything.
+  // The exact solution lies below all others.
   std::stable_partition(panel.curves.begin(), panel.curves.end(),
                         [](const Curve& c) { return c.role == "exact"; });
   const bool cut = std::any_of(runs.begin(), runs.end(), [&](const SimulatedRun* run) {
@@ -150,7 +150,7 @@ Figure simulate_figure(const SimulateResult& result) {
     figure.panels.push_back(panel_of(all, result, height, unit, one_method, frequencies > 1));
     return figure;
   }
-  // Several methods at several frequencies: colour tells the methods apart, a panel each the frequencies.
+  // Several methods at several frequencies: a colour for each method, a panel for each frequency.
   for (std::size_t f = 0; f < frequencies; ++f) {
     std::vector<const SimulatedRun*> same;
     for (std::size_t i = f; i < runs.size(); i += frequencies) same.push_back(&runs[i]);

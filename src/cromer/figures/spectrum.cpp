@@ -24,12 +24,12 @@ std::string damping_name(const SpectrumResult& result, const ResponseSpectrum& s
                              : fmt::format("{:.4g} % damping", 100 * spectrum.damping_ratio);
 }
 
-/// The axis of curves that share a damping ratio, which their names leave out.
+/// The name of an axis whose curves all have the same damping ratio.
 std::string at_one_damping(std::string_view quantity, const SpectrumResult& result, std::string_view unit) {
   return fmt::format("{} at {} ({})", quantity, damping_name(result, result.spectra[0]), unit);
 }
 
-/// Dark to light with the damping, in whatever order it was asked for.
+/// The shade of a spectrum: the more damping, the lighter, whatever their order.
 std::string family(const SpectrumResult& result, std::size_t i) {
   std::size_t less = 0;
   for (std::size_t k = 0; k < result.spectra.size(); ++k) {
@@ -39,7 +39,7 @@ std::string family(const SpectrumResult& result, std::size_t i) {
   return family_role(less, result.spectra.size());
 }
 
-/// Points of a curve in the order of their abscissa.
+/// Sorts the points of a curve by their abscissa.
 void sort_by_x(Curve& curve) {
   std::vector<std::pair<double, double>> points;
   for (std::size_t i = 0; i < curve.x.size(); ++i) points.emplace_back(curve.x[i], curve.y[i]);
@@ -59,13 +59,13 @@ Curve curve_of(const std::vector<double>& x, std::string name, std::string role,
   return curve;
 }
 
-/// Periods of several decades, evenly chosen on a line, are best seen on a logarithmic axis.
+/// Whether the values are spread so widely that the axis is to be logarithmic.
 bool wide(const std::vector<double>& x) {
   const auto [low, high] = std::minmax_element(x.begin(), x.end());
   return *high > 8 * *low;
 }
 
-/// The abscissa that the oscillators were asked for by.
+/// Periods or frequencies, as the oscillators were asked for.
 struct Abscissa {
   std::vector<double> values;
   const char* name;
@@ -79,7 +79,7 @@ Abscissa abscissa_of(const SpectrumResult& result) {
   return {std::move(frequencies), "natural frequency (Hz)", "Hz"};
 }
 
-/// The value at the top of a curve: "1.2 g at 0.3 s".
+/// Adds the largest value of a curve as its remark: "1.2 g at 0.3 s".
 void say_summit(Curve& curve, std::string_view value_unit, std::string_view at_unit) {
   const auto top = std::max_element(curve.y.begin(), curve.y.end(),
                                     [](double a, double b) { return a < b || std::isnan(a); }) -
@@ -90,7 +90,7 @@ void say_summit(Curve& curve, std::string_view value_unit, std::string_view at_u
       fmt::format("{} {} at {} {}", rounded(curve.y[i], 3), value_unit, rounded(curve.x[i], 3), at_unit);
 }
 
-/// Words point to where a curve is furthest from all others.
+/// Each label points to where its curve is farthest from all others.
 void point_words(Panel& panel) {
   const auto height = [&](double y) { return panel.y.logarithmic ? std::log(y) : y; };
   for (Curve& curve : panel.curves) {
@@ -175,7 +175,7 @@ Panel shock_panel(const SpectrumResult& result) {
   } else {
     const ResponseSpectrum& spectrum = result.spectra[0];
     panel.y.name = at_one_damping("largest acceleration", result, written_unit(result));
-    // The largest lies lowest, so that what it is the largest of shows on it.
+    // The maximax curve is drawn first, so that the curves it consists of show on top of it.
     add(spectrum, "maximax", "family:0", [](const Shock& s) { return s.maximax(); });
     add(spectrum, "positive", "positive", [](const Shock& s) { return s.positive; });
     add(spectrum, "primary", "family:4", [](const Shock& s) { return s.primary; });
@@ -184,7 +184,7 @@ Panel shock_panel(const SpectrumResult& result) {
     add(spectrum, "negative", "negative", [](const Shock& s) { return s.negative; });
     for (Curve& curve : panel.curves) say_summit(curve, written_unit(result), along.unit);
   }
-  // Three decades below the top what is left is of no consequence.
+  // Values more than three decades below the largest do not matter.
   double top = 0, least = std::numeric_limits<double>::infinity();
   for (const Curve& curve : panel.curves)
     for (const double y : curve.y)
@@ -210,11 +210,11 @@ Figure spectrum_figure(const SpectrumResult& result) {
 // The slanting lines of a tripartite plot.
 namespace {
 
-/// What the panel shows.
+/// The ranges of the two axes.
 struct Frame {
   double t0, t1, v0, v1;
 
-  /// 0 to 1 from left to right and from bottom to top.
+  /// Places in the frame, 0 to 1 from left to right and from bottom to top.
   double across(double t) const { return std::log(t / t0) / std::log(t1 / t0); }
   double up(double v) const { return std::log(v / v0) / std::log(v1 / v0); }
   double t_at(double across) const { return t0 * std::pow(t1 / t0, across); }
@@ -234,11 +234,11 @@ Frame frame_of(const Panel& panel) {
   if (!(frame.t1 > frame.t0)) frame = {frame.t0 / 2, frame.t1 * 2, frame.v0, frame.v1};
   if (!(frame.v1 >= frame.v0)) frame.v0 = 0.1, frame.v1 = 1;
   frame.v0 /= 1.5;
-  frame.v1 *= 4;  // the numbers of the lines stand there
+  frame.v1 *= 4;  // room for the numbers of the lines
   return frame;
 }
 
-/// Powers of ten, or 1, 2 and 5 of them within less than two decades.
+/// Powers of ten in the range; over less than two and a half decades their doubles and fives as well.
 std::vector<double> round_values(double low, double high) {
   std::vector<double> values;
   const bool few = high < 300 * low;
@@ -252,7 +252,7 @@ std::vector<double> round_values(double low, double high) {
 
 constexpr double number_width = 0.085, number_height = 0.05;  // of the frame
 
-/// A number with its left edge at `x`, its middle at `y`, would stand on a curve or on another number.
+/// Whether a number with its left edge at `x` and its middle at `y` would cover a curve or another number.
 bool covers(const Panel& panel, const Frame& f, double x, double y) {
   for (const Curve& curve : panel.curves)
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
@@ -265,7 +265,7 @@ bool covers(const Panel& panel, const Frame& f, double x, double y) {
   return false;
 }
 
-/// The line v = level (t/2 pi)^slope, cut to the frame, and its number on it.
+/// Adds the line v = level (t/2 pi)^slope, cut to the frame, with its number on it.
 void add_line(Panel& panel, std::vector<Curve>& lines, const Frame& f, double level, int slope,
               const std::string& number) {
   const auto v_of = [&](double t) { return slope > 0 ? level * t / two_pi : level * two_pi / t; };
@@ -278,7 +278,7 @@ void add_line(Panel& panel, std::vector<Curve>& lines, const Frame& f, double le
   line.x = {low, high};
   line.y = {v_of(low), v_of(high)};
   lines.push_back(line);
-  // From the upper end inward: the first place where the number covers no curve.
+  // The first place from the upper end inward where the number covers nothing.
   const double end = slope > 0 ? f.across(high) : f.across(low);
   for (double inward = 0.01; inward < 0.3; inward += 0.01) {
     const double x = slope > 0 ? end - inward : end + inward;
@@ -295,8 +295,8 @@ void add_line(Panel& panel, std::vector<Curve>& lines, const Frame& f, double le
   }
 }
 
-/// Frames the panel's curves (pseudo-velocity [m/s] against period [s], both axes logarithmic) and puts under
-/// them the lines on which the displacement, or the pseudo-acceleration (in the unit asked for), is the same.
+/// Sets the ranges of the axes (pseudo-velocity [m/s] against period [s], both logarithmic), and draws lines
+/// of equal displacement and of equal pseudo-acceleration under the curves.
 void add_equal_lines(Panel& panel, const SpectrumResult& result) {
   const Frame f = frame_of(panel);
   panel.x.low = f.t0;

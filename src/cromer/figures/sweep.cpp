@@ -16,13 +16,13 @@ namespace {
 
 constexpr std::uint64_t most_curves = 5;
 
-/// The numbers of a column, and what they are called and measured in.
+/// The name and the unit in which a column is drawn.
 struct Shown {
   std::string name;
-  double unit = 1;  ///< of the column's unit
+  double unit = 1;  ///< in the unit of the column
 };
 
-/// Lengths in the unit that suits them.
+/// Lengths are drawn in a suitable unit.
 Shown shown(const std::string& column, double largest) {
   if (column.ends_with(" (m)")) {
     const LengthUnit unit = length_unit(largest);
@@ -33,7 +33,7 @@ Shown shown(const std::string& column, double largest) {
   return {name, 1};
 }
 
-/// Even ratios rather than even steps.
+/// Whether the values have even ratios rather than even steps.
 bool is_logarithmic(const std::vector<double>& values) {
   if (values.size() < 3 || !(values.front() > 0 && values.back() > 0)) return false;
   const double middle = values[values.size() / 2], ends = std::sqrt(values.front() * values.back());
@@ -44,14 +44,14 @@ bool is_logarithmic(const std::vector<double>& values) {
 
 class Drawing {
  public:
-  /// `axes` of the swept options: one, or two with the outer first.
+  /// `axes`: indices of one swept option, or of two with the outer first.
   Drawing(const SweepResult& result, const std::vector<std::size_t>& axes)
       : result_(result),
         width_(result.plan.rows.columns.size() - 1),
         axes_(axes),
         ways_(goes_both_ways(result) ? 2 : 1) {}
 
-  /// The direction is then the first of the swept.
+  /// Whether the frequency goes up and down. The direction is then the first of the swept options.
   static bool goes_both_ways(const SweepResult& result) {
     return result.plan.swept.front().name == direction_axis;
   }
@@ -78,7 +78,7 @@ class Drawing {
  private:
   const SweptOption& swept(std::size_t axis) const { return result_.plan.swept[axis]; }
   double at(std::uint64_t row, std::size_t column) const { return result_.rows[row * width_ + column]; }
-  /// In the unit of its grid.
+  /// The value of a swept option in the unit of its grid.
   double place(std::uint64_t row, std::size_t axis) const { return at(row, axis) / swept(axis).shown_unit; }
   std::string axis_name(std::size_t axis) const {
     std::string name = swept(axis).shown;
@@ -120,7 +120,7 @@ class Drawing {
     return false;
   }
 
-  /// Where up and down are farthest apart.
+  /// The place where up and down are farthest apart.
   double widest(std::size_t column, std::uint64_t points) const {
     std::uint64_t where = 0;
     double most = -1;
@@ -130,7 +130,7 @@ class Drawing {
     return place(where, axes_.back());
   }
 
-  /// Up solid and down dashed.
+  /// A curve for each value of the outer option; up solid, down dashed.
   Panel curves(std::size_t column, std::uint64_t outer, std::uint64_t points) const {
     const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
     Panel panel;
@@ -159,11 +159,11 @@ class Drawing {
         if (outer > 1 && way == 0) curve.name = fmt::format("{:.4g}", place(begin, axes_.front()));
         if (outer == 1 && ways_ == 2) curve.name = way == 0 ? "up" : "down";
         if (!curve.name.empty() && !has_numbers(begin, points, column)) {
-          // A name without a curve would stand anywhere.
+          // A label without a curve has no place of its own.
           without += (without.empty() ? "" : ", ") + curve.name;
           curve.name.clear();
         }
-        // Each name at its own peak: resonance curves end in one line.
+        // Each label at its own peak, since resonance curves meet at both ends.
         const auto top = std::max_element(curve.y.begin(), curve.y.end(),
                                           [](double a, double b) { return a < b || std::isnan(a); });
         const auto peak = static_cast<std::size_t>(top - curve.y.begin());
@@ -176,7 +176,7 @@ class Drawing {
     return panel;
   }
 
-  /// The option that runs fastest lies across; of positions and velocities the positions do.
+  /// A map. The inner option runs across; in the phase plane the position does.
   Panel map(std::size_t column, std::uint64_t outer, std::uint64_t points, std::size_t way) const {
     const Shown measure = shown(result_.plan.rows.columns[column], largest(column));
     const std::size_t first = axes_.front(), second = axes_.back();
@@ -218,7 +218,7 @@ class Drawing {
 }  // namespace
 
 Result<Figure> sweep_figure(const SweepResult& result) {
-  // What takes one value only is no axis, unless there is no other.
+  // An option with a single value is no axis, unless there is no other.
   std::vector<std::size_t> axes;
   for (std::size_t i = Drawing::goes_both_ways(result) ? 1 : 0; i < result.plan.swept.size(); ++i)
     if (result.plan.swept[i].points > 1) axes.push_back(i);

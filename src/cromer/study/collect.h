@@ -1,4 +1,4 @@
-// What a task found becomes named results of the study: "id.stiffness", "id.2.peak", column "id.2.x".
+// The results of a task as named results of the study: "id.stiffness", "id.2.peak", column "id.2.x".
 #pragma once
 
 #include <string>
@@ -16,20 +16,21 @@
 
 namespace cromer::core {
 
-/// "id.N" for run N: what a run is described by, without the word "parameters"; newton_per_step, peak,
-/// energy_*; steady.* and exact.* where it is driven. Columns t, x, v, energy.
+/// "id.N" for run N: the entries of its description, those of its parameters without "parameters.";
+/// newton_per_step, peak, peak_velocity; energy_* of a free motion; steady.* and exact.* of a driven one.
+/// Columns t, x, v, energy.
 void collect(const std::string& id, const SimulateResult& result, Results& results);
 
-/// "id": what a fit is described by; mass, disc_diameter, damping_mean, reynolds_last, first_rate, last_rate,
-/// stretches. Columns t, measured, displacement, mean, window_t, reynolds; amplitude, rate, law_rate, and
-/// bar_amplitude, bar_rate (error bars).
+/// "id": the entries of a fit's description; mass, disc_diameter, damping_mean, reynolds_last, first_rate,
+/// last_rate, stretches. Columns t, measured, displacement, mean; window_t, reynolds; amplitude, rate,
+/// law_rate, and bar_amplitude, bar_rate (error bars).
 void collect(const std::string& id, const FittedRecording& fitted, Results& results);
 
-/// "id" as for its fit, with column displacement and explanation (a sentence); "id.N" for curve N: label,
-/// rms, amplitude_error_end, phase_drift, excess_max. Columns t, x, top_t, top, bottom_t, bottom.
+/// "id": the same as for its fit, and explanation (a sentence). "id.N" for curve N: the entries of its
+/// description; amplitude_error_end, excess_max, excess_max_t. Columns t, x, top_t, top, bottom_t, bottom.
 void collect(const std::string& id, const CompareResult& compared, Results& results);
 
-/// "id.N" for curve N: label, damping_ratio, peak, peak_frequency, peak_transmissibility,
+/// "id": points. "id.N" for curve N: label, damping_ratio, peak, peak_frequency, peak_transmissibility,
 /// peak_transmissibility_ratio (the frequency ratio there), last_transmissibility, peak_transmitted,
 /// last_transmitted. Columns frequency, frequency_ratio, amplitude, phase, amplification, transmissibility,
 /// transmitted, transmitted_phase.
@@ -44,20 +45,20 @@ void collect(const std::string& id, const LocalErrorResult& errors, Results& res
 /// frequency_error, decay_error.
 void collect(const std::string& id, const MethodMapResult& map, Results& results);
 
-/// "id.N" for method N: label, slope, evaluations_for_a_millionth (not a number, shown as a dash, where it
-/// does not get there). Columns evaluations, error.
+/// "id.N" for method N: label, slope, evaluations_for_a_millionth (NaN if that error is not reached). Columns
+/// evaluations, error.
 void collect(const std::string& id, const WorkPrecisionResult& work, Results& results);
 
-/// "id": peak_acceleration, arias_intensity, duration_5_95 (of the first component). "id.N" for damping ratio
-/// N: damping_ratio (or loss_factor), peak, peak_period. Columns period, frequency and SD, PSV, PSA (of two
-/// components of RotD50, and SD_1, SD_2, SD_geometric_mean, SD_RotD100 and so on), or of a shock primary,
-/// residual, maximax, positive, negative.
+/// "id": peak_acceleration, arias_intensity, duration_5_95, all of the first component. "id.N" for damping
+/// ratio N: damping_ratio (or loss_factor), peak, peak_period. Columns period, frequency, and SD, PSV, PSA.
+/// Of two components these are RotD50; SD_1, SD_2, SD_geometric_mean, SD_RotD100 and so on stand beside them.
+/// Of a shock: primary, residual, maximax, positive, negative.
 void collect(const std::string& id, const SpectrumResult& spectrum, Results& results);
 
-/// "id": points, not_settled, not_finite, method, way. "id.N" for curve N, over the option that runs fastest:
-/// label, the value of each other option, and of each measure MEASURE.smallest, .smallest_at, .largest,
-/// .largest_at. Columns: that option and the measures, by their names in the CSV file. "id.point.N" for row N
-/// of at most 1000: label, options and measures.
+/// "id": points, not_settled, not_finite, method, way, steps. "id.N" for curve N over the innermost option:
+/// label, the value of each other option, and for each measure MEASURE.smallest, .smallest_at, .largest and
+/// .largest_at. Its columns are the innermost option and the measures, named as in the CSV file. "id.point.N"
+/// for row N, if there are at most 1000: label, options and measures.
 void collect(const std::string& id, const SweepResult& sweep, Results& results);
 
 }  // namespace cromer::core

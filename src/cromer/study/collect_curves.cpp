@@ -7,7 +7,7 @@
 namespace cromer::core {
 namespace {
 
-/// Where it is; not-finite values are passed over.
+/// The index of the largest value. NaN is passed over.
 std::size_t largest(const std::vector<double>& values) {
   std::size_t at = 0;
   for (std::size_t i = 1; i < values.size(); ++i)
@@ -101,7 +101,8 @@ void collect(const std::string& id, const WorkPrecisionResult& work, Results& re
     results.set_column(name + ".error", curve.error, "", "error");
     constexpr double not_reached = std::numeric_limits<double>::quiet_NaN();
     results.set(name + ".evaluations_for_a_millionth", not_reached);
-    // The evaluations for an error of one part in a million, on the line between the runs around it.
+    // Evaluations for an error of 1e-6, interpolated between the two runs around it, both on logarithmic
+    // scales.
     for (std::size_t j = 1; j < curve.error.size(); ++j)
       if (curve.error[j - 1] > 1e-6 && curve.error[j] <= 1e-6) {
         const double share =
@@ -116,7 +117,7 @@ void collect(const std::string& id, const WorkPrecisionResult& work, Results& re
 
 namespace {
 
-/// SD, PSV and PSA at the periods, as columns whose names end with `which`; the pseudo-accelerations.
+/// Sets the columns SD, PSV and PSA; `which` follows their names. Returns the pseudo-accelerations.
 std::vector<double> set_spectral(const std::string& name, const std::string& which, const SpectrumResult& all,
                                  const std::vector<double>& displacement, Results& results) {
   std::vector<double> velocity, acceleration;
@@ -130,6 +131,7 @@ std::vector<double> set_spectral(const std::string& name, const std::string& whi
   return acceleration;
 }
 
+/// Sets the columns of a shock spectrum. Returns the maximax.
 std::vector<double> set_shock(const std::string& name, const ResponseSpectrum& spectrum, Results& results) {
   const auto set = [&](const char* which, auto value) {
     std::vector<double> column;

@@ -11,7 +11,7 @@
 namespace cromer::core {
 namespace {
 
-/// Units that a record decides are those of this one.
+/// "of the column" becomes the unit of this recording.
 Facts facts_of(const FittedRecording& fitted, Results& results) {
   return Facts(results, [&fitted](std::string_view unit) -> std::string_view {
     if (unit == unit_of_column) return si_unit_of(fitted.series.quantity);
@@ -26,7 +26,7 @@ void set_optional(Results& results, const std::string& name, const std::optional
 
 void collect_mean_damping(const std::string& id, const FittedRecording& fitted, Results& results) {
   if (!fitted.decay_rate_mean) return;
-  // The damping that would give the mean rate: c = 2 m gamma.
+  // The damping that gives the mean decay rate: c = 2 m gamma.
   if (const Estimate* stiffness = fitted.find("stiffness")) {
     const double w = fitted.fit.angular_frequency().value;
     results.set(id + ".damping_mean", 2 * fitted.decay_rate_mean->value * stiffness->value / (w * w), "kg/s");
@@ -45,7 +45,7 @@ void collect_reynolds(const std::string& id, const FittedRecording& fitted, Resu
   results.set_column(id + ".reynolds", std::move(value), "", "Reynolds number Re");
 }
 
-/// Points, their error bars (one below the other, with gaps), and the law's rate there.
+/// Decay rates against amplitude: measured, their error bars (with a NaN after each), and by the law.
 void collect_decay(const std::string& id, const FittedRecording& fitted, Results& results) {
   if (fitted.decay_by_amplitude.empty()) return;
   const std::string_view unit = si_unit_of(fitted.series.quantity);
@@ -81,7 +81,7 @@ void collect_columns(const std::string& id, const FittedRecording& fitted, Resul
   results.set_column(id + ".mean", std::vector<double>(fitted.series.t.size(), mean), unit, "mean");
 }
 
-/// Where in the motion the simulation's amplitude exceeds the law's most, and by how much.
+/// The largest excess of the simulated amplitude over the law's, relative, and when it is.
 void collect_excess(const std::string& name, const Envelope& simulated, const Envelope& law,
                     Results& results) {
   double most = 0, when = 0;
@@ -120,7 +120,7 @@ void collect(const std::string& id, const CompareResult& compared, Results& resu
     const std::string name = id + "." + std::to_string(i + 1);
     facts_of(compared.recording, results).set(name, curve);
     results.set(name + ".amplitude_error_end", curve.amplitude_ratio_end - 1);
-    // The last curve is the law that the data chose.
+    // The last curve is the fitted law.
     collect_excess(name, envelopes[i], envelopes.back(), results);
     results.set_column(name + ".t", curve.trajectory.t, "s", "time *t*");
     results.set_column(name + ".x", curve.trajectory.x, unit, "position *x*");

@@ -21,7 +21,7 @@ double largest_magnitude(const std::vector<double>& values) {
   return largest;
 }
 
-/// What the energy of a free motion does.
+/// The energy of a free motion with one period.
 void collect_energy(const std::string& name, const SimulatedRun& run, const std::vector<double>& energy,
                     Results& results) {
   const double period = natural_period(run.oscillator);
@@ -37,7 +37,7 @@ void collect_energy(const std::string& name, const SimulatedRun& run, const std:
   results.set(name + ".energy_drift", std::expm1(growth.rate * run.outcome.t));
 }
 
-/// What a driven motion settles at, measured and exact.
+/// The steady state of a driven motion, measured and exact.
 void collect_steady(const std::string& name, const SimulatedRun& run, Results& results) {
   if (!(run.drive.amplitude > 0) || !(run.drive.frequency > 0)) return;
   const bool has_exact = is_linear(law_of(run.oscillator)) && run.oscillator.damping > 0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint64_t most_named_points = 1000;
 
-/// "drive_frequency (rad/s)" in two.
+/// "drive_frequency (rad/s)" as name and unit.
 struct Heading {
   std::string name, unit;
 };
@@ -35,7 +35,7 @@ class Collector {
     for (std::size_t i = 0; i < width_; ++i) headings_.push_back(heading_of(result.plan.rows.columns[i]));
   }
 
-  /// The rows from `first` on over which the innermost option runs.
+  /// One curve over the innermost option: `points` rows from `first` on.
   void curve(const std::string& name, std::uint64_t first, std::uint64_t points) const {
     const std::size_t inner = all_.plan.swept.size() - 1;
     results_.set(name + ".label", label(first, inner));
@@ -61,7 +61,7 @@ class Collector {
     results_.set(name + "." + headings_[column].name, at(row, column), headings_[column].unit);
   }
 
-  /// The first `options` of a row in words, in the units of their grids; the method where there are none.
+  /// The first `options` values of a row in words, in the units of their grids; the method if there are none.
   std::string label(std::uint64_t row, std::size_t options) const {
     std::string text;
     for (std::size_t i = 0; i < options; ++i) {

@@ -15,10 +15,10 @@
 
 namespace cromer::core {
 
-/// Sets what `result` is described by, under `id`. Units that depend on what was recorded ("of the column")
-/// are what `unit_of` makes of them. A name is the path in the JSON document, but for what the description
-/// calls otherwise; an estimate has its uncertainty, and .low and .high. What is not finite is not a number;
-/// lists of numbers, truths and what is not there have no name.
+/// Sets the numbers and texts of a described result. Their names are the paths in the JSON document, unless
+/// the description has another name for studies. An Estimate is a number with its uncertainty; .low and .high
+/// are beside it. Infinities become NaN. Lists of numbers, bools and empty optionals are left out. `unit_of`
+/// replaces units that depend on the recording, such as "of the column".
 class Facts {
  public:
   using UnitOf = std::function<std::string_view(std::string_view)>;

@@ -15,35 +15,35 @@
 namespace cromer::core {
 namespace {
 
-/// Typed look at a TOML table that remembers which keys were asked for, so that the others can be called
-/// wrong. The first error stays; later ones are dropped. Ask for everything, then call finish().
+/// Reads typed values from a TOML table. It remembers the keys that were asked for; finish() reports all
+/// others. Only the first error is kept.
 class TomlReader {
  public:
   TomlReader(const toml::table& table, std::string file) : table_(table), file_(std::move(file)) {}
 
   std::string text(std::string_view key, std::string otherwise = "");
-  /// One of the names; the first where the key is not there.
+  /// One of the names; the first if the key is missing.
   std::string choice(std::string_view key, std::initializer_list<std::string_view> names);
   double number(std::string_view key, double otherwise);
   int whole(std::string_view key, int otherwise);
   bool yes(std::string_view key);
   std::vector<int> wholes(std::string_view key);
-  /// A TOML value as the text that the command line would take: 0.2, "217.6 g", true.
+  /// A value, or a list of them, as texts for options: 0.2, "217.6 g", true.
   std::vector<std::string> values(std::string_view key);
   std::optional<double> maybe_number(std::string_view key);
-  /// Tables of an array of tables (or none).
+  /// The tables of an array of tables; empty if the key is missing.
   std::vector<const toml::table*> tables(std::string_view key);
-  /// An array of arrays of texts.
+  /// An array of arrays, as texts.
   std::vector<std::vector<std::string>> rows(std::string_view key);
 
   bool has(std::string_view key);
   std::vector<std::string> keys() const;
   Place place() const { return place_of(table_); }
   Place place_of(const toml::node& node) const;
-  /// Of the value of a key that is there.
+  /// The place of a value whose key exists.
   Place place_of_key(std::string_view key) const { return place_of(*table_.get(key)); }
   void fail(const toml::node& node, const Notice& what);
-  /// The first error, or that a key is none of those asked for.
+  /// The first error, or an Error for a key that was never asked for.
   Result<void> finish() const;
 
  private:
@@ -55,7 +55,7 @@ class TomlReader {
   std::optional<Error> error_;
 };
 
-/// The text the command line would take for this value; empty optional for tables and arrays.
+/// The value as the command line would take it; empty for tables and arrays.
 std::optional<std::string> as_option_text(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get();
   if (const auto* whole = node.as_integer()) return std::to_string(whole->get());
@@ -233,7 +233,7 @@ constexpr std::string_view commands[] = {"simulate",    "fit",        "compare",
                                          "local_error", "difference", "method_map", "work_precision",
                                          "spectrum",    "sweep"};
 
-/// Reads one table with a function that asks a TomlReader for its keys.
+/// Reads one table by a function of a TomlReader.
 template <class Read>
 auto read_table(const toml::table& table, const std::string& file, Read read)
     -> Result<decltype(read(std::declval<TomlReader&>()))> {
@@ -243,7 +243,7 @@ auto read_table(const toml::table& table, const std::string& file, Read read)
   return value;
 }
 
-/// Reads every table of a list; the first Error ends it.
+/// Reads all tables of a list, up to the first Error.
 template <class Spec, class Read>
 Result<std::vector<Spec>> read_tables(const std::vector<const toml::table*>& tables, const std::string& file,
                                       Read read) {
@@ -322,7 +322,7 @@ Note read_note(TomlReader& toml) {
   return note;
 }
 
-/// Errors of inner tables are kept by the outer reader.
+/// Reads the tables within a table; `error` keeps their first Error.
 template <class Spec, class Read>
 std::vector<Spec> inner_tables(TomlReader& toml, const std::string& file, std::string_view key, Read read,
                                std::optional<Error>& error) {

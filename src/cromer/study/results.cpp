@@ -11,7 +11,7 @@
 namespace cromer::core {
 namespace {
 
-/// The nearest name, as a question.
+/// "did you mean" the nearest name; empty if none is near.
 template <class Map>
 Notice near_in(const Map& map, std::string_view name) {
   std::vector<std::string_view> names;
@@ -70,7 +70,7 @@ std::vector<std::string_view> split(std::string_view text) {
   }
 }
 
-/// How one number is to be written.
+/// How to write a number.
 struct Format {
   std::optional<int> digits;
   std::string unit;

@@ -1,5 +1,5 @@
-// What the tasks of a study found, by name: numbers for its texts and tables, columns for its figures; and
-// the texts with them: "k = {two.stiffness}".
+// The results of a study's tasks by name: numbers for its texts and tables, columns for its figures; and the
+// texts with results in them: "k = {two.stiffness}".
 #pragma once
 
 #include <map>
@@ -26,8 +26,8 @@ struct ResultColumn {
   std::string name;  ///< for an axis: "position {/:Italic x}"
 };
 
-/// Names are paths: "two.stiffness", "damped.3.steady.amplitude". A name that is missing is an Error that
-/// suggests the nearest.
+/// Names are paths: "two.stiffness", "damped.3.steady.amplitude". Asking for a missing name is an Error that
+/// suggests the nearest one.
 class Results {
  public:
   void set(const std::string& name, Quantity quantity, std::string_view unit) {
@@ -52,16 +52,16 @@ class Results {
   std::map<std::string, ResultColumn, std::less<>> columns_;
 };
 
-/// {"two.stiffness": {"value", "standard_error", "unit"}, "two.law": "text", ...}: every fact, in SI units,
-/// by name.
+/// {"two.stiffness": {"value", "standard_error", "unit"}, "two.law": "text", ...}: all numbers, in SI units,
+/// and all texts.
 std::string to_json(const Results& results);
 
-/// Replaces each {name, modifier, ...} by its result. Modifiers: a whole number (significant digits), a unit
-/// ("cm", "%", "mJ": converted to), "bare" (without unit), "no ±" (without uncertainty), "concise" (the
-/// uncertainty in brackets behind the last digit), "signed" (a leading
-/// + or minus), "si" (the value alone, exact, for options), "abs". A name that begins with a point is taken
-/// relative to `scope`: {.label}. A brace is written {{; one behind _ or ^ is markup and stays. An unknown
-/// name or modifier is an Error.
+/// Replaces each {name, modifier, ...} by its result. Modifiers: a whole number (of significant digits), a
+/// unit to convert to ("cm", "%", "mJ"), "bare" (without the unit), "no ±" (without the uncertainty),
+/// "concise" (the uncertainty in brackets behind the last digit), "signed" (a leading + or minus), "abs" (the
+/// magnitude), "si" (the value alone, exact, for options). A name that begins with a point is relative to
+/// `scope`: {.label}. A brace is written {{; one behind _ or ^ is markup and stays. An unknown name or
+/// modifier is an Error.
 Result<std::string> fill(std::string_view text, const Results& results, std::string_view scope = "");
 
 }  // namespace cromer::core

@@ -31,8 +31,8 @@ Error unknown(const Setting& setting, const TaskSpec& task, const std::vector<Op
              {{"key", with_underscores(setting.option)}, {"task", task.command}, {"more", more}}});
 }
 
-/// Assigns every setting to its option, results filled into the texts. An unknown key gets the nearest right
-/// one suggested; errors name the place.
+/// Assigns every setting to its option, with results filled into the texts. Errors name the place in the
+/// study file; of an unknown key the nearest option is suggested.
 Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& options,
                              const Results& results) {
   for (const Setting& setting : task.settings) {
@@ -51,20 +51,20 @@ Result<void> assign_settings(const TaskSpec& task, const std::vector<Option>& op
   return {};
 }
 
-/// What one task said besides its results.
+/// What a task says besides its results.
 struct TaskReport {
   std::vector<Notice> notices;
-  Notice failure;  ///< why it did not succeed; empty if it did
+  Notice failure;  ///< why it did not succeed; empty if it succeeded
 };
 
-/// A task at work: what it was asked, in which study, and where its results go.
+/// A task of a study, and where its results go.
 struct Work {
   const TaskSpec& task;
   const Study& study;
   Results& results;
   const Watch& watch;
 
-  /// The bytes of the task's recording, its path relative to the study file.
+  /// The bytes of a recording. `file` is relative to the study file.
   Result<std::string> recording(const std::string& file) const {
     if (file.empty()) return task.place.error(Notice{"task_needs_file", {{"command", task.command}}});
     auto bytes = read_file((std::filesystem::path(study.folder) / file).string());
@@ -105,7 +105,7 @@ Result<TaskReport> run_simulate(const Work& work) {
 const LawFit& fit_of(const FittedRecording& fitted) { return fitted.fit; }
 const LawFit& fit_of(const CompareResult& compared) { return compared.recording.fit; }
 
-/// fit and compare: a recording's file in, one result for each of its runs out.
+/// fit and compare: one result for each run of a recording.
 template <class Options, class Task>
 Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
   Options options;
@@ -133,7 +133,7 @@ Result<TaskReport> run_fit(const Work& work) { return run_on_recording<FitOption
 
 Result<TaskReport> run_compare(const Work& work) { return run_on_recording<CompareOptions>(work, compare); }
 
-/// Curves of the oscillator of `simulate`: its options, and the task's own, which are positive numbers.
+/// Tasks that compute curves. Their options are those of `simulate` and some of their `own`.
 template <class Options, class Task>
 Result<TaskReport> run_curves(const Work& work, Options& options, const std::vector<Option>& own, Task task) {
   auto table = options_of(options.simulate);
@@ -200,7 +200,7 @@ Result<TaskReport> run_spectrum(const Work& work) {
   return TaskReport{result->notices, {}};
 }
 
-/// TOML lists are grids as well: [0.02, 0.05] for "0.02,0.05".
+/// Joins the lists of options that take a grid: [0.02, 0.05] becomes "0.02,0.05".
 TaskSpec with_joined_grids(TaskSpec task, const std::vector<Option>& table) {
   for (Setting& setting : task.settings) {
     const auto option =
@@ -215,7 +215,7 @@ TaskSpec with_joined_grids(TaskSpec task, const std::vector<Option>& table) {
 }
 
 Result<TaskReport> run_sweep(const Work& work) {
-  constexpr double memory_for_rows = 1e9;  // [bytes] a page shows curves, not archives
+  constexpr double memory_for_rows = 1e9;  // [bytes]
   SweepOptions options;
   options.memory = memory_for_rows;
   const auto table = options_of(options);
@@ -263,7 +263,7 @@ constexpr Command commands[] = {{"simulate", run_simulate},       {"fit", run_fi
                                 {"method-map", run_method_map},   {"work-precision", run_work_precision},
                                 {"spectrum", run_spectrum},       {"sweep", run_sweep}};
 
-/// Runs one task and adds what it found under its id.
+/// Runs one task and adds its results under its id.
 Result<TaskReport> run_task(const TaskSpec& task, const Study& study, Results& results, const Watch& watch) {
   for (const Command& command : commands)
     if (command.name == task.command) return command.run(Work{task, study, results, watch});

@@ -12,16 +12,16 @@
 
 namespace cromer::core {
 
-/// What the tasks found, and what else there is to know, each with its task's name.
+/// The results of the tasks, and their notices, each with the name of its task.
 struct StudyRun {
   Results results;
   std::vector<Notice> notices;
-  std::vector<Notice> shown;  ///< what their task is to show
-  Notice failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why;
-                   ///< the study ended there
+  std::vector<Notice> shown;  ///< notices that their task is meant to show
+  Notice failure;  ///< the task that did not succeed (diverged, no oscillation, interrupted), and why; the
+                   ///< study ended there
 };
 
-/// Called before each task with what it is ("fit two") and the share done.
+/// Called before each task with its command and name ("fit two") and the fraction of tasks done.
 using StudyProgress = std::function<void(const std::string& what, double fraction)>;
 
 /// Bad input is an Error that names the place in the study file.

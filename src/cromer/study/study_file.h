@@ -13,7 +13,7 @@
 
 namespace cromer::core {
 
-/// Where something stands in the study file.
+/// A place in the study file.
 struct Place {
   std::string file;
   unsigned line = 0, column = 0;
@@ -23,53 +23,54 @@ struct Place {
   }
 };
 
-/// One key of a task: the option's name with - for _, and one or more values as texts.
+/// One key of a task: the name of the option, with - for _, and one or more values as texts.
 struct Setting {
   std::string option;
   std::vector<std::string> values;
   Place place;
 };
 
-/// [[task]] with its command as key: `simulate = "name"`, then the command's options.
+/// [[task]]: the command and the name of its results, `simulate = "name"`, then the options of the command.
 struct TaskSpec {
   std::string command;  ///< simulate, fit, compare, resonance, local-error, method-map,
                         ///< work-precision, spectrum, sweep, difference
-  std::string id;       ///< what its results are called
+  std::string id;       ///< the name of its results
   std::vector<Setting> settings;
-  std::string shows;  ///< part of a notice's words, of what the task is to show; "" where nothing is
+  std::string shows;  ///< part of the sentence of a notice that the task is meant to show; "" if none is
   Place place;
 };
 
 /// [[figure.panel.curve]] or [[figure.curve]]: columns x and y of a result.
 struct CurveSpec {
   std::string of;     ///< "undamped.1"; x and y are its columns
-  std::string minus;  ///< another result whose y is taken off, row by row
+  std::string minus;  ///< another result whose y is subtracted, row by row
   std::string x, y;   ///< columns; the panel's by default
   std::optional<double> from,
-      to;  ///< [s] rows whose time (the result's column t) lies outside are left out; the panel's by default
+      to;  ///< [s] rows whose time (column t of the result) is outside are left out; the panel's by default
   Curve look;  ///< role, name, remark, mark, dashed, label places; no numbers yet
   Place place;
 };
 
 struct PanelSpec {
   std::string x, y;                ///< columns of the curves
-  std::string x_unit, y_unit;      ///< what to draw them in; SI by default
+  std::string x_unit, y_unit;      ///< units to draw them in; SI by default
   std::optional<double> from, to;  // [s]
-  Panel look;  ///< title, axes, notes, phase_portrait; names of axes made from column and unit where empty
+  Panel look;  ///< title, axes, notes, phase_portrait; an axis without a name gets that of its column
   std::vector<CurveSpec> curves;
   Place place;
 };
 
-/// `look.id` is the name of its file without ending: letters, digits, - and _.
+/// [[figure]]. `look.id` is the name of its file without the ending: letters, digits, - and _.
 struct FigureSpec {
   Figure look;  ///< id, title, caption, size, columns
   std::vector<PanelSpec> panels;
-  double width = 1;  ///< of the page's column
+  double width = 1;  ///< as a fraction of the page's column
   Place place;
 };
 
-/// A table whose cells are texts with results in them. `each` repeats `row` for every run of the tasks named,
-/// with {.name} relative to the run.
+/// A table whose cells are texts with results in them. `row` is repeated for every run of the tasks in
+/// `each`;
+/// {.name} in it is relative to the run.
 struct TableSpec {
   std::string caption;
   std::vector<std::string> header;
@@ -79,7 +80,7 @@ struct TableSpec {
   int answer_column = -1;
 };
 
-/// [[block]]: what the page shows, in order.
+/// [[block]]: a part of the page.
 struct BlockSpec {
   struct Heading {
     std::string text;
@@ -111,7 +112,7 @@ struct Study {
   std::vector<BlockSpec> blocks;
 };
 
-/// Reads a study. Errors name file, line and column; an unknown key gets the nearest right one suggested.
+/// Reads a study. Errors name file, line and column; of an unknown key the nearest known one is suggested.
 Result<Study> read_study(std::string_view toml, const std::string& file);
 
 }  // namespace cromer::core

@@ -51,7 +51,7 @@ Result<void> fill_in(std::string& text, const Results& results, bool enhanced) {
   return {};
 }
 
-/// Leaves out the rows whose time lies outside [from, to].
+/// Leaves out the rows whose time is outside [from, to].
 Result<void> keep_range(Curve& curve, const CurveSpec& spec, const PanelSpec& panel, const Results& results) {
   const auto from = spec.from ? spec.from : panel.from;
   const auto to = spec.to ? spec.to : panel.to;
@@ -146,7 +146,7 @@ Result<Figure> make_figure(const FigureSpec& spec, const Results& results) {
 
 namespace {
 
-/// Fills texts one after another; the first Error stays.
+/// Fills results into texts, and keeps the first Error.
 struct Filler {
   const Results& results;
   std::optional<Error> error{};
@@ -259,7 +259,7 @@ Result<void> make_folder(const std::string& folder) {
   return check_writable(folder + "/index.html");
 }
 
-// A folder that was made for a report which was then not written goes again.
+/// Removes the folder again if it was made for a report that was then not written.
 class FolderInWaiting {
  public:
   explicit FolderInWaiting(const std::string& folder)

@@ -1,4 +1,4 @@
-// Takes the place of the library of this name: what the core asks of it.
+// Replaces the library fmt: the part of it that the core uses.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// What a result consists of: for each of its structs one table, from which its JSON, its names in a study,
-// the page's types and the table of the docs are made.
+// What a result consists of. Each struct of a result has one table; from it come its JSON, its names in a
+// study, the page's types and the table of the docs.
 //
 //   template <>
 //   struct Described<Gap> {
@@ -25,7 +25,7 @@
 
 namespace cromer::core {
 
-/// `name`, as the page's types call it; `entries`, in the order of the documents.
+/// `name` is the name of the page's type; `entries` stand in the order of the document.
 template <class Result>
 struct Described;
 
@@ -34,31 +34,31 @@ concept IsDescribed = requires {
   Described<Result>::entries;
 };
 
-/// A result that may stand for one that could not be had: where `is_refused`, its document has the entries
-/// `refused` alone.
+/// A result that may hold an error in place of numbers. Where `is_refused`, its document has only the entries
+/// `refused`.
 template <class Result>
 concept MayBeRefused = requires(const Result& result) {
   Described<Result>::refused;
   Described<Result>::is_refused(result);
 };
 
-/// One number, truth, text, list or described struct: `get` is a member or a function of the result. A double
-/// that is not finite is null, and so is an empty optional.
+/// One number, bool, text, list or described struct. `get` is a member or a function of the result. A double
+/// that is not finite is written as null, and so is an empty optional.
 template <class Get>
 struct Field {
   std::string_view name;
   Get get;
-  std::string_view unit;  ///< SI; "" of what has none
+  std::string_view unit;  ///< SI; "" where there is none
   std::string_view meaning;
   bool finite = false;             ///< its numbers are never null
   bool if_any = false;             ///< left out where the optional is empty
-  std::string_view in_study = "";  ///< its name in a study, where that is another
-  bool only_document = false;      ///< a study does not have it
+  std::string_view in_study = "";  ///< its name in a study, if it is a different one
+  bool only_document = false;      ///< not in a study
 
   constexpr Field known() const { return with(&Field::finite); }
   constexpr Field left_out() const { return with(&Field::if_any); }
   constexpr Field not_in_study() const { return with(&Field::only_document); }
-  /// In a study its entries stand without its name.
+  /// In a study its entries stand without its name before them.
   constexpr Field unnamed() const { return called(no_name); }
   static constexpr std::string_view no_name = "-";
   constexpr Field called(std::string_view word) const {
@@ -85,15 +85,14 @@ constexpr Field<Get> field(std::string_view name, Get get, std::string_view unit
   return {name, get, unit, meaning};
 }
 
-/// An Estimate that stands in the document as `name`, "standard_error" and, where `interval`,
-/// "confidence_95".
+/// An Estimate. The document has it as `name`, "standard_error" and, with `interval`, "confidence_95".
 template <class Get>
 struct Estimated {
   std::string_view name;
   Get get;
   std::string_view unit, meaning;
   bool interval = false;
-  bool finite = false;  ///< the value itself is never null
+  bool finite = false;  ///< the value is never null
   std::string_view error_name = "standard_error";
 
   constexpr Estimated with_interval() const {
@@ -119,16 +118,16 @@ constexpr Estimated<Get> estimated(std::string_view name, Get get, std::string_v
   return {name, get, unit, meaning};
 }
 
-/// An object made of the result itself; null where `when` says no.
+/// An object within the document, made of the same result; null where `when` is false.
 template <class When, class Entries>
 struct Group {
   std::string_view name, meaning;
   When when;
   Entries entries;
-  bool sometimes = false;  ///< null where `when` says no
+  bool sometimes = false;  ///< it may be null
 };
 
-/// The entries of another described struct among these: a document that says more than that one's.
+/// All entries of another described struct, among these: a document that extends another one.
 template <class Get>
 struct AllOf {
   Get get;
@@ -139,7 +138,7 @@ constexpr AllOf<Get> all_of(Get get) {
   return {get};
 }
 
-/// "warnings", the sentences, and "notices", each as an object.
+/// "warnings": sentences, and "notices": the same as objects.
 template <class Get>
 struct Notices {
   Get get;
@@ -170,7 +169,7 @@ struct Always {
 
 }  // namespace described
 
-/// Entries, and tuples of them, in this order.
+/// A table of entries, and of other tables, in this order.
 template <class... Parts>
 constexpr auto members(Parts... parts) {
   return std::tuple_cat(described::as_tuple(parts)...);
@@ -187,7 +186,7 @@ constexpr auto group_if(std::string_view name, std::string_view meaning, When wh
   return Group<When, std::tuple<Parts...>>{name, meaning, when, entries, true};
 }
 
-/// A number whose name a registry gives.
+/// A number whose name comes from a registry.
 struct Named {
   std::string name;
   double value = 0;
@@ -195,7 +194,7 @@ struct Named {
   std::string_view meaning;
 };
 
-/// Such numbers among the entries; `sample()` has their names without a result.
+/// Numbers named by a registry. `sample()` gives their names without a result.
 template <class Get, class Sample>
 struct ByName {
   Get get;
@@ -212,7 +211,7 @@ struct Pair {
   double first = 0, second = 0;
 };
 
-/// Rows of a table as they lie in memory, `width` numbers each: a list of lists.
+/// Rows of a table, `width` numbers each, one after another in memory. Written as a list of lists.
 struct TableRows {
   std::span<const double> numbers;
   std::size_t width = 1;
@@ -220,12 +219,12 @@ struct TableRows {
 
 inline Pair interval_of(const Estimate& estimate) { return {estimate.low, estimate.high}; }
 
-/// Zero stands for unknown in rates and durations.
+/// Empty for 0, which means unknown in rates and durations.
 inline std::optional<double> unless_zero(double value) {
   return value == 0 ? std::nullopt : std::optional(value);
 }
 
-/// An empty text stands for none.
+/// Empty for an empty text.
 inline std::optional<std::string> unless_empty(std::string_view text) {
   return text.empty() ? std::nullopt : std::optional(std::string(text));
 }
@@ -246,7 +245,7 @@ inline constexpr bool is_optional = OptionalTraits<Value>::value;
 template <class Value>
 concept Text = std::convertible_to<Value, std::string_view>;
 
-/// What a list holds; void of what is none.
+/// The type of a list's items; void if it is no list.
 template <class Value>
 struct ListTraits {
   using Item = void;
@@ -260,13 +259,13 @@ using ItemOf = typename ListTraits<Value>::Item;
 template <class Value>
 concept List = !std::is_void_v<ItemOf<Value>>;
 
-/// What an entry gives of a result.
+/// The type of an entry's value.
 template <class Entry, class Result>
 using ValueOf = std::remove_cvref_t<decltype(std::declval<const Entry&>().of(std::declval<const Result&>()))>;
 
 }  // namespace described
 
-/// Calls `visit` with each entry, in order.
+/// Calls `visit` with each entry in order.
 template <class Entries, class Visit>
 void for_each_entry(const Entries& entries, Visit visit) {
   std::apply([&](const auto&... entry) { (visit(entry), ...); }, entries);

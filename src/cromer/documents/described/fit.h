@@ -1,4 +1,4 @@
-// What a fit's document consists of.
+// What the document of `fit` consists of.
 #pragma once
 
 #include "cromer/documents/described/describe.h"
@@ -6,10 +6,10 @@
 
 namespace cromer::core {
 
-/// That of what was recorded.
+/// The SI unit of the recorded quantity.
 inline constexpr std::string_view unit_of_column = "of the column";
 
-/// Of a fit, what it was made of.
+/// The recording that a fit was made from.
 struct FittedFrom {
   const FittedRecording& fitted;
 
@@ -228,7 +228,7 @@ struct Described<TextbookDamping> {
                     "null where the line does not fall to half its power on both sides"));
 };
 
-/// A spring constant whose uncertainty was drawn as well as propagated.
+/// A spring constant with its uncertainty by Monte Carlo trials and by propagation.
 struct DrawnStiffness {
   MonteCarlo trials;
   Estimate propagated;
@@ -271,7 +271,7 @@ inline std::optional<DrawnStiffness> drawn_stiffness(const FittedRecording& fitt
   return DrawnStiffness{*fitted.monte_carlo, *stiffness};
 }
 
-/// Row by row.
+/// The covariance matrix, row by row.
 inline std::vector<std::vector<double>> covariance_rows(const LawFit& fit) {
   std::vector<std::vector<double>> rows;
   const auto n = static_cast<std::ptrdiff_t>(fit.names.size());
@@ -280,7 +280,7 @@ inline std::vector<std::vector<double>> covariance_rows(const LawFit& fit) {
   return rows;
 }
 
-/// Of one that could not be read only file, run, status and message are known.
+/// If the recording could not be read, only file, run, status and message are known.
 template <>
 struct Described<FittedRecording> {
   using Fitted = FittedRecording;

@@ -7,7 +7,7 @@
 
 namespace cromer::core {
 
-/// A column as it stands in the file, and what is known of it.
+/// A column of the file, and what was found out about it.
 struct ColumnOfFile {
   const Column& column;
   const InspectedColumn& seen;
@@ -39,7 +39,7 @@ struct Described<ColumnOfFile> {
           .left_out());
 };
 
-/// Of one run; the run is named where there are several.
+/// A gap, with its run if there are several.
 struct GapOfRun {
   Gap gap;
   std::optional<int> run;
@@ -58,6 +58,7 @@ struct Described<GapOfRun> {
               field("run", &GapOfRun::run, "", "only where there are several").left_out());
 };
 
+/// An outlier, with its run if there are several.
 struct OutlierOfRun {
   Outlier outlier;
   std::optional<int> run;
@@ -77,7 +78,7 @@ struct Described<OutlierOfRun> {
       field("run", &OutlierOfRun::run, "", "only where there are several").left_out());
 };
 
-/// All that is in a file, with or without the numbers.
+/// A file that was inspected, with or without its numbers.
 struct InspectedFile {
   const Inspection& seen;
   bool with_values;
@@ -89,7 +90,7 @@ struct InspectedFile {
     for (std::size_t j = 0; j < table.size(); ++j) all.push_back({table[j], seen.columns[j], with_values});
     return all;
   }
-  /// What every series has of these, with its run where there are several.
+  /// The gaps or outliers of all series, each with its run if there are several.
   template <class OfRun, class Found>
   std::vector<OfRun> of_runs(std::vector<Found> Series::*found) const {
     const bool several = runs(seen.recording).size() > 1;

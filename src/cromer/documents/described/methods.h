@@ -34,11 +34,11 @@ struct Described<EffectiveOscillator> {
       field("steady_state", &Effective::steady_state, "", "only of a driven motion that settles").left_out());
 };
 
-/// What goes with a method's effect; none of it where there is no effect.
+/// Values of a method's effect; empty where there is no effect.
 inline std::optional<bool> stable_of(const std::optional<MethodEffect>& effect) {
   return effect ? std::optional(effect->stable) : std::nullopt;
 }
-/// A number that may be null, or is left out: empty within, or empty.
+/// A number that may be left out (the outer optional is empty) or null (the inner one is).
 using NumberIfAny = std::optional<std::optional<double>>;
 inline NumberIfAny stability_limit_of(const std::optional<MethodEffect>& effect) {
   return effect ? NumberIfAny(std::in_place, effect->stability_limit) : NumberIfAny();
@@ -50,7 +50,7 @@ inline std::optional<EffectiveOscillator> effective_of(const std::optional<Metho
   return effect ? std::optional(effect->effective) : std::nullopt;
 }
 
-/// "stable" and "energy_factor_per_cycle"; `effect` is where the result has it.
+/// "stable" and "energy_factor_per_cycle"; `effect` finds the effect in the result.
 template <class Effect>
 constexpr auto stable_entry(Effect effect) {
   return field(
@@ -67,7 +67,7 @@ constexpr auto energy_factor_entry(Effect effect) {
       .left_out();
 }
 
-/// Of a run: what its method really simulates.
+/// What the method of a run really simulates.
 template <class Effect>
 constexpr auto effect_entries(Effect effect) {
   return members(field(

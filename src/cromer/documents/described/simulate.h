@@ -16,7 +16,7 @@
 
 namespace cromer::core {
 
-/// A run with the options it was asked for by; with or without the kept states.
+/// A run with its options; with or without the kept states.
 struct DescribedRun {
   const SimulatedRun& run;
   const SimulateOptions& options;
@@ -32,7 +32,7 @@ struct DescribedRun {
   }
 };
 
-/// Each coefficient of the law, by the name of its option.
+/// The coefficients of the law, named as their options.
 inline std::vector<Named> coefficients_of_law(const Oscillator<double>& law) {
   std::vector<Named> all;
   for_each_term([&]<class T>() {
@@ -43,7 +43,7 @@ inline std::vector<Named> coefficients_of_law(const Oscillator<double>& law) {
   return all;
 }
 
-/// What each resistance has taken, by the name of its coefficient.
+/// The energy that each resistance took, named as its coefficient.
 inline std::vector<Named> energies_taken(const EnergyBalance& balance) {
   std::vector<Named> all;
   for_each_resistance([&]<class T>() {
@@ -53,7 +53,7 @@ inline std::vector<Named> energies_taken(const EnergyBalance& balance) {
   return all;
 }
 
-/// What a run was made with.
+/// The law, the drive and the start of a run.
 struct RunParameters {
   DescribedRun of;
 };
@@ -226,7 +226,7 @@ struct Described<MeasuredOscillator> {
       field("half_cycles", &M::half_cycles, "", "turning points less one"));
 };
 
-/// Where the method's own motion settles, and how far that is from the exact one.
+/// The transmissibility of the method's own steady motion, and its error.
 struct SimulatedTransmission {
   Transmission simulated;
   std::optional<double> error;
@@ -244,7 +244,7 @@ struct Described<SimulatedTransmission> {
               field("error", &Sent::error, "", "of the ratio, relative"));
 };
 
-/// [m] or [N], as the run has it.
+/// [m] or [N]: a displacement or a force, as the run has it.
 inline constexpr std::string_view unit_sent = "m or N";
 
 template <>
@@ -285,7 +285,7 @@ struct Described<SensorOptions> {
               field("seed", &SensorOptions::seed, "", "of the noise"));
 };
 
-/// An event with the words it was asked for by.
+/// An event, named as it was asked for.
 struct DescribedEvent {
   std::string event;
   double t, x, v;

@@ -6,7 +6,7 @@
 
 namespace cromer::core {
 
-/// Displacements of one kind at all periods, and what follows from them.
+/// Spectral displacements at all periods, and the pseudo-velocities and -accelerations that follow from them.
 struct SpectralValues {
   const SpectrumResult& of;
   const std::vector<double>& displacement;
@@ -20,7 +20,7 @@ struct SpectralValues {
   }
 };
 
-/// Accelerations are written in m/s² or in g, as was asked for: the unit's name, and its size [m/s^2].
+/// Accelerations are written in m/s² or in g, as asked for: the name of the unit, and its size [m/s^2].
 inline constexpr std::string_view unit_as_written = "m/s² or g";
 inline std::string_view written_unit(const SpectrumResult& result) {
   return result.options.in_g ? "g" : "m/s²";
@@ -47,7 +47,7 @@ struct Described<SpectralValues> {
           unit_as_written, "pseudo-acceleration"));
 };
 
-/// One damping ratio's spectrum.
+/// The spectrum of one damping ratio.
 struct SpectrumOf {
   const SpectrumResult& of;
   const ResponseSpectrum& spectrum;
@@ -58,7 +58,7 @@ struct SpectrumOf {
   std::optional<SpectralValues> of_two(const std::vector<double>& displacement) const {
     return two() ? std::optional(values(displacement)) : std::nullopt;
   }
-  /// Of a shock spectrum.
+  /// A value of each shock; empty unless it is a shock spectrum.
   template <class Value>
   std::optional<std::vector<double>> shocks(Value value) const {
     if (spectrum.shock.empty()) return std::nullopt;
@@ -69,7 +69,7 @@ struct SpectrumOf {
   }
 };
 
-/// Of a shock spectrum alone.
+/// An entry that only shock spectra have.
 template <class Value>
 constexpr auto shock_entry(std::string_view name, Value value, std::string_view meaning) {
   return field(
@@ -77,7 +77,7 @@ constexpr auto shock_entry(std::string_view name, Value value, std::string_view 
       .left_out();
 }
 
-/// What one component's values have, among the entries of its spectrum.
+/// An entry of SpectralValues as an entry of the spectrum itself, if there is only one component.
 template <class Get>
 constexpr auto entry_of_one(const Field<Get>& value) {
   return field(
@@ -179,18 +179,18 @@ struct Described<FourierAmplitude> {
               field("amplitude", &FourierAmplitude::amplitude, "m/s", "of the acceleration, from 0 Hz on"));
 };
 
-/// All spectra, with or without the Fourier amplitudes.
+/// All spectra, with or without Fourier amplitudes.
 struct SpectrumDocument {
   const SpectrumResult& result;
   bool with_fourier;
 
   bool one() const { return result.components.size() == 1; }
-  /// Of the only recording.
+  /// The value of the only recording; empty if there are two.
   template <class Value>
   auto of_one(Value value) const {
     return one() ? std::optional(value(result.components[0])) : std::nullopt;
   }
-  /// Of both.
+  /// The values of both recordings; empty if there is one.
   template <class Value>
   auto of_each(Value value) const {
     std::vector<decltype(value(result.components[0]))> all;
@@ -199,7 +199,7 @@ struct SpectrumDocument {
   }
 };
 
-/// One number, or a list of both.
+/// A number of one recording, or a list of two.
 template <class Value>
 constexpr auto one_or_both(std::string_view name, Value value, std::string_view unit,
                            std::string_view meaning) {

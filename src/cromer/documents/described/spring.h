@@ -1,4 +1,4 @@
-// What the documents of a spring constant by held masses, and by periods against mass, consist of.
+// What the documents of a spring constant consist of: from held masses, and from periods against mass.
 #pragma once
 
 #include "cromer/documents/described/describe.h"
@@ -6,7 +6,7 @@
 
 namespace cromer::core {
 
-/// With its unit beside it.
+/// A quantity with its unit.
 struct QuantityIn {
   Quantity quantity;
   std::string_view unit;
@@ -26,6 +26,7 @@ struct Described<QuantityIn> {
               field("unit", &QuantityIn::unit, "", "of both"));
 };
 
+/// A straight line with the units of its slope and its intercept.
 struct LineIn {
   LineWithErrors line;
   std::string_view slope_unit, unit;

@@ -43,7 +43,7 @@ struct SweepDocument {
   }
 };
 
-/// How many points of a sweep ended in one way.
+/// The number of points that ended in one way.
 template <class Count>
 constexpr auto sweep_count(std::string_view called, Count SweepCounts::*which, std::string_view meaning) {
   return field(

@@ -115,7 +115,7 @@ void add_all(Json& object, const Result& result, const Voice& voice) {
 
 }  // namespace described
 
-/// The object of a described struct, its entries in their order.
+/// The object of a described struct, with its entries in order.
 template <IsDescribed Result>
 Json json_of(const Result& result, const Voice& voice) {
   Json object = Json::object();

@@ -1,5 +1,4 @@
-// The JSON type all documents are built from, how they are written, and what there is to say in them. For
-// .cpp files only.
+// The JSON type that all documents are built from, how it is written, and notices in it. For .cpp files only.
 #pragma once
 
 #include <span>
@@ -23,8 +22,8 @@ using Json = JsonValue;
 using Json = nlohmann::ordered_json;
 #endif
 
-/// Indented by two, or on one line; NaN and infinity as null, bytes that are not UTF-8 as U+FFFD, a newline
-/// at the end.
+/// The document as text, indented by two or on one line, with a newline at the end. NaN and infinity are
+/// null; bytes that are not UTF-8 become U+FFFD. The page's is always on one line, without the newline.
 inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_line = false) {
 #ifdef CROMER_PAGE
   return document.text();
@@ -34,13 +33,13 @@ inline std::string to_text(const Json& document, [[maybe_unused]] bool on_one_li
 #endif
 }
 
-/// A sentence; on the page {"en", "de"}, which changes its language while it shows one.
+/// The sentence of a notice. For the page {"en", "de"}: its user may change the language.
 Json said(const Notice& notice, const Voice& voice);
 
-/// {"code", "severity", "text", "values": {name: number, text, list or what a notice holds}}
+/// {"code", "severity", "text", "values": {name: number, text, list or another notice's code and values}}
 Json notice_object(const Notice& notice, const Voice& voice);
 
-/// "warnings": the sentences, and "notices": each of them as an object.
+/// Adds "warnings", the sentences, and "notices", the same as objects.
 void add_notices(Json& object, std::span<const Notice> notices, const Voice& voice);
 
 }  // namespace cromer::core

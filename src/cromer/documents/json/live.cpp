@@ -27,7 +27,7 @@ std::string_view kind_name(RemarkKind kind) {
   return "option";
 }
 
-/// The page shows it in its own language.
+/// In both languages: the page shows the one it is in.
 void add_message(Json& object, const Notice& message) {
   object["message"] = in_words(message);
   object["message_german"] = in_words(message, german);

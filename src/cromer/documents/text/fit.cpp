@@ -21,7 +21,7 @@ Estimate in_hertz(const Estimate& angular) {
   return {angular.value / turn, angular.standard_error / turn, angular.low / turn, angular.high / turn};
 }
 
-/// What drives it, and how the force was read.
+/// What drives the motion, and how a recorded force was read.
 std::string drive_in_words(const FittedRecording& fitted) {
   if (!fitted.driven) return "";
   if (fitted.between_samples.empty())
@@ -42,14 +42,15 @@ std::string heading(const FittedRecording& fitted) {
          drive_in_words(fitted);
 }
 
-// Why a law of lower BIC was not taken: of those within strong evidence the one of fewest parameters is.
+/// Why a law of lower BIC was not chosen. Among laws without strong evidence between them, the one with the
+/// fewest parameters is.
 std::string_view why_not(const Candidate& lower, double by) {
   return by < strong_evidence ? "too little to prefer more or rarer terms"
          : lower.converged    ? "but with terms that are not sure"
                               : "but its fit has not converged";
 }
 
-// The law that comes next, and by how much.
+/// The second best law, and by how much it is worse.
 std::string runner_up(const FittedRecording& fitted) {
   const Candidate* second = nullptr;
   const Candidate* chosen = nullptr;
@@ -69,7 +70,7 @@ std::string runner_up(const FittedRecording& fitted) {
                      to_text(chosen->law));
 }
 
-/// "70 % of it from the mass" for each part of the spring constant's variance that counts.
+/// A line for each contribution to the uncertainty of the spring constant.
 std::string budget(const std::vector<Contribution>& contributions) {
   std::string out;
   for (const auto& each : contributions)
@@ -87,7 +88,7 @@ std::string checked(const FittedRecording& fitted) {
                      interval_text(propagated.low, propagated.high));
 }
 
-/// Each with what is wrong about it.
+/// The damping by textbook methods, with what is wrong about each.
 std::string textbook(const FittedRecording& fitted) {
   std::string out;
   if (const auto& peaks = fitted.textbook->decrement)
@@ -107,7 +108,7 @@ std::string textbook(const FittedRecording& fitted) {
   return out;
 }
 
-/// What was asked for beyond the table.
+/// Lines that are printed only if asked for.
 std::string more(const FittedRecording& fitted) {
   std::string out = budget(fitted.stiffness_budget);
   if (fitted.monte_carlo && fitted.find("stiffness")) out += checked(fitted);
@@ -140,8 +141,7 @@ std::string one_fit(const FittedRecording& fitted) {
         {fmt::format("  residual held out, {:.10g} to {:.10g} s", fitted.held_out->from, fitted.held_out->to),
          format_quantity({fitted.held_out->rms, 0}, fitted_unit(fitted))});
   out += text_table(rows, 0, 0);
-  // What a recorded force did between its samples is chosen together with the law: all that was tried is
-  // told.
+  // Under a recorded force, law and interpolation are chosen together: all candidates are listed.
   const bool forced = !fitted.candidates.empty() && !fitted.candidates.front().between_samples.empty();
   if (!forced) out += runner_up(fitted);
   const std::string unit = fitted_unit(fitted);
@@ -183,7 +183,7 @@ const Parameter* find(const FittedRecording& fitted, std::string_view name) {
   return nullptr;
 }
 
-/// The quantities that one of the recordings has.
+/// The quantities that any of the recordings has.
 std::vector<std::string_view> columns_of(const std::vector<FittedRecording>& fits) {
   std::vector<std::string_view> names;
   for (const std::string_view name : shown)
@@ -197,7 +197,7 @@ std::string_view without_folder(std::string_view file) {
   return slash == std::string_view::npos ? file : file.substr(slash + 1);
 }
 
-/// Files of different folders may have one name: then all keep their folders.
+/// Whether the files can be told apart without their folders.
 bool names_suffice(const std::vector<FittedRecording>& fits) {
   std::map<std::string_view, std::string_view> file_of;
   return std::all_of(fits.begin(), fits.end(), [&](const FittedRecording& fitted) {

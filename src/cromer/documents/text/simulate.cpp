@@ -36,7 +36,7 @@ std::string run_table(const SimulateResult& result) {
   return text_table(rows, 0, 8);
 }
 
-/// The moments of the events asked for; empty without any.
+/// The events that were found; empty if none were asked for.
 std::string event_table(const SimulateResult& result) {
   if (result.options.event.empty()) return "";
   Rows rows{{"run", "t (s)", "x (m)", "v (m/s)", "event"}};
@@ -48,7 +48,7 @@ std::string event_table(const SimulateResult& result) {
   return rows.size() == 1 ? "\nno events\n" : "\n" + text_table(rows, 0, 4);
 }
 
-/// The steps that --accuracy chose, and the errors measured with them.
+/// The steps that --accuracy chose, and their measured errors.
 std::string accuracy_table(const SimulateResult& result) {
   Rows rows{{"run", "step (s)", "frequency off", "decay off", "amplitude off", "label"}};
   const auto or_none = [](std::optional<double> error) { return error ? percent(*error) : ""; };
@@ -64,7 +64,7 @@ std::string accuracy_table(const SimulateResult& result) {
                      text_table(rows, 0, 5));
 }
 
-/// An amplitude and a lag by the law, and as the method has them.
+/// An amplitude and a lag, exact and as simulated.
 struct Compared {
   double exact = 0, exact_lag = 0;
   std::optional<std::pair<double, double>> simulated{};
@@ -92,8 +92,7 @@ void add_row(Rows& rows, std::size_t number, const SimulatedRun& run, const Comp
   rows.push_back(std::move(row));
 }
 
-/// The steady motion, and what gets through to the mass or to the ground; empty where nothing shakes a linear
-/// law.
+/// The steady motion and the transmissibility of driven linear laws; empty if there are none.
 std::string steady_tables(const SimulateResult& result) {
   Rows steady{{"run", "w/w0", "exact (m)", "lag (rad)", "simulated (m)", "lag (rad)", "off by", "label"}};
   Rows through{{"run", "w/w0", "exact", "lag (rad)", "simulated", "lag (rad)", "off by", "label"}};
@@ -121,7 +120,8 @@ std::string steady_tables(const SimulateResult& result) {
                      text_table(through, 0, 7));
 }
 
-/// What each method made of the law, and what it conserves: once for all its runs where they say the same.
+/// What each method makes of the law, and what it conserves. A method whose runs all say the same says it
+/// once.
 std::string effects(const SimulateResult& result) {
   std::vector<std::pair<const SimulatedRun*, std::string>> said;
   for (const auto& run : result.runs)

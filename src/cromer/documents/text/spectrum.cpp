@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t most_rows = 24;
 
-/// Also of a motion whose squares are beyond any double.
+/// The power of ten if the number itself is beyond any double.
 std::string arias_intensity(const Intensity& intensity) {
   return std::isfinite(intensity.arias) ? rounded(intensity.arias, 5)
                                         : fmt::format("about 10^{:.0f}", intensity.decades);
@@ -33,7 +33,7 @@ std::string recording_table(const SpectrumResult& result) {
   return text_table(rows, 1, 6);
 }
 
-/// Which rows to show: all, or evenly chosen ones with both ends.
+/// The rows to show: all, or evenly spaced ones with both ends.
 std::vector<std::size_t> shown(std::size_t all) {
   std::vector<std::size_t> rows;
   const std::size_t count = std::min(all, most_rows);
@@ -55,7 +55,7 @@ std::string conventions(const SpectrumResult& result) {
   return "";
 }
 
-/// The heading of what tells the oscillators apart, as they were asked for, and one of them.
+/// Oscillators are named as they were asked for, by frequency or by period.
 const char* oscillator_heading(const SpectrumResult& result) {
   return result.by_frequency() ? "frequency (Hz)" : "period (s)";
 }
@@ -65,7 +65,7 @@ std::string oscillator(const SpectrumResult& result, std::size_t i) {
   return rounded(result.by_frequency() ? 1 / period : period, 4);
 }
 
-/// What the files say of each period: of two components only their pseudo-accelerations.
+/// The columns of the CSV file; of two components only the pseudo-accelerations.
 std::string spectrum_table(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
   const bool two = !spectrum.rotd50.empty();
   std::vector<std::vector<std::string>> rows{{oscillator_heading(result)}};
@@ -88,7 +88,7 @@ std::string spectrum_table(const SpectrumResult& result, const ResponseSpectrum&
   return text_table(rows, 0, 6);
 }
 
-/// Where the spectrum is highest.
+/// The largest acceleration, and where it is.
 std::string summit(const SpectrumResult& result, const ResponseSpectrum& spectrum) {
   const bool shock = !spectrum.shock.empty();
   const bool two = !spectrum.rotd50.empty();

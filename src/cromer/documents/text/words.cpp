@@ -40,7 +40,7 @@ std::string interval_text(double low, double high) {
 
 namespace {
 
-/// Characters of a UTF-8 text: bytes that do not continue one.
+/// The number of characters of a UTF-8 text: its bytes without continuation bytes.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));

@@ -12,23 +12,23 @@ namespace cromer::core {
 /// "decay rate" for decay_rate.
 std::string readable_name(std::string_view name);
 
-/// Value and standard error with the unit; that of a plain number is "1" or "".
+/// Value and standard error with the unit. The unit of a plain number is "1" or "".
 std::string in_words(const Estimate& estimate, std::string_view unit);
 
-/// The SI unit of the column that was fitted, as its equilibrium has it; "" where nothing was fitted.
+/// The SI unit of the fitted column, which is that of its equilibrium; "" if nothing was fitted.
 std::string fitted_unit(const FittedRecording& fitted);
 
-/// "5.8 %": two digits, whole percents from 100 on; "0 %" where only rounding is left.
+/// "5.8 %": two digits, whole percents from 100 on; "0 %" below 1e-12.
 std::string percent(double part);
 
 /// The same with its sign: "+5.8 %".
 std::string percent_off(double part);
 
-/// "between 19.99912 and 20.00054", with so many digits that the interval's width has three.
+/// "between 19.99912 and 20.00054", with enough digits to give the interval's width to three.
 std::string interval_text(double low, double high);
 
-/// Rows of cells under a header, columns as wide as their widest cell (in characters, not bytes); the columns
-/// from `numbers_from` to `numbers_to` (exclusive) are flushed right.
+/// Rows of cells; the first row is the header. Columns are as wide as their widest cell, in characters.
+/// Columns from `numbers_from` up to but not including `numbers_to` are aligned right.
 std::string text_table(const std::vector<std::vector<std::string>>& rows, std::size_t numbers_from,
                        std::size_t numbers_to);
 
