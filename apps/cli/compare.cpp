@@ -13,7 +13,6 @@
 #include "cromer/figures/compare.h"
 #include "cromer/read/column_kind.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"

@@ -13,7 +13,6 @@
 #include "cromer/documents/text/fit_table.h"
 #include "cromer/figures/fit.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "cromer/tasks/fit/masses.h"
 #include "exit_status.h"
 #include "fit_files.h"

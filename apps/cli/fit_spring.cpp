@@ -13,7 +13,6 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "cromer/tasks/fit/fit_static.h"
 #include "cromer/tasks/fit/masses.h"
 #include "exit_status.h"

@@ -9,7 +9,6 @@
 #include "cromer/documents/json/documents.h"
 #include "cromer/read/recording.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"

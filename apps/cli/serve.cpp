@@ -9,7 +9,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 #include "exit_status.h"
 #include "message.h"
 #include "output.h"

@@ -8,7 +8,6 @@
 #include "cromer/documents/text/spectrum.h"
 #include "cromer/figures/spectrum.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "exit_status.h"
 #include "message.h"

@@ -8,7 +8,7 @@
 #include "cromer/analysis/ground_motion.h"
 #include "cromer/base/pi.h"
 #include "cromer/figures/length_unit.h"
-#include "cromer/report/ticks.h"
+#include "cromer/report/axis.h"
 
 namespace cromer::core {
 namespace {

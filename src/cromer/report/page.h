@@ -66,4 +66,8 @@ struct Page {
 /// One HTML document, everything inside it, light and dark, printable.
 std::string to_html(const Page& page);
 
+/// The style sheet of a page: light and dark by the reader's choice, paper, narrow screens. The colours of
+/// figures follow the palette in the dark.
+std::string page_style();
+
 }  // namespace cromer::core

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/run_study.h"
 #include "cromer/study/task_settings.h"

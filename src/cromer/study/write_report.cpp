@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "cromer/study/make_figure.h"
 #include "cromer/study/make_page.h"
 #include "cromer/study/study_json.h"

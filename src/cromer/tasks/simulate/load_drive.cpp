@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 
 namespace cromer::core {
 
