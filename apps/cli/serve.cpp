@@ -5,7 +5,6 @@
 #include "apps/serve/lab.h"
 #include "apps/serve/lab_page.h"
 #include "apps/serve/live_session.h"
-#include "apps/serve/own_addresses.h"
 #include "command_line.h"
 #include "commands.h"
 #include "cromer/documents/words/words.h"
