@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "cromer/base/ascii.h"
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 
 namespace cromer::core::cli {
 namespace {

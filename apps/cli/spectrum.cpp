@@ -9,7 +9,6 @@
 #include "cromer/documents/text.h"
 #include "cromer/figures/figures.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "exit_status.h"
 #include "message.h"

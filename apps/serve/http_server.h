@@ -48,6 +48,11 @@ struct HttpLimits {
   std::size_t listeners = 64;                    ///< of events at the same time
 };
 
+/// The numbers that a server at `address` is reached at: of 0.0.0.0 all IPv4 addresses of this computer but
+/// the loopback's (that one where there are no others), else the address itself, [in brackets] where it has
+/// colons.
+std::vector<std::string> reached_at(const std::string& address);
+
 class HttpServer {
  public:
   using Respond = std::function<void(HttpAnswer)>;

@@ -9,7 +9,7 @@
 #include "apps/serve/lab_page.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 
 namespace cromer::core::serve {
 namespace {

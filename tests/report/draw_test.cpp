@@ -7,9 +7,8 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/report/figure.h"
-#include "cromer/report/installed_font.h"
 #include "cromer/report/layout.h"
-#include "cromer/report/shared_library.h"
+#include "cromer/report/librsvg.h"
 #include "tests/report/example_figures.h"
 #include "tests/support/xml.h"
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "cromer/report/axis_range.h"
+#include "cromer/report/axis.h"
 #include "cromer/report/layout.h"
 #include "cromer/report/place_curve.h"
 #include "cromer/report/place_names.h"

@@ -1,5 +1,5 @@
 // The style sheet against look/LOOK.md: its colours, its sizes, both themes complete.
-#include "cromer/report/page_style.h"
+#include "cromer/report/page.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cromer/report/page_text.h"
+#include "cromer/report/html_text.h"
 #include "tests/support/xml.h"
 
 namespace cromer::core {

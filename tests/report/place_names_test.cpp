@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "cromer/report/clear_place.h"
-#include "cromer/report/name_list.h"
+#include "cromer/report/labels.h"
 #include "cromer/report/palette.h"
 #include "cromer/report/place_curve.h"
 

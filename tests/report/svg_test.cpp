@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "cromer/report/map_png.h"
+#include "cromer/report/heat_map.h"
 #include "tests/support/xml.h"
 
 namespace cromer::core {

@@ -22,7 +22,7 @@
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
 #include "cromer/read/columns.h"
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 #include "cromer/tasks/fit/fitted_motion.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/run_energy.h"

@@ -6,7 +6,7 @@
 #include "cromer/door/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 #include "cromer/tasks/option/option.h"
 
 namespace cromer {

@@ -2,7 +2,6 @@
 #include "cromer/base/ascii.h"
 #include "cromer/report/enhanced_text.h"
 #include "cromer/report/figure.h"
-#include "cromer/report/installed_font.h"
 #include "cromer/report/layout.h"
 #include "cromer/report/librsvg.h"
 #include "cromer/report/svg.h"

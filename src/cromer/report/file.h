@@ -1,4 +1,4 @@
-// Files written whole or not at all.
+// Whole files in, as bytes; files written whole or not at all.
 #pragma once
 
 #include <string>
@@ -24,5 +24,10 @@ Result<void> write_file(const std::string& path, const PiecesMaker& make);
 /// That `path` can be written (folder exists, is writable, path is no folder): asked before long work starts.
 /// Changes nothing.
 Result<void> check_writable(const std::string& path);
+
+/// The bytes of a file, or of standard input for "-". Missing, unreadable, a folder, a device, or
+/// nothing but zeros at its beginning is an Error that names the path and the reason. Pipes are read to their
+/// end.
+Result<std::string> read_file(const std::string& path);
 
 }  // namespace cromer::core

@@ -1,6 +1,8 @@
-// Where words go: names at the right are moved apart, names inside look for a free place.
+// Where words go: names at the right are moved apart, names inside look for a place from which they are read
+// without doubt.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
@@ -8,18 +10,6 @@
 #include "cromer/report/thinning.h"
 
 namespace cromer::core {
-
-/// A rectangle in px, y downwards.
-struct Box {
-  double x = 0, y = 0, width = 0, height = 0;
-
-  double right() const { return x + width; }
-  double bottom() const { return y + height; }
-  bool overlaps(const Box& other) const {
-    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
-  }
-  Spot nearest(Spot p) const;
-};
 
 /// Moves intervals of the given `heights` apart with the smallest sum of squared shifts from `centres`,
 /// keeping order, at least `gaps[i]` free after the i-th. Returns the new centres. They stay between `top`
@@ -56,5 +46,23 @@ struct FreePlace {
 };
 FreePlace free_place(const Occupancy& drawn, const Box& frame, double width, double height,
                      std::span<const Spot> targets);
+
+/// What a name inside must keep clear of.
+struct Drawn {
+  Occupancy all;                          ///< curves, words, leader lines, and lines to read by
+  Occupancy inked;                        ///< the same without lines to read by
+  std::vector<std::vector<Spot>> curves;  ///< of the panel, each; empty where it is a line to read by
+};
+
+/// A place for the name of curve `own`: on nothing, its leader line short and crossing nothing, and without a
+/// leader line closer to its own curve than to any other. First at one of `wanted`, then where the curve
+/// stands apart from the others. Covers lines to read by only where nothing else is left. `covered` > 0 or
+/// `clear` false: there is none, and this is the least bad one.
+struct ClearPlace {
+  FreePlace place;
+  bool clear = false;
+};
+ClearPlace clear_place(const Drawn& drawn, const Box& frame, double width, double height, std::size_t own,
+                       std::span<const Spot> wanted, std::span<const Spot> anywhere);
 
 }  // namespace cromer::core

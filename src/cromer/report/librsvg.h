@@ -1,12 +1,26 @@
-// SVG as PNG and PDF, by librsvg and cairo where they are installed: loaded when they are first needed.
+// What libraries do that need not be there, loaded when they are first needed: SVG as PNG and PDF by librsvg
+// and cairo, fonts by fontconfig.
 #pragma once
 
+#include <dlfcn.h>
 #include <string>
 #include <string_view>
 
 #include "cromer/result.h"
 
 namespace cromer::core {
+
+/// Sets `function` to the library's function of that name; false where either is missing, dlerror() then says
+/// why. The library stays loaded.
+template <class Function>
+bool find_function(const char* library, const char* name, Function*& function) {
+  void* const loaded = dlopen(library, RTLD_NOW);
+  function = loaded ? reinterpret_cast<Function*>(dlsym(loaded, name)) : nullptr;
+  return function != nullptr;
+}
+
+/// Whether fontconfig has a font of this family; without fontconfig none is known.
+bool is_installed(const std::string& font_family);
 
 /// Two px for each of the SVG's, which is `width` times `height` [px]. An Error says what to install.
 Result<std::string> png_of(std::string_view svg, double width, double height);

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "cromer/report/escape.h"
-#include "cromer/report/page_style.h"
-#include "cromer/report/page_text.h"
+#include "cromer/report/html_text.h"
 
 namespace cromer::core {
 namespace {

@@ -10,7 +10,7 @@
 
 namespace cromer::core {
 
-/// Texts are Markdown-like in a small way (page_text.h): *italic*, **bold**, `code`, x_{0} and x^{2} for sub-
+/// Texts are Markdown-like in a small way (html_text.h): *italic*, **bold**, `code`, x_{0} and x^{2} for sub-
 /// and superscript, blank line for a new paragraph. All else is escaped. Headings are numbered by the page.
 struct Heading {
   std::string text;
@@ -65,5 +65,9 @@ struct Page {
 
 /// One HTML document, everything inside it, light and dark, printable.
 std::string to_html(const Page& page);
+
+/// The style sheet of a page: light and dark by the reader's choice, paper, narrow screens. The colours of
+/// figures follow the palette in the dark.
+std::string page_style();
 
 }  // namespace cromer::core

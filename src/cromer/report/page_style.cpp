@@ -1,8 +1,8 @@
-#include "cromer/report/page_style.h"
-
+// The style sheet of a report.
 #include <set>
 #include <string_view>
 
+#include "cromer/report/page.h"
 #include "cromer/report/palette.h"
 
 namespace cromer::core {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "cromer/report/axis_range.h"
+#include "cromer/report/axis.h"
 #include "cromer/report/layout.h"
 
 namespace cromer::core {

@@ -1,9 +1,10 @@
-// The words of a panel: names at the right or inside, notes and markers.
+// The words of a panel: names at the right, inside or in a list beside the plot, notes and markers.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
-#include "cromer/report/axis_range.h"
+#include "cromer/report/axis.h"
 #include "cromer/report/layout.h"
 
 namespace cromer::core {
@@ -30,5 +31,22 @@ double names_margin(const Panel& panel, const TextSizes& sizes, Typeface typefac
 void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
                  const AxisRange& x, const AxisRange& y, const Box& cell, const TextSizes& sizes,
                  Typeface typeface);
+
+/// Whether the curve's name stands in the list.
+bool stands_in_list(const Curve& curve, const Panel& panel);
+
+/// The right margin the list needs [px]; 0 without names.
+double list_margin(const Panel& panel, const TextSizes& sizes, Typeface typeface, double room);
+
+/// The curves `which` from top to bottom, where they lie furthest apart; as given where they are nowhere all
+/// drawn. `spots` holds the points of every curve [px].
+std::vector<std::size_t> order_from_top(const std::vector<std::vector<Spot>>& spots,
+                                        const std::vector<std::size_t>& which, const Box& frame);
+
+/// Adds the list to `placed`. What the names do is left out where it does not fit; of more names than fit,
+/// evenly chosen ones stand there.
+void place_list(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
+                const std::vector<PlacedCurve>& drawn, const TextSizes& sizes, Typeface typeface,
+                double room);
 
 }  // namespace cromer::core

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <iterator>
 
-#include "cromer/report/clip.h"
 #include "cromer/report/enhanced_text.h"
-#include "cromer/report/escape.h"
-#include "cromer/report/map_png.h"
+#include "cromer/report/heat_map.h"
+#include "cromer/report/html_text.h"
 #include "cromer/report/palette.h"
+#include "cromer/report/thinning.h"
 
 namespace cromer::core {
 namespace {

@@ -1,4 +1,4 @@
-// Fewer points, the same picture: what a curve needs to look the same at the size it is drawn.
+// What a picture shows of a curve: fewer points that look the same at the size it is drawn, cut at the frame.
 #pragma once
 
 #include <cstddef>
@@ -12,6 +12,18 @@ struct Spot {
   double x = 0, y = 0;
 
   friend bool operator==(const Spot&, const Spot&) = default;
+};
+
+/// A rectangle in px, y downwards.
+struct Box {
+  double x = 0, y = 0, width = 0, height = 0;
+
+  double right() const { return x + width; }
+  double bottom() const { return y + height; }
+  bool overlaps(const Box& other) const {
+    return x < other.right() && other.x < right() && y < other.bottom() && other.y < bottom();
+  }
+  Spot nearest(Spot p) const;
 };
 
 /// A curve in px as its unbroken pieces; what is not finite breaks it.
@@ -42,5 +54,15 @@ Band min_max_band(std::span<const Spot> points, int columns);
 /// How many pixel columns one period of the signal takes: from the crossings of its middle, gaps left out;
 /// infinite where it never crosses.
 double columns_per_period(std::span<const Spot> points);
+
+/// A hundredth of a px outside, which nobody sees, still counts as inside.
+bool inside(Spot p, const Box& frame);
+
+/// What of an unbroken line lies in the frame: as many pieces as it enters, cut at the edge, each of two
+/// spots or more.
+std::vector<std::vector<Spot>> pieces_inside(const std::vector<Spot>& line, const Box& frame);
+
+/// The columns in the frame, cut at its upper and lower edge; NaN still parts the pieces.
+Band band_inside(const Band& band, const Box& frame);
 
 }  // namespace cromer::core

@@ -1,10 +1,17 @@
-// The small markup of a report's texts.
+// Text made safe for HTML and SVG, and the small markup of a report's texts.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 namespace cromer::core {
+
+/// & < > " ' as character references.
+std::string escaped(std::string_view text);
+
+/// A whole document as XML reads it: UTF-8; control characters and marks that change the direction of writing
+/// are spelled out, as on a terminal.
+std::string well_formed(std::string document);
 
 /// One paragraph as HTML: *italic*, **bold**, `code` (nothing inside it is markup), x_{0}, x^{2}, nested as
 /// they come; x_{d}^{2} stands one above the other. A star with a blank at its inner side, or without its

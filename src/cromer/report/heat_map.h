@@ -1,9 +1,12 @@
-// Where a map and its bar of colours stand.
+// A map: where it and its bar of colours stand, and its colours as a small PNG: 8 bits a px, looked up in the
+// map's palette.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "cromer/report/axis_range.h"
+#include "cromer/report/axis.h"
 #include "cromer/report/layout.h"
 
 namespace cromer::core {
@@ -24,5 +27,12 @@ MapScale map_scale(const HeatMap& map);
 
 /// The map at every px of the frame, by the nearest cell.
 PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, const Box& frame);
+
+/// `values`, 0 darkest to 1 lightest, run along the columns, the lowest row first; as many as columns (>= 1)
+/// times rows (>= 1). What is no number is transparent.
+std::string map_png(const std::vector<double>& values, int columns, int rows);
+
+/// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
 
 }  // namespace cromer::core
