@@ -65,13 +65,6 @@ inline Transmission relative_transmissibility(const Oscillator<double>& oscillat
   return {answer.amplitude, answer.phase_lag};
 }
 
-/// The force on the ground over m_u e w0^2, w0^2 = k/m, of a rotating unbalance: (w/w0)^2 T. k > 0.
-inline Transmission unbalance_transmissibility(const Oscillator<double>& oscillator, double w) {
-  Transmission t = transmissibility(oscillator, w);
-  t.amplitude *= oscillator.mass * (w * w) / oscillator.stiffness;
-  return t;
-}
-
 /// What becomes of a shaking base's Y cos u, Y > 0, where the mass moves X cos(u - delta) relative to it: the
 /// mass's own displacement over the base's. However X and delta were found: exactly, by a method, measured.
 inline Transmission transmitted_motion(double base_amplitude, const SteadyState& relative) {
