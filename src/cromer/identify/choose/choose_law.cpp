@@ -226,7 +226,7 @@ class Choosing {
     drop_old_terms(base.law);
   }
 
-  // Who gives an exponent looks for hysteresis.
+  // Whoever gives an exponent looks for hysteresis.
   void try_named_hysteresis(const Beginning& beginning) {
     if (options_.hysteresis_exponent == 1 || !beginning.linear.law.shares(springs)) return;
     const Law law = law_of("viscous+hysteresis");
@@ -344,7 +344,7 @@ class Choosing {
     return {fit.motion.under(law), record_.t.size(), candidates_.front().decay_rate().value};
   }
 
-  // The one chosen, and what it is chosen over where that is close, as finely as the record asks for.
+  // Fits the chosen law, and those that come close to it, as finely as the record asks for.
   void settle() {
     constexpr double close = 30;  // of BIC: rough fits know it to about 1
     best_ = choose_candidate(candidates_, record_.resolution);
@@ -393,7 +393,7 @@ class Choosing {
   }
 
  public:
-  // A choice among some of the laws is none: which ones it lacks is said.
+  // A choice among only some of the laws does not count: the message says which ones were not tried.
   static void mark_interrupted(LawChoice& choice, const std::vector<Law>& laws, const Watch& watch) {
     LawFit& fit = choice.chosen;
     if (fit.status != FitStatus::converged) return;

@@ -168,7 +168,7 @@ std::optional<LineFit> search_lines(const Record& part) {
   const auto leaves_less = [](const LineFit& a, const LineFit& b) { return a.mean_square < b.mean_square; };
   LineFit best = *std::min_element(fits.begin(), fits.end(), leaves_less);
   if (best.mean_square > 0.98 * variation(part)) return std::nullopt;
-  // What has run to the same minimum is none.
+  // A fit that has run to the same minimum is no rival.
   const auto same = [&](const LineFit& fit) {
     return std::abs(fit.phasor[DampedPhasor::angular_frequency] -
                     best.phasor[DampedPhasor::angular_frequency]) *
