@@ -26,8 +26,8 @@ TurningPoint turn_between(const Trajectory& kept, std::size_t i) {
   return {kept.t[i] + s * h, kept.x[i] + s * (v0 + s * (b + s * c))};
 }
 
-/// Where the velocity has become zero at a state. A mass that stays there came to rest between the states:
-/// slowed evenly, it went on for twice the way over the speed before.
+/// The turning point at a state whose velocity is zero. A mass that stays there came to rest between this
+/// state and the one before: slowed evenly, it went on for twice the distance over the speed before.
 TurningPoint rests_from(const Trajectory& kept, std::size_t i) {
   TurningPoint turn{kept.t[i], kept.x[i]};
   if (i == 0 || (i + 1 < kept.size() && kept.v[i + 1] != 0)) return turn;

@@ -181,7 +181,7 @@ class StepLength {
   double w_ = 0, duration_ = 0, amplitude_ = 0;
 };
 
-// Where the iteration ended, and in steps of which length.
+// Where the iteration ended, and with steps of which length.
 struct FoundMinimum {
   Minimum minimum;
   double h = 0;
