@@ -1,5 +1,5 @@
-// How much work a fit takes, counted in steps of motions, which are the same on every machine: start values
-// that are worse than they were still lead to the minimum, and only this tells.
+// How much work a fit takes, counted in steps of motions, which are the same on every machine: worse start
+// values still lead to the minimum, and only this test shows it.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
 // Records of tests/problems/records on which a search once went astray or did not end: made with NumPy from
-// laws that are known, by somebody who looked for such.
+// known laws, by somebody who looked for hard cases.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@ using Pair = std::array<Complex<Precise>, 2>;
 Pair eigenvalues(Precise a, Precise b, Precise c, Precise d) {
   const Precise mean = 0.5 * (a + d), half_difference = 0.5 * (a - d);
   Precise discriminant = half_difference * half_difference + b * c;
-  // What is left of two terms that cancel to rounding is none: at critical damping both eigenvalues are one.
+  // Two terms that cancel to rounding leave 0: at critical damping both eigenvalues are one.
   const Precise size = half_difference * half_difference + std::abs(b * c);
   if (std::abs(discriminant) <= 64 * std::numeric_limits<Precise>::epsilon() * size) discriminant = 0;
   if (discriminant < 0) {

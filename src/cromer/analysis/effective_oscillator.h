@@ -134,7 +134,7 @@ EffectiveOscillator effective_oscillator(const M& method, const LinearLaw<double
   return analyse(step_map(method, law, h), h, law.drive_frequency);
 }
 
-/// The h at which `spectral_radius` first leaves 1; see stability_limit.
+/// The h at which `spectral_radius` first exceeds 1; see stability_limit.
 std::optional<double> first_unstable_step(const LinearLaw<double>& law,
                                           const std::function<double(double)>& spectral_radius);
 
@@ -156,8 +156,9 @@ struct MethodSteadyState {
   double velocity = 0;   // [m/s] amplitude of the method's own
 };
 
-/// All eigenvalues of the map lie inside the unit circle, by more than rounding: the coefficients of its
-/// characteristic polynomial keep to the conditions of E. I. Jury, IRE Trans. Automat. Control 7, 38 (1962).
+/// True if all eigenvalues of the map lie inside the unit circle by more than rounding. The coefficients of
+/// its characteristic polynomial then meet the conditions of E. I. Jury, IRE Trans. Automat. Control 7, 38
+/// (1962).
 template <class Number>
 bool settles(const StepMapOf<Number>& map) {
   constexpr Number least = 1e-14;
@@ -173,7 +174,8 @@ bool settles(const StepMapOf<Number>& map) {
          1 - c0 * c0 - std::abs(c0 * c2 - c1) > least;
 }
 
-/// The same from a map; `uncertainty` is set to what rounding may do to it, relative.
+/// The steady state of a map; empty where the motion never settles. `uncertainty` is set to the relative
+/// error that rounding may cause.
 template <class Number>
 std::optional<MethodSteadyState> steady_state_of(const StepMapOf<Number>& map, double drive_frequency,
                                                  double h, double& uncertainty) {
@@ -202,8 +204,8 @@ std::optional<MethodSteadyState> steady_state_of(const StepMapOf<Number>& map, d
   return MethodSteadyState{{answer.amplitude, answer.phase_lag}, static_cast<double>(size(velocity)) / h};
 }
 
-/// Of the driven law, stepped by h > 0 [s]: empty where the motion never settles. Relative error at most
-/// 1e-11: in doubles where they are good for that, else with more digits.
+/// The steady state of the driven law in steps of h > 0 [s]; empty where the motion never settles. Relative
+/// error at most 1e-11: in double where that is enough, else with more digits.
 template <class M>
 std::optional<MethodSteadyState> method_steady_state(const M& method, const LinearLaw<double>& law,
                                                      double h) {

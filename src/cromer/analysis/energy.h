@@ -10,7 +10,7 @@
 
 namespace cromer::core {
 
-/// The energy at y of what has this mass, and coefficients as sum_of_forces takes them.
+/// The energy at y; `coefficients` are given as sum_of_forces takes them.
 template <Law law, class Source, class Real>
 Real energy(const Real& mass, const Source& coefficients, [[maybe_unused]] Law present,
             const State<Real>& y) {
@@ -24,8 +24,8 @@ Real energy(const Real& mass, const Source& coefficients, [[maybe_unused]] Law p
   return sum;
 }
 
-/// m v^2/2 and what each term stores, k x^2/2 + k3 x^4/4 + ... [J]; negative in a double well is right. What
-/// hysteresis stores is left out: it is not of x and v.
+/// Kinetic energy and what each term stores [J]: m v^2/2 + k x^2/2 + k3 x^4/4 + ... Negative in a double
+/// well. What hysteresis stores is left out: it is no function of x and v.
 template <class Real>
 Real energy(const Oscillator<Real>& oscillator, const State<Real>& y) {
   return energy<any_terms>(oscillator.mass, oscillator, law_of(oscillator), y);

@@ -17,7 +17,7 @@
 
 namespace cromer::core {
 
-/// What takes energy, each in its place: the terms of the velocity, and dry friction.
+/// The terms that take energy: those of the velocity, and dry friction.
 inline constexpr Law resistances = terms_of_velocity.with(law_with<Friction>);
 
 /// Calls f.operator()<T>() for every resistance, in the order of the registry.
@@ -68,7 +68,7 @@ struct EnergyBalance {
   double method() const { return (end - start) - (drive - taken.sum()); }
 };
 
-/// What the balance is an integral of.
+/// The integrand of the balance.
 struct Power {
   double drive = 0;       // [W]
   OfResistances taken{};  ///< force times velocity, each with a coefficient of 1
@@ -86,7 +86,7 @@ struct Power {
   friend Power operator-(const Power& a, const Power& b) { return a + -1.0 * b; }
 };
 
-/// Of a state under a force [N] of the drive.
+/// The power at a state under the drive's force [N].
 inline Power power_of(double force, const State<double>& y) {
   Power power{.drive = force * y.v};
   for_each_resistance([&]<class T>() { power.taken.of<T>() = T::force(y.x, y.v, 1.0) * y.v; });

@@ -38,8 +38,8 @@ Power gauss_panel(const F& power, double a, double b) {
   return half * sum;
 }
 
-/// Integral of power(t) over a panel, halved until both halves together say the same: kinks and jumps are
-/// closed in on. `budget` bounds the halvings, which rounding could keep going.
+/// Integral of power(t) over a panel, which is halved until the halves agree with the whole: this closes in
+/// on kinks and jumps. `budget` bounds the number of halvings, which rounding could keep going.
 template <class F>
 Power halved(const F& power, double a, double b, const Power& whole, const Power& enough, long long& budget) {
   const double middle = 0.5 * (a + b);
@@ -52,9 +52,9 @@ Power halved(const F& power, double a, double b, const Power& whole, const Power
   return halved(power, a, middle, left, enough, budget) + halved(power, middle, b, right, enough, budget);
 }
 
-/// What the balance of an exact motion is an integral of, from `from` to `until` [s], where the force is
-/// smooth: state(t) gives the motion at any time, force(t) the drive's force [N]. panel [s] > 0: a quarter of
-/// the shortest period, or less.
+/// The integrals of the balance of an exact motion from `from` to `until` [s], where the force is smooth.
+/// state(t) gives the motion at any time, force(t) the drive's force [N]. panel [s] > 0: a quarter of the
+/// shortest period, or less.
 template <class F, class Motion>
 Power exact_work(const F& force, const Motion& state, double from, double until, double panel) {
   const auto power = [&](double t) { return power_of(force(t), state(t)); };
@@ -78,8 +78,8 @@ Power exact_work(const F& force, const Motion& state, double from, double until,
   return work;
 }
 
-/// The balance of an exact motion from 0 to `until` [s]; the oscillator has no drag. Closes to about 1e-14 of
-/// the largest of its terms; kinks and jumps of the force, if not many, are closed in on.
+/// The balance of an exact motion from 0 to `until` [s]; the oscillator has no drag. Closes to about 1e-14
+/// of the largest of its terms, also over kinks and jumps of the force if they are few.
 template <class F, class Motion>
 EnergyBalance exact_energy_balance(const F& force, const Oscillator<double>& oscillator, const Motion& state,
                                    double until, double panel) {

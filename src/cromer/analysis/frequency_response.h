@@ -15,7 +15,7 @@ struct SteadyState {
   double phase_lag = 0;  // [rad] delta, 0 to pi
 };
 
-/// X = F/|k - m w^2 + i c w|, delta the angle of that number; cubic, drag and friction are not looked at.
+/// X = F/|k - m w^2 + i c w|, delta the angle of that number; cubic, drag and friction are ignored.
 /// Infinite at undamped resonance. Error: a few rounding errors of k, relative to |k - m w^2 + i c w|.
 inline SteadyState frequency_response(const Oscillator<double>& oscillator, double force_amplitude,
                                       double w) {
@@ -24,10 +24,10 @@ inline SteadyState frequency_response(const Oscillator<double>& oscillator, doub
   return {force_amplitude / std::hypot(in_phase, quadrature), std::atan2(quadrature, in_phase)};
 }
 
-/// The same of a spring with hysteretic (structural) damping, k (1 + i eta) with the loss factor eta >= 0 in
-/// place of the damper: X = F/|k - m w^2 + i eta k|, as much damping as a damper's at resonance with the
-/// damping ratio eta/2, and at other frequencies as much again. It is said of steady states alone: no law in
-/// time gives it (S. H. Crandall, J. Sound Vib. 11, 3 (1970)).
+/// The same of a spring with hysteretic (structural) damping, k (1 + i eta) with the loss factor eta >= 0
+/// in place of the damper: X = F/|k - m w^2 + i eta k|. At resonance it damps as a damper of damping ratio
+/// eta/2 does; its loss per cycle does not depend on the frequency. Defined for steady states alone: no law
+/// in time gives it (S. H. Crandall, J. Sound Vib. 11, 3 (1970)).
 inline SteadyState hysteretic_response(const Oscillator<double>& oscillator, double loss_factor,
                                        double force_amplitude, double w) {
   const double in_phase = oscillator.stiffness - oscillator.mass * (w * w);
@@ -41,7 +41,7 @@ struct Transmission {
   double phase_lag = 0;  // [rad] 0 to pi but for a method's own error
 };
 
-/// Of a cos u + b sin u against cos u; the lag from -pi/2 to 3 pi/2.
+/// Amplitude and lag of `cosine` cos u + `sine` sin u relative to cos u; the lag from -pi/2 to 3 pi/2.
 inline Transmission transmission(double cosine, double sine) {
   double lag = std::atan2(sine, cosine);
   if (lag < -std::numbers::pi / 2) lag += 2 * std::numbers::pi;
@@ -65,13 +65,6 @@ inline Transmission relative_transmissibility(const Oscillator<double>& oscillat
   return {answer.amplitude, answer.phase_lag};
 }
 
-/// The force on the ground over m_u e w0^2, w0^2 = k/m, of a rotating unbalance: (w/w0)^2 T. k > 0.
-inline Transmission unbalance_transmissibility(const Oscillator<double>& oscillator, double w) {
-  Transmission t = transmissibility(oscillator, w);
-  t.amplitude *= oscillator.mass * (w * w) / oscillator.stiffness;
-  return t;
-}
-
 /// What becomes of a shaking base's Y cos u, Y > 0, where the mass moves X cos(u - delta) relative to it: the
 /// mass's own displacement over the base's. However X and delta were found: exactly, by a method, measured.
 inline Transmission transmitted_motion(double base_amplitude, const SteadyState& relative) {
@@ -89,8 +82,8 @@ inline Transmission transmitted_force(const Oscillator<double>& oscillator, doub
                       spring * std::sin(position.phase_lag) + damper * std::sin(velocity.phase_lag));
 }
 
-/// Where the steady amplitude is largest [rad/s]: sqrt(k/m - 2 (c/2m)^2), or 0 if it falls from the start. k
-/// > 0.
+/// Where the steady amplitude is largest [rad/s]: sqrt(k/m - 2 (c/2m)^2), or 0 if the amplitude falls from
+/// w = 0 on; k > 0.
 inline double resonance_frequency(const Oscillator<double>& oscillator) {
   const double b = decay_rate(oscillator);
   const double squared = oscillator.stiffness / oscillator.mass - 2 * b * b;

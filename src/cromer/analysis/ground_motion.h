@@ -20,8 +20,8 @@ struct Intensity {
   double duration = 0;  // [s] from there until 95 %
 };
 
-/// Of samples h [s] apart, at least two, of any finite size; exact for what the samples are joined to. All 0
-/// where nothing shakes.
+/// The intensity of samples h [s] apart, at least two, of any finite size; exact for the motion that
+/// `between` joins them to. All 0 where nothing shakes.
 Intensity intensity(std::span<const double> acceleration, double h, BetweenSamples between);
 
 /// |integral of a(t) e^{-i W t} dt| by the discrete transform, padded with zeros to a power of two.

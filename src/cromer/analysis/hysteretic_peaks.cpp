@@ -16,7 +16,7 @@ namespace {
 
 using Amplitudes = std::vector<std::complex<double>>;
 
-/// Until a free motion has fallen to 1e-4.
+/// How long a free motion takes to fall to 1e-4 [s].
 double pause(double period, double loss_factor) {
   return std::log(1e4) * period / (std::numbers::pi * loss_factor);
 }
@@ -27,8 +27,8 @@ std::size_t power_of_two(double least) {
   return n;
 }
 
-/// Values for each sample: 16 in the fastest cycle that was recorded where the oscillator is as fast, fewer
-/// where it hardly follows that.
+/// Values computed for each sample: 16 in the fastest recorded cycle if the oscillator is as fast, fewer if
+/// it hardly follows that cycle.
 std::size_t refinement(double period, double h) { return period > 60 * h ? 2 : period > 10 * h ? 4 : 8; }
 
 /// How high the quartic through five values, one apart, rises beside the middle one, the highest of them.
@@ -46,8 +46,8 @@ double top_of_quartic(const std::array<double, 5>& y) {
   return std::max(y[2], y[2] + t * (slope + t * (bend + t * (third + t * fourth))));
 }
 
-/// The largest magnitude between the values of a motion without end: each of those that may hide it between
-/// two values is looked into.
+/// The largest magnitude of a motion that repeats, between its values too: each maximum that may be the
+/// largest is refined.
 double peak_of(const std::vector<double>& x) {
   const auto magnitude = [&](std::size_t i) { return std::abs(x[i % x.size()]); };
   double most = 0;
@@ -94,7 +94,7 @@ std::vector<double> hysteretic_peaks(std::span<const double> acceleration, doubl
       const SteadyState steady = hysteretic_response(oscillator, i == 0 ? 0 : loss_factor, 1, driven);
       answer[i] = ground[i] * std::polar(steady.amplitude, -steady.phase_lag);
     }
-    // The highest frequency stands for two halves, which part where there is more room.
+    // The highest frequency stands for two halves; on a finer grid each has its own place.
     answer[ground.size() - 1] *= 0.5;
     std::vector<double> x;
     fft.inv(x, answer, static_cast<Eigen::Index>(n * values));

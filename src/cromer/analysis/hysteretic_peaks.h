@@ -6,15 +6,15 @@
 
 namespace cromer::core {
 
-/// The peaks of the displacement [m] relative to a ground that shakes as recorded, of unit masses on springs
-/// w^2 (1 + i eta), w = 2 pi/T. Each frequency of the recording is answered as hysteretic_response() has it;
-/// the ground between the samples is band-limited, and shakes again and again, after pauses in which the
-/// motion falls to 1e-4, which is the error of the largest too; reading it, by a quartic through five
-/// values, adds at most as much. Periods and the loss factor are positive.
+/// Peak displacements [m], relative to a ground that shakes as recorded, of unit masses on springs w^2 (1 +
+/// i eta), w = 2 pi/T. Each frequency of the recording is answered as hysteretic_response() says. Between
+/// samples the ground is band-limited. The record repeats, after pauses in which the motion falls to 1e-4:
+/// that is the relative error of the peaks, and reading them off by a quartic through five values adds at
+/// most as much. Periods and the loss factor are positive.
 std::vector<double> hysteretic_peaks(std::span<const double> acceleration, double h,
                                      std::span<const double> periods, double loss_factor);
 
-/// How many samples the slowest of them takes [1]: memory is about 64 bytes for each.
+/// How many samples the longest period takes; memory is about 64 bytes for each.
 double hysteretic_samples(std::size_t samples, double h, double longest_period, double loss_factor);
 
 }  // namespace cromer::core

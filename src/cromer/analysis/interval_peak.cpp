@@ -28,8 +28,8 @@ struct Watch {
   }
 };
 
-/// Where between a and b a function vanishes that has there two signs, fa of one and fb of the other:
-/// Newton's steps, bisection where they leave the bracket. `function(t)` returns value and derivative.
+/// The root between a and b of a function whose values there, fa and fb, differ in sign: by Newton's steps,
+/// or bisection where they leave the bracket. `function(t)` returns value and derivative.
 template <class Function>
 double root_between(double a, double fa, double b, double fb, double to_within, const Function& function) {
   double t = a + (b - a) * (fa / (fa - fb));

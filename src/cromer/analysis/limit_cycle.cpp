@@ -20,7 +20,7 @@ struct FreeSystem {
   }
 };
 
-// Of a motion that starts at rest at A > 0: the next turning point on the same side, within ten periods.
+// The next turning point on the same side, within ten periods, of a motion that starts at rest at A > 0.
 std::optional<double> next_turning_point(const FreeSystem& system, double A, double period) {
   constexpr int steps = 1000;  // of a period
   const double h = period / steps;
@@ -52,7 +52,7 @@ std::optional<double> limit_cycle_amplitude(const Oscillator<double>& per_mass, 
     const std::optional<double> here = growth(now);
     if (!here) return std::nullopt;
     if (*here == *then) return std::abs(*here) < 1e-9 ? std::optional(now) : std::nullopt;
-    // Of the logarithm, and not further than to half or twice at once.
+    // A step of the logarithm, by a factor of two at most.
     const double step = std::clamp(-*here * std::log(now / before) / (*here - *then), -0.7, 0.7);
     before = now;
     then = here;

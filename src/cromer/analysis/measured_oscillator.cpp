@@ -12,22 +12,22 @@
 namespace cromer::core {
 namespace {
 
-/// Where the cubic through two states (v of opposite signs) is steepest in neither direction.
+/// Where the cubic through two states (v of opposite signs) turns.
 TurningPoint turn_between(const Trajectory& kept, std::size_t i) {
   const double h = kept.t[i + 1] - kept.t[i], rise = kept.x[i + 1] - kept.x[i];
   const double v0 = h * kept.v[i], v1 = h * kept.v[i + 1];
   // x(s) = x0 + v0 s + b s^2 + c s^3, s from 0 to 1; its slope changes sign once.
   const double b = 3 * rise - 2 * v0 - v1, c = v0 + v1 - 2 * rise;
   const double root = std::sqrt(std::max(0.0, b * b - 3 * c * v0));
-  // Of the two forms of the root the one without cancellation.
+  // Of the two forms of the root, the one without cancellation.
   double s = b >= 0 ? -v0 / (b + root) : (root - b) / (3 * c);
   if (!(s >= 0 && s <= 1)) s = b >= 0 ? (-root - b) / (3 * c) : v0 / (root - b);
   if (!(s >= 0 && s <= 1)) s = v0 / (v0 - v1);
   return {kept.t[i] + s * h, kept.x[i] + s * (v0 + s * (b + s * c))};
 }
 
-/// Where the velocity has become zero at a state. A mass that stays there came to rest between the states:
-/// slowed evenly, it went on for twice the way over the speed before.
+/// The turning point at a state whose velocity is zero. A mass that stays there came to rest between this
+/// state and the one before: slowed evenly, it went on for twice the distance over the speed before.
 TurningPoint rests_from(const Trajectory& kept, std::size_t i) {
   TurningPoint turn{kept.t[i], kept.x[i]};
   if (i == 0 || (i + 1 < kept.size() && kept.v[i + 1] != 0)) return turn;

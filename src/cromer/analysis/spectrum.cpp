@@ -10,8 +10,8 @@
 namespace cromer::core {
 namespace {
 
-// The transform of real values, whose length is a power of two. Its tables cost as much as itself: those of
-// common lengths are kept.
+// The transform of real values, whose length is a power of two. Its tables cost as much as the transform
+// itself: those of common lengths are kept.
 void transform_real(std::vector<std::complex<double>>& transform, const std::vector<double>& values) {
   constexpr std::size_t longest_kept = 16384;
   thread_local Eigen::FFT<double> kept;

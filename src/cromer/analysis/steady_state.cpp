@@ -73,11 +73,10 @@ Result<MeasuredSteadyState> measure_steady_state(const Trajectory& trajectory,
   const double after = fit_sinusoid(trajectory, drive, middle, last).amplitude();
 
   // a cos u + b sin u = X cos(u - delta)
-  double lag = std::atan2(whole.sine, whole.cosine);
-  if (lag < -std::numbers::pi / 2) lag += 2 * std::numbers::pi;
+  const Transmission answer = transmission(whole.cosine, whole.sine);
   MeasuredSteadyState measured;
-  measured.amplitude = whole.amplitude();
-  measured.phase_lag = lag;
+  measured.amplitude = answer.amplitude;
+  measured.phase_lag = answer.phase_lag;
   measured.mean = whole.mean;
   measured.residual = whole.residual;
   measured.change = after > 0 ? (after - before) / after : 0;

@@ -32,9 +32,9 @@ auto mean_over(const T& from, const T& to, const F& f) {
 
 template <class Real>
 struct Swing {
-  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; dampings are not looked at, nor hysteresis
+  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; damping and hysteresis are ignored
 
-  /// [unit^2/s^2] of the springs, 0 at rest.
+  /// Potential energy of the springs per unit mass [unit^2/s^2]; 0 at rest.
   Real potential(const Real& x) const {
     Real sum = 0;
     for_each_term([&]<class T>() {
@@ -45,7 +45,7 @@ struct Swing {
     return sum;
   }
 
-  /// [unit/s^2] with which they pull back.
+  /// Restoring force of the springs per unit mass [unit/s^2].
   Real pull(const Real& x) const {
     Real sum = 0;
     for_each_term([&]<class T>() {
@@ -56,12 +56,12 @@ struct Swing {
     return sum;
   }
 
-  /// Of small swings [1/s^2].
+  /// Stiffness per unit mass of small swings [1/s^2].
   Real stiffness() const { return per_mass.stiffness + per_mass.pendulum; }
 
-  /// How far the swing goes to the right that passes x [unit] at v [unit/s]: its turning point has all of the
-  /// energy. A spring that gives way before it counts as linear, a pendulum that goes over the top as one
-  /// that stops there.
+  /// Amplitude to the right [unit] of the swing that passes x [unit] at v [unit/s]: the point where all
+  /// energy is potential. A spring that gives way before that point is taken as linear. A pendulum that
+  /// would go over the top is taken to stop there.
   Real amplitude(const Real& x, const Real& v) const {
     using std::abs, std::sqrt;
     const Real energy = 0.5 * (v * v) + potential(x);
@@ -73,7 +73,7 @@ struct Swing {
       const Real pulled = pull(A);
       if (!(value_of(pulled) > 0)) return linear;
       Real step = (potential(A) - energy) / pulled;
-      // Not further than half of it at once: past the top of a pendulum, or the end of a spring, is nothing.
+      // At most half of A at once: there is no solution beyond a pendulum's top or a spring's end.
       if (std::abs(value_of(step)) > 0.5 * value_of(A)) step = Real((value_of(step) > 0 ? 0.5 : -0.5)) * A;
       A -= step;
       if (value_of(A) > most) A = Real(most) - 1e-3 * Real(1.0);
@@ -82,8 +82,9 @@ struct Swing {
     return value_of(A) < 1e3 * value_of(linear) ? A : linear;
   }
 
-  /// [rad/s] when it goes `a` [unit] > 0 to each side of its middle; NaN where it would not come back. Error:
-  /// 1e-12 of it as long as stiffness keeps more than a twentieth of w0^2 throughout; an angle up to 3 rad.
+  /// Angular frequency [rad/s] of a swing that goes `a` [unit] > 0 to each side of its middle; NaN where it
+  /// would not come back. Relative error: 1e-12 as long as the stiffness stays above w0^2/20 throughout; of
+  /// a pendulum up to 3 rad.
   Real angular_frequency(const Real& a) const {
     using std::sqrt;
     constexpr int points = 96;
@@ -117,12 +118,12 @@ struct Swing {
 template <class Real>
 struct CycleAverage {
   Real fall = 0;   // [unit/s] -dA/dt
-  Real shift = 0;  // [rad/s] of the frequency
+  Real shift = 0;  // [rad/s] change of the frequency
 };
 
-/// Of a term with a coefficient of 1 per unit mass, at amplitude A > 0 and w > 0 [rad/s]: Gauss's rule in
-/// each quarter of the cycle, where no force jumps or bends; to 1e-10, of a pendulum to 1e-9 at 2 rad.
-/// Exactly 0 where the quarters cancel.
+/// The averages of a term with a coefficient of 1 per unit mass, at amplitude A > 0 and w > 0 [rad/s]: by
+/// Gauss's rule in each quarter of the cycle, within which no force jumps or bends. Relative error: 1e-10,
+/// of a pendulum at 2 rad 1e-9. Exactly 0 where the quarters cancel.
 template <class Term, class Real>
 CycleAverage<Real> cycle_average(const Real& A, const Real& w) {
   using std::abs;
@@ -157,10 +158,10 @@ CycleAverage<Real> cycle_average(const Real& A, const Real& w) {
 template <class Real>
 struct CycleDecay {
   Real angular_frequency = 1;   // [rad/s] > 0
-  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; hysteresis is not looked at
+  Oscillator<Real> per_mass{};  ///< terms that a law lacks are 0; hysteresis is ignored
 
-  /// -dA/dt over A [1/s] at amplitude A > 0 [unit]. It is also the viscous rate that takes as much energy in
-  /// a cycle.
+  /// (-dA/dt)/A [1/s] at amplitude A > 0 [unit]: the decay rate of the viscous law that takes as much
+  /// energy in a cycle.
   Real rate(const Real& A) const {
     Real sum = 0;
     for_each_term([&]<class T>() {

@@ -1,5 +1,5 @@
-// Damping as textbooks read it off: from peaks, and from the width of the resonance. Both are biased; how, is
-// said beside each. They are shown next to a fit, never instead of one.
+// Damping as textbooks read it off: from peaks, and from the width of the resonance. Both are biased, as
+// noted beside each. They are shown next to a fit, never instead of one.
 #pragma once
 
 #include <optional>
@@ -29,9 +29,9 @@ struct HalfPowerBandwidth {
   double narrowest = 0;          // [rad/s] an undamped line's width in a record of this length, 5.57/T
 };
 
-/// Of an exponential seen to its end the width is twice the decay rate. Bias: a record that ends before
-/// broadens the line, and no line can be narrower than `narrowest`. `w` is where the line is, roughly. Empty
-/// where the line does not fall to half its power within w/2 on both sides.
+/// Of an exponential seen to its end the width is twice the decay rate. Bias: a record that ends earlier
+/// broadens the line, and no line can be narrower than `narrowest`. `w` is where the line is, roughly.
+/// Empty where the line does not fall to half its power within w/2 on both sides.
 std::optional<HalfPowerBandwidth> half_power_bandwidth(std::span<const double> t, std::span<const double> y,
                                                        double w);
 

@@ -128,7 +128,8 @@ EstimateNoise known_of(const LawFit& fit, const Record& record, const DescribedM
   if (!jacobian.empty()) {
     known = estimate_noise(jacobian, fitted.count, noise, record.resolution);
   } else {
-    // Everything at the swing's own frequency, what lives at rest there.
+    // All parameters are taken at the swing's own frequency, those that live at rest also at zero
+    // frequency.
     const double w = fit.motion.angular_frequency();
     const auto widening = [&](double at) {
       return std::clamp(noise.correlation.density(at * noise.grid.step), 1.0, n);

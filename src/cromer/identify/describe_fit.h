@@ -18,19 +18,18 @@ struct DescribedMinimum {
   SquareMatrix matrix{};        ///< JᵀJ
   Parameters rounding_bias{};   ///< by how much rounding may have moved the parameters (rounding_bias.h)
   std::span<const double> residuals{};
-  /// The Jacobian, sample by sample: asked for where the noise is not plain.
+  /// The Jacobian, sample by sample: called only where the noise is not plain.
   std::function<std::vector<double>()> jacobian{};
 };
 
 /// Fills parameters, covariance, intervals and statistics of `fit`, whose law and drive are set.
 ///
-/// Covariances are what the residuals' noise does to the estimates (noise.h), and what rounding may have
-/// done. Intervals are centred on the minimum without bounds, cut at their bound, and hold the estimate; what
-/// touches its bound is said, and where two dampings are traded for each other, what is known of their sum
-/// instead.
+/// Covariances come from the residuals' noise (noise.h) and from what rounding may have done. Intervals are
+/// centred on the minimum without bounds, cut at their bound, and hold the estimate. Notices name
+/// parameters at their bound; where two dampings are traded for each other, they give the sum instead.
 ///
-/// Directions in which the sum of squares is flat to rounding, and those in which a parameter is hardly known
-/// while its ratio to another is, make the status undetermined: the message names what is known instead.
+/// The status is undetermined where the sum of squares is flat to rounding in some direction, or where two
+/// parameters are hardly known but their ratio is. The message names what is known instead.
 void describe_fit(LawFit& fit, const Record& record, const DescribedMinimum& minimum);
 
 }  // namespace cromer::core

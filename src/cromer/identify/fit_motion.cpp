@@ -70,7 +70,7 @@ class Problem {
   const Watch& watch_;
 };
 
-// That of a sine as strong as the record, as a displacement.
+// The amplitude of a sinusoid as strong as the record, as a displacement.
 double amplitude_of(const Record& record, double w) {
   return sinusoid_amplitude(record.y) / std::pow(std::max(1e-300, w), record.derivative);
 }
@@ -106,7 +106,7 @@ struct Thinned {
   }
 };
 
-// Of a recorded force's motion no step is longer than between two samples, or than half a radian.
+// Under a recorded force no step is longer than between two of its samples, or than half a radian.
 double recorded_step(double spacing, double w) { return w > 0 ? std::min(spacing, 0.5 / w) : spacing; }
 
 // The highest frequency worth following [rad/s]: a start that is far off may be much faster than the record,
@@ -145,7 +145,8 @@ class StepLength {
   bool recorded() const { return problem_.options().drive.kind == DriveKind::recorded; }
   double period() const { return two_pi / w_; }
 
-  // To begin with: of a recorded force's motion, off by less than a two-hundredth in the record's beginning.
+  // The first step; under a recorded force, one that is off by less than a two-hundredth in the record's
+  // beginning.
   double coarse(const Parameters& start) const {
     if (!recorded()) return coarsest * period();
     double h = recorded_step(problem_.options().drive.force.spacing, w_);
@@ -180,7 +181,7 @@ class StepLength {
   double w_ = 0, duration_ = 0, amplitude_ = 0;
 };
 
-// Where the iteration ended, and in steps of which length.
+// Where the iteration ended, and with steps of which length.
 struct FoundMinimum {
   Minimum minimum;
   double h = 0;

@@ -1,4 +1,4 @@
-// The laws without a closed form: from a known beginning to the minimum, and what it says.
+// Fits of laws without a closed form: from a known motion to the minimum and its description.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@ namespace cromer::core {
 
 /// What is found once and serves the fits of all laws under one drive.
 struct Beginning {
-  LawFit linear;                       ///< the viscous law's: of a free motion by its closed form
-  KnownMotion known_motion;            ///< of it, as far as it goes
+  LawFit linear;                       ///< fit of the viscous law; of a free motion by its closed form
+  KnownMotion known_motion;            ///< the motion of `linear`, as far as it follows the record
   std::optional<EnvelopeTrack> track;  ///< of a free motion, where the swing can be followed
 
   bool usable() const { return linear.is_usable(); }  ///< the record is an oscillation
@@ -25,8 +25,8 @@ struct Beginning {
 /// says why. After an interruption it may be usable and lack the rest.
 Beginning begin_fit(const Record& record, const LawFitOptions& options, const Watch& watch);
 
-/// Fits options.law from a known motion. Only `roughly`: to a hundredth of the standard errors, in coarse
-/// steps, for comparing laws.
+/// Fits options.law from a known motion. If `roughly`, only to a hundredth of the standard errors and in
+/// coarse steps, for comparing laws.
 LawFit fit_motion(const Record& record, const LawFitOptions& options, const KnownMotion& known,
                   const Watch& watch, bool roughly = false);
 

@@ -12,12 +12,12 @@ namespace cromer::core {
 /// Tolerances and scale of a record's least squares; no bounds yet.
 LeastSquaresOptions least_squares_options(const Record& record, const LawFitOptions& options);
 
-/// What is held by convention (see law_fit.h), so that nothing is fitted that a record of this drive cannot
-/// tell.
+/// The parameters that are held by convention (see law_fit.h), because a record under this drive does not
+/// tell them.
 HeldParameters held_parameters(const Record& record, const Law& law, DriveKind drive);
 
-/// A model that an interruption makes impossible everywhere, so that no further step is tried for long. Each
-/// call takes so many of the watch's steps.
+/// The model, with an infinite sum of squares everywhere once the watch is interrupted: the minimiser then
+/// soon ends. Each call takes `steps` of the watch's steps.
 template <class Model>
 auto interruptible(Model model, const Watch& watch, double steps = 0) {
   return [model = std::move(model), &watch, steps](const Parameters& parameters) {
@@ -29,21 +29,21 @@ auto interruptible(Model model, const Watch& watch, double steps = 0) {
   };
 }
 
-/// The watch with a bound on the steps that all motions of a record's fits may take, more than any recorded
-/// swing has been seen to need: noise of thousands of periods between few samples would take minutes. The
-/// same watch where it has a bound.
+/// The watch with a bound on the steps that all motions of a record's fits may take; unchanged if it has
+/// one. The bound is more than any recorded swing has needed. Without it, a fit to noise with thousands of
+/// periods between few samples would take minutes.
 Watch within_steps(const Watch& watch, const Record& record, DriveKind drive);
 
 /// A fit without values: a half-finished minimum would look like a result.
 LawFit interrupted_fit(const LawFitOptions& options, const Watch& watch);
 
-/// Why the work ended early: a clause that another notice goes on.
+/// Why the work ended early: a clause for another notice.
 Notice why_ended(const Watch& watch);
 
-/// The first so many periods, of at least 32 samples.
+/// The first `periods` periods of a record; at least 32 samples.
 Record first_periods(const Record& record, double angular_frequency, double periods);
 
-/// What a reason other than converged means for the user.
+/// Sets status and message for a reason other than converged.
 void set_status(LawFit& fit, LeastSquaresReason reason);
 
 /// Where the sum of squares is least, within the bounds and without them.

@@ -105,7 +105,7 @@ LawFit fit_sinusoid(const Record& record, const LawFitOptions& options, const Wa
   fitted.of[fitted.place_of("decay_rate")].may_be_negative = options.may_grow;
   const Motion motion = motion_of_phasor(p, record.derivative);
 
-  // The same covariance, said of the motion's parameters.
+  // The same covariance, for the motion's parameters.
   constexpr int n = DampedPhasor::parameter_count;
   const SquareMatrix jacobian = jacobian_of(p, record.derivative);
   const SquareMatrix phasor_inverse = inverse(minimum.free.equations.matrix, n);

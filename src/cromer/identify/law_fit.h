@@ -2,10 +2,10 @@
 //
 //   x'' = drive(t) - the forces of the law's terms per unit mass,   x = y - equilibrium
 //
-// The whole waveform is fitted, not its peaks, its beginning included; no start values are asked for. What
-// drives the motion is nothing, a harmonic force or a recorded one. A record of velocities or accelerations
-// is fitted as what it is: the equilibrium is then the sensor's offset, in the unit of y, and all other
-// parameters are those of the displacement.
+// The whole waveform is fitted, not its peaks, its beginning included; no start values are asked for. The
+// motion is free, or driven by a harmonic or a recorded force. A record of velocities or accelerations is
+// fitted as it is: the equilibrium is then the sensor's offset, in the unit of y, and all other parameters
+// are those of the displacement.
 //
 // Under a recorded force offset, equilibrium and quadratic stiffness can be traded for each other without
 // changing the motion (a shift of x turns a cubic into a cubic): no record tells all three, and of a linear
@@ -45,7 +45,7 @@ struct LawFit {
   Motion motion;                    ///< the values
   int fitted = 0;                   ///< how many numbers were adjusted
   std::vector<std::string> names;   ///< of the parameters, in the order of estimates and covariance
-  std::vector<Estimate> estimates;  ///< of what was held by convention with a standard error of 0
+  std::vector<Estimate> estimates;  ///< a standard error of 0: held by convention
   std::vector<double> covariance;   ///< row by row
   Residual residual;
   double explained = 0;            ///< share of the record's variance that the law accounts for
@@ -75,9 +75,9 @@ struct LawFit {
   }  // [unit] from the equilibrium at the first sample
   Estimate velocity() const { return (*this)["velocity"]; }  // [unit/s] there
 
-  /// There are parameters.
+  /// True if there are parameters.
   bool has_values() const { return !estimates.empty(); }
-  /// They may be looked at: the record was not refused.
+  /// True if they may be used: the record was not refused.
   bool is_usable() const {
     return has_values() && (status == FitStatus::converged || status == FitStatus::iteration_limit ||
                             status == FitStatus::undetermined);

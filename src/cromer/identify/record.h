@@ -16,7 +16,7 @@ struct Record {
   double resolution = 0;  ///< rounding step of the values, 0 if unknown
   int derivative = 0;     ///< which of the displacement y is: 0 itself, 1 the velocity, 2 the acceleration
 
-  /// So many samples from one on, or the first ones.
+  /// `samples` samples from number `from` on.
   Record part(std::size_t from, std::size_t samples) const {
     Record some = *this;
     some.t = t.subspan(from, samples);
@@ -26,8 +26,8 @@ struct Record {
   Record first(std::size_t samples) const { return part(0, samples); }
 };
 
-/// A force that was recorded beside the motion, at even times, before and after it as well if there is more.
-/// The motion's samples lie at times of the force's own.
+/// A force that was recorded beside the motion at even times. It may begin before the motion and end after
+/// it. The motion's samples lie at times of the force's samples.
 struct ForceRecord {
   std::span<const double> samples;
   double begin = 0;    // [s] time of the first

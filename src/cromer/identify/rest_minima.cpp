@@ -14,8 +14,8 @@ namespace {
 constexpr double ruled_out = 25;  // variances above the lowest sum of squares
 constexpr int farthest = 12;      // half swings more or fewer
 
-// Across the next end of the band and as far again, in the direction of more (side 1) or less friction, by
-// what the swing before the rest resists least.
+// A start across the next end of the band and as far again, towards more (side 1) or less friction, in the
+// direction that the swing before the rest resists least.
 std::optional<Parameters> beyond_the_band(const Record& record, const FittedParameters& fitted,
                                           const Parameters& at, const Rest& rest, int side, double h) {
   const Motion motion = fitted.unpack(at);
@@ -135,7 +135,7 @@ struct Hill {
   double weight, centre, deviation;
 };
 
-// Where the share p of the hills' area lies below.
+// The value below which the share p of the hills' area lies.
 double quantile(const std::vector<Hill>& hills, double p, double degrees) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const Hill& hill : hills) {
@@ -176,7 +176,7 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
   const auto entry = [&](int i, int j) -> double& {
     return fit.covariance[static_cast<std::size_t>(i * n + j)];
   };
-  // What makes variances of the inverse normal matrix.
+  // The factors that make variances of the inverse normal matrix.
   const SquareMatrix own = inverse(minima.front().equations.matrix, n);
   Parameters scale{};
   double widest = 0;

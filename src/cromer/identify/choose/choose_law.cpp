@@ -17,9 +17,9 @@
 namespace cromer::core {
 namespace {
 
-// On how many samples laws are compared at most: it bounds the time that a choice takes. A record of up to
-// 200,000 samples, 5 enough_samples or 2 enough_driven, is compared whole: a part would cost a second fit to
-// all.
+// The most samples that laws are compared on: this bounds the time that a choice takes. A record of up to
+// 200,000 samples, 5 enough_samples or 2 enough_driven, is compared whole: a part would cost a second fit
+// to all.
 constexpr std::size_t enough_samples = 40'000, enough_driven = 100'000;
 constexpr double samples_per_period = 16;
 
@@ -37,7 +37,7 @@ struct Selection {
   }
 };
 
-// One sample in so many, at least sixteen in a period, of as long a beginning as then suffices.
+// One sample in `stride`, at least sixteen in a period, of as long a beginning of the record as that takes.
 Selection select(const Record& record, double angular_frequency) {
   Selection part;
   part.like = record;
@@ -96,7 +96,7 @@ struct Kin {
 };
 constexpr Kin kin[] = {{law_with<Drag>, law_with<Viscous, VanDerPol>}, {law_with<Cubic>, law_with<Quintic>}};
 
-// A law may be compared with others.
+// True if a law may be compared with others.
 bool is_comparable(const LawFit& fit) {
   return fit.has_values() && (fit.status == FitStatus::converged || fit.status == FitStatus::iteration_limit);
 }
@@ -226,7 +226,7 @@ class Choosing {
     drop_old_terms(base.law);
   }
 
-  // Who gives an exponent looks for hysteresis.
+  // Whoever gives an exponent looks for hysteresis.
   void try_named_hysteresis(const Beginning& beginning) {
     if (options_.hysteresis_exponent == 1 || !beginning.linear.law.shares(springs)) return;
     const Law law = law_of("viscous+hysteresis");
@@ -247,8 +247,8 @@ class Choosing {
     drop_terms();
   }
 
-  // The best law with each addition, and the closest that is not sure, as long as something is left and one
-  // of them is chosen or closer.
+  // Tries the best law with each addition, and the closest law that is not sure likewise, as long as
+  // something is left and a new law is chosen or comes closer.
   void add_terms(const Beginning& beginning) {
     for (int round = 0; round < 2 + (closest() != best_) && !watch_.interrupted(); ++round) {
       const LawFit base = candidates_[best_];
@@ -299,8 +299,8 @@ class Choosing {
     }
   }
 
-  // From a fit of most of the law, or along the record's amplitudes: at first along these, then from where
-  // less is left.
+  // A start from the fit of most of the law, or along the record's amplitudes: in the first round along
+  // these, later the one that leaves less.
   KnownMotion nearer_start(const LawFit& base, const Law& law, const Beginning& beginning, int round) const {
     const KnownMotion from_base = of_fit(base, law);
     if (options_.drive.kind != DriveKind::none || law.has<Hysteresis>()) return from_base;
@@ -344,7 +344,7 @@ class Choosing {
     return {fit.motion.under(law), record_.t.size(), candidates_.front().decay_rate().value};
   }
 
-  // The one chosen, and what it is chosen over where that is close, as finely as the record asks for.
+  // Fits the chosen law, and those that come close to it, as finely as the record asks for.
   void settle() {
     constexpr double close = 30;  // of BIC: rough fits know it to about 1
     best_ = choose_candidate(candidates_, record_.resolution);
@@ -393,7 +393,7 @@ class Choosing {
   }
 
  public:
-  // A choice among some of the laws is none: which ones it lacks is said.
+  // A choice among only some of the laws does not count: the message says which ones were not tried.
   static void mark_interrupted(LawChoice& choice, const std::vector<Law>& laws, const Watch& watch) {
     LawFit& fit = choice.chosen;
     if (fit.status != FitStatus::converged) return;

@@ -10,7 +10,7 @@ namespace cromer::core {
 
 struct LawChoice {
   LawFit chosen;
-  /// Those tried; a given law alone.
+  /// The fits of all laws tried; of a given law, that alone.
   ///
   /// Of a free motion: all sums of viscous, drag and friction, each with a linear spring, with cubic and with
   /// odd-quadratic, for angles also as a pendulum. Of a driven motion: the viscous law, and it with cubic,
@@ -28,8 +28,8 @@ struct LawChoice {
   /// BIC beside it are fitted to the last digit, the others well enough to be compared. Where the reading of
   /// a recorded force is not given, the fits under the other readings come last.
   std::vector<LawFit> candidates;
-  /// Which laws fit as well and give other numbers, by the samples that the laws were compared
-  /// on; empty where there are none. It is among the notices of the chosen.
+  /// Names the laws that fit as well and give other numbers, by the samples that the laws were compared on;
+  /// empty where there are none. It is among the notices of `chosen` too.
   Notice rivals{};
 };
 
@@ -41,9 +41,9 @@ struct GivenLaw {
 
 /// Fits the candidates and takes the one that criterion.h chooses; of a recorded force also the reading of
 /// lowest BIC, with the spread between readings that stay open in its errors. options.law and the drive's
-/// reading are not looked at. Of a record of more than 200,000 samples the candidates see a part, and the
-/// chosen law is then fitted to all. An interruption is iteration_limit with a message; the candidates are
-/// then those that were done.
+/// reading are ignored. Of a record of more than 200,000 samples the candidates see a part, and the chosen
+/// law is then fitted to all. An interruption is iteration_limit with a message; the candidates are then
+/// those that were done.
 LawChoice choose_law(const Record& record, const LawFitOptions& options, const Watch& watch = {},
                      const GivenLaw& given = {});
 

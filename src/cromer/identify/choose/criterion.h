@@ -35,10 +35,11 @@ std::size_t choose_candidate(std::vector<LawFit>& candidates, double resolution 
 /// BIC that is not admissible may be so without it.
 std::vector<Law> without_unsure_terms(const LawFit& fit);
 
-/// What to say of them; empty where no rival is left. A rival lies within 6 of the chosen candidate's BIC
-/// (see criterion.h), has as many terms or one more (of a driven motion one more only with a lower
-/// criterion), and puts a coefficient that both share, or the frequency, further off than three of the
-/// standard errors that the chosen one claims; or it has another damping in the place of its own.
+/// Names the rival laws, which the record speaks against no more than against the chosen one and which
+/// would change its numbers; empty where there are none. A rival lies within 6 of the chosen candidate's
+/// BIC, has as many terms or one more (of a driven motion one more only with a lower criterion), and puts a
+/// coefficient that both share, or the frequency, further off than three of the standard errors that the
+/// chosen one claims; or it has another damping in the place of its own.
 Notice rival_laws(const Record& record, const std::vector<LawFit>& candidates, std::size_t chosen);
 
 }  // namespace cromer::core

@@ -25,7 +25,7 @@ struct Mode {
   double amplitude = 0;        ///< at the first sample, in the unit of the record
   double amplitude_error = 0;  ///< its standard error
 
-  /// The decay rate exceeds three standard errors.
+  /// True if the decay rate exceeds three standard errors.
   bool decays() const;
 };
 
@@ -43,8 +43,8 @@ struct ModeStart {
   double decay_rate = 0;         // [1/s]
 };
 
-/// Least squares from each of the starts, of which the best is kept. Empty where none converges, and where
-/// the record has fewer than 32 samples. Of more than 100,000 samples the first are taken.
+/// The best of the least-squares fits from each of the starts. Empty where none converges, or where the
+/// record has fewer than 32 samples. Only the first 100,000 samples are used.
 std::optional<TwoModes> fit_two_modes(const Record& record,
                                       const std::vector<std::array<ModeStart, 2>>& starts);
 

@@ -82,7 +82,7 @@ Notice sudden_stop(const Record& record, double period, std::string_view unit, b
   const double least_before = described ? no_friction : 0.6;
   std::vector<AmplitudeWindow> windows = amplitude_windows(record, period, 6);
   if (windows.size() < 8) return {};
-  // What is left at the end, too.
+  // And one window that ends with the record.
   if (const double end = record.t.back(); end > windows.back().to + 0.25 * period) {
     const auto first = std::lower_bound(record.t.begin(), record.t.end(), end - period) - record.t.begin();
     windows.push_back(

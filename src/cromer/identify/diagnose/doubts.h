@@ -9,7 +9,7 @@
 
 namespace cromer::core {
 
-// What a recording shows beside a free swing, by its name.
+// Departures from a free swing that have a name.
 
 /// The zero drifts, or jumps: a straight line or one step accounts for three tenths of the residuals'
 /// variance. Empty where neither does.
@@ -18,9 +18,9 @@ Notice wandering_zero(const Record& record, std::span<const double> residuals, s
 /// Share of the residuals' variance that the better of the two accounts for.
 double wandering_share(const Record& record, std::span<const double> residuals);
 
-/// From one period to the next the swing ends, a tenth of its amplitude left, and does not come back. Empty
-/// where it does not. A law with friction ends nearly so too: where a law describes the record, only what no
-/// friction does is said.
+/// The swing stops from one period to the next, with less than a tenth of its amplitude left, and does not
+/// come back. Else empty. Friction stops a swing nearly as fast: if a law describes the record
+/// (`described`), only stops that no friction makes are reported.
 Notice sudden_stop(const Record& record, double period, std::string_view unit, bool described);
 
 /// Even samples, fewer than four in a period: which other frequencies would look the same. Else empty.
@@ -29,9 +29,9 @@ Notice few_samples(const Record& record, double angular_frequency);
 /// An angle [rad] that goes through more than a full turn: the pendulum turns over. Else empty.
 Notice turning_over(const Record& record);
 
-/// The residuals stand out about this angular frequency [rad/s], the swing's own or the drive's or a
-/// multiple, so many times in power above the median on either side: what noise leaves has no line there,
-/// what a wrong law leaves has.
+/// True if the residuals have a line about this angular frequency [rad/s], the swing's own or the drive's
+/// or a multiple of them: more than `times` the median power on either side. A wrong law leaves such a
+/// line, noise does not.
 bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const double> residuals,
                    double angular_frequency, double times = 30);
 
@@ -42,17 +42,18 @@ bool leaves_a_line(const Record& record, const LawFit& fit, std::span<const doub
 std::vector<Notice> doubts(const Record& record, const LawFit& fit, bool only_law = false,
                            std::string_view unit = {});
 
-/// The same of a motion that is driven at `drive` [rad/s], or by a recorded force (0): lines that the law
-/// leaves, with what they may be, and that no law describes the recording. `residuals` are the record's,
-/// `fit` the driven law.
+/// The same for a motion that is driven at `drive` [rad/s]; 0 means a recorded force. Reported are lines
+/// that the law leaves, with what they may be, and that no law describes the recording. `residuals` are the
+/// record's, `fit` the driven law.
 std::vector<Notice> driven_doubts(const Record& record, const LawFit& fit, std::span<const double> residuals,
                                   double drive, bool only_law = false, std::string_view unit = {});
 
-/// More terms may be worth trying: the residuals are above the rounding, and stand out about the swing's
-/// frequency or a harmonic drive's, or their first harmonics; under a recorded force, they are not white.
+/// True if more terms may be worth trying: the residuals are above the rounding, and stand out about the
+/// swing's frequency or a harmonic drive's, or their first harmonics; under a recorded force, they are not
+/// white.
 bool something_is_left(const Record& record, const LawFit& fit);
 
-/// What residuals that are correlated have done to the uncertainties; empty where they are white.
+/// How correlated residuals have widened the uncertainties; empty where they are white.
 Notice widening(const LawFit& fit, std::size_t samples);
 
 }  // namespace cromer::core

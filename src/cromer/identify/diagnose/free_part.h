@@ -1,4 +1,4 @@
-// The part of a recording in which nothing drives or holds what swings, and in which a sensor sees it.
+// The part of a recording in which nothing drives or holds the body, and in which the sensor sees it.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 
 namespace cromer::core {
 
+/// Where an amplitude that rises or is level begins to fall at once, as where a drive stops.
 struct Kink {
   double t = 0;       // [s]
   double before = 0;  // [1/s] rate at which it grows up to there

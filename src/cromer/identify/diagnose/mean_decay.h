@@ -12,14 +12,14 @@ struct MeanDecay {
   Estimate rate;         // [1/s] of the amplitude there, averaged over a cycle
 };
 
-/// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record. None of
-/// a hysteretic law, whose loops depend on how the motion came where it is.
+/// The rate and, by the covariance of its terms, its uncertainty; a fit with values, and its record. Empty
+/// for a hysteretic law, whose loops depend on the motion's history.
 std::optional<MeanDecay> mean_decay(const LawFit& fit, const Record& record);
 
-/// Two damping terms are traded for each other: their estimates' correlation is below -0.9.
+/// True if two damping terms are traded for each other: their estimates' correlation is below -0.9.
 bool dampings_are_collinear(const LawFit& fit);
 
-/// Negative damping surely feeds the swing.
+/// True if negative damping surely feeds the swing.
 bool is_fed(const LawFit& fit);
 
 /// A clause: "decay rate 0.0123 ± 0.0004 1/s at the record's mean amplitude".

@@ -90,7 +90,7 @@ std::vector<double> standardised(const Record& record, std::span<const double> r
 std::vector<std::size_t> outliers(const Record& record, std::span<const double> r) {
   constexpr std::size_t fewest = 32;
   if (r.size() < fewest) return {};
-  // Rounding of the values, by the sensor or by the arithmetic, is none.
+  // Rounding, by the sensor or by the arithmetic, makes no outlier.
   std::vector<std::size_t> found =
       standing_out(r, std::max(1.5 * record.resolution, 1e-6 * largest_of(record.y)));
   if (found.empty()) return found;

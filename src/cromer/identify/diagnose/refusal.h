@@ -25,7 +25,7 @@ std::optional<Refusal> refuse_record(const Record& record, const LawFitOptions& 
 /// cut off.
 std::optional<Refusal> refuse_fit(const Record& record, const LawFit& fit);
 
-/// That a driven law accounts for too little of the motion.
+/// Says that a driven law accounts for too little of the motion.
 Notice explains_too_little(const LawFit& fit);
 
 /// A harmonic drive whose body would swing at a multiple of its frequency, undamped: that is a harmonic of

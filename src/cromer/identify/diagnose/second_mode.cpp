@@ -142,7 +142,7 @@ std::vector<ResidualLine> strongest_lines(const Record& residuals, const Frequen
   std::sort(lines.begin(), lines.end(), [](const ResidualLine& one, const ResidualLine& other) {
     return one.amplitude > other.amplitude;
   });
-  // The skirts of a strong line are none of their own.
+  // The skirts of a strong line are no lines of their own.
   std::vector<ResidualLine> distinct;
   for (const ResidualLine& line : lines) {
     const bool near = std::any_of(distinct.begin(), distinct.end(), [&](const ResidualLine& stronger) {

@@ -81,7 +81,7 @@ class Filter {
   using Row = std::array<double, width>;
   static constexpr std::size_t block = 128;
 
-  // Of a buffer the first rows are the last `order` ones of the block before.
+  // The first rows of a buffer are the last `order` ones of the block before.
   void filter(std::vector<Row>& rows, std::size_t at, const Row& in) const {
     Row sum = in;
     for (std::size_t k = 0; k < order_; ++k) {
@@ -118,7 +118,7 @@ class Filter {
     rows_ = 0;
   }
 
-  // Nothing that would count comes any more.
+  // True if no later row would count.
   bool has_faded() const {
     constexpr double negligible = 1e-9;
     for (std::size_t k = 0; k < order_; ++k)
@@ -266,8 +266,8 @@ double value(const MotionSquares& x, std::size_t i, const Parameters& coefficien
   return coefficients[0] * one + coefficients[1] * p + coefficients[2] * q;
 }
 
-// Wald's statistic of all coefficients but the first: chi-squared with size - 1 degrees of freedom where
-// there is nothing to them.
+// Wald's statistic of all coefficients but the first: chi-squared with size - 1 degrees of freedom if all
+// of them are 0.
 double statistic(const Parameters& coefficients, const SquareMatrix& covariance, int size) {
   SquareMatrix block{};
   Parameters part{};
@@ -283,7 +283,7 @@ double statistic(const Parameters& coefficients, const SquareMatrix& covariance,
   return sum;
 }
 
-// Whether squares of residuals follow the motion's, at a level of 1 %. The test is R. Koenker's (J.
+// True if the squares of the residuals follow the motion's, at a level of 1 %. The test is R. Koenker's (J.
 // Econometrics 17, 107 (1981)), with the squares' own correlation.
 bool squares_grow_with_motion(std::span<const double> r, const MotionSquares& x, const NormalEquations& sums,
                               const SampleGrid& grid) {

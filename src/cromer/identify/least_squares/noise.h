@@ -28,9 +28,10 @@ struct Noise {
   bool is_plain() const { return scale.empty() && correlation.coefficients.empty(); }
 };
 
-/// The standard deviation of each sample's noise over the mean one (rms), from residuals and the motion that
-/// was fitted: s_i² = a + b x_i² + c v_i² (a sensor's gain, timing that is off), none of the three negative.
-/// Empty, all alike, unless residuals of one variance would look so in one record of a hundred only.
+/// The standard deviation of each sample's noise over the mean one (rms), from residuals and the motion
+/// that was fitted: s_i² = a + b x_i² + c v_i² (a sensor's gain, timing that is off), none of the three
+/// negative. Empty (all alike) unless residuals of one variance would look like this in only one record of
+/// a hundred.
 std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> r,
                                 std::span<const double> motion);
 
@@ -39,14 +40,14 @@ std::vector<double> noise_scale(const SampleGrid& grid, std::span<const double> 
 Noise find_noise(const SampleGrid& grid, std::span<const double> r, std::span<const double> motion,
                  const std::vector<double>& rho);
 
-/// What a fit's estimates have from the noise.
+/// What the noise does to a fit's estimates.
 struct EstimateNoise {
   SquareMatrix covariance{};  // in the estimates' units
   Parameters degrees{};       ///< of freedom of each variance
 };
 
-/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters. No
-/// correlation makes a variance smaller than samples on their own would have it. `resolution` is the rounding
+/// `jacobian` holds the derivatives of the motion, sample by sample, with respect to `size` parameters.
+/// Correlation never makes a variance smaller than independent samples would. `resolution` is the rounding
 /// step of the values, 0 if unknown. Variances are infinite where the Jacobian is singular.
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution = 0);

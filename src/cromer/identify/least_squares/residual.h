@@ -21,14 +21,15 @@ struct Autoregression {
   /// Spectral density at an angle [rad per sample], over that of white noise of r's variance.
   double density(double angle) const;
 
-  /// The variance of the logarithm of a variance that grows by slope[k - 1] (of its logarithm) with a_k:
-  /// that of the innovation and that of the coefficients, whose covariance is the inverse of the Toeplitz
+  /// The variance of ln V, for a variance V whose logarithm has the derivatives slope[k - 1] by a_k: the
+  /// sum of the innovation's part and the coefficients', whose covariance is the inverse of the Toeplitz
   /// matrix of autocovariances times innovation over samples. I. Gohberg & A. Semencul give that inverse as
-  /// A Aᵀ - B Bᵀ, triangular both.
+  /// A Aᵀ - B Bᵀ, both triangular.
   double log_variance(std::span<const double> slope, double samples) const;
 };
 
-/// The best order up to `most` < rho.size(), from the autocorrelations of so many samples.
+/// The autoregression of the best order up to `most` < rho.size(), from the autocorrelations `rho` of so
+/// many samples.
 Autoregression yule_walker(std::span<const double> rho, std::size_t samples, std::size_t most);
 
 struct Residual {
@@ -60,9 +61,9 @@ std::vector<double> autocorrelations(std::span<const double> r, const SampleGrid
 Autoregression autoregression_of(std::span<const double> r, const std::vector<double>& rho,
                                  const SampleGrid& grid);
 
-/// By what factor residuals that are correlated widen the variance of a parameter which lives at `phase_step`
-/// radians per sample (0 for an equilibrium): their spectral density there over that of white noise of the
-/// same variance, that of an autoregression. Never below 1.
+/// By what factor correlated residuals widen the variance of a parameter that lives at `phase_step` radians
+/// per sample (0 for an equilibrium): the autoregression's spectral density there over that of white noise
+/// of the same variance. Never below 1.
 double correlation_factor(std::span<const double> r, double phase_step);
 
 /// The same, given autocorrelations(r, first_lags(r.size())).

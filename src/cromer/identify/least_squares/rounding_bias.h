@@ -14,10 +14,10 @@ namespace cromer::core {
 /// assumed.
 double expected_rounding_error(double value, double noise);
 
-/// The fitted motion with the rounding errors that it would have met: a fit of these values is off by as much
-/// as rounding may have thrown the record's own fit off. The same multiple of the motion comes back at each
-/// period, so that these errors do not average out. `residuals` are the record's minus the fit. Empty where
-/// the resolution is unknown, or the noise blurs it (rms > 0.6 resolution).
+/// The fitted motion with the rounding errors that the sensor would make of it: a fit of these values is
+/// off by as much as rounding may have moved the record's own fit. The errors repeat with each period, so
+/// they do not average out. `residuals` are the record's minus the fit. Empty where the resolution is
+/// unknown, or the noise blurs it (rms > 0.6 resolution).
 std::vector<double> rounded_motion(const Record& record, std::span<const double> residuals);
 
 }  // namespace cromer::core

@@ -1,4 +1,5 @@
-// How a record is sampled: stretches of equal steps, and samples as places on one grid of them.
+// How a record is sampled: stretches of equal steps, and the places of all samples on one grid of such
+// steps.
 #pragma once
 
 #include <cstddef>

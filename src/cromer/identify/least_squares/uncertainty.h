@@ -12,12 +12,12 @@ namespace cromer::core {
 /// thousand degrees, 1e-10 to a million.
 double student_cdf(double t, double degrees);
 
-/// The value that so much of the probability, 1/2 <= p < 1, lies below. Relative error as above,
-/// where 1 - p has the digits for it.
+/// The value below which the probability is p, 1/2 <= p < 1. Relative error as above, where 1 - p has the
+/// digits for it.
 double student_quantile(double p, double degrees);
 
-/// Student's t that 95 % of the distribution with `degrees` > 0 of freedom lie within; at least one degree is
-/// assumed.
+/// Student's t within which 95 % of the distribution with `degrees` > 0 of freedom lie; at least one degree
+/// is assumed.
 double student_95(double degrees);
 
 /// The estimate with its symmetric interval value ± t * standard_error.

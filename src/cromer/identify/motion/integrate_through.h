@@ -52,7 +52,7 @@ inline constexpr Law driven_laws[] = {law_of("viscous"),
                                       every_law};
 #endif
 
-/// What a unit does; see motion_model.h.
+/// The functions of one unit; see motion_model.h.
 struct MotionFunctions {
   Trajectory (*states)(const Motion&, const Drive&, std::span<const double>, double);
   std::vector<double> (*observed)(const Motion&, const Drive&, std::span<const double>, int, double);

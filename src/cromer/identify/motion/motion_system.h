@@ -136,7 +136,7 @@ struct MotionCode {
   using Drive = Drive_;
   static constexpr bool hysteretic = law.template has<Hysteresis>();
   static constexpr bool rubs = law.template has<Friction>();
-  /// Where so many terms share the code, each is asked whether it is there.
+  /// If so many terms share the code, each is asked whether it is present.
   static constexpr bool asks = law.size() > 6;
 
   static constexpr std::size_t coefficients = [] {

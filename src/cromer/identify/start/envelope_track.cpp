@@ -28,7 +28,7 @@ class PendulumSwing {
     rate_ = 1 / (theta * theta);
   }
 
-  /// Of its frequency to that of small swings.
+  /// The ratio of its frequency to that of small swings.
   double rate() const { return rate_; }
 
   /// Position, and velocity over the small swings' angular frequency.

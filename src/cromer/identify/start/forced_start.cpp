@@ -29,7 +29,8 @@ std::size_t quick_length(std::size_t n) {
   }
 }
 
-// Missing samples by straight lines; before the first and after the last one that is there by its value.
+// Fills in missing samples by straight lines; before the first known sample and after the last by its
+// value.
 std::vector<double> without_holes(std::span<const double> z) {
   std::vector<double> full(z.begin(), z.end());
   std::size_t last = full.size();  // none yet
@@ -58,7 +59,7 @@ constexpr Bend bend_of{
     T::template members<double>[0], [](double z) { return T::force(z, 0.0, 1.0); },
     [](double z) { return T::force(Dual<double, 1>::variable(z, 0), 0.0, 1.0).derivative[0]; }};
 
-// Whatever bends a spring looks quadratic and cubic, but for a softening that stiffens farther out.
+// Every bent spring looks quadratic and cubic, but for one that softens and then stiffens farther out.
 std::vector<Bend> bends_of(const Law& law) {
   if (law.contains(law_with<OddQuadratic, Quintic>)) return {bend_of<OddQuadratic>, bend_of<Quintic>};
   if (law.shares(law_with<Quadratic, Cubic>)) return {bend_of<Quadratic>, bend_of<Cubic>};
@@ -154,8 +155,8 @@ double first_slope(const std::vector<double>& z, double h, double w) {
   return top / (bottom * h);
 }
 
-// The record's values and the force at the force's own times from the first sample to the last; what is
-// missing by straight lines.
+// The record's values and the force at the force's own times, from the first sample to the last. Missing
+// values are filled in by straight lines.
 struct OnGrid {
   std::vector<double> z, u;
   double level = 0;  // of y where z is 0
@@ -178,7 +179,7 @@ OnGrid on_grid(const Record& record, const ForceRecord& force) {
   return grid;
 }
 
-// By central differences; for where a fit begins, noise does no harm.
+// By central differences: noise does no harm where a fit begins.
 std::vector<double> slopes(const std::vector<double>& values, double spacing) {
   const std::size_t last = values.size() - 1;
   std::vector<double> result(values.size());
@@ -205,7 +206,7 @@ struct FoundSpring {
     for (std::size_t i = 0; i < bends.size(); ++i) sum += coefficients[i] * bends[i].slope(z);
     return sum;
   }
-  // Nearest 0, where nothing pulls.
+  // The place of rest nearest 0.
   double rest() const {
     double z = 0;
     for (int i = 0; i < 50 && stiffness(z) > 0; ++i) z += pull(z) / stiffness(z);

@@ -70,7 +70,7 @@ double variation(const Record& samples) {
   return sum / static_cast<double>(samples.y.size());
 }
 
-// Where the samples of a part are close to one line.
+// A fit of one spectral line to the samples of a part.
 struct LineFit {
   Parameters phasor{};
   double mean_square = HUGE_VAL;  // of what it leaves
@@ -78,7 +78,7 @@ struct LineFit {
   double rival = 0, rival_excess = 0;
 };
 
-// A frequency and a decay rate with the amplitudes that fit best, of several tried the best.
+// The best of the frequencies and decay rates tried, with the amplitudes that fit best.
 struct GridPoint {
   Parameters phasor{};
   double sum_of_squares = HUGE_VAL;
@@ -132,7 +132,7 @@ LineFit search_few_periods(const Record& part) {
   return refined(thin.record(), DampedPhasor(thin.record()), best);
 }
 
-// The least of the steps but for a tenth.
+// The step that a tenth of all steps are shorter than.
 double smaller_step(std::span<const double> t) {
   std::vector<double> steps(t.size() - 1);
   for (std::size_t i = 1; i < t.size(); ++i) steps[i - 1] = t[i] - t[i - 1];
@@ -168,7 +168,7 @@ std::optional<LineFit> search_lines(const Record& part) {
   const auto leaves_less = [](const LineFit& a, const LineFit& b) { return a.mean_square < b.mean_square; };
   LineFit best = *std::min_element(fits.begin(), fits.end(), leaves_less);
   if (best.mean_square > 0.98 * variation(part)) return std::nullopt;
-  // What has run to the same minimum is none.
+  // A fit that has run to the same minimum is no rival.
   const auto same = [&](const LineFit& fit) {
     return std::abs(fit.phasor[DampedPhasor::angular_frequency] -
                     best.phasor[DampedPhasor::angular_frequency]) *
@@ -206,7 +206,7 @@ void set_line(StartValues& start, const LineFit& fit) {
   start.rival_excess = fit.rival_excess;
 }
 
-// From its own first time to one that is later by dt.
+// Moves a phasor's first time by dt [s].
 void shift(Parameters& phasor, double dt) {
   const std::complex<double> turn = std::exp(
       std::complex<double>(-phasor[DampedPhasor::decay_rate], phasor[DampedPhasor::angular_frequency]) * dt);
