@@ -15,8 +15,7 @@ namespace {
 constexpr std::string_view true_minus = "\u2212";
 constexpr std::string_view no_break_space = "\u00a0";
 
-/// digits × 10^place, digits a whole number without sign ("0" for nothing): what is left of a double after
-/// rounding.
+/// A rounded number without its sign, digits × 10^place; digits is a whole number, "0" if nothing is left.
 struct Decimal {
   std::string digits;
   int place = 0;
@@ -64,7 +63,7 @@ std::string fixed(const std::string& digits, int shift) {
                      std::string_view(padded).substr(point));
 }
 
-/// With the sign of the value, unless nothing but zeros is left of it.
+/// With a minus sign if the value is negative and any digit other than 0 is left.
 std::string signed_text(bool negative, const std::string& text) {
   const bool zero = text.find_first_of("123456789") == std::string::npos;
   return negative && !zero ? std::string(true_minus) + text : text;
@@ -73,11 +72,9 @@ std::string signed_text(bool negative, const std::string& text) {
 bool needs_power(int exponent) { return exponent < -4 || exponent >= 6; }
 
 std::string power_of_ten(int exponent) {
-  constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
-                                                          "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = fmt::format("{0}\u00d7{0}10", no_break_space);
   for (const char c : std::to_string(exponent))
-    text += c == '-' ? "\u207b" : superscripts[static_cast<std::size_t>(c - '0')];
+    text += c == '-' ? "\u207b" : superscript_digits[static_cast<std::size_t>(c - '0')];
   return text;
 }
 
@@ -129,6 +126,13 @@ std::string shortest(double value) {
   if (std::isinf(value)) return value < 0 ? "-inf" : "inf";
   std::array<char, 32> text;
   return {text.data(), write_shortest(text.data(), value)};
+}
+
+std::string bytes_in_words(double bytes) {
+  constexpr const char* units[] = {"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
+  std::size_t unit = 0;
+  for (; bytes >= 999.5 && unit + 1 < std::size(units); ++unit) bytes /= 1000;
+  return fmt::format("{:.3g} {}", bytes, units[unit]);
 }
 
 }  // namespace cromer::core

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "cromer/analysis/energy.h"
-#include "cromer/base/bytes.h"
 #include "cromer/base/pi.h"
 #include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"

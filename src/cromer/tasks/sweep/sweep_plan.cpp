@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/option_name.h"
 #include "cromer/base/quantity.h"
 #include "cromer/ensemble/dispatch.h"
