@@ -12,8 +12,6 @@
 #include "cromer/documents/text.h"
 #include "cromer/figures/figures.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
-#include "cromer/tasks/fit/masses.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "exit_status.h"
 #include "fit_files.h"

@@ -3,23 +3,9 @@
 #include "answer.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
-#include "cromer/documents/json/documents.h"
 #include "cromer/documents/text.h"
-#include "cromer/documents/text/interval_text.h"
-#include "cromer/documents/text/text_table.h"
-#include "cromer/documents/text/words.h"
-#include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
-#include "cromer/report/csv.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
-#include "cromer/tasks/fit/fit_static.h"
-#include "cromer/tasks/fit/masses.h"
-#include "exit_status.h"
-#include <algorithm>
-#include <cmath>
-#include <fmt/format.h>
-#include <limits>
 #include "message.h"
 
 namespace cromer::core::cli {

@@ -14,7 +14,7 @@
 #include "cromer/documents/text.h"
 #include "cromer/figures/length_unit.h"
 #include "cromer/report/palette.h"
-#include "cromer/report/ticks.h"
+#include "cromer/report/axis.h"
 
 namespace cromer::core {
 namespace {

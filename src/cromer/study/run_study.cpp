@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "cromer/base/nearest.h"
-#include "cromer/base/option_name.h"
+#include "cromer/base/ascii.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/report/read_file.h"
+#include "cromer/report/file.h"
 #include "cromer/study/collect.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/option_owner.h"

@@ -6,10 +6,6 @@
 
 #include "cromer/documents/json/json.h"
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
-#include "cromer/study/make_figure.h"
-#include "cromer/study/make_page.h"
-#include "cromer/study/study_json.h"
 
 namespace cromer::core {
 namespace {

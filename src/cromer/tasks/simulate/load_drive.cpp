@@ -1,7 +1,6 @@
 #include <filesystem>
 
 #include "cromer/report/file.h"
-#include "cromer/report/read_file.h"
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {

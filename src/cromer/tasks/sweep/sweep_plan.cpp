@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "cromer/base/ascii.h"
-#include "cromer/base/option_name.h"
 #include "cromer/base/quantity.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/methods/all.h"
