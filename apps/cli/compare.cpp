@@ -1,11 +1,11 @@
+#include "cromer/tasks/compare/compare.h"
 #include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
 #include "cromer/figures/figures.h"
-#include "cromer/report/file.h"
-#include "cromer/tasks/compare/compare.h"
+#include "cromer/tasks/open_recording.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -28,9 +28,9 @@ int run_compare(const Arguments& arguments) {
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output, files); !good) return refuse(good.error());
-  auto bytes = read_file(files.front());
-  if (!bytes) return refuse(bytes.error());
-  auto comparisons = compare(*bytes, files.front(), options, watching(output.quiet));
+  const auto recording = open_recording(files.front(), options.fit.read);
+  if (!recording) return refuse(recording.error());
+  const auto comparisons = compare(*recording, options, watching(output.quiet));
   clear_progress();
   if (!comparisons) return refuse(comparisons.error());
   Answer answer{.text = [&] { return compare_text(*comparisons); },

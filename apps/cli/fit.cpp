@@ -13,6 +13,7 @@
 #include "cromer/figures/figures.h"
 #include "cromer/report/file.h"
 #include "cromer/tasks/fit/spring_constant.h"
+#include "cromer/tasks/open_recording.h"
 #include "exit_status.h"
 #include "fit_files.h"
 #include "fit_spring.h"
@@ -28,9 +29,8 @@ namespace {
 Result<std::vector<FittedRecording>> fit_all(const RecordingFiles& found, const FitOptions& options,
                                              const Watch& watch) {
   if (found.many) return fit_files(found.files, options, watch);
-  const auto bytes = read_file(found.files.front());
-  if (!bytes) return bytes.error();
-  return fit(*bytes, found.files.front(), options, watch);
+  const auto recording = open_recording(found.files.front(), options.read);
+  return recording ? fit(*recording, options, watch) : recording.error();
 }
 
 std::size_t files_of(const std::vector<FittedRecording>& fits) {

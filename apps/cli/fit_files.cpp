@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "cromer/base/ascii.h"
-#include "cromer/report/file.h"
+#include "cromer/tasks/open_recording.h"
 
 namespace cromer::core::cli {
 namespace {
@@ -78,9 +78,9 @@ class SharedProgress {
 std::vector<FittedRecording> fit_file(const std::string& file, const FitOptions& options,
                                       const Watch& watch) {
   try {
-    const auto bytes = read_file(file);
-    if (!bytes) return {not_fitted(file, 1, bytes.error().notice)};
-    auto fits = fit(*bytes, file, options, watch);
+    const auto recording = open_recording(file, options.read);
+    if (!recording) return {not_fitted(file, options.run.value_or(1), recording.error().notice)};
+    auto fits = fit(*recording, options, watch);
     if (!fits) return {not_fitted(file, options.run.value_or(1), fits.error().notice)};
     return *std::move(fits);
   } catch (const std::bad_alloc&) {

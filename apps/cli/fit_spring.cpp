@@ -5,7 +5,7 @@
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
 #include "cromer/figures/figures.h"
-#include "cromer/report/file.h"
+#include "cromer/tasks/open_recording.h"
 #include "message.h"
 
 namespace cromer::core::cli {
@@ -41,14 +41,14 @@ Result<void> check(const SpringOptions& options) {
 
 int run_static(const std::vector<std::string>& files, const FitOptions& fit, const SpringOptions& options,
                const OutputOptions& output) {
-  std::vector<NamedBytes> bytes;
+  std::vector<Recording> recordings;
   for (const auto& file : files) {
-    auto read = read_file(file);
-    if (!read) return refuse(read.error());
-    bytes.emplace_back(file, *std::move(read));
+    auto recording = open_recording(file, fit.read);
+    if (!recording) return refuse(recording.error());
+    recordings.push_back(*std::move(recording));
   }
   StaticOptions task{fit, options.masses, options.gravity.value_or(Quantity{9.80665, 0})};
-  const auto found = fit_static(bytes, task);
+  const auto found = fit_static(recordings, task);
   if (!found) return refuse(found.error());
   return give({.text = [&] { return static_text(*found); },
                .json = [&] { return to_json(*found); },

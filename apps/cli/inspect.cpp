@@ -1,10 +1,10 @@
+#include "cromer/tasks/inspect/inspect.h"
 #include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
-#include "cromer/report/file.h"
-#include "cromer/tasks/inspect/inspect.h"
+#include "cromer/tasks/open_recording.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -25,9 +25,9 @@ int run_inspect(const Arguments& arguments) {
   std::vector<std::string> files;
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output, files); !good) return refuse(good.error());
-  auto bytes = read_file(files.front());
-  if (!bytes) return refuse(bytes.error());
-  auto inspection = inspect(*bytes, files.front(), options);
+  auto recording = open_recording(files.front(), options);
+  if (!recording) return refuse(recording.error());
+  const auto inspection = inspect(*std::move(recording), options);
   if (!inspection) return refuse(inspection.error());
   return give({.text = [&] { return inspect_text(*inspection); },
                .json = [&] { return to_json(*inspection, false); },

@@ -9,6 +9,7 @@
 #include "cromer/documents/text.h"
 #include "cromer/figures/figures.h"
 #include "cromer/report/file.h"
+#include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
 #include "exit_status.h"
 #include "message.h"
@@ -68,17 +69,17 @@ int run_spectrum(const Arguments& arguments) {
   std::vector<std::string> names;
   if (const auto status = parse(syntax, arguments, names)) return *status;
   if (auto good = check(output, options.shock, names); !good) return refuse(good.error());
-  std::vector<SpectrumFile> files;
+  std::vector<Recording> recordings;
   for (const auto& name : names) {
-    auto bytes = read_file(name);
-    if (!bytes) return refuse(bytes.error());
-    files.push_back({name, *std::move(bytes)});
+    auto recording = open_recording(name, options.read);
+    if (!recording) return refuse(recording.error());
+    recordings.push_back(*std::move(recording));
   }
   // Half of the machine's: what is computed is written out once more as text.
   options.memory =
       0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 
-  const auto result = response_spectrum(files, options, watching(output.common.quiet));
+  const auto result = response_spectrum(recordings, options, watching(output.common.quiet));
   clear_progress();
   if (!result) return refuse(result.error());
   if (result->interrupted) {

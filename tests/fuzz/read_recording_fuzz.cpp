@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include "cromer/read/recording.h"
 #include "cromer/tasks/inspect/inspect.h"
@@ -46,7 +47,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (choice & 4u) options.decimal = ",";
   if (choice & 8u) options.delimiter = ",";
   if (choice & 16u) options.time_column = "t";
-  const auto inspection = inspect(bytes, choice & 32u ? "fuzz.AT2" : "fuzz.csv", options);
+  auto recording = read_recording(bytes, choice & 32u ? "fuzz.AT2" : "fuzz.csv", options);
+  if (!recording) return 0;
+  const auto inspection = inspect(*std::move(recording), options);
   if (!inspection) return 0;
   check_table(inspection->recording.table);
   for (const Series& series : inspection->series) check_series(series);

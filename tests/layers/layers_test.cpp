@@ -57,7 +57,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
        {"base", "model", "methods", "run", "analysis", "identify", "read", "tasks/option", "tasks/simulate",
         "tasks/fit"}},
       {"tasks/record", {"base", "live", "report", "tasks/option", "tasks/fit"}},
-      {"tasks", {"tasks"}},
+      {"tasks", {"tasks", "read", "report"}},
       {"documents/words", {"base"}},
       {"documents",
        {"documents/words", "base", "model", "analysis", "identify", "read", "live", "report", "cluster",

@@ -12,6 +12,7 @@
 #include "cromer/methods/all.h"
 #include "tests/identify/synthetic.h"
 #include "tests/tasks/disc_recording.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

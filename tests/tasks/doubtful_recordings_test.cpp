@@ -7,6 +7,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

@@ -1,6 +1,7 @@
 // From options to the drive of a run: what each drive needs, may take, and refuses.
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/documents/words/words.h"
+#include "tests/tasks/of_bytes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -272,7 +273,7 @@ TEST(DriveSetup, ARecordingPushesTheMassAgainstItsGround) {
 }
 
 Result<DriveRecord> record_of(const std::string& bytes, const DriveRequest& request) {
-  return read_drive_record(bytes, "f.csv", request, {});
+  return drive_record(bytes, "f.csv", request, {});
 }
 
 std::string record_refusal(const std::string& bytes, const DriveRequest& request = {.quantity = "force"}) {

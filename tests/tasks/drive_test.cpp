@@ -13,6 +13,7 @@
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "tests/support/simulated.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {
@@ -77,8 +78,7 @@ TEST(Drive, MeetsChoprasTheoreticalHalfSine) {
 
 // The shortest recording: two rows, a straight line between them, and no run beyond the second.
 TEST(Drive, TwoRowsAreARamp) {
-  const auto two =
-      read_drive_record("Time (s),Force (N)\n0,0\n0.5,3\n", "two.csv", {.quantity = "force"}, {});
+  const auto two = drive_record("Time (s),Force (N)\n0,0\n0.5,3\n", "two.csv", {.quantity = "force"}, {});
   ASSERT_TRUE(two.ok()) << in_words(two.error());
   EXPECT_EQ(two->values, (std::vector<double>{0, 3}));
   EXPECT_EQ(two->spacing, 0.5);
@@ -101,7 +101,7 @@ TEST(Drive, TwoRowsAreARamp) {
   }
   options.until = 0.51;
   EXPECT_THAT(in_words(simulate(options).error()), HasSubstr("the recording ends at 0.5 s"));
-  const auto one = read_drive_record("Time (s),Force (N)\n0,1\n", "one.csv", {.quantity = "force"}, {});
+  const auto one = drive_record("Time (s),Force (N)\n0,1\n", "one.csv", {.quantity = "force"}, {});
   ASSERT_FALSE(one.ok());
   EXPECT_EQ(in_words(one.error()),
             "one.csv: column \"Force (N)\" has one sample, and a drive needs at least two samples");
@@ -110,7 +110,7 @@ TEST(Drive, TwoRowsAreARamp) {
 TEST(Drive, MeetsChoprasPeaksOfElCentro) {
   const std::string bytes = measured("ground-motion/elcentro_chopra.csv");
   if (bytes.empty()) GTEST_SKIP() << "no ../shared/data";
-  const auto record = read_drive_record(bytes, "elcentro_chopra.csv", {.quantity = "acceleration"}, {});
+  const auto record = drive_record(bytes, "elcentro_chopra.csv", {.quantity = "acceleration"}, {});
   ASSERT_TRUE(record.ok()) << in_words(record.error());
   EXPECT_EQ(record->values.size(), 1560u);
   EXPECT_NEAR(record->spacing, 0.02, 1e-12);
@@ -303,7 +303,7 @@ TEST(Drive, RefusesARecordingShorterThanTheRun) {
 
 std::string file_refusal(const std::string& bytes, const std::string& quantity = "force",
                          const ReadOptions& read = {}) {
-  const auto record = read_drive_record(bytes, "drive.csv", {.quantity = quantity}, read);
+  const auto record = drive_record(bytes, "drive.csv", {.quantity = quantity}, read);
   return record ? "" : in_words(record.error());
 }
 
@@ -335,13 +335,13 @@ TEST(Drive, AFileMustBeEvenAndWhole) {
 
 TEST(Drive, AFileInItsUnits) {
   const auto record =
-      read_drive_record("Time (ms),Force (kN)\n0,1\n10,2\n20,-1\n", "drive.csv", {.quantity = "force"}, {});
+      drive_record("Time (ms),Force (kN)\n0,1\n10,2\n20,-1\n", "drive.csv", {.quantity = "force"}, {});
   ASSERT_TRUE(record.ok()) << in_words(record.error());
   EXPECT_THAT(record->values, ::testing::ElementsAre(1000, 2000, -1000));
   EXPECT_DOUBLE_EQ(record->spacing, 0.01);
   ReadOptions rate;
   rate.rate = 50;
-  const auto bare = read_drive_record("Force (N)\n1\n2\n3\n", "drive.csv", {.quantity = "force"}, rate);
+  const auto bare = drive_record("Force (N)\n1\n2\n3\n", "drive.csv", {.quantity = "force"}, rate);
   ASSERT_TRUE(bare.ok()) << in_words(bare.error());
   EXPECT_DOUBLE_EQ(bare->spacing, 0.02);
 }
@@ -349,7 +349,7 @@ TEST(Drive, AFileInItsUnits) {
 TEST(Drive, SeveralColumnsAreAsked) {
   const std::string bytes = "Time (s),Force x (N),Force y (N)\n0,1,4\n1,2,5\n2,3,6\n";
   EXPECT_THAT(file_refusal(bytes), HasSubstr("--drive-column"));
-  const auto record = read_drive_record(bytes, "drive.csv", {.quantity = "force", .column = "Force y"}, {});
+  const auto record = drive_record(bytes, "drive.csv", {.quantity = "force", .column = "Force y"}, {});
   ASSERT_TRUE(record.ok()) << in_words(record.error());
   EXPECT_EQ(record->values.front(), 4);
 }

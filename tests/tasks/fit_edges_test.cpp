@@ -6,6 +6,7 @@
 #include "cromer/tasks/compare/compare.h"
 #include "cromer/tasks/fit/fit.h"
 #include "tests/tasks/disc_recording.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

@@ -14,6 +14,7 @@
 
 #include "tests/identify/forced_truth.h"
 #include "tests/support/shared_data.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

@@ -14,6 +14,7 @@
 #include "cromer/analysis/air.h"
 #include "tests/support/shared_data.h"
 #include "tests/tasks/disc_recording.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cromer/tasks/spectrum/response_spectrum.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core::test {
 

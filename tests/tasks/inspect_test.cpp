@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "cromer/read/recording.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

@@ -10,6 +10,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
 #include "tests/support/shared_data.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

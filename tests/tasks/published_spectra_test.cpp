@@ -5,6 +5,7 @@
 
 #include "cromer/documents/words/words.h"
 #include "tests/tasks/ground_motion.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "cromer/documents/words/words.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

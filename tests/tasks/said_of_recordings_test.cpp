@@ -11,6 +11,7 @@
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {

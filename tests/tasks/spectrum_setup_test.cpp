@@ -9,6 +9,7 @@
 
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
+#include "tests/tasks/of_bytes.h"
 
 namespace cromer::core {
 namespace {
@@ -146,7 +147,7 @@ struct Read {
 
 Read read(const std::vector<SpectrumFile>& files, const SpectrumOptions& options = {}) {
   Read all;
-  auto components = read_components(files, options, all.notices);
+  auto components = read_components(*recordings_of(files, options), options, all.notices);
   all.refusal = said(components);
   if (components) all.components = *std::move(components);
   return all;

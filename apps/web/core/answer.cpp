@@ -226,7 +226,9 @@ Answer inspect_task(const Request& asked, std::string_view file) {
   const std::string column = take(request, "column");
   ReadOptions options;
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
-  const auto seen = inspect(file, request.file_name, options, column);
+  auto recording = read_recording(file, request.file_name, options);
+  if (!recording) return bad_input(recording.error());
+  const auto seen = inspect(*std::move(recording), options, column);
   if (!seen) return bad_input(seen.error());
   return found(to_text(json_of(InspectedOnPage{*seen}, {})), true);
 }
@@ -234,7 +236,9 @@ Answer inspect_task(const Request& asked, std::string_view file) {
 Answer fit_task(const Request& request, std::string_view file) {
   FitOptions options;
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
-  const auto fits = fit(file, request.file_name, options);
+  const auto recording = read_recording(file, request.file_name, options.read);
+  if (!recording) return bad_input(recording.error());
+  const auto fits = fit(*recording, options);
   if (!fits) return bad_input(fits.error());
   bool ok = true;
   Json document;
@@ -249,7 +253,9 @@ Answer fit_task(const Request& request, std::string_view file) {
 Answer compare_task(const Request& request, std::string_view file) {
   CompareOptions options;
   if (auto good = assign(request, options_of(options)); !good) return bad_input(good.error());
-  const auto compared = compare(file, request.file_name, options);
+  const auto recording = read_recording(file, request.file_name, options.fit.read);
+  if (!recording) return bad_input(recording.error());
+  const auto compared = compare(*recording, options);
   if (!compared) return bad_input(compared.error());
   bool ok = true;
   Json document;

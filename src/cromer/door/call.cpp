@@ -22,8 +22,8 @@
 #include "cromer/door/watching.h"
 #include "cromer/door/words.h"
 #include "cromer/read/columns.h"
-#include "cromer/report/file.h"
 #include "cromer/tasks/fit/fitted_motion.h"
+#include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/run_energy.h"
 #include "cromer/tasks/simulate/simulate.h"
@@ -214,9 +214,7 @@ Result<Motion> motion_of(Call& call, const ReadOptions& read, const std::string&
   }
   if (!observed.empty()) return Error{Notice{"observed_of_file"}, "observed"};
   if (file.empty()) return Error{Notice{"no_record", {{"verb", call.verb()}}}, "t"};
-  const auto bytes = core::read_file(file);
-  if (!bytes) return bytes.error();
-  auto recording = read_recording(*bytes, file, read);
+  auto recording = open_recording(file, read);
   if (!recording) return recording.error();
   return Motion{*std::move(recording), false};
 }
@@ -245,7 +243,7 @@ Result<void> fit_verb(Call& call, cromer_result& result) {
   FitOptions options;
   const auto motion = take_motion(call, options, options_of(options));
   if (!motion) return motion.error();
-  auto fits = fit_recording(motion->recording, options, call.watch());
+  auto fits = core::fit(motion->recording, options, call.watch());
   if (!fits) return said(fits.error(), *motion);
   for (FittedRecording& each : *fits) {
     put_in_arguments(each, motion->of_arrays);
@@ -267,24 +265,20 @@ Result<void> compare_verb(Call& call, cromer_result& result) {
   CompareOptions options;
   const auto motion = take_motion(call, options.fit, options_of(options));
   if (!motion) return motion.error();
-  const auto fits = fit_recording(motion->recording, options.fit, call.watch());
-  if (!fits) return said(fits.error(), *motion);
-  std::vector<CompareResult> all;
-  for (const FittedRecording& each : *fits) {
-    auto compared = compare_fitted(each, options, call.watch());
-    if (!compared) return said(compared.error(), *motion);
-    if (!compared->complete || !each.succeeded()) result.status = CROMER_NO_SUCCESS;
-    put_in_arguments(*compared, motion->of_arrays);
-    for (std::size_t i = 0; i < compared->curves.size(); ++i) {
-      const std::string curve = std::to_string(each.series.run) + "." + std::to_string(i + 1) + ".";
-      const Trajectory& states = compared->curves[i].trajectory;
+  auto compared = compare(motion->recording, options, call.watch());
+  if (!compared) return said(compared.error(), *motion);
+  for (CompareResult& each : *compared) {
+    if (!each.complete || !each.recording.succeeded()) result.status = CROMER_NO_SUCCESS;
+    put_in_arguments(each, motion->of_arrays);
+    for (std::size_t i = 0; i < each.curves.size(); ++i) {
+      const std::string curve = std::to_string(each.recording.series.run) + "." + std::to_string(i + 1) + ".";
+      const Trajectory& states = each.curves[i].trajectory;
       result.add(curve + "t", states.t);
       result.add(curve + "x", states.x);
       result.add(curve + "v", states.v);
     }
-    all.push_back(*std::move(compared));
   }
-  result.document = to_json(std::span<const CompareResult>(all), call.voice());
+  result.document = to_json(std::span<const CompareResult>(*compared), call.voice());
   return {};
 }
 
@@ -340,10 +334,9 @@ Result<SpectrumResult> spectrum_of(Call& call, const SpectrumOptions& options, c
                                    double spacing) {
   if (!call.has_array("acceleration")) {
     if (file.empty()) return Error{Notice{"no_acceleration"}, "acceleration"};
-    const auto bytes = core::read_file(file);
-    if (!bytes) return bytes.error();
-    const SpectrumFile one{file, *bytes};
-    return response_spectrum(std::span(&one, 1), options, call.watch());
+    const auto one = open_recording(file, options.read);
+    if (!one) return one.error();
+    return response_spectrum(std::span(&*one, 1), options, call.watch());
   }
   if (std::isnan(spacing)) return Error{Notice{"spacing_is_missing", {{"array", "acceleration"}}}, "spacing"};
   auto components = components_of(call.take_array("acceleration"), call.take_array("second"), spacing);
@@ -412,9 +405,9 @@ Result<void> read_verb(Call& call, cromer_result& result) {
   const auto column = call.take_text("column");
   if (!column) return column.error();
   if (auto good = call.assign_rest(options_of(options)); !good) return good;
-  const auto bytes = core::read_file(*file);
-  if (!bytes) return bytes.error();
-  auto seen = inspect(*bytes, *file, options, *column);
+  auto recording = open_recording(*file, options);
+  if (!recording) return recording.error();
+  auto seen = inspect(*std::move(recording), options, *column);
   if (!seen) return seen.error();
   for (const core::Column& each : seen->recording.table.columns) result.add(column_title(each), each.values);
   result.document = to_json(*seen, false, call.voice());

@@ -121,7 +121,7 @@ Result<LawFit> fit(std::span<const double> t, std::span<const double> y, const F
   asked.column = "y";
   if (!options.force.empty()) asked.force_column = "force";
   const core::Watching watching(options.progress);
-  auto fits = core::fit_recording(*recording, asked, watching.watch());
+  auto fits = core::fit(*recording, asked, watching.watch());
   if (!fits) return core::in_arguments(fits.error(), true);
   LawFit found = fit_of(std::move(fits->front()), true);
   found.interrupted = watching.watch().interrupted();
@@ -135,7 +135,7 @@ Result<std::vector<LawFit>> fit(const Recording& recording, const FitOptions& op
   core::FitOptions asked = core::fit_options(options, selection);
   asked.read = recording.options;
   const core::Watching watching(options.progress);
-  auto fits = core::fit_recording(*recording.detail, asked, watching.watch());
+  auto fits = core::fit(*recording.detail, asked, watching.watch());
   if (!fits) return core::in_arguments(fits.error());
   std::vector<LawFit> all;
   for (core::FittedRecording& each : *fits) {

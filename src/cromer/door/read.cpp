@@ -6,7 +6,7 @@
 #include "cromer/door/words.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/recording.h"
-#include "cromer/report/file.h"
+#include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 
 namespace cromer {
@@ -17,16 +17,14 @@ const Column* Recording::find(std::string_view wanted, int run) const {
   return place ? &columns[*place] : nullptr;
 }
 
-Result<Recording> read(std::span<const std::byte> bytes, std::string_view file, const ReadOptions& options) {
-  ReadOptions asked = options;
-  for (const core::Option& option : core::options_of(asked))
-    if (auto good = core::check(option); !good) return core::in_arguments(good.error());
-  auto known =
-      core::read_recording({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file, options);
+namespace {
+
+/// What the file holds, as callers get it; `known` is how it was read, or why not.
+Result<Recording> recording_of(Result<core::Recording> known, const ReadOptions& options) {
   if (!known) return core::in_arguments(known.error());
   const auto detail = std::make_shared<const core::Recording>(*std::move(known));
   Recording recording;
-  recording.file = file;
+  recording.file = detail->file;
   recording.dialect = detail->dialect.name;
   for (const core::Column& each : detail->table.columns)
     recording.columns.push_back({each.name, each.quantity, each.unit, each.run, each.values});
@@ -36,10 +34,25 @@ Result<Recording> read(std::span<const std::byte> bytes, std::string_view file, 
   return recording;
 }
 
+Result<void> check(const ReadOptions& options) {
+  ReadOptions asked = options;
+  for (const core::Option& option : core::options_of(asked))
+    if (auto good = core::check(option); !good) return core::in_arguments(good.error());
+  return {};
+}
+
+}  // namespace
+
+Result<Recording> read(std::span<const std::byte> bytes, std::string_view file, const ReadOptions& options) {
+  if (auto good = check(options); !good) return good.error();
+  return recording_of(
+      core::read_recording({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file, options),
+      options);
+}
+
 Result<Recording> read_file(const std::string& path, const ReadOptions& options) {
-  const auto bytes = core::read_file(path);
-  if (!bytes) return bytes.error();
-  return read(std::as_bytes(std::span(bytes->data(), bytes->size())), path, options);
+  if (auto good = check(options); !good) return good.error();
+  return recording_of(core::open_recording(path, options), options);
 }
 
 }  // namespace cromer

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "cromer/base/nearest.h"
 #include "cromer/base/ascii.h"
+#include "cromer/base/nearest.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/report/file.h"
 #include "cromer/study/collect.h"
+#include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/option_owner.h"
 #include "cromer/tasks/simulate/simulate.h"
@@ -64,12 +64,12 @@ struct Work {
   Results& results;
   const Watch& watch;
 
-  /// The bytes of a recording. `file` is relative to the study file.
-  Result<std::string> recording(const std::string& file) const {
+  /// `file` is relative to the study file.
+  Result<Recording> recording(const std::string& file, const ReadOptions& options) const {
     if (file.empty()) return task.place.error(Notice{"task_needs_file", {{"command", task.command}}});
-    auto bytes = read_file((std::filesystem::path(study.folder) / file).string());
-    if (!bytes) return task.place.error(bytes.error().notice);
-    return bytes;
+    auto recording = open_recording((std::filesystem::path(study.folder) / file).string(), options, file);
+    if (!recording) return error(recording.error());
+    return recording;
   }
 
   Error error(const Error& inner) const { return task.place.error(inner.notice); }
@@ -104,6 +104,8 @@ Result<TaskReport> run_simulate(const Work& work) {
 
 const LawFit& fit_of(const FittedRecording& fitted) { return fitted.fit; }
 const LawFit& fit_of(const CompareResult& compared) { return compared.recording.fit; }
+const ReadOptions& read_of(const FitOptions& options) { return options.read; }
+const ReadOptions& read_of(const CompareOptions& options) { return options.fit.read; }
 
 /// fit and compare: one result for each run of a recording.
 template <class Options, class Task>
@@ -113,9 +115,9 @@ Result<TaskReport> run_on_recording(const Work& work, const Task& task) {
   auto table = options_of(options);
   table.push_back(own_option("file", &file));
   if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
-  const auto bytes = work.recording(file);
-  if (!bytes) return bytes.error();
-  const auto found = task(*bytes, file, options, work.watch);
+  const auto recording = work.recording(file, read_of(options));
+  if (!recording) return recording.error();
+  const auto found = task(*recording, options, work.watch);
   if (!found) return work.error(found.error());
   TaskReport report;
   for (std::size_t i = 0; i < found->size(); ++i) {
@@ -187,13 +189,13 @@ Result<TaskReport> run_spectrum(const Work& work) {
   table.push_back(own_option("file", &names));
   if (const auto done = assign_settings(work.task, table, work.results); !done) return done.error();
   if (names.empty()) names.emplace_back();
-  std::vector<SpectrumFile> files;
+  std::vector<Recording> recordings;
   for (const auto& name : names) {
-    auto bytes = work.recording(name);
-    if (!bytes) return bytes.error();
-    files.push_back({name, *std::move(bytes)});
+    auto recording = work.recording(name, options.read);
+    if (!recording) return recording.error();
+    recordings.push_back(*std::move(recording));
   }
-  const auto result = response_spectrum(files, options, work.watch);
+  const auto result = response_spectrum(recordings, options, work.watch);
   if (!result) return work.error(result.error());
   if (result->interrupted) return TaskReport{result->notices, Notice{"task_interrupted"}};
   collect(work.task.id, *result, work.results);

@@ -401,13 +401,12 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
 namespace {
 
 // A driven motion is compared with free ones all the same, and a notice says so.
-Result<CompareResult> compare_driven(std::string_view bytes, std::string_view file,
-                                     const FittedRecording& driven, const CompareOptions& options,
-                                     const Watch& watch) {
+Result<CompareResult> compare_driven(const Recording& recording, const FittedRecording& driven,
+                                     const CompareOptions& options, const Watch& watch) {
   CompareOptions free = options;
   free.fit.recognise_drive = false;
   free.fit.run = driven.series.run;
-  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, free.fit, part_of(watch, 0, of_fits));
+  const Result<std::vector<FittedRecording>> fits = fit(recording, free.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
   Result<CompareResult> result = compare_fitted(fits->front(), free, part_of(watch, of_fits, 1));
   if (!result) return result;
@@ -420,21 +419,21 @@ Result<CompareResult> compare_driven(std::string_view bytes, std::string_view fi
 
 }  // namespace
 
-Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_view file,
-                                           const CompareOptions& options, const Watch& watch) {
+Result<std::vector<CompareResult>> compare(const Recording& recording, const CompareOptions& options,
+                                           const Watch& watch) {
   if (const Result<void> known = check_method_name(options.method); !known)
     return Error{"method_is_wrong", {{"what", known.error().notice}}};
   if (is_driven(options.fit)) return Error{"compare_has_no_drive"};
-  const Result<std::vector<FittedRecording>> fits = fit(bytes, file, options.fit, part_of(watch, 0, of_fits));
+  const Result<std::vector<FittedRecording>> fits = fit(recording, options.fit, part_of(watch, 0, of_fits));
   if (!fits) return fits.error();
   std::vector<CompareResult> results;
-  for (const FittedRecording& recording : *fits) {
-    if (recording.wrong_input) return Error{in_file(file, recording.fit.message)};
+  for (const FittedRecording& fitted : *fits) {
+    if (fitted.wrong_input) return Error{in_file(fitted.file, fitted.fit.message)};
     const double each = (1 - of_fits) / static_cast<double>(fits->size()),
                  done = of_fits + each * static_cast<double>(results.size());
     const Watch part = part_of(watch, done, done + each);
-    Result<CompareResult> one = recording.driven ? compare_driven(bytes, file, recording, options, part)
-                                                 : compare_fitted(recording, options, part);
+    Result<CompareResult> one = fitted.driven ? compare_driven(recording, fitted, options, part)
+                                              : compare_fitted(fitted, options, part);
     if (!one) return one.error();
     results.push_back(std::move(*one));
   }

@@ -62,7 +62,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
 
 /// Fits every run of the file and simulates each. The curve of one constant rate is the viscous fit; with
 /// segments it starts as the chosen law does and decays at the mean of their rates.
-Result<std::vector<CompareResult>> compare(std::string_view bytes, std::string_view file,
-                                           const CompareOptions& options, const Watch& watch = {});
+Result<std::vector<CompareResult>> compare(const Recording& recording, const CompareOptions& options,
+                                           const Watch& watch = {});
 
 }  // namespace cromer::core

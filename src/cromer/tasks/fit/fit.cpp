@@ -268,8 +268,11 @@ bool needs_a_file(const Notice& what) {
 }
 
 // Options are checked.
-Result<std::vector<FittedRecording>> fit_runs(const Recording& recording, const FitOptions& options,
-                                              const Watch& watch) {
+}  // namespace
+
+Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOptions& options,
+                                         const Watch& watch) {
+  if (const Result<void> checked = check_options(options); !checked) return checked.error();
   const std::string& file = recording.file;
   const std::vector<int> wanted = options.run ? std::vector<int>{*options.run} : runs(recording);
   std::vector<FittedRecording> fits;
@@ -294,22 +297,6 @@ Result<std::vector<FittedRecording>> fit_runs(const Recording& recording, const 
   }
   if (!any_read && first_error) return *first_error;
   return fits;
-}
-
-}  // namespace
-
-Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
-                                         const FitOptions& options, const Watch& watch) {
-  if (const Result<void> checked = check_options(options); !checked) return checked.error();
-  const Result<Recording> recording = read_recording(bytes, file, options.read);
-  if (!recording) return recording.error();
-  return fit_runs(*recording, options, watch);
-}
-
-Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
-                                                   const Watch& watch) {
-  if (const Result<void> checked = check_options(options); !checked) return checked.error();
-  return fit_runs(recording, options, watch);
 }
 
 }  // namespace cromer::core

@@ -136,11 +136,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
 
 /// Fits every run that the options ask for. Bad input is an Error. A failed fit is a status in its row; so is
 /// a run that could not be read, if others could.
-Result<std::vector<FittedRecording>> fit_recording(const Recording& recording, const FitOptions& options,
-                                                   const Watch& watch = {});
-
-/// Reads a file's bytes, and does the same.
-Result<std::vector<FittedRecording>> fit(std::string_view bytes, std::string_view file,
-                                         const FitOptions& options, const Watch& watch = {});
+Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOptions& options,
+                                         const Watch& watch = {});
 
 }  // namespace cromer::core

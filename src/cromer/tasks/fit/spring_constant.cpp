@@ -116,18 +116,16 @@ bool goes_one_way(std::vector<UncertainPoint> points) {
   return !(up && down);
 }
 
-Result<std::vector<Series>> runs_of(const NamedBytes& file, const FitOptions& options) {
-  const auto recording = read_recording(file.second, file.first, options.read);
-  if (!recording) return recording.error();
+Result<std::vector<Series>> runs_of(const Recording& recording, const FitOptions& options) {
   // How fast the samples came does not matter to a mass at rest.
   ReadOptions read = options.read;
-  const auto& columns = recording->table.columns;
+  const auto& columns = recording.table.columns;
   const bool timed =
       std::any_of(columns.begin(), columns.end(), [](const Column& c) { return c.quantity == "time"; });
   if (!timed && read.rate == 0) read.rate = 1;
   std::vector<Series> found;
-  for (const int run : options.run ? std::vector<int>{*options.run} : runs(*recording)) {
-    const auto series = take_series(*recording, options.column, run, read);
+  for (const int run : options.run ? std::vector<int>{*options.run} : runs(recording)) {
+    const auto series = take_series(recording, options.column, run, read);
     if (!series) return series.error();
     auto part = used_part(*series, options);
     if (!part) return part.error();
@@ -246,23 +244,24 @@ Result<StaticStiffness> static_stiffness(std::vector<Hold> holds, const Quantity
   return result;
 }
 
-Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options) {
+Result<StaticStiffness> fit_static(const std::vector<Recording>& recordings, const StaticOptions& options) {
   const auto masses = parse_masses(options.masses);
   if (!masses) return masses.error();
   if (const std::string_view unused = of_a_motion(options.fit); !unused.empty())
     return Error{"no_meaning_with_static", {{"option", unused}}};
   std::vector<Hold> holds;
   std::size_t next = 0;
-  for (const NamedBytes& file : files) {
-    const auto series = runs_of(file, options.fit);
+  for (const Recording& recording : recordings) {
+    const auto series = runs_of(recording, options.fit);
     if (!series) return series.error();
-    const bool plateaus = files.size() == 1 && series->size() == 1;
+    const bool plateaus = recordings.size() == 1 && series->size() == 1;
     const std::size_t count = plateaus ? masses->size() : series->size();
     if (next + count > masses->size())
       return Error{"more_holds_than_masses",
-                   {{"masses", masses->size()}, {"file", file.first}, {"runs", series->size()}}};
+                   {{"masses", masses->size()}, {"file", recording.file}, {"runs", series->size()}}};
     const auto first = masses->begin() + static_cast<std::ptrdiff_t>(next);
-    const auto found = find_holds(*series, file.first, {first, first + static_cast<std::ptrdiff_t>(count)});
+    const auto found =
+        find_holds(*series, recording.file, {first, first + static_cast<std::ptrdiff_t>(count)});
     if (!found) return found.error();
     holds.insert(holds.end(), found->begin(), found->end());
     next += count;

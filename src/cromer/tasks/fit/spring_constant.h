@@ -62,12 +62,9 @@ struct StaticOptions {
   Quantity gravity{9.80665, 0};  // [m/s²] > 0
 };
 
-/// A file's name and its bytes.
-using NamedBytes = std::pair<std::string, std::string>;
-
 /// Takes the holds in the order of the files and their runs; a single file of one run may hold several
 /// plateaus. Files without times need no rate. Bad input is an Error.
-Result<StaticStiffness> fit_static(const std::vector<NamedBytes>& files, const StaticOptions& options);
+Result<StaticStiffness> fit_static(const std::vector<Recording>& recordings, const StaticOptions& options);
 
 struct MassLinePoint {
   std::string file;

@@ -67,12 +67,9 @@ std::vector<Notice> outliers_elsewhere(const Recording& recording, int run, cons
 
 }  // namespace
 
-Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
-                           std::string_view column) {
-  auto recording = read_recording(bytes, file, options);
-  if (!recording) return recording.error();
+Result<Inspection> inspect(Recording recording, const ReadOptions& options, std::string_view column) {
   Inspection inspection;
-  inspection.recording = std::move(*recording);
+  inspection.recording = std::move(recording);
   inspection.notices = inspection.recording.notices;
   const auto say = [&](const Notice& notice) {
     auto& said = inspection.notices;

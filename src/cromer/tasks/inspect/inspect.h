@@ -36,7 +36,6 @@ struct Inspection {
 
 /// `column` is the one to describe, named as in --column; empty: the one that a fit would take, or the first
 /// of several alike. A run without it has a notice instead of a series.
-Result<Inspection> inspect(std::string_view bytes, std::string_view file, const ReadOptions& options,
-                           std::string_view column = "");
+Result<Inspection> inspect(Recording recording, const ReadOptions& options, std::string_view column = "");
 
 }  // namespace cromer::core

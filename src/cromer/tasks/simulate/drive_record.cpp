@@ -51,20 +51,19 @@ Result<void> check_even(const Series& series, double spacing, const DriveRequest
 
 }  // namespace
 
-Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view file,
-                                      const DriveRequest& request, const ReadOptions& options) {
+Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest& request,
+                                 const ReadOptions& options) {
+  const std::string& file = recording.file;
   const auto refuse = [&](const Notice& why) { return Error{in_file(file, why)}; };
-  const auto recording = read_recording(bytes, file, options);
-  if (!recording) return recording.error();
-  const std::vector<int> all = runs(*recording);
+  const std::vector<int> all = runs(recording);
   if (all.empty()) return refuse(Notice{"no_column_of_numbers"});
   const int run = request.run > 0 ? request.run : all.front();
   if (std::find(all.begin(), all.end(), run) == all.end())
     return refuse(Notice{"no_run_in_file", {{"run", run}, {"runs", all.size()}}});
   Result<std::string> name = std::string(request.column);
-  if (name->empty()) name = column_of(*recording, run, request);
+  if (name->empty()) name = column_of(recording, run, request);
   if (!name) return refuse(name.error().notice);
-  const auto series = take_series(*recording, *name, run, options);
+  const auto series = take_series(recording, *name, run, options);
   if (!series) return series.error();
 
   if (!series->quantity.empty() && series->quantity != request.quantity)
@@ -86,11 +85,11 @@ Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view f
     return refuse(even.error().notice);
   record.values = series->y;
   record.column = series->column;
-  record.motion = recording->motion;
+  record.motion = recording.motion;
   const auto target = parse_unit(wants_force(request) ? "N" : "m/s^2");
   const auto unit = parse_unit(series->unit, &target->dimension);
   record.unit_known = !series->unit.empty() && unit && unit->dimension == target->dimension;
-  record.notices = recording->notices;
+  record.notices = recording.notices;
   for (const Notice& notice : series->notices) record.notices.push_back(in_file(file, notice));
   if (all.size() > 1 && request.run == 0)
     record.notices.push_back(Notice{

@@ -1,4 +1,4 @@
-// A recorded force or acceleration: from a file's bytes to evenly spaced samples.
+// A recorded force or acceleration: from a recording to evenly spaced samples.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ struct DriveRequest {
 };
 
 /// An Error if the file holds no such recording: another quantity, gaps or missing values, uneven times.
-Result<DriveRecord> read_drive_record(std::string_view bytes, std::string_view file,
-                                      const DriveRequest& request, const ReadOptions& options);
+Result<DriveRecord> drive_record(const Recording& recording, const DriveRequest& request,
+                                 const ReadOptions& options);
 
 }  // namespace cromer::core

@@ -12,9 +12,11 @@ Result<void> load_drive(SimulateOptions& options, const std::string& folder) {
   const auto bytes = read_file((std::filesystem::path(folder) / file).string());
   if (!bytes)
     return Error{ground ? "base_motion_not_read" : "drive_file_not_read", {{"what", bytes.error().notice}}};
-  auto record = read_drive_record(
-      *bytes, file, {.quantity = ground ? "acceleration" : "force", .column = options.drive_column},
-      options.read);
+  const auto recording = read_recording(*bytes, file, options.read);
+  if (!recording) return recording.error();
+  auto record = drive_record(*recording,
+                             {.quantity = ground ? "acceleration" : "force", .column = options.drive_column},
+                             options.read);
   if (!record) return record.error();
   options.drive_record = *std::move(record);
   return {};

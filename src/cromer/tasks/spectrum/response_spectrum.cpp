@@ -229,9 +229,11 @@ Result<SpectrumResult> spectrum_of(MakeComponents make_components, const Spectru
 
 }  // namespace
 
-Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
-                                         const Watch& watch) {
-  const auto read = [&](std::vector<Notice>& notices) { return read_components(files, options, notices); };
+Result<SpectrumResult> response_spectrum(std::span<const Recording> recordings,
+                                         const SpectrumOptions& options, const Watch& watch) {
+  const auto read = [&](std::vector<Notice>& notices) {
+    return read_components(recordings, options, notices);
+  };
   return spectrum_of(read, options, watch);
 }
 

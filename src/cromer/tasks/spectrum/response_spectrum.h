@@ -34,11 +34,6 @@ struct SpectrumOptions {
   bool by_frequency() const { return !frequencies.empty(); }
 };
 
-/// A file as it was read.
-struct SpectrumFile {
-  std::string name, bytes;
-};
-
 /// One horizontal component, or the only one.
 struct Component {
   std::string file, column;
@@ -90,10 +85,10 @@ struct SpectrumResult {
   bool interrupted = false;  ///< then `spectra` is empty
 };
 
-/// Checks the options and the files (one, or two components of one motion), then computes. An Error names
-/// option or file, value and cure.
-Result<SpectrumResult> response_spectrum(std::span<const SpectrumFile> files, const SpectrumOptions& options,
-                                         const Watch& watch = {});
+/// Checks the options and the recordings (one, or two components of one motion), then computes. An Error
+/// names option or file, value and cure.
+Result<SpectrumResult> response_spectrum(std::span<const Recording> recordings,
+                                         const SpectrumOptions& options, const Watch& watch = {});
 
 /// The same of components whose file, column, acceleration and spacing are set; two must be sampled alike and
 /// equally long.

@@ -68,22 +68,22 @@ Result<double> factor_of(const SpectrumOptions& options, const DriveRecord& reco
   return unit->factor;
 }
 
-Result<Component> read_component(const SpectrumFile& file, const std::string& column,
+Result<Component> read_component(const Recording& recording, const std::string& column,
                                  const SpectrumOptions& options, std::vector<Notice>& notices) {
-  const auto record = read_drive_record(file.bytes, file.name,
-                                        {.quantity = "acceleration",
-                                         .column = column,
-                                         .run = options.run.value_or(0),
-                                         .column_option = "column",
-                                         .use = "spectrum"},
-                                        options.read);
+  const auto record = drive_record(recording,
+                                   {.quantity = "acceleration",
+                                    .column = column,
+                                    .run = options.run.value_or(0),
+                                    .column_option = "column",
+                                    .use = "spectrum"},
+                                   options.read);
   if (!record) return record.error();
-  const auto factor = factor_of(options, *record, file.name, notices);
+  const auto factor = factor_of(options, *record, recording.file, notices);
   if (!factor) return factor.error();
   for (const Notice& notice : record->notices)
     if (!says_no_unit(notice)) add_once(notices, notice);  // factor_of has said what it is taken as
   Component component;
-  component.file = file.name;
+  component.file = recording.file;
   component.column = record->column;
   component.motion = record->motion;
   component.spacing = record->spacing;
@@ -94,7 +94,7 @@ Result<Component> read_component(const SpectrumFile& file, const std::string& co
     if (!(std::abs(a) <= most_acceleration))
       return Error{
           "nothing_shakes_so",
-          {{"file", file.name}, {"column", component.column}, {"acceleration", a}, {"sample", i + 1}}};
+          {{"file", recording.file}, {"column", component.column}, {"acceleration", a}, {"sample", i + 1}}};
   }
   return component;
 }
@@ -181,16 +181,16 @@ Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options) {
   return ratios;
 }
 
-Result<std::vector<Component>> read_components(std::span<const SpectrumFile> files,
+Result<std::vector<Component>> read_components(std::span<const Recording> recordings,
                                                const SpectrumOptions& options, std::vector<Notice>& notices) {
   const std::vector<std::string> columns =
       options.column.empty() ? std::vector<std::string>{""} : options.column;
-  if (files.size() * columns.size() > 2)
-    return Error{"too_many_components", {{"given", files.size() * columns.size()}}};
+  if (recordings.size() * columns.size() > 2)
+    return Error{"too_many_components", {{"given", recordings.size() * columns.size()}}};
   std::vector<Component> components;
-  for (const auto& file : files)
+  for (const auto& recording : recordings)
     for (const auto& column : columns) {
-      auto component = read_component(file, column, options, notices);
+      auto component = read_component(recording, column, options, notices);
       if (!component) return component.error();
       components.push_back(*std::move(component));
     }

@@ -19,7 +19,7 @@ Result<BetweenSamples> between_of(const SpectrumOptions& options);
 Result<std::vector<double>> damping_ratios_of(const SpectrumOptions& options);
 
 /// The one or two components, sampled alike and equally long; `notices` grows.
-Result<std::vector<Component>> read_components(std::span<const SpectrumFile> files,
+Result<std::vector<Component>> read_components(std::span<const Recording> recordings,
                                                const SpectrumOptions& options, std::vector<Notice>& notices);
 
 /// The periods asked for [s], or the default ones for this recording, which are then written into `options`.
