@@ -125,14 +125,6 @@ FittedRecording not_fitted(std::string_view file, int run, const Notice& why) {
   return row;
 }
 
-Result<Series> samples_in_use(const Series& series, const FitOptions& options) {
-  Result<Series> used = used_part(series, options);
-  if (!used) return used;
-  if (!options.from && !options.to) leave_lost_motion(*used);
-  set_drop_outs_aside(*used);
-  return used;
-}
-
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch) {
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
