@@ -261,7 +261,7 @@ bool needs_a_file(const Notice& what) {
   return std::find(std::begin(codes), std::end(codes), what.code) != std::end(codes);
 }
 
-// Options are checked.
+// The options have been checked.
 Result<std::vector<FittedRecording>> fit_runs(const Recording& recording, const FitOptions& options,
                                               const Watch& watch) {
   const std::string& file = recording.file;

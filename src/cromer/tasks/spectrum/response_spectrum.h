@@ -39,7 +39,7 @@ struct SpectrumFile {
   std::string name, bytes;
 };
 
-/// One horizontal component, or the only one.
+/// One of two horizontal components, or the only one.
 struct Component {
   std::string file, column;
   std::string motion;                ///< event and station, where the file names them
