@@ -238,7 +238,7 @@ void compare_with_law(ComparedCurve& curve, const FittedRecording& recording, co
   curve.method_phase = end.phase_drift;
 }
 
-Notice said(const NamedLaw& law) {
+Notice law_notice(const NamedLaw& law) {
   const std::string text = to_text(law.law);
   return law.label == text ? Notice{"law_by_name", {{"law", text}}} : Notice{"one_constant_decay_rate"};
 }
@@ -277,9 +277,9 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
     curve.complete = false;
     curve.diverged = !outcome.interrupted;
     notices.push_back(outcome.interrupted
-                          ? Notice{"curve_interrupted", {{"law", said(law)}, {"t", outcome.t}}}
+                          ? Notice{"curve_interrupted", {{"law", law_notice(law)}, {"t", outcome.t}}}
                           : Notice{"curve_ended",
-                                   {{"law", said(law)},
+                                   {{"law", law_notice(law)},
                                     {"method", options.method},
                                     {"t", outcome.t},
                                     {"status", name(outcome.status)}}});
@@ -287,7 +287,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   }
   const double law_step = recording.fit.step > 0 ? recording.fit.step : step;
   const Trajectory itself = motion_states(motion, {}, series.t, law_step);
-  if (itself.size() < series.t.size()) return Error{"law_runs_away", {{"law", said(law)}}};
+  if (itself.size() < series.t.size()) return Error{"law_runs_away", {{"law", law_notice(law)}}};
   const Samples samples = good_samples(recording, curve.trajectory, itself);
   compare_with_measured(curve, recording, samples);
   compare_with_law(curve, recording, samples);
@@ -297,9 +297,9 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   for (const double x : curve.trajectory.x) largest = std::max(largest, std::abs(x));
   if (largest > 10 * start) {
     curve.diverged = true;
-    notices.push_back(
-        Notice{"curve_grows",
-               {{"law", said(law)}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
+    notices.push_back(Notice{
+        "curve_grows",
+        {{"law", law_notice(law)}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
   }
   return curve;
 }

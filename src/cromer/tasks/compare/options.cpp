@@ -14,7 +14,7 @@ std::vector<Option> options_of(CompareOptions& o) {
       {"step", &o.step, "s", Range::positive, "time step",
        "the sample spacing, divided to have 200 steps in a period", integration},
   };
-  // A driven motion has no one decay rate to be compared with.
+  // A driven motion shows no decay to compare.
   constexpr std::array<std::string_view, 5> of_driven{"force-column", "between-samples", "drive-frequency",
                                                       "hold-out", "no-spring"};
   std::vector<Option> options = options_of(o.fit);

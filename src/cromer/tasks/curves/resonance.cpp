@@ -67,7 +67,7 @@ constexpr Point unsettled{{nothing, nothing}, {nothing, nothing}};
 
 /// What is transmitted, state by state, in place of the positions: the base's displacement plus the mass's
 /// own relative to it, or the force of spring and damper.
-Trajectory arriving(const SimulatedRun& run, bool of_motion, double sent) {
+Trajectory transmitted(const SimulatedRun& run, bool of_motion, double sent) {
   Trajectory out = run.trajectory;
   for (std::size_t i = 0; i < out.size(); ++i)
     out.x[i] =
@@ -107,10 +107,11 @@ Result<Point> settle(const SimulateOptions& options, const SimulatedRun& at_w, c
   if (!measured) return measured.error();
   if (!measured->settled()) return unsettled;
   const double sent = sent_amplitude(options, run);
-  const auto arrived =
-      measure_steady_state(arriving(run, sends_motion(options), sent), run.drive, measured_cycles);
-  if (!arrived) return arrived.error();
-  return Point{{measured->amplitude, measured->phase_lag}, {arrived->amplitude / sent, arrived->phase_lag}};
+  const auto passed_on =
+      measure_steady_state(transmitted(run, sends_motion(options), sent), run.drive, measured_cycles);
+  if (!passed_on) return passed_on.error();
+  return Point{{measured->amplitude, measured->phase_lag},
+               {passed_on->amplitude / sent, passed_on->phase_lag}};
 }
 
 void add(ResonanceCurve& curve, const SimulateOptions& options, const SimulatedRun& at_w,

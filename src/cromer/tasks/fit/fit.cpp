@@ -123,14 +123,6 @@ FittedRecording not_fitted(std::string_view file, int run, const Notice& why) {
   return row;
 }
 
-Result<Series> samples_in_use(const Series& series, const FitOptions& options) {
-  Result<Series> used = used_part(series, options);
-  if (!used) return used;
-  if (!options.from && !options.to) leave_lost_motion(*used);
-  set_drop_outs_aside(*used);
-  return used;
-}
-
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,
                                    const Watch& watch) {
   if (const Result<void> checked = check_options(options); !checked) return checked.error();
@@ -267,7 +259,6 @@ bool needs_a_file(const Notice& what) {
   return std::find(std::begin(codes), std::end(codes), what.code) != std::end(codes);
 }
 
-// Options are checked.
 }  // namespace
 
 Result<std::vector<FittedRecording>> fit(const Recording& recording, const FitOptions& options,

@@ -125,10 +125,6 @@ Result<void> check_fit_options(const FitOptions& options);
 /// The row of a recording that could not be read. Its message is `why` without the file's name.
 FittedRecording not_fitted(std::string_view file, int run, const Notice& why);
 
-/// The samples from --from to --to. If neither is given, the series ends where a sensor has lost the motion
-/// for good. Drop-outs join the outliers. An Error if no sample is left.
-Result<Series> samples_in_use(const Series& series, const FitOptions& options);
-
 /// Fits one quantity of one run, from --from to --to, as a free motion. Bad input (a law that cannot be
 /// fitted, no sample left) is an Error.
 Result<FittedRecording> fit_series(const Series& series, std::string_view file, const FitOptions& options,

@@ -144,7 +144,7 @@ void describe(FittedRecording& result, LawChoice&& choice, const Record& record,
     result.notices.push_back(std::move(wide));
 }
 
-void say_unused(FittedRecording& result) {
+void add_unused_notices(FittedRecording& result) {
   const FitOptions& options = result.options;
   for (const std::string_view unused : unused_if_driven(options))
     result.notices.push_back(Notice{"unused_if_driven", {{"option", unused}}});
@@ -207,7 +207,7 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
   describe(result, std::move(choice), whole.first(fitted), of_series, si_unit_of(force.quantity), true,
            watch);
   result.between_samples = name(result.fit.drive.force.between);
-  say_unused(result);
+  add_unused_notices(result);
   std::vector<double> law_motion;
   if (result.driven && fitted < t.size())
     law_motion = observed_motion(result.fit.motion, result.fit.drive, t, whole.derivative, result.fit.step);
@@ -258,7 +258,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   settings.drive_frequency = *drive;
   const Record record{t, y, series.resolution, std::max(0, derivative_order(series.quantity))};
   describe(result, choose_law(record, settings, watch, {*law, {}}), record, series.t, "", false, watch);
-  say_unused(result);
+  add_unused_notices(result);
   const LawFit& fit = result.fit;
   if (!result.driven) return result;
   const Body body = body_of(options);

@@ -75,7 +75,7 @@ class Prospect {
     const double points = std::max(24.0, std::ceil(20 * duration / period));
     std::vector<double> t(static_cast<std::size_t>(points)), y(t.size());
     for (std::size_t i = 0; i < t.size(); ++i) t[i] = duration * (static_cast<double>(i) + 0.5) / points;
-    t.front() = 0;  // where the motion's start is
+    t.front() = 0;  // where the motion starts
     NormalEquations equations =
         motion_equations(fitted_, fitted_.pack(fit_.motion), {}, {t, y, 0, derivative_}, period / 40);
     const double samples_per_point = rate_ * duration / points;

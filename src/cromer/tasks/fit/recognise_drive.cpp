@@ -46,7 +46,7 @@ bool is_steadily_driven(const FittedRecording& driven, const FittedRecording& fr
          driven.fit["drive_amplitude"].low > 0 && share_of_steady(driven) >= 0.3;
 }
 
-Notice said(const Mode& mode) {
+Notice mode_notice(const Mode& mode) {
   const Estimate &w = mode.angular_frequency, &g = mode.decay_rate;
   return Notice{"mode",
                 {{"frequency", format_quantity({w.value / two_pi, w.standard_error / two_pi}, "Hz")},
@@ -57,21 +57,24 @@ Notice said(const Mode& mode) {
 // Neither of two lines decays. The first is for a drive that was searched for, the second for one that was
 // given.
 Notice either_reading(const TwoModes& modes) {
-  return Notice{"two_steady_lines", {{"one", said(modes.modes[0])}, {"other", said(modes.modes[1])}}};
+  return Notice{"two_steady_lines",
+                {{"one", mode_notice(modes.modes[0])}, {"other", mode_notice(modes.modes[1])}}};
 }
 
 Notice either_reading(const TwoModes& modes, double drive) {
   const auto& [one, other] = modes.modes;
   const bool other_is_drive =
       std::abs(other.angular_frequency.value - drive) < std::abs(one.angular_frequency.value - drive);
-  return Notice{"line_beside_the_drive", {{"line", said(other_is_drive ? one : other)}}};
+  return Notice{"line_beside_the_drive", {{"line", mode_notice(other_is_drive ? one : other)}}};
 }
 
 Notice of_two_modes(const TwoModes& found) {
   const double apart =
       std::abs(found.modes[0].angular_frequency.value - found.modes[1].angular_frequency.value);
   return Notice{"two_modes",
-                {{"one", said(found.modes[0])}, {"other", said(found.modes[1])}, {"beat", two_pi / apart}}};
+                {{"one", mode_notice(found.modes[0])},
+                 {"other", mode_notice(found.modes[1])},
+                 {"beat", two_pi / apart}}};
 }
 
 // No record can tell which of two readings is right.
@@ -82,7 +85,7 @@ void leave_undetermined(FittedRecording& result, const TwoModes& found, Notice r
   result.notices.push_back(std::move(readings));
 }
 
-void say_two_modes(FittedRecording& result, const TwoModes& found) {
+void name_two_modes(FittedRecording& result, const TwoModes& found) {
   result.modes.assign(found.modes.begin(), found.modes.end());
   if (result.parameters.empty()) {
     result.fit.message = Notice{"no_single_swing", {{"modes", of_two_modes(found)}}};
@@ -134,7 +137,7 @@ FittedRecording recognise_drive(FittedRecording free, const Series& motion, cons
   }
   if (judgement.kind == MotionKind::two_modes &&
       judgement.modes->residual.rms < 0.9 * free.fit.residual.rms) {
-    say_two_modes(free, *judgement.modes);
+    name_two_modes(free, *judgement.modes);
     return free;
   }
   const bool undecided = judgement.kind == MotionKind::driven_or_two_modes;
@@ -175,7 +178,7 @@ Result<FittedRecording> check_drive(FittedRecording driven, const Series& motion
   if (judgement.kind == MotionKind::two_modes) {
     FittedRecording& result = searched ? *free : driven;
     result.options = options;
-    say_two_modes(result, *judgement.modes);
+    name_two_modes(result, *judgement.modes);
     return result;
   }
   if (judgement.kind != MotionKind::free && (!settled || driven.fit["drive_amplitude"].low > 0))

@@ -31,6 +31,40 @@ Error nothing_left(const Series& series, const FitOptions& options) {
                {{"from", *options.from}, {"to", *options.to}, {"first", first}, {"last", last}}};
 }
 
+/// Cuts the series off where the sensor has lost the motion for good, with a notice.
+void cut_lost_motion(Series& series) {
+  const auto lost = find_lost_motion({series.t, series.y, series.resolution});
+  if (!lost) return;
+  const std::size_t all = series.t.size();
+  FitOptions before;
+  before.to = series.t[lost->seen - 1];
+  const double from = series.t[lost->seen];
+  series = *used_part(series, before);
+  series.notices.push_back(Notice{"sensor_loses_motion",
+                                  {{"from", from},
+                                   {"value", lost->value},
+                                   {"unit", unit_of(series)},
+                                   {"share", 100 * lost->share},
+                                   {"seen", lost->seen},
+                                   {"samples", all}}});
+}
+
+/// Adds drop-outs, flat runs far outside the motion, to the outliers, with a notice.
+void set_drop_outs_aside(Series& series) {
+  const FittedSamples kept = without_outliers(series);
+  const std::vector<std::size_t> found = drop_outs({series.t, series.y, series.resolution});
+  std::size_t added = 0, first = 0;
+  for (std::size_t i : found) {
+    if (!std::binary_search(kept.t.begin(), kept.t.end(), series.t[i])) continue;
+    series.outliers.push_back({series.t[i], series.y[i], i < series.lines.size() ? series.lines[i] : 0});
+    if (added++ == 0) first = i;
+  }
+  if (added == 0) return;
+  std::sort(series.outliers.begin(), series.outliers.end(),
+            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
+  series.notices.push_back(Notice{"drop_outs_aside", {{"samples", added}, {"first", series.t[first]}}});
+}
+
 }  // namespace
 
 Result<Series> used_part(const Series& series, const FitOptions& options) {
@@ -71,36 +105,12 @@ FittedSamples without_outliers(const Series& series) {
   return kept;
 }
 
-void leave_lost_motion(Series& series) {
-  const auto lost = find_lost_motion({series.t, series.y, series.resolution});
-  if (!lost) return;
-  const std::size_t all = series.t.size();
-  FitOptions before;
-  before.to = series.t[lost->seen - 1];
-  const double from = series.t[lost->seen];
-  series = *used_part(series, before);
-  series.notices.push_back(Notice{"sensor_loses_motion",
-                                  {{"from", from},
-                                   {"value", lost->value},
-                                   {"unit", unit_of(series)},
-                                   {"share", 100 * lost->share},
-                                   {"seen", lost->seen},
-                                   {"samples", all}}});
-}
-
-void set_drop_outs_aside(Series& series) {
-  const FittedSamples kept = without_outliers(series);
-  const std::vector<std::size_t> found = drop_outs({series.t, series.y, series.resolution});
-  std::size_t added = 0, first = 0;
-  for (std::size_t i : found) {
-    if (!std::binary_search(kept.t.begin(), kept.t.end(), series.t[i])) continue;
-    series.outliers.push_back({series.t[i], series.y[i], i < series.lines.size() ? series.lines[i] : 0});
-    if (added++ == 0) first = i;
-  }
-  if (added == 0) return;
-  std::sort(series.outliers.begin(), series.outliers.end(),
-            [](const Outlier& a, const Outlier& b) { return a.t < b.t; });
-  series.notices.push_back(Notice{"drop_outs_aside", {{"samples", added}, {"first", series.t[first]}}});
+Result<Series> samples_in_use(const Series& series, const FitOptions& options) {
+  Result<Series> used = used_part(series, options);
+  if (!used) return used;
+  if (!options.from && !options.to) cut_lost_motion(*used);
+  set_drop_outs_aside(*used);
+  return used;
 }
 
 void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,

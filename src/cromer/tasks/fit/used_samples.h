@@ -14,17 +14,15 @@ namespace cromer::core {
 /// The samples from --from to --to, both included; an Error if none is left.
 Result<Series> used_part(const Series& series, const FitOptions& options);
 
+/// The samples from --from to --to. If neither is given, the series ends where a sensor has lost the motion
+/// for good. Drop-outs join the outliers. An Error if no sample is left.
+Result<Series> samples_in_use(const Series& series, const FitOptions& options);
+
 /// The samples that the fit sees: outliers stay in the series, but are not fitted.
 struct FittedSamples {
   std::vector<double> t, y;
 };
 FittedSamples without_outliers(const Series& series);
-
-/// Cuts the series off where the sensor has lost the motion for good, with a notice.
-void leave_lost_motion(Series& series);
-
-/// Adds drop-outs, flat runs far outside the motion, to the outliers, with a notice.
-void set_drop_outs_aside(Series& series);
 
 /// Adds the samples that the fit itself set aside (indices into `samples`) to the outliers, with a notice.
 void list_outliers(Series& series, const FittedSamples& samples, const std::vector<std::size_t>& aside,

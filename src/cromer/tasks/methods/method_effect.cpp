@@ -39,7 +39,7 @@ Notice frequency_notice(double effective, double frequency) {
                 {{"frequency", effective}, {"percent", 100 * std::abs(off)}}};
 }
 
-/// Of a motion with real eigenvalues.
+/// For a motion with real eigenvalues.
 Notice without_swing(const MethodEffect& effect, bool law_swings) {
   const bool hops = effect.effective.eigenvalues.front().re < 0;
   if (!effect.stable) return Notice{hops ? "grows_hopping" : "grows_without_swinging"};

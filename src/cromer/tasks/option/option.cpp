@@ -66,7 +66,7 @@ Result<Quantity> parse_in_range(const Option& option, std::string_view text) {
   return quantity;
 }
 
-/// A quantity whose uncertainty the task would not use: stating one is an error rather than silently dropped.
+/// A quantity whose uncertainty the task does not use: one that is given is an error, not silently dropped.
 Result<double> parse_certain(const Option& option, std::string_view text) {
   auto quantity = parse_in_range(option, text);
   if (!quantity) return quantity.error();

@@ -39,7 +39,7 @@ enum class Range {
   trials  ///< of a Monte Carlo
 };
 
-/// The constraint, to follow "it must": "be positive"; empty for any.
+/// The constraint as it follows "it must": "be positive"; empty for any.
 Notice constraint(Range range);
 
 /// One option: where its value goes, in which unit, and what it means.

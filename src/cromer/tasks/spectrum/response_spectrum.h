@@ -34,7 +34,7 @@ struct SpectrumOptions {
   bool by_frequency() const { return !frequencies.empty(); }
 };
 
-/// One horizontal component, or the only one.
+/// One of two horizontal components, or the only one.
 struct Component {
   std::string file, column;
   std::string motion;                ///< event and station, where the file names them

@@ -71,7 +71,7 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
   const ChunkedRows& rows = result.plan.rows;
   result.rows.assign(rows.rows * width, std::numeric_limits<double>::quiet_NaN());
   result.statuses.assign(rows.rows, SweepResult::not_reached);
-  // Rows that are not reached still say where they are.
+  // Rows that are not reached still have their swept values.
   const SweepPoints points(result.plan.work->base, result.plan.work->axes);
   for (std::uint64_t row = 0; row < rows.rows; ++row) points.values_of(row, &result.rows[row * width]);
   std::vector<std::uint64_t> chunks(rows.chunks());

@@ -99,7 +99,7 @@ Result<SweepResult> sweep(SweepPlan plan, const SweepOptions& options, const Chu
                           const Watch& watch);
 
 /// Compares the closed form with stepping at points all over the sweep. Empty if there is no closed form, or
-/// no time.
+/// if interrupted.
 std::optional<SweepCheck> check_closed_form(const SweepPlan& plan, const Watch& watch);
 
 /// Counts a row as it was made: its status, in the last column, and a lag outside 0 to pi.

@@ -306,7 +306,7 @@ std::uint64_t SweepWork::rows_per_chunk() const {
     few = 8192;
   else if (way != SweepWay::one_by_one)
     few = 4 * group_size;
-  // To hand out a chunk costs 20 us in the worst case: all of them some seconds, however long the sweep.
+  // Handing out a chunk costs at most 20 us: all of them take some seconds, however long the sweep.
   constexpr double most_chunks = 262144;
   double rows = 1;
   for (const SweepAxis& axis : axes) rows *= static_cast<double>(axis.grid.size());

@@ -1,5 +1,4 @@
-// The rows of a sweep: from a row's number to an oscillator, what its motion comes to, and what is kept of
-// it.
+// The rows of a sweep: from a row's number to the point, its motion, and the measures of it.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// States in compensated sums, by the same methods and laws. Few of them, and one type of force for all
-// drives: the increments of a long run are what costs, not the drive.
+// States in compensated sums, by the same methods. Few sets of terms and one type of force serve all laws and
+// drives: what a long run costs is its increments, not its drive.
 #include "cromer/base/compensated.h"
 
 #include <cassert>

@@ -1,5 +1,5 @@
-// A force with memory: states that carry its inner state along, by the same methods. One type of force for
-// all drives: what hysteresis itself costs is more.
+// A force with memory: states that carry its inner state along, by the same methods. One type of force
+// serves all drives: hysteresis itself costs more.
 #include "cromer/model/hysteretic_oscillator.h"
 
 #include <cassert>

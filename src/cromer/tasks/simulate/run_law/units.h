@@ -16,7 +16,7 @@ Outcome run_driven(const LawRun& run, const PulseDrive<double>& drive, KeepEvery
 Outcome run_driven(const LawRun& run, const ChirpDrive<double>& drive, KeepEvery& keep, const Watch& watch);
 Outcome run_driven(const LawRun& run, const SampledDrive& drive, KeepEvery& keep, const Watch& watch);
 
-/// Looks the method up and runs it on the system: to be handed to with_terms.
+/// Looks the method up and runs it on a system: for with_terms to call.
 inline auto by_method(const LawRun& run, KeepEvery& keep, const Watch& watch) {
   return [&](const auto& system) {
     return visit_method(run.method, run.settings, [&](const auto& method) {
