@@ -1,5 +1,5 @@
-// The page's types and the table of the docs, made from the descriptions of the results. Run with
-// CROMER_WRITE_DESCRIPTIONS=1, the test writes both files; else they must be what it would write.
+// The page's types and the tables of the docs are made from the descriptions of the results. With
+// CROMER_WRITE_DESCRIPTIONS=1 the test writes both files; without, it compares them.
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ using described::ValueOf;
 template <class Get, class Result>
 using Got = std::remove_cvref_t<std::invoke_result_t<Get, const Result&>>;
 
-/// Calls visit.operator()<T>() of what is described within a value of this type.
+/// Calls visit.operator()<T>() for the described struct T within a value of this type.
 template <class Value, class Visit>
 void within(Visit visit) {
   if constexpr (IsDescribed<Value>)
@@ -148,7 +148,7 @@ class PageTypes {
   std::string text_;
 };
 
-/// "| `residual.rms` | unit | meaning |" for all that a document has.
+/// A row "| `residual.rms` | unit | meaning |" for each entry of a document.
 class DocsTable {
  public:
   template <class Result>
@@ -222,7 +222,7 @@ std::string table(std::string_view heading) {
   return "\n## " + std::string(heading) + "\n\n| name | unit | what it is |\n|---|---|---|\n" + rows.text();
 }
 
-/// The file in the tree is `now`, or is written.
+/// Expects that the file in the tree is `now`, or writes it.
 void expect_in(const std::string& file, const std::string& now) {
   const std::filesystem::path path = std::filesystem::path(CROMER_SOURCE_DIR) / file;
   if (std::getenv("CROMER_WRITE_DESCRIPTIONS")) {
@@ -256,9 +256,9 @@ TEST(Descriptions, AreTheTableOfTheDocs) {
             "# What the results consist of\n\n"
             "Every entry of the JSON documents, as `--json` prints them and the library gives them. A name "
             "that ends\n"
-            "in `[]` is a list; `NAME` stands for the name of a parameter. Where a number is not known or "
-            "not finite\n"
-            "it is null. `SI` is the SI unit of the column, `of the column` likewise.\n" +
+            "in `[]` is a list; `NAME` stands for the name of a parameter. A number that is not known or not "
+            "finite is\n"
+            "null. `SI` and `of the column` stand for the SI unit of the column.\n" +
                 table<FittedRecording>("fit") + table<CompareResult>("compare") +
                 table<DescribedRun>("simulate: each of `runs[]`") +
                 table<MethodRow>("methods: each of `methods[]`") + table<InspectedFile>("inspect") +

@@ -1,4 +1,4 @@
-// A recording in progress, as the page reads it.
+// The JSON of a recording in progress, which the page reads.
 #include "cromer/documents/json/live.h"
 
 #include <gtest/gtest.h>

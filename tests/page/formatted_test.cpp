@@ -16,7 +16,8 @@
 namespace cromer::core::page {
 namespace {
 
-/// Halves, powers of two and ten, the least and the largest; then doubles of any bits and of everyday size.
+/// Halves, powers of two and ten, the smallest and the largest; then doubles of random bits and of everyday
+/// size.
 std::vector<double> numbers() {
   using Limits = std::numeric_limits<double>;
   std::vector<double> all{0,
@@ -69,7 +70,7 @@ TEST(Formatted, WritesNumbersAsPrintfDoes) {
     }
 }
 
-/// Those that count, without sign, point, exponent and the zeros at both ends.
+/// The significant digits: no sign, point or exponent, and no zeros at either end.
 std::string digits_of(std::string_view number) {
   std::string digits;
   for (const char c : number.substr(0, number.find('e')))

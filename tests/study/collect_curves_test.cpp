@@ -1,4 +1,4 @@
-// What curves of resonance, methods and spectra found, by name: every number of handmade ones.
+// The named results of resonance curves, methods and spectra: every number of handmade ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,7 +97,7 @@ TEST(CollectMethodMap, SaysOrderAndLimitOrThatThereIsNone) {
 }
 
 TEST(CollectWorkPrecision, FindsTheWorkForAMillionth) {
-  // Straight between the logarithms: 1e-6 is the middle of 1e-5 and 1e-7, 200 that of 100 and 400.
+  // Linear between the logarithms: 1e-6 is midway between 1e-5 and 1e-7, and 200 between 100 and 400.
   const WorkPrecisionCurve crosses{"a", {10, 100, 400, 1600}, {1e-3, 1e-5, 1e-7, 1e-9}, 2};
   const WorkPrecisionCurve meets{"b", {10, 100, 300}, {1e-3, 1e-6, 1e-7}, 3};
   const WorkPrecisionCurve never{"c", {10, 100}, {1e-3, 1e-5}, 4};

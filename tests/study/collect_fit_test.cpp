@@ -1,4 +1,4 @@
-// What fits and comparisons found, by name: every number of handmade ones.
+// The named results of fits and comparisons: every number of handmade ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

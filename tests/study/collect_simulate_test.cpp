@@ -1,4 +1,4 @@
-// What simulated runs found, by name: every number of handmade runs.
+// The named results of simulated runs: every number of handmade ones.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 using testing::DoubleEq;
 using testing::ElementsAre;
 
-/// A free undamped swing of 1 kg on 1 N/m whose kept states have the energies 2, 3, 1 and 2.5 J.
+/// A free undamped motion of 1 kg on 1 N/m whose kept states have the energies 2, 3, 1 and 2.5 J.
 SimulatedRun free_run() {
   SimulatedRun run;
   run.method = "rk4";
@@ -79,7 +79,7 @@ TEST(CollectSimulate, SaysWhatTheEnergyOfAFreeMotionDid) {
   EXPECT_EQ(fact(results, "swing.2.modified_energy.drift"), "0.25");
   EXPECT_EQ(fact(results, "swing.1.modified_energy.start"), "none");
   const double factor = value(results, "swing.2.energy_factor_per_cycle");
-  // The factor of 2 pi seconds, and the drift of 1.5: the same rate.
+  // The factor over 2 pi s and the drift over 1.5 s have the same rate.
   EXPECT_NEAR(value(results, "swing.2.energy_drift"), std::pow(factor, 1.5 / (2 * std::numbers::pi)) - 1,
               1e-12);
 }

@@ -1,4 +1,4 @@
-// What sweeps found, by name: every number of a handmade one.
+// The named results of a sweep: every number of a handmade one.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Two values of the damping, three of the frequency, which was given in Hz.
+/// Two values of the damping ratio and three of the frequency, given in Hz.
 SweepResult sweep_of_six() {
   SweepResult all;
   all.plan.swept = {{"damping-ratio", "damping_ratio", 2, "damping_ratio", 1},

@@ -1,4 +1,4 @@
-// What tests of collected results read of them.
+// Named results as tests read them.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -30,13 +30,13 @@ StudyRun done(const std::string& toml, const Watch& watch = {}) {
   return run ? *run : StudyRun{};
 }
 
-/// What is wrong, without the file before it; "" where nothing is.
+/// The Error without the name of the file before it; "" if there is none.
 std::string refusal(const std::string& toml) {
   const auto run = run_study(study_of(toml));
   return run ? "" : in_words(run.error()).substr(files.size());
 }
 
-/// How it failed, without the file before it.
+/// The failure without the name of the file before it.
 std::string failure(const std::string& toml) {
   const std::string said = in_words(done(toml).failure);
   return said.empty() ? "" : said.substr(files.size());
@@ -166,7 +166,8 @@ TEST(RunStudy, SweepsTakeListsAsGrids) {
   EXPECT_THAT(in_words(run.notices), IsEmpty());
   EXPECT_EQ(failure(sweep + "drive_frequency = [0.5, 2]\n"), "lab.toml:1:1: sweep grid: no point settled");
   EXPECT_THAT(in_words(done(sweep + "drive_frequency = [0.5, 2]\n").notices),
-              testing::Contains("grid: 2 of 2 points never settled: the law has no damping, so the free motion stays; give --damping"));
+              testing::Contains("grid: 2 of 2 points never settled: the law has no damping, so the free "
+                                "motion stays; give --damping"));
   const StudyRun half = done(sweep + "damping = [0, 1]\ndrive_frequency = [0.5, 2]\n");
   EXPECT_TRUE(half.failure.empty());
   EXPECT_THAT(in_words(half.notices), testing::Contains("grid: 2 of 4 points never settled"));

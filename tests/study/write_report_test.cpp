@@ -242,7 +242,7 @@ TEST_F(MakePage, ATableRepeatsItsRowForEveryRun) {
   const auto& made = std::get<TableBlock>(page_of_table.blocks.at(0));
   EXPECT_EQ(made.caption, "c 3\u00a0N/m");
   EXPECT_THAT(made.header, ElementsAre("one 3\u00a0N/m", "two"));
-  // The third run is not there, so the fourth is none.
+  // The third run is missing, so the fourth is not listed.
   EXPECT_THAT(made.rows, ElementsAre(ElementsAre("r 3\u00a0N/m", "s"), ElementsAre("u", "v"),
                                      ElementsAre("a.1", "3"), ElementsAre("a.2", "3")));
   EXPECT_THAT(made.text_columns, ElementsAre(0, 1));

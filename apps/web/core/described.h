@@ -17,27 +17,30 @@ namespace cromer::core {
 template <>
 struct Described<Series> {
   static constexpr std::string_view name = "InspectedSeries";
-  static constexpr auto entries = members(
-      field("run", &Series::run, "", "from 1"), field("column", &Series::column, "", "its name"),
-      field(
-          "observed", [](const Series& s) { return unless_empty(s.quantity); }, "", "what it records"),
-      field(
-          "unit", [](const Series& s) { return std::string(unit_of(s)); }, "",
-          "of x; \"\" where it has no name"),
-      field(
-          "rate", [](const Series& s) { return unless_zero(s.rate); }, "1/s", "null where not even"),
-      field("t", &Series::t, "s", "rises; missing values are left out"),
-      field("x", &Series::y, "SI", "the column"));
+  static constexpr auto entries =
+      members(field("run", &Series::run, "", "number of the run, from 1"),
+              field("column", &Series::column, "", "title of the column"),
+              field(
+                  "observed", [](const Series& s) { return unless_empty(s.quantity); }, "",
+                  "the recorded quantity; null if not known"),
+              field(
+                  "unit", [](const Series& s) { return std::string(unit_of(s)); }, "",
+                  "unit of x; \"\" if it has no name"),
+              field(
+                  "rate", [](const Series& s) { return unless_zero(s.rate); }, "1/s",
+                  "samples per second; null if their spacing is not even"),
+              field("t", &Series::t, "s", "times, increasing; missing values are left out"),
+              field("x", &Series::y, "SI", "values of the column"));
 };
 
 template <>
 struct Described<MotionUnits> {
   static constexpr std::string_view name = "MotionUnits";
-  static constexpr auto entries =
-      members(field("measured", &MotionUnits::measured, "", "of the column, and of the residuals"),
-              field("displacement", &MotionUnits::displacement, "", "of x, and of amplitudes"),
-              field("velocity", &MotionUnits::velocity, "", "of v"),
-              field("energy", &MotionUnits::energy, "", "J, or per mass where none is known"));
+  static constexpr auto entries = members(
+      field("measured", &MotionUnits::measured, "", "unit of the column and of the residuals"),
+      field("displacement", &MotionUnits::displacement, "", "unit of x and of amplitudes"),
+      field("velocity", &MotionUnits::velocity, "", "unit of v"),
+      field("energy", &MotionUnits::energy, "", "unit of energies: J, or per mass if no mass is known"));
 };
 
 namespace page {
@@ -99,7 +102,7 @@ struct Described<page::InspectedOnPage> {
               }),
               field(
                   "series", [](const On& f) -> const std::vector<Series>& { return f.seen.series; }, "",
-                  "the column, one for each run that has it"));
+                  "the column in each run that has it"));
 };
 
 template <>
@@ -108,25 +111,27 @@ struct Described<page::FitCurves> {
   static constexpr std::string_view name = "FitCurves";
   static constexpr auto entries = members(
       field(
-          "t", [](const C& c) -> const auto& { return c.motion.t; }, "s", "of the samples used"),
+          "t", [](const C& c) -> const auto& { return c.motion.t; }, "s", "times of the samples used"),
       field(
           "measured", [](const C& c) -> const auto& { return c.motion.measured; }, unit_of_column,
-          "the column"),
+          "values of the column"),
       field(
           "residual", [](const C& c) -> const auto& { return c.motion.residual; }, unit_of_column,
-          "measured less the fitted law"),
+          "measured minus fitted"),
       field(
           "x", [](const C& c) -> const auto& { return c.motion.x; }, "of the displacement",
-          "the law's displacement from its equilibrium"),
+          "displacement from the equilibrium, by the law"),
       field(
-          "v", [](const C& c) -> const auto& { return c.motion.v; }, "of v", "the law's velocity"),
+          "v", [](const C& c) -> const auto& { return c.motion.v; }, "of v", "velocity, by the law"),
       field(
-          "energy", [](const C& c) -> const auto& { return c.motion.energy; }, "J, or per mass", "the law's"),
+          "energy", [](const C& c) -> const auto& { return c.motion.energy; }, "J, or per mass",
+          "energy, by the law"),
       field(
           "measured_velocity", [](const C& c) -> const auto& { return c.motion.local_velocity; }, "of v",
-          "from the samples alone; empty where they are no displacement, NaN within half a period of "
+          "velocity from the samples alone; empty if they are no displacement, NaN within half a period of "
           "the ends"),
-      field("measured_energy", &C::measured_energy, "J, or per mass", "likewise"),
+      field("measured_energy", &C::measured_energy, "J, or per mass",
+            "energy from the samples alone; likewise"),
       field("set_aside", &C::set_aside, "s", "times of the samples set aside as outliers"));
 };
 
@@ -134,16 +139,17 @@ template <>
 struct Described<page::FitOnPage> {
   using On = page::FitOnPage;
   static constexpr std::string_view name = "Fit";
-  static constexpr auto entries = members(
-      all_of([](const On& f) -> const FittedRecording& { return f.fitted; }),
-      field(
-          "units", [](const On& f) { return motion_units(f.fitted); }, "", "\"\" where one has no name"),
-      field(
-          "displacement_rms", [](const On& f) { return page::displacement_rms(f.fitted); },
-          "of the displacement", "what the law leaves"),
-      field(
-          "curves", [](const On& f) { return page::curves_of(f.fitted); }, "",
-          "the motion beside the law, sample by sample"));
+  static constexpr auto entries =
+      members(all_of([](const On& f) -> const FittedRecording& { return f.fitted; }),
+              field(
+                  "units", [](const On& f) { return motion_units(f.fitted); }, "",
+                  "units of the curves; \"\" if one has no name"),
+              field(
+                  "displacement_rms", [](const On& f) { return page::displacement_rms(f.fitted); },
+                  "of the displacement", "rms of the residuals as a displacement"),
+              field(
+                  "curves", [](const On& f) { return page::curves_of(f.fitted); }, "",
+                  "the motion beside the law, sample by sample"));
 };
 
 template <>
@@ -152,16 +158,17 @@ struct Described<page::CurveStates> {
   static constexpr std::string_view name = "CurveStates";
   static constexpr auto entries = members(
       field(
-          "t", [](const S& s) -> const auto& { return s.curve.trajectory.t; }, "s", "of the samples used"),
+          "t", [](const S& s) -> const auto& { return s.curve.trajectory.t; }, "s",
+          "times of the samples used"),
       field(
           "x", [](const S& s) -> const auto& { return s.curve.trajectory.x; }, "of the displacement",
-          "from the fitted equilibrium"),
+          "simulated displacement from the fitted equilibrium"),
       field(
-          "v", [](const S& s) -> const auto& { return s.curve.trajectory.v; }, "of v", "simulated"),
+          "v", [](const S& s) -> const auto& { return s.curve.trajectory.v; }, "of v", "simulated velocity"),
       field(
           "energy",
           [](const S& s) { return energies_of(s.fitted, s.curve.trajectory.x, s.curve.trajectory.v); },
-          "J, or per mass", "as of a fit's curves"));
+          "J, or per mass", "energy, as in the curves of a fit"));
 };
 
 template <>
@@ -178,7 +185,7 @@ struct Described<page::ComparedOnPage> {
                       all.push_back({c.compared.recording, curve});
                     return all;
                   },
-                  "", "one for each of the curves"));
+                  "", "states of each of the curves"));
 };
 
 template <>
@@ -186,14 +193,14 @@ struct Described<page::MethodResonance> {
   using Curve = page::MethodResonance;
   static constexpr std::string_view name = "ResonanceCurve";
   static constexpr auto entries =
-      members(field("method", &Curve::method, "", "its name"),
+      members(field("method", &Curve::method, "", "name of the method"),
               field("settled", &Curve::settled, "",
-                    "false: the motion grows, never settles or was not tried, and the lists are empty"),
+                    "false if the motion grows, never settles or was not tried; the lists are then empty"),
               field("too_many_steps", &Curve::too_many_steps, "",
-                    "why it was not tried: a curve of a law that is not linear is stepped"),
-              field("frequency", &Curve::frequency, "rad/s", "of the drive"),
-              field("amplitude", &Curve::amplitude, "m", "steady"),
-              field("phase", &Curve::phase, "rad", "lag behind the force"));
+                    "true if it was not tried because it takes too many steps"),
+              field("frequency", &Curve::frequency, "rad/s", "angular frequencies of the drive"),
+              field("amplitude", &Curve::amplitude, "m", "steady amplitudes"),
+              field("phase", &Curve::phase, "rad", "phase lags behind the force"));
 };
 
 }  // namespace cromer::core

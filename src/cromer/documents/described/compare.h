@@ -10,59 +10,62 @@ template <>
 struct Described<ComparedCurve> {
   using Curve = ComparedCurve;
   static constexpr std::string_view name = "ComparedCurve";
-  static constexpr auto entries = members(
-      field("label", &Curve::label, "", "one constant decay rate, or the law"),
-      field(
-          "law", [](const Curve& c) { return to_text(c.law); }, "", "its terms"),
-      field("method", &Curve::method, "", "that simulated it"),
-      field("rms", &Curve::rms, unit_of_column, "measured less simulated"),
-      field("r_squared", &Curve::r_squared, "", "share of the measured variance that is explained"),
-      field("amplitude_ratio_end", &Curve::amplitude_ratio_end, "",
-            "simulated over measured, at the end; null where the measured motion has stopped"),
-      field("phase_drift", &Curve::phase_drift, "rad", "simulated minus measured, at the end; likewise"),
-      field("step", &Curve::step, "s", "of the method").known(),
-      field("law_rms", &Curve::law_rms, unit_of_column, "the same without the method's error"),
-      field("method_amplitude_ratio", &Curve::method_amplitude_ratio, "",
-            "simulated over the law itself, at the end"),
-      field("method_phase", &Curve::method_phase, "rad", "simulated minus the law itself, at the end"),
-      field("diverged", &Curve::diverged, "", "the method is not stable at this step"));
+  static constexpr auto entries =
+      members(field("label", &Curve::label, "", "one constant decay rate, or the law"),
+              field(
+                  "law", [](const Curve& c) { return to_text(c.law); }, "", "terms of the law"),
+              field("method", &Curve::method, "", "method of the simulation"),
+              field("rms", &Curve::rms, unit_of_column, "rms of measured minus simulated"),
+              field("r_squared", &Curve::r_squared, "", "explained share of the measured variance"),
+              field("amplitude_ratio_end", &Curve::amplitude_ratio_end, "",
+                    "simulated over measured amplitude at the end; null if the measured motion has stopped"),
+              field("phase_drift", &Curve::phase_drift, "rad",
+                    "simulated minus measured phase at the end; null if the measured motion has stopped"),
+              field("step", &Curve::step, "s", "step of the method").known(),
+              field("law_rms", &Curve::law_rms, unit_of_column,
+                    "rms of measured minus the exact solution of the law"),
+              field("method_amplitude_ratio", &Curve::method_amplitude_ratio, "",
+                    "simulated over exact amplitude at the end"),
+              field("method_phase", &Curve::method_phase, "rad", "simulated minus exact phase at the end"),
+              field("diverged", &Curve::diverged, "", "whether the method is unstable at this step"));
 };
 
 template <>
 struct Described<CompareResult> {
   using Compared = CompareResult;
   static constexpr std::string_view name = "ComparedRecording";
-  static constexpr auto entries = members(
-      field(
-          "recording", [](const Compared& c) { return FittedFrom{c.recording}; }, "",
-          "what it is compared with"),
-      field(
-          "status", [](const Compared& c) { return cromer::name(c.recording.fit.status); }, "", "of the fit"),
-      field(
-          "message",
-          [](const Compared& c) -> std::optional<Notice> {
-            if (c.recording.fit.status != FitStatus::converged) return c.recording.fit.message;
-            return c.complete ? std::nullopt : std::optional(c.notices.back());
-          },
-          "", "why, where there is no fit or a simulation ended early")
-          .left_out(),
-      field("curves", &Compared::curves, "", "the simulations"),
-      field(
-          "measured_at_rest",
-          [](const Compared& c) {
-            return c.curves.empty() ? std::nullopt : std::optional(c.curves.front().measured_at_rest);
-          },
-          "", "the measured swing is below the noise at the end")
-          .left_out(),
-      field(
-          "explanation",
-          [](const Compared& c) {
-            const Notice sentence = explanation(c);
-            return sentence.empty() ? std::nullopt : std::optional(sentence);
-          },
-          "", "whether one decay rate is enough")
-          .left_out(),
-      field("fit", &Compared::recording, "", "the fit, as `fit` gives it"), notices(&Compared::notices));
+  static constexpr auto entries =
+      members(field(
+                  "recording", [](const Compared& c) { return FittedFrom{c.recording}; }, "",
+                  "the measured recording"),
+              field(
+                  "status", [](const Compared& c) { return cromer::name(c.recording.fit.status); }, "",
+                  "status of the fit"),
+              field(
+                  "message",
+                  [](const Compared& c) -> std::optional<Notice> {
+                    if (c.recording.fit.status != FitStatus::converged) return c.recording.fit.message;
+                    return c.complete ? std::nullopt : std::optional(c.notices.back());
+                  },
+                  "", "why there is no fit, or why a simulation ended early; only then")
+                  .left_out(),
+              field("curves", &Compared::curves, "", "the simulations"),
+              field(
+                  "measured_at_rest",
+                  [](const Compared& c) {
+                    return c.curves.empty() ? std::nullopt : std::optional(c.curves.front().measured_at_rest);
+                  },
+                  "", "whether the measured motion is below the noise at the end")
+                  .left_out(),
+              field(
+                  "explanation",
+                  [](const Compared& c) {
+                    const Notice sentence = explanation(c);
+                    return sentence.empty() ? std::nullopt : std::optional(sentence);
+                  },
+                  "", "whether one decay rate is enough")
+                  .left_out(),
+              field("fit", &Compared::recording, "", "the same as from `fit`"), notices(&Compared::notices));
 };
 
 }  // namespace cromer::core

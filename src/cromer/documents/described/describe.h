@@ -276,14 +276,14 @@ struct Described<Parameter> {
   static constexpr std::string_view name = "Estimate";
   static constexpr auto entries =
       members(field(
-                  "value", [](const Parameter& p) { return p.estimate.value; }, "", "the estimate"),
+                  "value", [](const Parameter& p) { return p.estimate.value; }, "", "estimate"),
               field(
                   "standard_error", [](const Parameter& p) { return p.estimate.standard_error; }, "",
-                  "its standard error, widened for correlated residuals"),
+                  "its standard error, with correlated residuals taken into account"),
               field(
                   "confidence_95", [](const Parameter& p) { return interval_of(p.estimate); }, "",
                   "95 % interval from Student's t"),
-              field("unit", &Parameter::unit, "", "of all of these, SI; 1 of a plain number"));
+              field("unit", &Parameter::unit, "", "SI unit of all of these; 1 for a plain number"));
 };
 
 }  // namespace cromer::core

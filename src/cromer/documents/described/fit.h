@@ -28,24 +28,26 @@ struct Described<FittedFrom> {
   static constexpr auto entries = members(
       field(
           "file", [](const FittedFrom& r) -> const std::string& { return r.fitted.file; }, "",
-          "where it was read from"),
+          "name of the file"),
       field(
           "column", [](const FittedFrom& r) -> const std::string& { return r.series().column; }, "",
-          "the column that was fitted, as the file spells it"),
+          "title of the fitted column, as in the file"),
       field(
           "observed", [](const FittedFrom& r) { return unless_empty(r.series().quantity); }, "",
-          "what it records: position, angle, velocity, ...; null where it is not known"),
+          "the recorded quantity: position, angle, velocity, ...; null if not known"),
       field(
-          "run", [](const FittedFrom& r) { return r.series().run; }, "", "which run of the file, from 1"),
+          "run", [](const FittedFrom& r) { return r.series().run; }, "",
+          "number of the run in the file, from 1"),
       field(
-          "samples", [](const FittedFrom& r) { return r.fitted.samples; }, "", "how many the file has"),
+          "samples", [](const FittedFrom& r) { return r.fitted.samples; }, "",
+          "number of samples in the file"),
       field(
-          "used", [](const FittedFrom& r) { return r.fitted.used(); }, "", "how many of them were fitted"),
+          "used", [](const FittedFrom& r) { return r.fitted.used(); }, "", "number of fitted samples"),
       field("from", &FittedFrom::first, "s", "time of the first sample used"),
-      field("to", &FittedFrom::last, "s", "time of the last one"),
+      field("to", &FittedFrom::last, "s", "time of the last sample used"),
       field(
           "rate", [](const FittedFrom& r) { return unless_zero(r.series().rate); }, "1/s",
-          "samples per second; null where they are not even"),
+          "samples per second; null if their spacing is not even"),
       field(
           "duration",
           [](const FittedFrom& r) -> std::optional<double> {
@@ -55,10 +57,10 @@ struct Described<FittedFrom> {
           "s", "from the first sample used to the last"),
       field(
           "gaps", [](const FittedFrom& r) { return r.series().gaps.size(); }, "",
-          "how often samples are missing in between"),
+          "number of gaps, where samples are missing"),
       field(
           "outliers", [](const FittedFrom& r) { return r.series().outliers.size(); }, "",
-          "how many samples were set aside"));
+          "number of samples set aside"));
 };
 
 template <>
@@ -66,10 +68,10 @@ struct Described<Residual> {
   static constexpr std::string_view name = "Residual";
   static constexpr auto entries = members(
       field("rms", &Residual::rms, unit_of_column,
-            "root mean square of what the law leaves, over the samples used without outliers"),
-      field("normality", &Residual::normality, "", "p of the Jarque-Bera test"),
-      field("autocorrelation", &Residual::autocorrelation, "", "from sample to sample"),
-      field("white", &Residual::white, "", "compatible with no correlation up to lag 20 (Ljung-Box, 1 %)"));
+            "root mean square of the residuals, over the samples used without outliers"),
+      field("normality", &Residual::normality, "", "p value of the Jarque-Bera test"),
+      field("autocorrelation", &Residual::autocorrelation, "", "correlation of neighbouring residuals"),
+      field("white", &Residual::white, "", "no correlation up to lag 20 is found (Ljung-Box test at 1 %)"));
 };
 
 template <>
@@ -78,11 +80,11 @@ struct Described<Candidate> {
   static constexpr auto entries =
       members(field(
                   "law", [](const Candidate& c) { return to_text(c.law); }, "", "a law that was tried"),
-              field("rms", &Candidate::rms, unit_of_column, "what it leaves"),
-              field("bic", &Candidate::bic, "", "Bayesian information criterion: the smaller, the better"),
+              field("rms", &Candidate::rms, unit_of_column, "rms of its residuals"),
+              field("bic", &Candidate::bic, "", "Bayesian information criterion; smaller is better"),
               field(
                   "between_samples", [](const Candidate& c) { return unless_empty(c.between_samples); }, "",
-                  "how a recorded force was read; only where there is one")
+                  "interpolation of a recorded force; only with one")
                   .left_out());
 };
 
@@ -92,18 +94,19 @@ struct Described<Mode> {
   static constexpr auto entries = members(
       field(
           "angular_frequency", [](const Mode& m) { return m.angular_frequency.value; }, "rad/s",
-          "of the damped oscillation")
+          "damped angular frequency")
           .known(),
       field(
           "angular_frequency_standard_error",
           [](const Mode& m) { return m.angular_frequency.standard_error; }, "rad/s", "its standard error"),
       field(
-          "decay_rate", [](const Mode& m) { return m.decay_rate.value; }, "1/s", "below 0 where it grows")
+          "decay_rate", [](const Mode& m) { return m.decay_rate.value; }, "1/s",
+          "decay rate; negative if the mode grows")
           .known(),
       field(
           "decay_rate_standard_error", [](const Mode& m) { return m.decay_rate.standard_error; }, "1/s",
           "its standard error"),
-      field("amplitude", &Mode::amplitude, unit_of_column, "at the first sample").known(),
+      field("amplitude", &Mode::amplitude, unit_of_column, "amplitude at the first sample").known(),
       field("amplitude_standard_error", &Mode::amplitude_error, unit_of_column, "its standard error"));
 };
 
@@ -111,10 +114,10 @@ template <>
 struct Described<HeldOut> {
   static constexpr std::string_view name = "HeldOut";
   static constexpr auto entries =
-      members(field("from", &HeldOut::from, "s", "first time of the samples that were held out").known(),
-              field("to", &HeldOut::to, "s", "their last time").known(),
-              field("samples", &HeldOut::samples, "", "how many"),
-              field("rms", &HeldOut::rms, unit_of_column, "what the law, carried on, leaves of them"));
+      members(field("from", &HeldOut::from, "s", "time of the first sample held out").known(),
+              field("to", &HeldOut::to, "s", "time of the last one").known(),
+              field("samples", &HeldOut::samples, "", "number of samples held out"),
+              field("rms", &HeldOut::rms, unit_of_column, "rms of their residuals under the fitted law"));
 };
 
 template <>
@@ -129,16 +132,17 @@ struct Described<DecaySegment> {
 template <>
 struct Described<AmplitudeRate> {
   static constexpr std::string_view name = "AmplitudeRate";
-  static constexpr auto entries = members(
-      field("amplitude", &AmplitudeRate::amplitude, "of the displacement", "in the middle of the stretch")
-          .known(),
-      estimated("rate", &AmplitudeRate::rate, "1/s",
-                "decay rate of one sinusoid fitted to this stretch alone")
-          .with_interval(),
-      field("law_rate", &AmplitudeRate::law_rate, "1/s",
-            "the law's at that amplitude, averaged over a cycle"),
-      field("from", &AmplitudeRate::from, "s", "where the stretch begins").known(),
-      field("to", &AmplitudeRate::to, "s", "where it ends").known());
+  static constexpr auto entries =
+      members(field("amplitude", &AmplitudeRate::amplitude, "of the displacement",
+                    "amplitude in the middle of the stretch")
+                  .known(),
+              estimated("rate", &AmplitudeRate::rate, "1/s",
+                        "decay rate of one sinusoid fitted to this stretch alone")
+                  .with_interval(),
+              field("law_rate", &AmplitudeRate::law_rate, "1/s",
+                    "decay rate of the fitted law at that amplitude, averaged over a cycle"),
+              field("from", &AmplitudeRate::from, "s", "where the stretch begins").known(),
+              field("to", &AmplitudeRate::to, "s", "where it ends").known());
 };
 
 template <>
@@ -146,40 +150,43 @@ struct Described<ReynoldsWindow> {
   static constexpr std::string_view name = "ReynoldsWindow";
   static constexpr auto entries =
       members(field("t", &ReynoldsWindow::t, "s", "where the half second begins").known(),
-              field("value", &ReynoldsWindow::value, "", "the largest Reynolds number in it").known());
+              field("value", &ReynoldsWindow::value, "", "largest Reynolds number in it").known());
 };
 
 template <>
 struct Described<Contribution> {
   static constexpr std::string_view name = "Contribution";
-  static constexpr auto entries =
-      members(field("quantity", &Contribution::quantity, "", "mass, spring_mass or angular_frequency"),
-              field("value", &Contribution::value, "its own", "what it was taken to be").known(),
-              field("standard_uncertainty", &Contribution::standard_uncertainty, "its own", "of the value"),
-              field("unit", &Contribution::unit, "", "its own unit"),
-              field("sensitivity", &Contribution::sensitivity, "N/m per its own",
-                    "derivative of the spring constant"),
-              field("contribution", &Contribution::contribution, "N/m",
-                    "what its uncertainty makes of the spring constant's"),
-              field("share", &Contribution::share, "", "of the spring constant's variance, 0 to 1"));
+  static constexpr auto entries = members(
+      field("quantity", &Contribution::quantity, "",
+            "what contributes: mass, spring_mass or angular_frequency"),
+      field("value", &Contribution::value, "its own", "value used").known(),
+      field("standard_uncertainty", &Contribution::standard_uncertainty, "its own",
+            "standard uncertainty of that value"),
+      field("unit", &Contribution::unit, "", "unit of both"),
+      field("sensitivity", &Contribution::sensitivity, "N/m per its own",
+            "derivative of the spring constant by this quantity"),
+      field("contribution", &Contribution::contribution, "N/m",
+            "its part of the standard uncertainty of the spring constant"),
+      field("share", &Contribution::share, "", "its share of the variance of the spring constant, 0 to 1"));
 };
 
 template <>
 struct Described<RecordingPlan> {
   static constexpr std::string_view name = "RecordingPlan";
   static constexpr auto entries = members(
-      field("quantity", &RecordingPlan::quantity, "", "what is to be known better"),
+      field("quantity", &RecordingPlan::quantity, "", "the quantity of the goal"),
       field("unit", &RecordingPlan::unit, "", "its unit"),
-      field("goal", &RecordingPlan::goal, "its own", "standard uncertainty wanted").known(),
+      field("goal", &RecordingPlan::goal, "its own", "wanted standard uncertainty").known(),
       field("now", &RecordingPlan::now, "its own", "standard uncertainty of this record").known(),
-      field("met", &RecordingPlan::met, "", "this record is enough"),
-      field("possible", &RecordingPlan::possible, "", "a longer record from such a start reaches it"),
+      field("met", &RecordingPlan::met, "", "whether this record is long enough"),
+      field("possible", &RecordingPlan::possible, "",
+            "whether a longer record from the same start reaches the goal"),
       field("duration", &RecordingPlan::duration, "s",
-            "that reaches it; where none does, beyond which nothing is gained"),
+            "duration that reaches the goal; if none does, the duration beyond which nothing is gained"),
       field(
           "best", [](const RecordingPlan& p) { return p.possible ? std::nullopt : std::optional(p.best); },
-          "its own", "where it is not possible: what the longest record gives"),
-      field("text", &RecordingPlan::text, "", "all this in a sentence"));
+          "its own", "only if it is not possible: standard uncertainty of the longest useful record"),
+      field("text", &RecordingPlan::text, "", "the plan in a sentence"));
 };
 
 template <>
@@ -191,41 +198,43 @@ struct Described<PeakDecrement> {
                   [](const PeakDecrement& p) {
                     return Estimate{p.value, p.standard_error};
                   },
-                  "", "logarithmic decrement of a period, from the peaks"),
-              field("peaks", &PeakDecrement::peaks, "", "how many stand out of the noise"),
+                  "", "logarithmic decrement per period, from the peaks"),
+              field("peaks", &PeakDecrement::peaks, "", "number of peaks above the noise"),
               field(
                   "bias", [](const PeakDecrement&) { return TextbookDamping::decrement_bias(); }, "",
-                  "what is wrong about it"));
+                  "what is wrong with this method"));
 };
 
 template <>
 struct Described<HalfPowerBandwidth> {
   static constexpr std::string_view name = "HalfPowerBandwidth";
-  static constexpr auto entries = members(
-      field("value", &HalfPowerBandwidth::width, "rad/s", "full width of the spectrum's line"),
-      field(
-          "unit", [](const HalfPowerBandwidth&) { return std::string_view("rad/s"); }, "", "of the width"),
-      field(
-          "decay_rate", [](const HalfPowerBandwidth& line) { return line.width / 2; }, "1/s",
-          "half the width"),
-      field(
-          "damping_ratio",
-          [](const HalfPowerBandwidth& line) { return line.width / (2 * line.angular_frequency); }, "",
-          "that over the line's frequency"),
-      field("narrowest", &HalfPowerBandwidth::narrowest, "rad/s",
-            "an undamped line's width in a record of this length"),
-      field(
-          "bias", [](const HalfPowerBandwidth&) { return TextbookDamping::bandwidth_bias(); }, "",
-          "what is wrong about it"));
+  static constexpr auto entries =
+      members(field("value", &HalfPowerBandwidth::width, "rad/s", "full width of the line in the spectrum"),
+              field(
+                  "unit", [](const HalfPowerBandwidth&) { return std::string_view("rad/s"); }, "",
+                  "unit of the width"),
+              field(
+                  "decay_rate", [](const HalfPowerBandwidth& line) { return line.width / 2; }, "1/s",
+                  "half the width"),
+              field(
+                  "damping_ratio",
+                  [](const HalfPowerBandwidth& line) { return line.width / (2 * line.angular_frequency); },
+                  "", "decay rate over the frequency of the line"),
+              field("narrowest", &HalfPowerBandwidth::narrowest, "rad/s",
+                    "width of an undamped line in a record of this length"),
+              field(
+                  "bias", [](const HalfPowerBandwidth&) { return TextbookDamping::bandwidth_bias(); }, "",
+                  "what is wrong with this method"));
 };
 
 template <>
 struct Described<TextbookDamping> {
   static constexpr std::string_view name = "Textbook";
   static constexpr auto entries =
-      members(field("logarithmic_decrement", &TextbookDamping::decrement, "", "null with fewer than 3 peaks"),
+      members(field("logarithmic_decrement", &TextbookDamping::decrement, "",
+                    "by the peaks; null with fewer than 3 of them"),
               field("half_power_bandwidth", &TextbookDamping::bandwidth, "",
-                    "null where the line does not fall to half its power on both sides"));
+                    "by the spectrum; null if the line does not fall to half its power on both sides"));
 };
 
 /// A spring constant with its uncertainty by Monte Carlo trials and by propagation.
@@ -240,29 +249,30 @@ struct Described<DrawnStiffness> {
   static constexpr std::string_view name = "MonteCarlo";
   static constexpr auto entries = members(
       field(
-          "quantity", [](const Drawn&) { return std::string_view("stiffness"); }, "", "what was drawn"),
+          "quantity", [](const Drawn&) { return std::string_view("stiffness"); }, "",
+          "the quantity of the trials"),
       field(
-          "trials", [](const Drawn& d) { return d.trials.trials; }, "", "how many"),
+          "trials", [](const Drawn& d) { return d.trials.trials; }, "", "number of trials"),
       field(
-          "seed", [](const Drawn& d) { return d.trials.seed; }, "", "of the random numbers"),
+          "seed", [](const Drawn& d) { return d.trials.seed; }, "", "seed of the random numbers"),
       field(
-          "mean", [](const Drawn& d) { return d.trials.mean; }, "N/m", "of the trials")
+          "mean", [](const Drawn& d) { return d.trials.mean; }, "N/m", "mean of the trials")
           .known(),
       field(
           "standard_deviation", [](const Drawn& d) { return d.trials.standard_deviation; }, "N/m",
-          "of the trials")
+          "standard deviation of the trials")
           .known(),
       field(
           "interval_95",
           [](const Drawn& d) {
             return Pair{d.trials.low, d.trials.high};
           },
-          "N/m", "95 % of the trials lie between, as many below as above")
+          "N/m", "interval with 95 % of the trials, and as many below it as above")
           .known(),
-      group("propagated", "the same by the law of propagation",
+      group("propagated", "the same by propagation of uncertainty",
             members(estimated("value", &Drawn::propagated, "N/m", "spring constant").with_interval())),
       field(
-          "unit", [](const Drawn&) { return std::string_view("N/m"); }, "", "of all of these"));
+          "unit", [](const Drawn&) { return std::string_view("N/m"); }, "", "unit of all of these"));
 };
 
 inline std::optional<DrawnStiffness> drawn_stiffness(const FittedRecording& fitted) {
@@ -288,63 +298,67 @@ struct Described<FittedRecording> {
   static bool is_refused(const Fitted& f) { return f.wrong_input; }
   static constexpr auto refused = members(
       field(
-          "recording", [](const Fitted& f) { return FittedFrom{f}; }, "", "what was fitted")
+          "recording", [](const Fitted& f) { return FittedFrom{f}; }, "", "the fitted recording")
           .unnamed(),
       field(
           "law",
           [](const Fitted& f) { return f.wrong_input ? std::nullopt : std::optional(to_text(f.fit.law)); },
-          "", "its terms, \"viscous+drag\"; null where the recording could not be read"),
+          "", "terms of the law, \"viscous+drag\"; null if the recording could not be read"),
       field("status", &Fitted::status, "", "converged, or why there is no fit").not_in_study(),
       field(
           "message",
           [](const Fitted& f) { return f.succeeded() ? std::nullopt : std::optional(f.fit.message); }, "",
-          "why, where it did not converge")
+          "why there is no fit; only then")
           .left_out()
           .not_in_study());
   static constexpr auto entries = members(
       refused,
       field(
-          "iterations", [](const Fitted& f) { return f.fit.iterations; }, "", "of least squares"),
+          "iterations", [](const Fitted& f) { return f.fit.iterations; }, "", "iterations of least squares"),
       field(
           "between_samples", [](const Fitted& f) { return unless_empty(f.between_samples); }, "",
-          "linear, hold or band-limited: how a recorded force is read; null without one"),
+          "interpolation of a recorded force: linear, hold or band-limited; null without one"),
       field("parameters", &Fitted::parameters, "",
-            "as fitted, per unit mass, by name; then, with a mass, what they are as forces"),
+            "fitted parameters by name, per unit mass; with a mass also those of the forces"),
       group_if(
-          "covariance", "of the fitted parameters; its diagonal is the squares of their standard errors",
+          "covariance",
+          "covariance of the fitted parameters; its diagonal is the squares of their standard errors",
           [](const Fitted& f) { return !f.parameters.empty(); },
           members(field(
                       "parameters", [](const Fitted& f) { return f.fit.names; }, "", "their names"),
                   field(
-                      "matrix", [](const Fitted& f) { return covariance_rows(f.fit); }, "", "row by row")
+                      "matrix", [](const Fitted& f) { return covariance_rows(f.fit); }, "",
+                      "the covariance matrix, row by row")
                       .not_in_study())),
-      field("derived", &Fitted::derived, "", "what follows from the law, by name"),
+      field("derived", &Fitted::derived, "", "quantities that follow from the law, by name"),
       field(
           "simulate", [](const Fitted& f) { return unless_empty(f.simulate); }, "",
-          "the command line that simulates this law; null where there is none"),
+          "command line that simulates this law; null if there is none"),
       field(
-          "residual", [](const Fitted& f) { return f.fit.residual; }, "", "what the law leaves")
+          "residual", [](const Fitted& f) { return f.fit.residual; }, "", "residuals: measured minus fitted")
           .unnamed(),
       field("candidates", &Fitted::candidates, "", "the laws that were tried").not_in_study(),
-      field("modes", &Fitted::modes, "", "where two oscillations were found, the larger first")
+      field("modes", &Fitted::modes, "", "two oscillations, the larger first; empty if only one was found")
           .called("mode"),
-      field("held_out", &Fitted::held_out, "", "the samples that were kept from the fit").left_out(),
+      field("held_out", &Fitted::held_out, "", "samples that were kept out of the fit").left_out(),
       field("decay_segments", &Fitted::segments, "", "a decay rate for each segment").called("segment"),
-      estimated("decay_rate_mean", &Fitted::decay_rate_mean, "1/s", "of the segments; null without")
+      estimated("decay_rate_mean", &Fitted::decay_rate_mean, "1/s",
+                "mean decay rate of the segments; null without segments")
           .with_error("decay_rate_mean_standard_error"),
       field("decay_by_amplitude", &Fitted::decay_by_amplitude, "",
-            "the decay rate of each stretch against its amplitude")
+            "decay rate against amplitude, stretch by stretch")
           .not_in_study(),
       group_if(
-          "reynolds", "null without a disc", [](const Fitted& f) { return f.reynolds_max.has_value(); },
-          members(
-              estimated(
-                  "max", [](const Fitted& f) { return *f.reynolds_max; }, "", "the largest Reynolds number")
-                  .known(),
-              field("t", &Fitted::reynolds_max_t, "s", "where it is").known(),
-              field("windows", &Fitted::reynolds, "", "half a second each").not_in_study())),
+          "reynolds", "Reynolds numbers; null without a disc",
+          [](const Fitted& f) { return f.reynolds_max.has_value(); },
+          members(estimated(
+                      "max", [](const Fitted& f) { return *f.reynolds_max; }, "", "largest Reynolds number")
+                      .known(),
+                  field("t", &Fitted::reynolds_max_t, "s", "when it is reached").known(),
+                  field("windows", &Fitted::reynolds, "", "largest Reynolds number of each half second")
+                      .not_in_study())),
       group_if(
-          "keulegan_carpenter", "null without a disc",
+          "keulegan_carpenter", "Keulegan-Carpenter number; null without a disc",
           [](const Fitted& f) { return f.keulegan_carpenter.has_value(); },
           members(estimated(
                       "max", [](const Fitted& f) { return *f.keulegan_carpenter; }, "",
@@ -352,12 +366,12 @@ struct Described<FittedRecording> {
                       .with_interval()
                       .known())),
       field("stiffness_budget", &Fitted::stiffness_budget, "",
-            "what the spring constant's uncertainty comes from")
+            "contributions to the uncertainty of the spring constant")
           .not_in_study(),
       field("monte_carlo", drawn_stiffness, "",
-            "the spring constant by trials; null where none were asked for"),
-      field("plan", &Fitted::plan, "", "how long to record; null where no goal was given").not_in_study(),
-      field("textbook", &Fitted::textbook, "", "what textbooks would say; null where that was not asked for"),
+            "spring constant by Monte Carlo trials; null if not asked for"),
+      field("plan", &Fitted::plan, "", "how long to record; null without a goal").not_in_study(),
+      field("textbook", &Fitted::textbook, "", "damping by textbook methods; null if not asked for"),
       notices(&Fitted::notices));
 };
 

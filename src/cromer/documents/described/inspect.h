@@ -20,22 +20,24 @@ struct Described<ColumnOfFile> {
   static constexpr auto entries = members(
       field(
           "name", [](const ColumnOfFile& c) { return column_title(c.column); }, "",
-          "its title, \"Time (s)\", as the option `column` takes it"),
+          "title of the column, \"Time (s)\", as the option `column` takes it"),
       field(
-          "quantity", [](const ColumnOfFile& c) { return c.column.quantity; }, "", "time, position, ..."),
+          "quantity", [](const ColumnOfFile& c) { return c.column.quantity; }, "",
+          "the recorded quantity: time, position, ..."),
       field(
-          "unit", [](const ColumnOfFile& c) { return c.column.unit; }, "", "as the file has it"),
+          "unit", [](const ColumnOfFile& c) { return c.column.unit; }, "", "unit, as in the file"),
       field(
-          "run", [](const ColumnOfFile& c) { return c.column.run; }, "", "from 1"),
+          "run", [](const ColumnOfFile& c) { return c.column.run; }, "", "number of the run, from 1"),
       field(
-          "samples", [](const ColumnOfFile& c) { return c.seen.samples; }, "", "values that are not missing"),
+          "samples", [](const ColumnOfFile& c) { return c.seen.samples; }, "",
+          "number of values that are not missing"),
       field(
           "time_column", [](const ColumnOfFile& c) { return unless_empty(c.seen.time_column); }, "",
-          "the time it is taken with; null of a time, and where there is none"),
+          "the column of its times; null if there is none or if it is a time itself"),
       field(
           "values",
           [](const ColumnOfFile& c) { return c.with_values ? std::optional(c.column.values) : std::nullopt; },
-          "as the file has it", "only in a file written as JSON")
+          "as the file has it", "its numbers; only in a file written as JSON")
           .left_out());
 };
 
@@ -50,12 +52,12 @@ struct Described<GapOfRun> {
   static constexpr std::string_view name = "Gap";
   static constexpr auto entries =
       members(field(
-                  "t", [](const GapOfRun& g) { return g.gap.t; }, "s", "where samples begin to be missing")
+                  "t", [](const GapOfRun& g) { return g.gap.t; }, "s", "beginning of the gap")
                   .known(),
               field(
-                  "length", [](const GapOfRun& g) { return g.gap.length; }, "s", "how long")
+                  "length", [](const GapOfRun& g) { return g.gap.length; }, "s", "length of the gap")
                   .known(),
-              field("run", &GapOfRun::run, "", "only where there are several").left_out());
+              field("run", &GapOfRun::run, "", "number of the run; only if there are several").left_out());
 };
 
 /// An outlier, with its run if there are several.
@@ -69,13 +71,13 @@ struct Described<OutlierOfRun> {
   static constexpr std::string_view name = "Outlier";
   static constexpr auto entries = members(
       field(
-          "t", [](const OutlierOfRun& o) { return o.outlier.t; }, "s", "of a sample far from its neighbours")
+          "t", [](const OutlierOfRun& o) { return o.outlier.t; }, "s", "time of the sample")
           .known(),
       field(
-          "value", [](const OutlierOfRun& o) { return o.outlier.value; }, "SI", "what it says"),
+          "value", [](const OutlierOfRun& o) { return o.outlier.value; }, "SI", "its value"),
       field(
-          "line", [](const OutlierOfRun& o) { return o.outlier.line; }, "", "of the file, from 1"),
-      field("run", &OutlierOfRun::run, "", "only where there are several").left_out());
+          "line", [](const OutlierOfRun& o) { return o.outlier.line; }, "", "its line in the file, from 1"),
+      field("run", &OutlierOfRun::run, "", "number of the run; only if there are several").left_out());
 };
 
 /// A file that was inspected, with or without its numbers.
@@ -108,30 +110,32 @@ struct Described<InspectedFile> {
   static constexpr std::string_view name = "InspectedFile";
   static constexpr auto entries = members(
       field(
-          "file", [](const File& f) { return f.seen.recording.file; }, "", "its name"),
+          "file", [](const File& f) { return f.seen.recording.file; }, "", "name of the file"),
       field(
           "dialect", [](const File& f) { return f.dialect().name; }, "", "the logger that wrote it"),
       field(
-          "encoding", [](const File& f) { return f.dialect().encoding; }, "", "of its text"),
+          "encoding", [](const File& f) { return f.dialect().encoding; }, "", "encoding of its text"),
       field(
-          "separator", [](const File& f) { return f.dialect().separator; }, "", "between its columns"),
+          "separator", [](const File& f) { return f.dialect().separator; }, "", "separator of its columns"),
       field(
-          "decimal", [](const File& f) { return f.dialect().decimal; }, "", "of its numbers"),
-      field("columns", &File::columns, "", "all of them"),
+          "decimal", [](const File& f) { return f.dialect().decimal; }, "", "decimal mark of its numbers"),
+      field("columns", &File::columns, "", "all columns"),
       field(
           "column", [](const File& f) { return unless_empty(f.seen.column); }, "",
-          "the one that the rest describes: that asked for, else what a fit would take, or the first of "
+          "the column that the rest describes: the one asked for, else the one that a fit takes, or the "
+          "first of "
           "several alike"),
       field(
-          "samples", [](const File& f) { return f.seen.samples; }, "", "rows of the longest run"),
+          "samples", [](const File& f) { return f.seen.samples; }, "", "number of rows of the longest run"),
       field(
-          "rate", [](const File& f) { return unless_zero(f.seen.rate); }, "1/s", "null where not known"),
+          "rate", [](const File& f) { return unless_zero(f.seen.rate); }, "1/s",
+          "samples per second; null if not known"),
       field(
           "duration", [](const File& f) { return unless_zero(f.seen.duration); }, "s",
-          "null where not known"),
+          "duration of the recording; null if not known"),
       field(
           "time_column", [](const File& f) { return unless_empty(f.seen.time_column); }, "",
-          "the time of that column; null without"),
+          "the column of its times; null if there is none"),
       field(
           "jitter", [](const File& f) { return f.seen.jitter; }, "",
           "standard deviation of the time steps over their median"),

@@ -9,29 +9,34 @@ namespace cromer::core {
 template <>
 struct Described<SteadyState> {
   static constexpr std::string_view name = "SteadyState";
-  static constexpr auto entries = members(
-      field("amplitude", &SteadyState::amplitude, "m", "where the method's own driven motion settles"),
-      field("phase", &SteadyState::phase_lag, "rad", "its lag behind the force"));
+  static constexpr auto entries =
+      members(field("amplitude", &SteadyState::amplitude, "m",
+                    "amplitude of the steady motion as the method simulates it"),
+              field("phase", &SteadyState::phase_lag, "rad", "its lag behind the force"));
 };
 
 template <>
 struct Described<EffectiveOscillator> {
   using Effective = EffectiveOscillator;
   static constexpr std::string_view name = "Effective";
-  static constexpr auto entries = members(
-      field("decay_rate", &Effective::decay_rate, "1/s", "simulated; null where nothing oscillates"),
-      field("angular_frequency", &Effective::angular_frequency, "rad/s", "simulated; likewise"),
-      field("spectral_radius", &Effective::spectral_radius, "", "largest modulus of the eigenvalues"),
-      field(
-          "eigenvalues",
-          [](const Effective& found) {
-            std::vector<Pair> pairs;
-            for (const auto& z : found.eigenvalues) pairs.push_back({z.re, z.im});
-            return pairs;
-          },
-          "", "of one step, real and imaginary part; the physical pair first")
-          .known(),
-      field("steady_state", &Effective::steady_state, "", "only of a driven motion that settles").left_out());
+  static constexpr auto entries =
+      members(field("decay_rate", &Effective::decay_rate, "1/s",
+                    "decay rate of the simulated motion; null if nothing oscillates"),
+              field("angular_frequency", &Effective::angular_frequency, "rad/s",
+                    "angular frequency of the simulated motion; null if nothing oscillates"),
+              field("spectral_radius", &Effective::spectral_radius, "", "largest modulus of the eigenvalues"),
+              field(
+                  "eigenvalues",
+                  [](const Effective& found) {
+                    std::vector<Pair> pairs;
+                    for (const auto& z : found.eigenvalues) pairs.push_back({z.re, z.im});
+                    return pairs;
+                  },
+                  "", "eigenvalues of one step, real and imaginary parts; the physical pair first")
+                  .known(),
+              field("steady_state", &Effective::steady_state, "",
+                    "steady motion; only of a driven motion that settles")
+                  .left_out());
 };
 
 /// Values of a method's effect; empty where there is no effect.
@@ -55,7 +60,7 @@ template <class Effect>
 constexpr auto stable_entry(Effect effect) {
   return field(
              "stable", [effect](const auto& r) { return stable_of(std::invoke(effect, r)); }, "",
-             "the motion stays bounded")
+             "whether the simulated motion stays bounded")
       .left_out();
 }
 template <class Effect>
@@ -63,7 +68,7 @@ constexpr auto energy_factor_entry(Effect effect) {
   return field(
              "energy_factor_per_cycle",
              [effect](const auto& r) { return energy_factor_of(std::invoke(effect, r)); }, "",
-             "of the simulated motion; null where nothing oscillates")
+             "factor of the energy over a cycle of the simulated motion; null if nothing oscillates")
       .left_out();
 }
 
@@ -72,7 +77,7 @@ template <class Effect>
 constexpr auto effect_entries(Effect effect) {
   return members(field(
                      "effective", [effect](const auto& r) { return effective_of(std::invoke(effect, r)); },
-                     "", "what the method really simulates; null where the law is not linear"),
+                     "", "what the method really simulates; null if the law is not linear"),
                  stable_entry(effect),
                  field(
                      "stability_limit",
@@ -80,7 +85,7 @@ constexpr auto effect_entries(Effect effect) {
                        const std::optional<MethodEffect>& found = std::invoke(effect, r);
                        return found && found->stable ? NumberIfAny() : stability_limit_of(found);
                      },
-                     "s", "the longest stable step, only where this one is longer; null where there is none")
+                     "s", "longest stable step, only if this one is longer; null if there is none")
                      .left_out(),
                  energy_factor_entry(effect));
 }
@@ -88,30 +93,30 @@ constexpr auto effect_entries(Effect effect) {
 template <>
 struct Described<MethodRow> {
   static constexpr std::string_view name = "Method";
-  static constexpr auto entries =
-      members(field("name", &MethodRow::name, "", "as typed"),
-              field("order", &MethodRow::order, "", "null for exact"),
-              field("implicit", &MethodRow::implicit, "", "an equation is solved in each step"),
-              field("symplectic", &MethodRow::symplectic, "", "said of the undamped law"),
-              field("adaptive", &MethodRow::adaptive, "", "it chooses its own steps"),
-              field("reversible", &MethodRow::reversible, "", "a step back undoes a step"),
-              field("a_stable", &MethodRow::a_stable, "", "stable at any step where the law is"),
-              field("source", &MethodRow::source, "", "where it is published"),
-              field(
-                  "effective", [](const MethodRow& row) { return effective_of(row.effect); }, "",
-                  "what it really simulates; only with a step")
-                  .left_out(),
-              stable_entry(&MethodRow::effect),
-              field(
-                  "stability_limit", [](const MethodRow& row) { return stability_limit_of(row.effect); }, "s",
-                  "the longest stable step; null where there is none, 0 where no step is stable")
-                  .left_out(),
-              energy_factor_entry(&MethodRow::effect),
-              field(
-                  "in_words",
-                  [](const MethodRow& row) { return row.effect ? std::optional(row.words) : std::nullopt; },
-                  "", "the same in a sentence")
-                  .left_out());
+  static constexpr auto entries = members(
+      field("name", &MethodRow::name, "", "name, as typed"),
+      field("order", &MethodRow::order, "", "order; null for exact"),
+      field("implicit", &MethodRow::implicit, "", "whether each step solves an equation"),
+      field("symplectic", &MethodRow::symplectic, "", "whether it is symplectic for the undamped law"),
+      field("adaptive", &MethodRow::adaptive, "", "whether it chooses its own steps"),
+      field("reversible", &MethodRow::reversible, "", "whether a step back undoes a step"),
+      field("a_stable", &MethodRow::a_stable, "", "whether it is stable at any step if the law is"),
+      field("source", &MethodRow::source, "", "publication"),
+      field(
+          "effective", [](const MethodRow& row) { return effective_of(row.effect); }, "",
+          "what it really simulates; only if a step was given")
+          .left_out(),
+      stable_entry(&MethodRow::effect),
+      field(
+          "stability_limit", [](const MethodRow& row) { return stability_limit_of(row.effect); }, "s",
+          "longest stable step; null if there is no limit, 0 if no step is stable")
+          .left_out(),
+      energy_factor_entry(&MethodRow::effect),
+      field(
+          "in_words",
+          [](const MethodRow& row) { return row.effect ? std::optional(row.words) : std::nullopt; }, "",
+          "the same in words")
+          .left_out());
 };
 
 }  // namespace cromer::core

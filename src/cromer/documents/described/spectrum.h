@@ -37,14 +37,14 @@ struct Described<SpectralValues> {
       field(
           "SD", [](const V& v) { return v.displacement; }, "m", "spectral displacement at each period"),
       field(
-          "PSV", [](const V& v) { return v.each(pseudo_velocity); }, "m/s", "pseudo-velocity"),
+          "PSV", [](const V& v) { return v.each(pseudo_velocity); }, "m/s", "pseudo-velocity at each period"),
       field(
           "PSA",
           [](const V& v) {
             const double unit = written_acceleration(v.of);
             return v.each([unit](double d, double period) { return pseudo_acceleration(d, period) / unit; });
           },
-          unit_as_written, "pseudo-acceleration"));
+          unit_as_written, "pseudo-acceleration at each period"));
 };
 
 /// The spectrum of one damping ratio.
@@ -99,21 +99,22 @@ struct Described<SpectrumOf> {
           [](const S& s) {
             return s.of.hysteretic() ? std::optional(s.spectrum.damping_ratio) : std::nullopt;
           },
-          "", "of hysteretic springs")
+          "", "loss factor of hysteretic springs")
           .left_out(),
       field(
           "damping_ratio",
           [](const S& s) {
             return s.of.hysteretic() ? std::nullopt : std::optional(s.spectrum.damping_ratio);
           },
-          "", "of viscous damping")
+          "", "damping ratio of viscous damping")
           .left_out(),
       field(
-          "period", [](const S& s) { return s.of.periods; }, "s", "of the oscillators"),
-      shock_entry("primary", &Shock::primary, "largest acceleration while the shock lasts"),
-      shock_entry("residual", &Shock::residual, "after it"), shock_entry("maximax", &Shock::maximax, "ever"),
-      shock_entry("positive", &Shock::positive, "towards positive values, ever"),
-      shock_entry("negative", &Shock::negative, "towards negative values, ever"),
+          "period", [](const S& s) { return s.of.periods; }, "s", "natural periods of the oscillators"),
+      shock_entry("primary", &Shock::primary, "largest acceleration during the shock"),
+      shock_entry("residual", &Shock::residual, "largest acceleration after the shock"),
+      shock_entry("maximax", &Shock::maximax, "largest acceleration at any time"),
+      shock_entry("positive", &Shock::positive, "largest positive acceleration at any time"),
+      shock_entry("negative", &Shock::negative, "largest negative acceleration at any time, as a magnitude"),
       std::apply([](const auto&... value) { return members(entry_of_one(value)...); },
                  Described<SpectralValues>::entries),
       field(
@@ -124,17 +125,19 @@ struct Described<SpectrumOf> {
             for (const auto& displacement : s.spectrum.displacement) all.push_back(s.values(displacement));
             return all;
           },
-          "", "of two components, each")
+          "", "each of two components")
           .left_out(),
       field(
-          "geometric_mean", [](const S& s) { return s.of_two(s.spectrum.geometric_mean); }, "", "of both")
+          "geometric_mean", [](const S& s) { return s.of_two(s.spectrum.geometric_mean); }, "",
+          "geometric mean of both components")
           .left_out(),
       field(
-          "rotd50", [](const S& s) { return s.of_two(s.spectrum.rotd50); }, "", "median over all directions")
+          "rotd50", [](const S& s) { return s.of_two(s.spectrum.rotd50); }, "",
+          "RotD50: median over all directions")
           .left_out(),
       field(
           "rotd100", [](const S& s) { return s.of_two(s.spectrum.rotd100); }, "",
-          "largest over all directions")
+          "RotD100: largest over all directions")
           .left_out());
 };
 
@@ -149,34 +152,36 @@ struct Described<ComponentOf> {
   static constexpr std::string_view name = "Component";
   static constexpr auto entries = members(
       field(
-          "file", [](const C& c) { return c.component.file; }, "", "where it was read from"),
+          "file", [](const C& c) { return c.component.file; }, "", "name of the file"),
       field(
-          "column", [](const C& c) { return c.component.column; }, "", "its name"),
+          "column", [](const C& c) { return c.component.column; }, "", "title of the column"),
       field(
-          "samples", [](const C& c) { return c.component.acceleration.size(); }, "", "of it"),
+          "samples", [](const C& c) { return c.component.acceleration.size(); }, "", "number of samples"),
       field(
-          "spacing", [](const C& c) { return c.component.spacing; }, "s", "of the samples"),
+          "spacing", [](const C& c) { return c.component.spacing; }, "s", "spacing of the samples"),
       field(
-          "duration", [](const C& c) { return c.component.duration(); }, "s", "of the record"),
+          "duration", [](const C& c) { return c.component.duration(); }, "s", "duration of the record"),
       field(
           "peak_acceleration", [](const C& c) { return c.component.peak / written_acceleration(c.of); },
-          unit_as_written, "largest magnitude"),
+          unit_as_written, "largest magnitude of the acceleration"),
       field(
           "arias_intensity", [](const C& c) { return c.component.intensity.arias; }, "m/s",
-          "pi/(2 g) times the integral of a²"),
+          "Arias intensity: pi/(2 g) times the integral of a²"),
       field(
-          "from_5", [](const C& c) { return c.component.intensity.from; }, "s", "when 5 % of it are reached"),
+          "from_5", [](const C& c) { return c.component.intensity.from; }, "s",
+          "time when 5 % of the Arias intensity are reached"),
       field(
           "duration_5_95", [](const C& c) { return c.component.intensity.duration; }, "s",
-          "from 5 % to 95 % of it"));
+          "time from 5 % to 95 % of the Arias intensity"));
 };
 
 template <>
 struct Described<FourierAmplitude> {
   static constexpr std::string_view name = "Fourier";
-  static constexpr auto entries =
-      members(field("frequency_step", &FourierAmplitude::step, "Hz", "from one amplitude to the next"),
-              field("amplitude", &FourierAmplitude::amplitude, "m/s", "of the acceleration, from 0 Hz on"));
+  static constexpr auto entries = members(
+      field("frequency_step", &FourierAmplitude::step, "Hz", "frequency from one amplitude to the next"),
+      field("amplitude", &FourierAmplitude::amplitude, "m/s",
+            "Fourier amplitudes of the acceleration, from 0 Hz on"));
 };
 
 /// All spectra, with or without Fourier amplitudes.
@@ -235,31 +240,33 @@ struct Described<SpectrumDocument> {
           },
           "", "the recordings"),
       field(
-          "peaks", [](const S& s) { return s.result.options.peaks; }, "", "continuous, samples or peer"),
+          "peaks", [](const S& s) { return s.result.options.peaks; }, "",
+          "how peaks are found: continuous, samples or peer"),
       field(
           "between_samples", [](const S& s) { return s.result.options.between_samples; }, "",
-          "linear, hold or band-limited"),
-      group("units", "of the columns",
-            members(
-                field(
-                    "period", [](const S&) { return std::string_view("s"); }, "", "of the periods"),
-                field(
-                    "acceleration",
-                    [](const S& s) {
-                      return s.result.options.shock ? std::optional(acceleration(s)) : std::nullopt;
-                    },
-                    "", "of shock spectra")
-                    .left_out(),
-                field(
-                    "SD", [](const S& s) { return unless_shock(s, "m"); }, "", "of the displacements")
-                    .left_out(),
-                field(
-                    "PSV", [](const S& s) { return unless_shock(s, "m/s"); }, "", "of the pseudo-velocities")
-                    .left_out(),
-                field(
-                    "PSA", [](const S& s) { return unless_shock(s, acceleration(s)); }, "",
-                    "of the pseudo-accelerations")
-                    .left_out())),
+          "interpolation of the record: linear, hold or band-limited"),
+      group(
+          "units", "units of the columns",
+          members(field(
+                      "period", [](const S&) { return std::string_view("s"); }, "", "unit of the periods"),
+                  field(
+                      "acceleration",
+                      [](const S& s) {
+                        return s.result.options.shock ? std::optional(acceleration(s)) : std::nullopt;
+                      },
+                      "", "unit of shock spectra")
+                      .left_out(),
+                  field(
+                      "SD", [](const S& s) { return unless_shock(s, "m"); }, "", "unit of the displacements")
+                      .left_out(),
+                  field(
+                      "PSV", [](const S& s) { return unless_shock(s, "m/s"); }, "",
+                      "unit of the pseudo-velocities")
+                      .left_out(),
+                  field(
+                      "PSA", [](const S& s) { return unless_shock(s, acceleration(s)); }, "",
+                      "unit of the pseudo-accelerations")
+                      .left_out())),
       field(
           "spectra",
           [](const S& s) {
@@ -268,11 +275,11 @@ struct Described<SpectrumDocument> {
             return all;
           },
           "", "one for each damping ratio"),
-      one_or_both("arias_intensity", arias, "m/s", "pi/(2 g) times the integral of a²"),
-      one_or_both("duration_5_95", duration, "s", "from 5 % to 95 % of it"),
+      one_or_both("arias_intensity", arias, "m/s", "Arias intensity: pi/(2 g) times the integral of a²"),
+      one_or_both("duration_5_95", duration, "s", "time from 5 % to 95 % of the Arias intensity"),
       field(
           "fourier", [](const S& s) { return s.with_fourier ? s.of_one(fourier) : std::nullopt; }, "",
-          "only where it was asked for")
+          "Fourier amplitudes; only if asked for")
           .left_out(),
       field(
           "fourier", [](const S& s) { return s.with_fourier ? s.of_each(fourier) : std::nullopt; }, "",
@@ -284,7 +291,7 @@ struct Described<SpectrumDocument> {
           [](const S& s) {
             return s.result.interrupted ? std::optional(Notice{"interrupted"}) : std::nullopt;
           },
-          "", "where it was interrupted")
+          "", "that it was interrupted; only then")
           .left_out());
 };
 

@@ -17,13 +17,13 @@ struct Described<QuantityIn> {
   static constexpr std::string_view name = "Quantity";
   static constexpr auto entries =
       members(field(
-                  "value", [](const QuantityIn& q) { return q.quantity.value; }, "", "as given")
+                  "value", [](const QuantityIn& q) { return q.quantity.value; }, "", "value, as given")
                   .known(),
               field(
                   "standard_uncertainty", [](const QuantityIn& q) { return q.quantity.uncertainty; }, "",
-                  "0 where none was stated")
+                  "its standard uncertainty; 0 if none was stated")
                   .known(),
-              field("unit", &QuantityIn::unit, "", "of both"));
+              field("unit", &QuantityIn::unit, "", "unit of both"));
 };
 
 /// A straight line with the units of its slope and its intercept.
@@ -37,45 +37,51 @@ struct Described<LineIn> {
   static constexpr std::string_view name = "Line";
   static constexpr auto entries = members(
       field(
-          "slope", [](const LineIn& l) { return l.line.slope; }, "slope_unit", "of the straight line"),
+          "slope", [](const LineIn& l) { return l.line.slope; }, "slope_unit", "slope of the straight line"),
       field(
           "slope_standard_error", [](const LineIn& l) { return l.line.slope_error; }, "slope_unit",
-          "of the slope"),
-      field("slope_unit", &LineIn::slope_unit, "", "of the slope"),
+          "standard error of the slope"),
+      field("slope_unit", &LineIn::slope_unit, "", "unit of the slope"),
       field(
-          "intercept", [](const LineIn& l) { return l.line.intercept; }, "intercept_unit", "at no mass"),
+          "intercept", [](const LineIn& l) { return l.line.intercept; }, "intercept_unit",
+          "intercept, at no mass"),
       field(
           "intercept_standard_error", [](const LineIn& l) { return l.line.intercept_error; },
-          "intercept_unit", "of the intercept"),
-      field("intercept_unit", &LineIn::unit, "", "of the intercept"),
+          "intercept_unit", "standard error of the intercept"),
+      field("intercept_unit", &LineIn::unit, "", "unit of the intercept"),
       field(
           "covariance", [](const LineIn& l) { return l.line.covariance; }, "product of both units",
-          "of slope and intercept"),
+          "covariance of slope and intercept"),
       field(
-          "chi_squared", [](const LineIn& l) { return l.line.chi_squared; }, "", "of the points about it"),
+          "chi_squared", [](const LineIn& l) { return l.line.chi_squared; }, "",
+          "chi squared of the points about the line"),
       field(
-          "degrees_of_freedom", [](const LineIn& l) { return l.line.degrees; }, "", "points less two"),
+          "degrees_of_freedom", [](const LineIn& l) { return l.line.degrees; }, "",
+          "degrees of freedom: points less two"),
       field(
           "extra_scatter", [](const LineIn& l) { return l.line.extra_scatter; }, "intercept_unit",
-          "what the points scatter beyond their own errors"));
+          "scatter of the points beyond their own errors"));
 };
 
 template <>
 struct Described<Hold> {
   static constexpr std::string_view name = "Hold";
   static constexpr auto entries =
-      members(field("file", &Hold::file, "", "where it was recorded"), field("run", &Hold::run, "", "from 1"),
-              field("from", &Hold::from, "s", "where the rest begins"),
-              field("to", &Hold::to, "s", "where it ends"), field("samples", &Hold::samples, "", "of it"),
+      members(field("file", &Hold::file, "", "name of the file"),
+              field("run", &Hold::run, "", "number of the run, from 1"),
+              field("from", &Hold::from, "s", "beginning of the time at rest"),
+              field("to", &Hold::to, "s", "end of the time at rest"),
+              field("samples", &Hold::samples, "", "number of samples at rest"),
               field(
                   "mass",
                   [](const Hold& h) {
                     return QuantityIn{h.mass, "kg"};
                   },
-                  "", "that hung there"),
-              field("position", &Hold::position, "m", "mean of the samples"),
-              field("scatter", &Hold::scatter, "m", "their standard deviation"),
-              field("standard_error", &Hold::standard_error, "m", "of the mean, widened for correlation"));
+                  "", "mass that hung there"),
+              field("position", &Hold::position, "m", "mean position"),
+              field("scatter", &Hold::scatter, "m", "standard deviation of the samples"),
+              field("standard_error", &Hold::standard_error, "m",
+                    "standard error of the mean, with correlation taken into account"));
 };
 
 template <>
@@ -84,7 +90,7 @@ struct Described<StaticStiffness> {
   static constexpr std::string_view name = "StaticStiffness";
   static constexpr auto entries = members(
       field(
-          "status", [](const Static&) { return std::string_view("converged"); }, "", "there is a line"),
+          "status", [](const Static&) { return std::string_view("converged"); }, "", "always converged"),
       field(
           "parameters",
           [](const Static& s) {
@@ -96,13 +102,13 @@ struct Described<StaticStiffness> {
           [](const Static& s) {
             return QuantityIn{s.gravity, "m/s²"};
           },
-          "", "that was taken"),
+          "", "gravity that was used"),
       field(
           "line",
           [](const Static& s) {
             return LineIn{s.line, "m/kg", "m"};
           },
-          "", "position against mass"),
+          "", "straight line of position against mass"),
       field("holds", &Static::holds, "", "the masses at rest"), notices(&Static::notices));
 };
 
@@ -110,20 +116,20 @@ template <>
 struct Described<MassLinePoint> {
   using Point = MassLinePoint;
   static constexpr std::string_view name = "MassLinePoint";
-  static constexpr auto entries = members(field("file", &Point::file, "", "where it was recorded"),
-                                          field("run", &Point::run, "", "from 1"),
+  static constexpr auto entries = members(field("file", &Point::file, "", "name of the file"),
+                                          field("run", &Point::run, "", "number of the run, from 1"),
                                           field(
                                               "mass",
                                               [](const Point& p) {
                                                 return QuantityIn{p.mass, "kg"};
                                               },
-                                              "", "that swung"),
+                                              "", "mass that swung"),
                                           field(
                                               "period_squared",
                                               [](const Point& p) {
                                                 return Parameter{"", p.period_square, "s²"};
                                               },
-                                              "", "of the fit"));
+                                              "", "squared period of the fit"));
 };
 
 template <>
@@ -135,25 +141,25 @@ struct Described<MassLine> {
                   [](const MassLine& l) {
                     return Parameter{"", l.stiffness, "N/m"};
                   },
-                  "", "4 pi² over the slope"),
+                  "", "spring constant: 4 pi² over the slope"),
               field(
                   "effective_mass",
                   [](const MassLine& l) {
                     return Parameter{"", l.effective_mass, "kg"};
                   },
-                  "", "of the spring, that swings with the mass"),
+                  "", "effective mass of the spring, which swings with the mass"),
               field(
                   "spring_mass",
                   [](const MassLine& l) {
                     return Parameter{"", l.spring_mass, "kg"};
                   },
-                  "", "three times that"),
+                  "", "mass of the spring: three times its effective mass"),
               field(
                   "line",
                   [](const MassLine& l) {
                     return LineIn{l.line, "s²/kg", "s²"};
                   },
-                  "", "period squared against mass"),
+                  "", "straight line of squared period against mass"),
               field("points", &MassLine::points, "", "the fits"), notices(&MassLine::notices));
 };
 

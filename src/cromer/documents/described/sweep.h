@@ -9,19 +9,19 @@ namespace cromer::core {
 template <>
 struct Described<SweptOption> {
   static constexpr std::string_view name = "SweptOption";
-  static constexpr auto entries =
-      members(field("name", &SweptOption::name, "", "of the option that was swept"),
-              field("column", &SweptOption::column, "", "its column, with unit"),
-              field("points", &SweptOption::points, "", "values it takes"));
+  static constexpr auto entries = members(field("name", &SweptOption::name, "", "name of the option"),
+                                          field("column", &SweptOption::column, "", "its column, with unit"),
+                                          field("points", &SweptOption::points, "", "number of its values"));
 };
 
 template <>
 struct Described<SweepCheck> {
   static constexpr std::string_view name = "SweepCheck";
   static constexpr auto entries =
-      members(field("points", &SweepCheck::points, "", "that were stepped beside the closed form"),
-              field("difference", &SweepCheck::difference, "", "largest of the amplitude, relative"),
-              field("left_out", &SweepCheck::left_out, "", "points that could not be checked"));
+      members(field("points", &SweepCheck::points, "", "number of points that were stepped as well"),
+              field("difference", &SweepCheck::difference, "",
+                    "largest relative difference of the amplitude from the closed form"),
+              field("left_out", &SweepCheck::left_out, "", "number of points that could not be checked"));
 };
 
 /// A sweep with or without its rows.
@@ -56,37 +56,41 @@ struct Described<SweepDocument> {
   static constexpr std::string_view name = "Sweep";
   static constexpr auto entries = members(
       field(
-          "swept", [](const S& s) { return s.result.plan.swept; }, "", "the options, outermost first"),
+          "swept", [](const S& s) { return s.result.plan.swept; }, "", "the swept options, outermost first"),
       field(
-          "method", [](const S& s) { return s.result.plan.method; }, "", "its name"),
+          "method", [](const S& s) { return s.result.plan.method; }, "", "name of the method"),
       field(
-          "way", [](const S& s) { return s.result.plan.way; }, "", "how points are found"),
+          "way", [](const S& s) { return s.result.plan.way; }, "", "how the points are computed"),
       field(
-          "steps", [](const S& s) { return s.result.plan.steps; }, "", "how long steps and runs are"),
+          "steps", [](const S& s) { return s.result.plan.steps; }, "", "lengths of steps and runs, in words"),
       field(
           "simd", [](const S& s) { return s.result.plan.simd; }, "",
-          "instructions that were used: baseline, avx2, avx512"),
+          "vector instructions that were used: baseline, avx2 or avx512"),
       field(
-          "points", [](const S& s) { return s.result.plan.rows.rows; }, "", "rows"),
-      sweep_count("not_settled", &SweepCounts::not_settled, "points that never settled"),
-      sweep_count("not_finite", &SweepCounts::not_finite, "points that ran away"),
-      sweep_count("no_convergence", &SweepCounts::no_convergence, "points without a solution of their step"),
-      sweep_count("unstable", &SweepCounts::unstable, "points whose free motion grows without end"),
-      sweep_count("settled_by_own_damping", &SweepCounts::own_damping, "points that only the method damps"),
-      sweep_count("phase_outside", &SweepCounts::phase_outside, "lags outside 0 to pi"),
+          "points", [](const S& s) { return s.result.plan.rows.rows; }, "", "number of rows"),
+      sweep_count("not_settled", &SweepCounts::not_settled, "number of points that never settled"),
+      sweep_count("not_finite", &SweepCounts::not_finite, "number of points that ran away"),
+      sweep_count("no_convergence", &SweepCounts::no_convergence,
+                  "number of points whose step has no solution"),
+      sweep_count("unstable", &SweepCounts::unstable, "number of points whose free motion grows without end"),
+      sweep_count("settled_by_own_damping", &SweepCounts::own_damping,
+                  "number of points that only the method damps"),
+      sweep_count("phase_outside", &SweepCounts::phase_outside, "number of lags outside 0 to pi"),
       field(
-          "check", [](const S& s) { return s.result.check; }, "", "only where it was asked for")
+          "check", [](const S& s) { return s.result.check; }, "",
+          "check of the closed form by stepping; only if asked for")
           .left_out(),
-      field("columns", &S::columns, "", "of the rows, with their units"),
-      field("rows", &S::rows, "of each column", "the swept values, then the measures").left_out(),
-      field("statuses", &S::statuses, "", "a word for each row"),
+      field("columns", &S::columns, "", "names of the columns, with units"),
+      field("rows", &S::rows, "of each column", "a list for each row: the swept values, then the measures")
+          .left_out(),
+      field("statuses", &S::statuses, "", "how each row ended, in a word"),
       notices([](const S& s) { return notices_of(s.result); }),
       field(
           "message",
           [](const S& s) {
             return s.result.interrupted ? std::optional(Notice{"rows_not_reached"}) : std::nullopt;
           },
-          "", "where it was interrupted")
+          "", "that it was interrupted; only then")
           .left_out());
 };
 
