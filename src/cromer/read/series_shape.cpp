@@ -10,6 +10,10 @@
 namespace cromer::core::dialects {
 namespace {
 
+// How many neighbours on either side say what is usual, and how many robust standard deviations are unusual.
+constexpr std::size_t reach = 20;
+constexpr double robust = 1.4826, deviations = 12;
+
 /// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
 /// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
 double decimal_step(std::span<const double> values) {

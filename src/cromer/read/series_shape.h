@@ -8,10 +8,6 @@
 
 namespace cromer::core::dialects {
 
-/// How many neighbours on either side say what is usual, and how many robust standard deviations are unusual.
-constexpr std::size_t reach = 20;
-constexpr double robust = 1.4826, deviations = 12;
-
 /// Stands for a size that the times do not let one see.
 constexpr double unseen = -1;
 /// The median of the sizes that are seen; 0 of none.
