@@ -35,8 +35,8 @@ void place_words(PlacedPanel& placed, const Panel& panel, const std::vector<std:
 /// Whether the curve's name stands in the list.
 bool stands_in_list(const Curve& curve, const Panel& panel);
 
-/// The curves `which` from top to bottom, where they lie furthest apart; as given where they are nowhere all
-/// drawn. `spots` holds the points of every curve [px].
+/// The curves `which` from top to bottom, in their order where they lie furthest apart. If there is no x at
+/// which all are drawn, the order stays as given. `spots` holds the points of every curve [px].
 std::vector<std::size_t> order_from_top(const std::vector<std::vector<Spot>>& spots,
                                         const std::vector<std::size_t>& which, const Box& frame);
 
