@@ -49,8 +49,7 @@ class Words {
     drawn_.inked.add_box(box);
   }
 
-  // Where it was asked for, in graph fractions: to the left or right of that place, on the side away from
-  // `point`.
+  // At the place asked for, in graph fractions: left or right of it, on the side away from `point`.
   Box asked(const NameBlock& block, double text_x, double text_y, Spot point) const {
     const Box& f = placed_.frame;
     const double px = f.x + text_x * f.width, py = f.bottom() - text_y * f.height;
@@ -131,7 +130,7 @@ void place_outside(Words& words, const PlacedPanel& placed, const Panel& panel,
     heights.push_back(block.height);
     gaps.push_back(panel.curves[i].remark.empty() ? 0 : 6);
   }
-  // Beside the plot where there is room for all, not beside what stands below it.
+  // Beside the plot if there is room for all, not beside the axis below it.
   double needed = 0;
   for (std::size_t i = 0; i < blocks.size(); ++i) needed += heights[i] + gaps[i];
   const double top = std::max(cell.y, placed.frame.y - 6), beside = placed.frame.bottom() + 2;
@@ -159,8 +158,8 @@ double list_margin(const Panel& panel, const TextSizes& sizes, Typeface typeface
   return widest > 0 ? list_off + sample + sample_gap + widest + 4 : 0;
 }
 
-/// Adds the list to `placed`. What the names do is left out where it does not fit; of more names than fit,
-/// evenly chosen ones stand there.
+/// Adds the list to `placed`. Remarks that do not fit are left out. If there are more names than fit, evenly
+/// chosen ones stand there.
 void place_list(PlacedPanel& placed, const Panel& panel, const std::vector<std::vector<Spot>>& spots,
                 const std::vector<PlacedCurve>& drawn, const TextSizes& sizes, Typeface typeface,
                 double room) {
