@@ -33,7 +33,7 @@ bool is_ours(const Guard& guard, std::string_view place) {
   return guard.beyond_this_computer && is_number(host);
 }
 
-/// Takes as long whatever the difference is.
+/// Takes the same time for every difference.
 bool same(std::string_view a, std::string_view b) {
   if (a.size() != b.size()) return false;
   unsigned difference = 0;

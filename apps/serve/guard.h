@@ -1,4 +1,4 @@
-// Who may ask the server for anything: pages of its own, on this computer or with the token. Pure.
+// Who may ask the server: its own pages, on this computer or with the token. Pure.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@ namespace cromer::core::serve {
 
 struct Guard {
   int port = 0;
-  bool beyond_this_computer = false;  ///< served at another address than those of the computer itself
+  bool beyond_this_computer = false;  ///< served at an address that others can reach
   std::string token;                  ///< "" where none is needed
 };
 
-/// The answer to a request that may not pass; nothing for one that may. A page of elsewhere whose name was
-/// made to point here (DNS rebinding) still sends its own name as Host: only localhost and numbers pass, with
-/// our port. A foreign Origin is refused for everything.
+/// The answer to a request that is refused; nothing for one that may pass. A foreign page whose name was made
+/// to point here (DNS rebinding) still sends its own name as Host: only localhost and numbers pass, with our
+/// port. A foreign Origin is always refused.
 std::optional<HttpAnswer> refusal(const Guard& guard, const HttpRequest& request);
 
 /// Sets the token as a cookie that only this server sees, for the page that was opened with it.

@@ -48,8 +48,8 @@ std::chrono::milliseconds in_ms(double seconds) {
 
 std::string text(boost::string_view view) { return {view.data(), view.size()}; }
 
-/// What every answer says: nothing is guessed, framed, cached or leaked to others, and nothing runs but what
-/// `policy` lets run.
+/// The headers of every answer: nothing is guessed, framed, cached or leaked to others, and only what
+/// `policy` allows runs.
 template <class Message>
 void add_safety(Message& message, const std::string& policy) {
   const std::string_view none =
@@ -81,7 +81,7 @@ std::size_t most_connections() {
 
 class HttpConnection;
 
-/// All that are open, the oldest first.
+/// All open connections, the oldest first.
 class HttpConnections {
  public:
   HttpServer::Handler handler;
@@ -93,11 +93,11 @@ class HttpConnections {
   std::size_t count() const { return open_.size(); }
   std::size_t listeners() const;
 
-  /// Closes the oldest that waits for a request; else the oldest that listens; else the oldest that an answer
-  /// is being sent to.
+  /// Closes the oldest connection that waits for a request; else the oldest listener; else the oldest that is
+  /// being answered.
   void make_room();
   void end_all();
-  /// To each listener, unless it is still busy with what it was sent before.
+  /// Sends to each listener that has taken what it was sent before.
   void send_events();
 
  private:
@@ -193,7 +193,7 @@ void HttpConnection::handle() {
   request.fetch_mode = header("Sec-Fetch-Mode");
   request.body = message.body();
   stream_.expires_never();  // the answer may take its time
-  // Held by the list of all meanwhile: another thread must not be the last one to let go of it.
+  // Meanwhile the list of all holds the connection: another thread must not be the last to release it.
   all_.handler(request, [weak = weak_from_this(), executor = stream_.get_executor(), keep](HttpAnswer what) {
     asio::post(executor, [weak, keep, what = std::move(what)]() mutable {
       const auto self = weak.lock();

@@ -28,8 +28,8 @@ struct HttpAnswer {
   std::vector<std::pair<std::string, std::string>> headers{};
   bool events = false;                          ///< the connection stays open for server-sent events
   std::shared_ptr<const std::string> shared{};  ///< in place of the body: one for all who ask
-  std::string policy{};  ///< of its content; where empty nothing runs and nothing is fetched
-  std::string file{};    ///< in place of the body: the file of this path as it is now, sent piece by piece
+  std::string policy{};                         ///< of its content; "": nothing runs and nothing is fetched
+  std::string file{};  ///< in place of the body: the file of this path as it is now, sent piece by piece
 };
 
 /// A status other than 200, and why in a sentence.
@@ -44,13 +44,13 @@ struct EventCursor {
 struct HttpLimits {
   std::size_t header = 8 << 10, body = 4 << 10;  // bytes
   double request = 5;                            // [s] for a whole request, idleness before it included
-  double answer = 30;                            // [s] for the other side to take a piece of an answer
+  double answer = 30;                            // [s] for the client to take a piece of an answer
   std::size_t listeners = 64;                    ///< of events at the same time
 };
 
-/// The numbers that a server at `address` is reached at: of 0.0.0.0 all IPv4 addresses of this computer but
-/// the loopback's (that one where there are no others), else the address itself, [in brackets] where it has
-/// colons.
+/// The addresses at which a server at `address` is reached: for 0.0.0.0 all IPv4 addresses of this computer
+/// except the loopback's (or that one, if there are no others); else the address itself, [in brackets] if it
+/// has colons.
 std::vector<std::string> reached_at(const std::string& address);
 
 class HttpServer {

@@ -14,7 +14,7 @@
 namespace cromer::core::serve {
 namespace {
 
-/// Of two digits.
+/// The character of two hexadecimal digits.
 std::optional<char> hexadecimal(std::string_view digits) {
   unsigned byte = 0;
   const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
@@ -33,7 +33,7 @@ std::string percent_decoded(std::string_view text) {
   return plain;
 }
 
-/// {"for": 20} or {"for": "20 s"}; no body at all, or none of it.
+/// {"for": 20} or {"for": "20 s"}; nothing if there is no body or no "for".
 Result<std::optional<double>> duration_in(const std::string& body) {
   using Json = nlohmann::json;
   if (body.empty()) return std::optional<double>{};
@@ -48,7 +48,7 @@ Result<std::optional<double>> duration_in(const std::string& body) {
   return std::optional(length->value);
 }
 
-/// The policy that a page states for itself; "" where it has none.
+/// The policy that a page states for itself; "" if it has none.
 std::string policy_of(std::string_view page) {
   constexpr std::string_view tag = "http-equiv=\"Content-Security-Policy\" content=\"";
   const std::size_t begin = page.find(tag);
@@ -108,7 +108,8 @@ void Lab::record(const HttpRequest& request, const Respond& respond) {
   if (!duration) return respond(refused(400, in_words(duration.error())));
   answer_later(starts_, respond, [this, duration = *duration] {
     const auto name = session_.start(duration);
-    return name ? HttpAnswer{200, "application/json", session_.status()} : refused(409, in_words(name.error()));
+    return name ? HttpAnswer{200, "application/json", session_.status()}
+                : refused(409, in_words(name.error()));
   });
 }
 
@@ -126,7 +127,7 @@ void Lab::recording(const std::string& name, const Respond& respond) {
   respond({.type = "text/csv; charset=utf-8", .file = *path});
 }
 
-/// Read again where the file is another than before.
+/// Read again if the file has changed.
 HttpAnswer Lab::page() {
   std::error_code failed;
   const auto time = page_.empty() ? page_time_ : std::filesystem::last_write_time(page_, failed);

@@ -16,7 +16,7 @@
 
 namespace cromer::core::serve {
 
-/// One thread for what may take long.
+/// One thread for tasks that may take long, one after the other.
 class TaskQueue {
  public:
   TaskQueue() : thread_([this] { work(); }) {}

@@ -19,22 +19,22 @@ class LiveSession {
   LiveSession(std::optional<RecordSetup> setup, RecordOptions options, std::string command)
       : setup_(std::move(setup)), options_(std::move(options)), command_(std::move(command)) {}
 
-  /// Begins a recording into -o, or into NAME-2.csv, NAME-3.csv, ... where that is taken; its name.
-  /// `duration` in seconds; that of the command line where it is not given. Connecting may take seconds.
+  /// Begins a recording into -o, or into NAME-2.csv, NAME-3.csv, ... if that is taken, and returns its name.
+  /// Without a `duration` [s], that of the command line counts. Connecting may take seconds.
   Result<std::string> start(std::optional<double> duration);
-  /// Ends it, where one is going on; its file is complete then. One that still waits for its device is not
-  /// begun.
+  /// Ends the recording that is going on; its file is then complete. One that still waits for its device does
+  /// not begin.
   void stop();
 
   std::string status() const;
   /// The path of a recording this session has made, by its name.
   std::optional<std::string> path_of(const std::string& name) const;
-  /// What is new for a listener, as text of an event stream. One that comes while a recording goes on is told
-  /// its last ten seconds, and all of those that begin later.
+  /// What is new for a listener, as text of an event stream. A listener that comes during a recording gets
+  /// its last ten seconds, and all of later recordings.
   std::string events(EventCursor& cursor) const;
 
  private:
-  /// Ended and replaced as a whole; whoever looks at one holds it.
+  /// Ended and replaced as a whole; every user of one holds it.
   struct Active {
     std::string name;
     std::unique_ptr<Recorder> recorder;

@@ -32,7 +32,7 @@ void ArrivalClock::estimate(double now) {
   const double least = line_ && held() > 0 ? least_delay(released_, arrivals_.size()) : 0;
   const bool early = least < -std::max(clearly_early, rough_);
   if (early && !is_young()) return begin_anew(now);
-  // Where all comes late nothing is learnt of the rate; whether it stays late is seen in follow.
+  // While all samples come late they say nothing about the rate. `follow` sees whether they stay late.
   if (least <= sure_delay) all_late_since_ = now;
   if (now - all_late_since_ < patience && now > all_late_since_ && !is_young()) return;
   if (const auto steady = steady_rate(arrivals_, least_)) {
@@ -48,7 +48,7 @@ void ArrivalClock::estimate(double now) {
 
 bool ArrivalClock::is_young() const { return arrivals_.back() - arrivals_.front() < settled_memory; }
 
-/// The smallest delay of the samples from one on.
+/// The smallest delay of the samples `from` to `end`.
 double ArrivalClock::least_delay(std::size_t from, std::size_t end) const {
   double least = arrivals_[from] - line_->at(static_cast<double>(from));
   for (std::size_t i = from + 1; i < end; ++i)
@@ -56,7 +56,7 @@ double ArrivalClock::least_delay(std::size_t from, std::size_t end) const {
   return least;
 }
 
-// From the next one to be stamped on.
+// Begins a new line with the next sample to be stamped.
 void ArrivalClock::begin_anew(double now) {
   arrivals_.erase(arrivals_.begin(), arrivals_.begin() + static_cast<std::ptrdiff_t>(released_));
   released_ = 0;
@@ -65,7 +65,7 @@ void ArrivalClock::begin_anew(double now) {
   estimate(now);
 }
 
-// What was sent before is moved to where it would have been without the pause, and the line with it.
+// Moves the samples sent before to where they would have been without the pause, and the line with them.
 void ArrivalClock::move_line(std::size_t from, double by) {
   for (std::size_t i = 0; i < from; ++i) arrivals_[i] += by;
   line_->begin += by;
@@ -76,7 +76,7 @@ void ArrivalClock::follow(double now, std::vector<Remark>& notices) {
   if (delay <= small_delay) return;
   const std::size_t size = arrivals_.size();
   if (const double lasting = least_delay(released_, size); lasting >= no_delay) {
-    // What comes less and less late catches up.
+    // Samples that come less and less late are catching up.
     const std::size_t middle = released_ + (size - released_) / 2;
     const bool catches_up = middle > released_ && least_delay(released_, middle) > lasting + line_->period;
     if (!catches_up) move_line(released_, lasting);
@@ -91,13 +91,13 @@ void ArrivalClock::follow(double now, std::vector<Remark>& notices) {
   for (std::size_t i = 0; i < parts; ++i)
     late[i] = least_delay(from + count * i / parts, from + count * (i + 1) / parts);
   const auto [least, most] = std::minmax_element(late.begin(), late.begin() + parts);
-  // Where delays have become worse, that is what it is.
+  // Delays may simply have become worse.
   const double rough = roughness(std::span<const double>(arrivals_).subspan(from));
   const double bound = std::max(small_delay, 3 * std::min(late_, rough_)) + (rough > 2 * rough_ ? rough : 0);
   const bool young = is_young() || ends_;
   if (*least <= (young ? std::max(bound, sure_delay) : bound)) return;
-  // What was held up comes less and less late, at another rate it is more and more, and after a pause
-  // equally.
+  // Samples that were held up come less and less late; at another rate they come later and later; after a
+  // pause they are equally late.
   if (*most - *least > std::max(small_delay, 2 * std::min(late_, rough_))) {
     if (!young && count >= enough && std::is_sorted(late.begin(), late.begin() + parts)) begin_anew(now);
     return;
@@ -113,7 +113,7 @@ void ArrivalClock::follow(double now, std::vector<Remark>& notices) {
                : Notice{"device_paused", {{"duration", by}, {"time", last_t_}}}});
 }
 
-/// Stamps the next one.
+/// The time of the next sample.
 double ArrivalClock::stamp() {
   const double arrival = arrivals_[released_];
   const double sent = line_ ? line_->at(static_cast<double>(released_)) : arrival;
@@ -125,7 +125,7 @@ double ArrivalClock::stamp() {
   return first || t > last_t_ ? t : to_microseconds(last_t_ + least_step);
 }
 
-/// Says so where a rate has been found, lost or changed for good.
+/// Adds a notice if a rate was found, lost or changed for good.
 void ArrivalClock::tell_changes(double t, std::vector<Remark>& notices) {
   const double period = line_ ? line_->period : 0;
   if (t < settled) told_period_ = period;
@@ -143,7 +143,7 @@ void ArrivalClock::tell_changes(double t, std::vector<Remark>& notices) {
   changed_at_.reset();
 }
 
-// What is older than the memory.
+// Drops the arrivals that are older than the memory.
 void ArrivalClock::forget() {
   const double since = arrivals_.back() - longest_memory;
   const auto old = static_cast<std::size_t>(std::lower_bound(arrivals_.begin(), arrivals_.end(), since) -

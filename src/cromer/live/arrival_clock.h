@@ -10,11 +10,11 @@
 
 namespace cromer::core {
 
-/// Samples are held back for 0.4 s, the first ones for up to 0.8 s until a rate is found, and then stamped by
-/// the rate that they were sent at where one is found (steady_rate), else by their arrival. What comes late
-/// for good is told from what was held up on its way by those that follow: a pause, or samples that are
-/// missing; the line goes on behind it. Arrivals are seconds of a clock that never jumps; times begin at 0,
-/// rise strictly, and are rounded to the microsecond.
+/// Samples are held back for 0.4 s, the first ones for up to 0.8 s until a rate is found. Then they are
+/// stamped by the rate at which they were sent, if one is found (steady_rate), else by their arrival. The
+/// samples that follow tell whether one was held up on its way or is late for good (a pause, or missing
+/// samples); in the second case the line goes on behind it. Arrivals are seconds of a clock that never jumps.
+/// Times begin at 0, rise strictly and are rounded to the microsecond.
 class ArrivalClock {
  public:
   static constexpr double hold = 0.4, first_hold = 0.8;  // [s]
@@ -22,7 +22,7 @@ class ArrivalClock {
   /// One more sample has come; `arrival` never falls.
   void take(double arrival) { arrivals_.push_back(arrival); }
 
-  /// Times of the samples that have waited long enough, or of all, in the order of their arrival.
+  /// Adds the times of the samples that have waited long enough, or of all, in the order of their arrival.
   void release(double now, std::vector<double>& times, std::vector<Remark>& notices);
   void release_all(std::vector<double>& times, std::vector<Remark>& notices);
 

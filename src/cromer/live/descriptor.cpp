@@ -83,7 +83,7 @@ Result<Descriptor> open_tcp(const std::string& host, int port, double seconds) {
   ::freeaddrinfo(found);
   if (failed != 0)
     return Error{"host_not_reached", {{"host", host}, {"port", port}, {"why", std::strerror(failed)}}};
-  // A cable that was pulled is to be seen within half a minute.
+  // A pulled cable is noticed within half a minute.
   const int on = 1, idle = 10, between = 5, probes = 3;
   ::setsockopt(connection.number(), SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
   ::setsockopt(connection.number(), IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof idle);

@@ -1,4 +1,4 @@
-// Open descriptors: a serial line made raw, a TCP connection, and the waiting for either.
+// Open descriptors: a raw serial line, a TCP connection, and waiting for either.
 #pragma once
 
 #include <string>
@@ -28,13 +28,13 @@ class Descriptor {
   int number_ = -1;
 };
 
-/// Raw: eight bits, no echo, no flow control. A device that knows no speed (a pseudo-terminal) takes any.
+/// Raw: eight bits, no echo, no flow control. A device without a speed (a pseudo-terminal) takes any.
 Result<Descriptor> open_serial(const std::string& device, int baud);
 
-/// At most `seconds` for each address the host has.
+/// Tries each address of the host for at most `seconds`.
 Result<Descriptor> open_tcp(const std::string& host, int port, double seconds);
 
-/// Whether there is something to read, or an end to be seen, within `seconds`.
+/// Waits at most `seconds` for something to read or for the end of the input; whether either came.
 bool readable(const Descriptor& descriptor, double seconds);
 
 }  // namespace cromer::core

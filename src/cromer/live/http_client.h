@@ -12,8 +12,8 @@ class HttpClient {
  public:
   HttpClient(std::string host, int port) : host_(std::move(host)), port_(port) {}
 
-  /// The body of a 200 answer, of at most 64 MB, within `seconds`. Connects where it must; an Error closes
-  /// the connection.
+  /// The body of a 200 answer, at most 64 MB, within `seconds`. Connects if necessary; an Error closes the
+  /// connection.
   Result<std::string> get(const std::string& target, double seconds);
 
  private:

@@ -41,7 +41,7 @@ char separator_of(std::string_view text) {
   return ' ';
 }
 
-/// The number that a whole field is; NaN for a missing one, nothing for anything else.
+/// The number in a field; NaN if it is missing, nothing if the field is not wholly a number.
 std::optional<double> number_of(std::string_view field, char decimal) {
   const std::string word = lower(field);
   if (word.empty() || word == "nan" || word == "null") return std::numeric_limits<double>::quiet_NaN();
@@ -100,7 +100,7 @@ namespace {
 constexpr std::size_t longest_line = 1000;  // bytes
 constexpr std::size_t widest = 32;          // numbers in a line
 
-/// "Time (ms)" in seconds: 0.001; nothing where no unit of time stands in brackets.
+/// "Time (ms)" in seconds: 0.001; nothing if there is no unit of time in brackets.
 std::optional<double> seconds_of(std::string_view heading) {
   const std::size_t open = heading.find_first_of("(["), close = heading.find_last_of(")]");
   if (open == std::string_view::npos || close == std::string_view::npos || close < open) return std::nullopt;
@@ -109,14 +109,14 @@ std::optional<double> seconds_of(std::string_view heading) {
   return unit->factor;
 }
 
-/// Words as a device announces them are those of a heading if there is one for each number and they say more
-/// than "ready" does.
+/// A device's words are a heading if there is one for each number and they say more than "ready" does.
 bool is_heading(const std::vector<std::string>& words, std::size_t fields) {
   if (words.size() != fields) return false;
   return fields > 1 || words.front().find_first_of("([") != std::string::npos;
 }
 
-/// Digits before the decimal mark of the number that a text begins with; nothing where it begins with none.
+/// How many digits the number at the beginning of a text has before its decimal mark; nothing if there is no
+/// number.
 std::optional<std::size_t> leading_digits(std::string_view text) {
   const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
   return count > 0 ? std::optional(count) : std::nullopt;
@@ -135,7 +135,8 @@ bool has_form_of(std::string_view text, std::string_view next) {
     return place < line_text.size() && line_text[place] == '.';
   };
   if (has_mark(trimmed(text), *digits) != has_mark(trimmed(next), *digits_after)) return false;
-  // From 9.99 to 10.00 a digit is added; from what is left of 19.99 to 20.00 it is not by a step as small.
+  // From 9.99 to 10.00 the time gains a digit in a small step; from 9.99, the rest of 19.99, to 20.00 the
+  // step is large.
   return digits == digits_after || (*digits_after == *digits + 1 && later - t < 0.1 * later);
 }
 

@@ -13,13 +13,13 @@
 
 namespace cromer::core {
 
-/// What a line turned out to be. A comment begins with # or %.
+/// What a line is. A comment begins with # or %.
 enum class LineKind { blank, comment, numbers, words, garbage };
 
 struct Line {
   LineKind kind = LineKind::blank;
   std::vector<double> numbers{};     ///< of a line of numbers; NaN where one is missing
-  std::vector<std::string> words{};  ///< of a line without any number: what may be a heading
+  std::vector<std::string> words{};  ///< of a line without numbers, which may be a heading
 };
 
 /// Fields end at commas, semicolons, tabs or blanks. Beside semicolons or tabs a comma is a decimal mark; a
@@ -27,8 +27,8 @@ struct Line {
 /// is one of numbers. Numbers and words mixed, or bytes that are no text, are garbage.
 Line read_line(std::string_view text);
 
-/// Text fit to be shown to a person: at most `longest` characters and then "...", what is not printable ASCII
-/// as "?".
+/// A text as it is shown to people: at most `longest` characters and then "...", with "?" for all that is not
+/// printable ASCII.
 std::string shown(std::string_view text, std::size_t longest = 40);
 
 struct LineSettings {
@@ -37,13 +37,13 @@ struct LineSettings {
   std::string headings{};  ///< of the values, comma between; "": the device's own, else "Value"
 };
 
-/// The first line of numbers says how many there are in each; one number is a value, more are a time and
-/// values. A line of words right before it is a heading if it has a name for each number and states a unit or
-/// more than one name; `Time (ms)` scales the times. All else is garbage: counted, reported with its number
-/// (of the lines that are not empty) and text. A device may be opened in the middle of a line. Its first line
-/// is taken if the device was silent before it (not after a lost connection), or if its time has the form of
-/// the next line's; else it is left out and reported. Lines without a time, where no rate is given, are held
-/// back for a while: ArrivalClock.
+/// The first line of numbers sets how many each line has: one number is a value, more are a time and values.
+/// A line of words right before it is a heading if it has a name for each number, and a unit or several
+/// names; `Time (ms)` scales the times. All else is garbage: it is counted, and reported with its text and
+/// number (empty lines not counted). A device may be opened in the middle of a line. Its first line is taken
+/// if the device was silent before it (not after a lost connection), or if its time has the form of the next
+/// line's; else it is left out and reported. Without times and without a rate, lines are held back for a
+/// while: ArrivalClock.
 class LineReader {
  public:
   LineReader(LineSettings settings, bool may_begin_within_line)
@@ -53,19 +53,18 @@ class LineReader {
     connected(0);
   }
 
-  /// A connection has been made, the first or another, at this time [s]: what comes begins anew.
+  /// A connection was made, the first or a later one, at this time [s]: lines begin anew.
   void connected(double at);
 
-  /// Adds what the bytes complete to `rows` and `notices`; the rest is kept for the next time.
+  /// Adds the lines that the bytes complete to `rows` and `notices`; keeps the rest for the next call.
   void take(std::string_view bytes, double arrival, Rows& rows, std::vector<Remark>& notices);
 
-  /// Adds what has been held back long enough; to be called some times a second, whether anything comes or
-  /// not.
+  /// Adds what was held back long enough. Call it some times a second, even if nothing comes.
   void release(double now, Rows& rows, std::vector<Remark>& notices);
-  /// Adds all that is held back: nothing more will come, or be waited for.
+  /// Adds all that is held back.
   void release_all(Rows& rows, std::vector<Remark>& notices);
 
-  /// The input has ended: a last line without its end is taken, or after a lost connection dropped.
+  /// The input has ended: a last line without its end is taken; after a lost connection it is dropped.
   void end(double arrival, Rows& rows, std::vector<Remark>& notices);
   void connection_lost(Rows& rows, std::vector<Remark>& notices);
 
@@ -95,11 +94,11 @@ class LineReader {
   std::vector<double> held_;  ///< values that wait for their times
   bool may_begin_within_line_;
   double connected_ = 0;              // [s]
-  bool lost_ = false;                 ///< a connection was lost: what comes first may be the rest of a line
+  bool lost_ = false;                 ///< after a lost connection the first bytes may be the rest of a line
   bool at_beginning_ = true;          ///< no line has come since the connection was made
   bool surely_whole_ = true;          ///< the next line is known to be whole
   std::optional<FirstLine> first_{};  ///< the first line, until the next one shows whether it is whole
-  bool too_long_ = false;  ///< what comes up to the next line's end is part of a line already refused
+  bool too_long_ = false;             ///< bytes up to the next line end belong to a line already refused
   std::string partial_;
   long line_ = 0;
   std::size_t fields_ = 0;  ///< 0 until the first line of numbers

@@ -14,8 +14,8 @@ class LineSource final : public Source {
  public:
   using Connect = std::function<Result<Descriptor>()>;
 
-  /// `connect` opens it, again where it `comes_back` after its end; a serial line is found in the middle of
-  /// a line.
+  /// `connect` opens the input, and again after its end if it `comes_back`. `within_line`: the first bytes
+  /// may be in the middle of a line, as on a serial line.
   LineSource(std::string name, Connect connect, bool comes_back, bool within_line, const LineSettings& lines)
       : name_(std::move(name)),
         connect_(std::move(connect)),

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 
 constexpr int deepest = 64;
 
-/// Discarded where it is no JSON, or JSON of an absurd depth.
+/// A discarded value if the text is no JSON, or JSON of absurd depth.
 Json parsed(std::string_view text) {
   return Json::parse(
       text, [](int depth, Json::parse_event_t, Json&) { return depth < deepest; }, false);
@@ -40,7 +40,7 @@ bool is_time(std::string_view label) {
   return name.starts_with("time") || name.starts_with("t (s)") || name.starts_with("zeit");
 }
 
-/// Of one exported set.
+/// The buffers of one exported set.
 PhyphoxSet exported(const Json& set) {
   PhyphoxSet found;
   for (const Json& source : list_at(set, "sources")) {
@@ -57,7 +57,7 @@ PhyphoxSet exported(const Json& set) {
   return found;
 }
 
-/// Of a sensor: {"source": "accelerometer", "outputs": [{"x": "accX"}, ..., {"t": "acc_time"}]}
+/// The buffers of a sensor: {"source": "accelerometer", "outputs": [{"x": "accX"}, ..., {"t": "acc_time"}]}
 PhyphoxSet sensed(const Json& input) {
   PhyphoxSet found;
   std::string time;
@@ -178,8 +178,8 @@ Result<void> PhyphoxSource::open() {
   set_ = *std::move(set);
   const auto before = ask();
   if (!before) return failed(before.error());
-  // Where it goes on, also when it is started: the phone keeps its old samples, and its times go on from
-  // them.
+  // Recording begins behind the phone's last sample, even if it is started here: it keeps its old samples,
+  // and its times go on from them.
   if (before->rows.size() > 0) after_ = before->rows.t.back();
   if (!before->measuring) {
     if (const auto started = client_.get("/control?cmd=start", patience); !started)
@@ -195,7 +195,7 @@ void PhyphoxSource::take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Re
   const double arrival = steady_seconds();
   for (std::size_t i = 0; i < answer.rows.size(); ++i) {
     const double t = answer.rows.t[i];
-    // Sent again where the phone rounds the times that it writes.
+    // The phone sends a sample again if it rounds the times that it writes.
     if (after_ && t <= *after_) continue;
     after_ = t;
     const Stamp stamp = clock_.of_device(t, arrival);
@@ -205,7 +205,7 @@ void PhyphoxSource::take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Re
   }
 }
 
-// After "clear" the phone's times begin at 0, and nothing is later than the last one.
+// After "clear" the phone's times begin at 0, and no sample is later than the last one recorded.
 bool PhyphoxSource::clock_began_anew() {
   if (!after_) return false;
   PhyphoxSet only_time{"", {set_.buffers.front()}, {}};

@@ -14,7 +14,7 @@
 
 namespace cromer::core {
 
-/// The buffers recorded: a time and the values that are measured at it.
+/// The buffers to record: a time and the values measured at it.
 struct PhyphoxSet {
   std::string experiment;            ///< its title
   std::vector<std::string> buffers;  ///< the time's first
@@ -30,7 +30,7 @@ std::string phyphox_query(const PhyphoxSet& set, std::optional<double> after);
 
 struct PhyphoxAnswer {
   Rows rows;               ///< all values, NaN where the phone says null; rows without a time are left out
-  std::size_t uneven = 0;  ///< values at the ends of longer buffers that had no partner yet
+  std::size_t uneven = 0;  ///< values at the ends of longer buffers, which have no partner yet
   bool measuring = false;
 };
 
@@ -38,9 +38,9 @@ struct PhyphoxAnswer {
 /// missing buffer and text that is no answer are Errors.
 Result<PhyphoxAnswer> read_phyphox_answer(std::string_view json, const PhyphoxSet& set);
 
-/// Asks ten times a second for what is new. Starts the measurement if the phone is not measuring, and says
-/// so; it is left running at the end, since the phone's owner may want it. What the phone's buffers held
-/// before is not recorded.
+/// Asks for new samples ten times a second. Starts the measurement if the phone is not measuring, with a
+/// notice, and leaves it running at the end: the phone's owner may want it. What the phone held in its
+/// buffers before is not recorded.
 class PhyphoxSource final : public Source {
  public:
   PhyphoxSource(std::string host, int port)

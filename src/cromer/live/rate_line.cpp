@@ -12,13 +12,13 @@ constexpr double least_period = 5e-5;   // [s]
 constexpr double good_arrival = 3e-4;   // [s]
 constexpr double largest_change = 0.1;  // [s] that counts
 
-/// Samples in so many seconds, two at least.
+/// The number of samples in so many seconds, two at least.
 std::size_t samples_in(double seconds, std::span<const double> arrivals) {
   const double period = (arrivals.back() - arrivals.front()) / static_cast<double>(arrivals.size() - 1);
   return static_cast<std::size_t>(std::clamp(period > 0 ? seconds / period : 0, 2.0, 1e6));
 }
 
-/// The least delay in each piece of so many samples; what is left at the front is none.
+/// The least delay in each piece of so many samples. Samples left over at the front make no piece.
 std::vector<double> least_delays(std::span<const double> arrivals, const RateLine& line, std::size_t piece) {
   std::vector<double> least;
   for (std::size_t begin = arrivals.size() % piece; begin < arrivals.size(); begin += piece) {
@@ -30,7 +30,7 @@ std::vector<double> least_delays(std::span<const double> arrivals, const RateLin
   return least;
 }
 
-/// 0 of nothing.
+/// 0 if there are no values.
 double quantile(std::span<const double> of, double q) {
   std::vector<double> values(of.begin(), of.end());
   if (values.empty()) return 0;
@@ -70,8 +70,8 @@ double lateness(std::span<const double> arrivals, const RateLine& line) {
   return quantile(least_delays(arrivals, line, samples_in(0.2, arrivals)), 0.9);
 }
 
-// A tenth of a second is short beside a swing, which a sensor whose interval depends on the distance follows;
-// longer ones find a rate that wanders.
+// Pieces of a tenth of a second are short beside a swing: some sensors' interval follows the distance. Longer
+// pieces find a rate that wanders.
 bool is_touched(std::span<const double> arrivals, const RateLine& line) {
   const auto least = least_delays(arrivals, line, samples_in(0.1, arrivals));
   const std::span<const double> all(least), recent = all.last((all.size() + 3) / 4);

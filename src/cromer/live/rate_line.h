@@ -1,4 +1,4 @@
-// What rate samples without times were sent at, from when they arrived. Pure.
+// The rate at which samples without times were sent, from their arrivals. Pure.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace cromer::core {
 
-/// Sample i was sent at `begin + i * period`, but for what the way takes at least.
+/// Sample i was sent at `begin + i * period`; the shortest delay on the way is not known and counts as none.
 struct RateLine {
   double begin;   // [s]
   double period;  // [s] > 0
@@ -20,22 +20,22 @@ struct RateLine {
 /// Liu & C. H. Xia, Proc. IEEE INFOCOM 2002, 160). At least two arrivals [s], which never fall.
 RateLine line_below(std::span<const double> arrivals);
 
-/// [s] How far delays change from one sample to the next: the mean size of the second differences, each
+/// [s] How much delays change from one sample to the next: the mean size of the second differences, each
 /// counted as a tenth of a second at most. A rate that changes smoothly hardly has any. 0 for less than
 /// three.
 double roughness(std::span<const double> arrivals);
 
-/// [s] What all but the worst tenth of the arrivals' pieces of 0.4 s or four samples are late by at least.
+/// [s] How late the arrivals are: the 0.9 quantile of the least delays in pieces of 0.4 s or four samples.
 double lateness(std::span<const double> arrivals, const RateLine& line);
 
-/// Whether delays explain all departures from the line: every now and then, in a third of the tenths of a
-/// second at least, all in all and lately, a sample has to arrive as good as at its time, up to 0.3 ms or
-/// what delays vary by.
+/// Whether delays alone explain all departures from the line. Then samples arrive on time again and again, up
+/// to 0.3 ms or the variation of the delays: in at least a third of all tenths of a second, and of the latest
+/// ones.
 bool is_touched(std::span<const double> arrivals, const RateLine& line);
 
-/// The line of the last arrivals, of as many of them as keep one steady rate: 16, 8, 4 or 2 s and 48 samples
-/// at least, or all where there are less; `least` [s] is needed. Its `begin` is that of the first arrival.
-/// Nothing where they are not steady, or more than 20 000 a second: a file that is piped in.
+/// The line of the last arrivals that keep one steady rate: of the last 16, 8, 4 or 2 s with at least 48
+/// samples, or of all if there are fewer, but of `least` [s] at least. Its `begin` is that of the first
+/// arrival. Nothing if the rate is not steady, or above 20 000 a second: a file that is piped in.
 std::optional<RateLine> steady_rate(std::span<const double> arrivals, double least);
 
 constexpr double longest_memory = 16;        // [s] that steady_rate looks back at most

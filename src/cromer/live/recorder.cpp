@@ -22,7 +22,7 @@ void make_room(std::vector<double>& values, std::size_t more) {
   if (needed > values.capacity()) values.reserve(std::max(needed, values.capacity() + values.capacity() / 2));
 }
 
-/// Nothing where there is one, or none was named.
+/// Nothing if there is such a column, or none was named.
 std::optional<Remark> missing_column(const Headings& headings, const std::string& name) {
   std::vector<Notice> there;
   for (std::size_t i = 1; i < headings.size(); ++i) {
@@ -36,7 +36,7 @@ std::optional<Remark> missing_column(const Headings& headings, const std::string
 }  // namespace
 
 Result<void> Recorder::start() {
-  // The file first: nothing is asked of a device for a recording that cannot be kept.
+  // The file first: a device is not started for a recording that cannot be kept.
   if (auto good = file_.open(settings_.path); !good) return good;
   if (auto good = source_->open(); !good) {
     file_.drop_if_empty();
@@ -62,7 +62,7 @@ void Recorder::fail(const Error& error) {
   stop_ = true;
 }
 
-// Arrivals are stamped while the disk, which may take its time, is waited for: hence a thread of its own.
+// The disk may be slow, and arrivals must be stamped meanwhile: hence a thread of its own.
 void Recorder::keep_on_disk() {
   std::size_t written = 0;
   bool headed = false;
@@ -81,7 +81,7 @@ void Recorder::keep_on_disk() {
   running_ = false;
 }
 
-/// Those that come after the first `written`, until no more will.
+/// Writes all rows behind the first `written`, until no more will come.
 Result<void> Recorder::write_rows(std::size_t& written, bool& headed) {
   double synced = steady_seconds();
   Result<void> good;
@@ -113,7 +113,7 @@ void Recorder::record() {
   Rows rows;
   std::vector<Remark> notices;
   for (bool more = true; more && !stop_;) {
-    // Where memory runs out, what is being read may be lost; what has been read is published later.
+    // If memory runs out, rows being read may be lost; rows already read are published later.
     try {
       more = source_->receive(wait, rows, notices);
       if (first_arrival == 0 && rows.size() > 0) first_arrival = steady_seconds();
@@ -215,7 +215,7 @@ Result<void> Recorder::write_end() {
   return file_.sync();
 }
 
-/// How many rows there are to be told of; the lock is held.
+/// How many rows others may see. The lock must be held.
 std::size_t Recorder::held() const { return std::min(rows_.size(), kept_.value_or(rows_.size())); }
 
 RecorderStatus Recorder::status() const {

@@ -1,5 +1,5 @@
-// A recording in progress: one thread takes what the source sends, another brings it to the disk, and others
-// may look at it.
+// A recording in progress: one thread takes what the source sends, another writes it to the disk, others may
+// look at it.
 #pragma once
 
 #include <atomic>
@@ -20,11 +20,11 @@ struct RecorderSettings {
   std::string path;                     ///< of the file
   std::optional<double> duration;       ///< [s] > 0, from the first sample on; until stopped where not given
   std::vector<std::string> comments{};  ///< for the head of the file
-  std::string column{};                 ///< wanted by name; where there is none a notice says which there are
+  std::string column{};  ///< the column asked for by name; if there is none, a notice lists those there are
   std::string (*words)(const Notice&) = nullptr;  ///< makes the sentences at the end of the file
 };
 
-/// At one moment. What a file that can take no more does not hold is not counted.
+/// The state at one moment. Rows that did not fit into the file are not counted.
 struct RecorderStatus {
   bool running = false;
   std::size_t samples = 0;
@@ -34,7 +34,7 @@ struct RecorderStatus {
   std::size_t garbage = 0;  ///< lines that were no samples
   std::size_t notices = 0;
   SampleTimes times{};
-  Notice failure{};  ///< why it ended by itself where it should not have: a disk that is full
+  Notice failure{};  ///< why it ended too early: a full disk
 };
 
 class Recorder {
@@ -43,10 +43,10 @@ class Recorder {
       : source_(std::move(source)), settings_(std::move(settings)) {}
   ~Recorder() { stop(); }
 
-  /// Connects, makes the file, and starts the two threads. An Error leaves nothing.
+  /// Connects, makes the file and starts the two threads. After an Error nothing is left.
   Result<void> start();
 
-  /// Ends the recording; the file is complete, and on the disk, when this returns. Once or more often,
+  /// Ends the recording; on return the file is complete and on the disk. May be called more than once and
   /// from any thread.
   void stop();
 

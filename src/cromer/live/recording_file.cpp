@@ -58,14 +58,14 @@ Result<void> RecordingFile::write(std::string_view lines) {
   return {};
 }
 
-/// Takes note of the whole lines in what was written.
+/// Counts the whole lines in what was written.
 void RecordingFile::count(std::string_view written) {
   const std::size_t whole = written.rfind('\n') + 1;
   bytes_ += whole;
   lines_ += static_cast<std::size_t>(std::count(written.begin(), written.begin() + whole, '\n'));
 }
 
-/// Half a line reads as a number with fewer digits: a sample that never was.
+/// Half a line would read as a number with fewer digits: a sample that never was.
 bool RecordingFile::cut() { return ::ftruncate(file_.number(), static_cast<off_t>(bytes_)) == 0; }
 
 Result<void> RecordingFile::begin(const std::vector<std::string>& comments, const Headings& headings) {

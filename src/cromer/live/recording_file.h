@@ -10,12 +10,12 @@
 
 namespace cromer::core {
 
-/// Not the rule of all other outputs (whole or not at all): what came is kept, whatever happens. Each append
-/// is written at once, in whole lines, so that a program that is killed leaves a valid file; sync brings it
-/// to the disk. Where a write fails (a disk that is full), the file ends with the last line that is whole.
+/// Unlike all other outputs (whole or not at all), this file keeps what came, whatever happens. Each append
+/// writes whole lines at once, so that a killed program leaves a valid file; sync brings them to the disk. If
+/// a write fails (a full disk), the file ends with its last whole line.
 class RecordingFile {
  public:
-  /// Makes the file, or takes one that is empty; any other that exists is an Error that says so.
+  /// Makes the file, or takes an empty one. Any other existing file is an Error.
   Result<void> open(const std::string& path);
 
   /// Lines that begin with "# ", then the headings.
@@ -24,7 +24,7 @@ class RecordingFile {
   Result<void> comment(const std::vector<std::string>& lines);
   Result<void> sync();
 
-  /// Rows in the file, those of an append that failed halfway included.
+  /// The number of rows in the file, those of an append that failed halfway included.
   std::size_t rows() const { return rows_; }
 
   /// Removes a file in which nothing was written.

@@ -20,13 +20,13 @@ struct Rows {
 
   std::size_t size() const { return t.size(); }
   std::span<const double> row(std::size_t i) const { return {values.data() + i * width, width}; }
-  /// Where memory runs out nothing is added: times and values stay in step.
+  /// If memory runs out, nothing is added: times and values stay in step.
   void add(double time, std::span<const double> row) { add(std::span(&time, 1), row); }
   void add(const Rows& more) {
     width = more.width;
     add(more.t, more.values);
   }
-  /// Drops the first ones where there are more than `most`.
+  /// Keeps the last `most` rows.
   void keep_last(std::size_t most) {
     if (size() <= most) return;
     values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(most * width));
@@ -52,37 +52,37 @@ using Headings = std::vector<std::string>;
 
 enum class RemarkKind { garbage, clock, gap, connection, device, option };
 
-/// Something a person should know of.
+/// Something that a person should know.
 struct Remark {
   RemarkKind kind;
   Notice what;
 };
 
-/// One that can stand in a CSV file without quotes, without blanks at its ends.
+/// A heading that can stand in a CSV file without quotes, without blanks at its ends.
 std::string plain_heading(std::string text);
 
-/// Whether it is called so, with its unit or without: "Position" or "Position (mm)".
+/// Whether `name` is the heading, with its unit or without: "Position (mm)" or "Position".
 bool is_named(std::string_view heading, std::string_view name);
 
-/// Adds "t,value,...\n", each with the fewest digits that read back as the same number; nothing where one is
-/// not finite.
+/// Adds "t,value,...\n", each number with the fewest digits that read back as the same; a number that is not
+/// finite is left empty.
 void append_row(std::string& text, double t, std::span<const double> values);
 
 enum class TimesBy { nothing, device, count, rate, arrival };
 
-/// `by` is that of most samples. The numbers are of samples without a time of their own.
+/// `by` is where most times came from. The counts are of samples without a time of their own.
 struct SampleTimes {
   TimesBy by = TimesBy::nothing;  ///< while nothing came
   std::size_t by_rate = 0, by_arrival = 0;
   double rate = 0;           ///< [1/s] that was found, last; 0 where none was
-  double longest_delay = 0;  // [s] from what the rate says to the arrival
+  double longest_delay = 0;  // [s] from the time by the rate to the arrival
 };
 
 /// "device", "count", "rate" or "arrival"; "" for nothing.
 std::string_view name(TimesBy by);
 
-/// Says: "times: rate found, 100.02/s; delays up to 0.21 s; 12 of 6000 by arrival"; "" where the times are
-/// the device's own, or nothing came.
+/// Says: "times: rate found, 100.02/s; delays up to 0.21 s; 12 of 6000 by arrival"; empty if the times are
+/// the device's own or nothing came.
 Notice sentence(const SampleTimes& times);
 
 }  // namespace cromer::core

@@ -20,7 +20,7 @@ Error wrong(std::string_view text, const Notice& why) {
   return Error{"source_not_understood", {{"source", text}, {"why", why}}};
 }
 
-/// "HOST", "HOST:PORT", "[::1]:PORT"; an Error where the port is none.
+/// "HOST", "HOST:PORT", "[::1]:PORT"; an Error if the port is not valid.
 Result<SourceName> with_port(std::string_view text, std::string_view rest, SourceName name) {
   std::string_view host = rest, port;
   if (rest.starts_with('[')) {

@@ -28,14 +28,14 @@ class Source {
  public:
   virtual ~Source() = default;
 
-  /// Connects for the first time; what cannot be reached then is an Error.
+  /// Connects for the first time. An Error if the source cannot be reached.
   virtual Result<void> open() = 0;
 
-  /// Waits at most about `seconds` and adds what came; false when nothing more will ever come. A connection
-  /// that is lost is tried again each time, with a notice when it goes and when it is back.
+  /// Waits about `seconds` at most and adds what came; false when nothing more will come. A lost connection
+  /// is tried again at each call, with a notice when it is lost and when it is back.
   virtual bool receive(double seconds, Rows& rows, std::vector<Remark>& notices) = 0;
 
-  /// Adds what is held back to be stamped better; nothing is received after it.
+  /// Adds the samples still held back; nothing is received afterwards.
   virtual void finish(Rows&, std::vector<Remark>&) {}
 
   /// Empty until the first row.
@@ -43,14 +43,14 @@ class Source {
 
   virtual SampleTimes times() const { return {TimesBy::device}; }
 
-  /// Seconds of the device over those of the computer, 0 where unknown.
+  /// Seconds of the device over those of the computer; 0: unknown.
   virtual double pace() const { return 0; }
 };
 
 /// Not connected yet.
 std::unique_ptr<Source> make_source(const SourceName& name, const LineSettings& lines);
 
-/// Seconds of a clock that never jumps, as all arrivals are told.
+/// Seconds of a clock that never jumps; all arrivals are in them.
 double steady_seconds();
 
 }  // namespace cromer::core

@@ -25,7 +25,7 @@ double Timekeeper::usual_step() const {
   return *middle;
 }
 
-// A file piped in arrives at once: the computer's clock then knows nothing of its times.
+// A file that is piped in arrives at once: then the computer's clock says nothing about its times.
 bool Timekeeper::keeps_pace() const {
   const std::size_t known = std::min(window, samples_ - 1);
   if (known < 8) return false;

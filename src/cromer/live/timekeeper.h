@@ -10,7 +10,7 @@
 
 namespace cromer::core {
 
-/// The time of a sample, and what had to be done for it.
+/// The time of a sample, and a notice if it had to be changed.
 struct Stamp {
   double t;  // [s] strictly above the one before
   std::optional<Remark> notice{};
@@ -22,26 +22,25 @@ class Timekeeper {
   /// `rate` [1/s]: of samples without a time of their own; 0 where there are none.
   explicit Timekeeper(double rate = 0) : rate_(rate) {}
 
-  /// A sample with the device's own time, which is kept. Where the device's clock jumps back (by any amount)
-  /// or forward (by 0.5 s more than the computer's clock, while both had kept pace), the times go on from
-  /// what the computer's clock says has passed. A step that both clocks saw, longer than 0.1 s and than five
-  /// of the usual ones, is a gap. A time that repeats is a jump back by nothing. A number of 1e15 s or more
-  /// is garbled: it is replaced by the last time and a usual step, or after a silence by what the computer's
-  /// clock says; then the device's clock goes on.
+  /// A sample with the device's own time, which is kept. If the device's clock jumps back, or forward by 0.5
+  /// s more than the computer's clock while both had kept pace, the times continue by the computer's clock. A
+  /// step on both clocks of more than 0.1 s and five usual steps is a gap. A repeated time counts as a jump
+  /// back. A time of 1e15 s or more is garbled: the last time and a usual step replace it, or after a silence
+  /// the computer's clock; then the device's clock goes on.
   Stamp of_device(double device, double arrival);
 
-  /// A sample without a time, at the known rate: 0 for the first, then by counting, begun anew at its arrival
-  /// where the count and the arrival are apart by more than half a second.
+  /// A sample without a time, at the known rate: 0 for the first, then by counting. The count begins anew at
+  /// an arrival that is more than half a second away from it.
   Stamp of_count(double arrival);
 
-  /// Device seconds over the computer's since the first sample; 0 where under two seconds have passed.
+  /// Seconds of the device over those of the computer since the first sample; 0 during the first two seconds.
   double pace() const;
 
  private:
   static constexpr std::size_t window = 64;
   double usual_step() const;
   bool keeps_pace() const;
-  double rising(double t) const;  ///< after the last time, wherever rounding has put it
+  double rising(double t) const;  ///< above the last time, whatever the rounding
   Stamp instead_of(double device, double arrival);
   void remember(double device, double arrival, double t);
   void remember(double arrival, double t);  ///< a sample without a time of the device's

@@ -10,8 +10,8 @@
 
 namespace cromer::core::dialects {
 
-/// The lines of a text ended by LF, CR LF or (where there is no LF) CR, without their ends. Line i of the
-/// file is lines[i - 1]. The last one is empty, but for a text that ends within a line.
+/// The lines of a text without their ends: LF, CR LF, or CR in a text without LF. Line i of the file is
+/// lines[i - 1]. The last one is empty, unless the text ends without a line end.
 std::vector<std::string_view> split_lines(std::string_view text);
 
 /// Without blanks, tabs and no-break spaces at both ends.
@@ -21,7 +21,7 @@ std::string_view trimmed(std::string_view text);
 bool is_blank(std::string_view line);
 bool is_comment(std::string_view line);
 
-/// Wider tables are refused: each column costs memory of its own, however little a file says of it.
+/// Wider tables are refused: each column costs memory, even if it takes one byte of the file.
 constexpr std::size_t most_columns = 2000;
 
 /// How rows are written. Blanks (' ') stand for any run of spaces and tabs; 0: one value a line.
@@ -29,14 +29,14 @@ struct Layout {
   char separator = ',';  // , ; \t ' ' or 0
   char decimal = '.';    // . or ,
   std::size_t columns = 1;
-  /// Commas separate and mark decimals, without quotes to tell them apart: each value has one of its own.
+  /// Commas both separate and mark decimals, without quotes: each value has a decimal comma.
   bool paired = false;
 };
 
 Error too_many_columns();
 
-/// Whether the commas of a line can be told apart under this layout: where they are paired, a whole number
-/// without a fraction shifts all that follows.
+/// Whether the commas of a line fit this layout. Where they are paired, a whole number without a decimal
+/// comma would shift all cells that follow.
 bool commas_pair_up(std::string_view line, const Layout& layout);
 
 /// Takes the cells of a line one by one. Quotes are taken off; blanks around a cell too.
@@ -47,8 +47,8 @@ class CellReader {
   /// The next cell; false at the end of the line.
   bool next(std::string_view& cell);
 
-  /// Takes the next cell if it is a plain number right up to the separator, the usual case, without looking
-  /// for its end first; else nothing is taken and next() decides.
+  /// The usual case, made fast: takes the next cell if it is a plain number up to the separator. Else takes
+  /// nothing, and next() decides.
   bool next_number(double& value);
 
  private:
@@ -70,15 +70,16 @@ struct Cell {
   double value = 0;  ///< NaN unless a number
 };
 
-/// Empty, NaN, null, inf and dashes are missing; anything else that is not wholly a finite number is a word.
+/// Empty cells, NaN, null, inf and dashes are missing. All else is a word, unless the whole cell is a finite
+/// number.
 Cell read_cell(std::string_view cell, char decimal);
 
 /// A cell as it is shown to people: short, and without control characters.
 std::string shown(std::string_view cell);
 
-/// What a cell is that is not a number, and the cure: a clock time, a number with thousands separators, a
-/// date, Fortran's D exponents, a number beyond the doubles, the other decimal mark; empty where nothing is
-/// recognised.
+/// Says what a cell is that is not a number, and the cure: a clock time, a number with thousands separators,
+/// a date, Fortran's D exponents, a number beyond the doubles, the other decimal mark. Empty if it is none of
+/// these.
 Notice bad_cell(std::string_view cell, char decimal);
 
 }  // namespace cromer::core::dialects

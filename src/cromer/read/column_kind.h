@@ -8,15 +8,15 @@
 
 namespace cromer::core {
 
-/// time, position, angle, velocity, angular velocity, acceleration, force, voltage, frequency; or "" where
-/// neither the unit nor the name (in English, German, Italian, French or Spanish) tells. The unit decides
-/// where it is known, but what is called a frequency is one in rad/s too.
+/// What a column measures: time, position, angle, velocity, angular velocity, acceleration, force, voltage or
+/// frequency; "" if neither its unit nor its name (English, German, Italian, French or Spanish) says. A known
+/// unit decides; but a column called a frequency is one in rad/s too.
 std::string quantity_of(std::string_view name, std::string_view unit);
 
 /// Whether a unit is known and measures the quantity.
 bool is_unit_of(std::string_view unit, std::string_view quantity);
 
-/// The unit of time that a whole name is: ms of "millis", s of "seconds"; else "".
+/// The unit of time, if the whole name is one: ms of "millis", s of "seconds"; else "".
 std::string_view unit_as_name(std::string_view name);
 
 /// The SI value of 1 in the column's unit; `known` is false where the unit is missing or unknown (then 1 is

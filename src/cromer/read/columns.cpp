@@ -39,7 +39,7 @@ bool runs_evenly_upward(const std::vector<double>& values) {
   return static_cast<double>(even) >= 0.9 * static_cast<double>(steps.size());
 }
 
-/// 0, 1, 2, ...: no time where the rate is known.
+/// 0, 1, 2, ...: not a time if the rate is known.
 bool counts_by_one(const std::vector<double>& values) {
   for (std::size_t i = 1; i < values.size(); ++i)
     if (values[i] - values[i - 1] != 1) return false;
@@ -53,7 +53,7 @@ bool counts_rows(const Column& column) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// A spectrum's or a pendulum's: in seconds, but no time.
+/// The period of a spectrum or a pendulum: in seconds, but not a time.
 bool is_period(const std::string& name) {
   constexpr std::array<std::string_view, 6> words{"period", "periodo", "période", "periode", "tn", "lag"};
   std::string small = plain_name(name);
@@ -61,8 +61,8 @@ bool is_period(const std::string& name) {
                      [&](std::string_view word) { return small.starts_with(word); });
 }
 
-/// How many rows apart the values stand, if evenly: sensors sampled in turn, or more slowly than others. 1
-/// where they do not.
+/// How many rows apart the values stand, if evenly (sensors sampled in turn, or more slowly than others);
+/// else 1.
 std::size_t stride_of(const std::vector<double>& values) {
   constexpr std::size_t fewest = 4;
   std::size_t count = 0, last = 0, stride = 0;
@@ -76,14 +76,14 @@ std::size_t stride_of(const std::vector<double>& values) {
   return count >= fewest ? stride : 1;
 }
 
-/// Of "2nd", "12th", "22nd".
+/// The ending of "2nd", "12th", "22nd".
 Notice ordinal_ending(std::size_t n) {
   if (n / 10 % 10 == 1 || n % 10 == 0 || n % 10 > 3) return Notice{"ordinal_th"};
   return n % 10 == 1 ? Notice{"ordinal_st"} : Notice{n % 10 == 2 ? "ordinal_nd" : "ordinal_rd"};
 }
 
 /// A time is never scaled by guess: a unit that is unknown or measures something else is an Error, unless
-/// another column is a good time.
+/// another column is a time with a good unit.
 Result<void> check_time_units(std::vector<Column>& columns, bool asked) {
   const auto good = [](const Column& column) {
     return column.unit.empty() || is_unit_of(column.unit, "time");
@@ -163,8 +163,8 @@ Result<std::size_t> find_column(const Table& table, std::string_view name, int r
 namespace dialects {
 namespace {
 
-/// The label of each column's run as the header has it; a column without one belongs to its neighbours: a
-/// time to what follows, anything else to what stands before it.
+/// The label of each column's run in the header. A time without one belongs to the columns behind it, any
+/// other column to those before it.
 std::vector<std::string> column_labels(const std::vector<Column>& columns, const Header& header) {
   const std::size_t count = columns.size();
   std::vector<std::string> own(count), before(count), behind(count);
@@ -256,7 +256,7 @@ Result<void> mark_time(Recording& recording, const ReadOptions& options, bool ha
     }
     return check_time_units(columns, true);
   }
-  // A period in seconds is no time, and other seconds are none if another column is so named.
+  // A period in seconds is not a time; nor are other seconds, if a column is called a time.
   const auto named = [](const Column& column) { return quantity_of(column.name, "") == "time"; };
   const bool any_named = std::any_of(columns.begin(), columns.end(), [&](const Column& column) {
     return column.quantity == "time" && named(column);

@@ -14,16 +14,16 @@ namespace cromer::core {
 /// "Position (mm)": name and unit as headings write them.
 std::string column_title(const Column& column);
 
-/// Those of the columns with these indices, each in quotes.
+/// The titles of the columns with these indices, each in quotes.
 std::vector<std::string> quoted_titles(const std::vector<Column>& columns,
                                        const std::vector<std::size_t>& chosen);
 
-/// Rows of a run up to the last that has any value.
+/// The number of rows of a run, empty ones at its end not counted.
 std::size_t rows_of_run(const Table& table, int run);
 
-/// The column meant by `name` among those of `run` (0: of all runs): exactly, else without case, decoration
-/// and unit, else without a subscript. Not found, or several: an Error that lists the columns (without the
-/// file's name).
+/// Finds a column by its name among those of `run` (0: of all runs): an exact match, else one without case,
+/// decoration and unit, else one without a subscript. No match, or several, is an Error that lists the
+/// columns (without the file's name).
 Result<std::size_t> find_column(const Table& table, std::string_view name, int run);
 
 namespace dialects {
@@ -37,14 +37,15 @@ void number_unnamed(std::vector<Column>& columns);
 /// A delimiter at the end of each row makes an empty column without a name: dropped. One column stays.
 void drop_unnamed_empty(std::vector<Column>& columns);
 
-/// Runs numbered from 1 in the order the file names them, or begun anew where a column's name repeats.
+/// Numbers the runs from 1 in the file's order. A run begins where the file names one, or where a column's
+/// name repeats.
 void number_runs(Recording& recording, const Header& header);
 
-/// Marks the time columns: the one asked for, else those so named, else a first column that runs evenly
-/// upward.
+/// Marks the time columns: the one asked for, else those that are called a time, else a first column that
+/// rises evenly.
 Result<void> mark_time(Recording& recording, const ReadOptions& options, bool has_header);
 
-/// Notices of missing values; a run that is shorter than another misses nothing.
+/// Adds notices of missing values. The rows that a shorter run does not have are not missing.
 void count_missing(Recording& recording);
 
 }  // namespace dialects

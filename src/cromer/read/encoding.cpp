@@ -21,8 +21,8 @@ struct Utf16 {
   bool big = false;        ///< the high byte of a unit stands first
 };
 
-/// Every second byte of the beginning is zero, and no other: plain letters and digits in two bytes each. The
-/// high byte stands first where the even bytes are the zeros.
+/// Whether the high byte stands first: in plain letters and digits of two bytes each, nearly every second
+/// byte is zero and no other. Nothing if the text does not begin like that.
 std::optional<bool> big_end_first(std::string_view bytes) {
   const std::size_t looked_at = std::min<std::size_t>(bytes.size() & ~std::size_t{1}, 512);
   std::size_t even = 0, odd = 0;
@@ -36,8 +36,7 @@ std::optional<bool> big_end_first(std::string_view bytes) {
   return std::nullopt;
 }
 
-/// By the byte order mark; without one, text of which nearly every second byte of the beginning is zero, and
-/// no other.
+/// UTF-16 by its byte order mark, else by its zeros.
 std::optional<Utf16> find_utf16(std::string_view bytes) {
   for (const bool big : {false, true})
     if (bytes.starts_with(big ? "\xFE\xFF" : "\xFF\xFE")) return Utf16{bytes.substr(2), true, big};

@@ -8,7 +8,7 @@
 
 namespace cromer::core::dialects {
 
-/// A file's text as UTF-8. What is UTF-8 already is not copied: then `text` looks into the bytes given.
+/// A file's text as UTF-8. UTF-8 is not copied: `text` then points into the bytes given.
 struct Decoded {
   std::string converted;  ///< empty unless the bytes had to be converted
   std::string_view original;

@@ -47,7 +47,7 @@ std::string take_unit(std::string_view& text) {
   return unit;
 }
 
-/// time_s, angle_deg: a unit after the last underscore, if it fits what the name says.
+/// time_s, angle_deg: a unit after the last underscore, if it fits the name.
 std::string take_suffix_unit(std::string_view& text) {
   const std::size_t underscore = text.rfind('_');
   if (underscore == std::string_view::npos || underscore == 0 || underscore + 1 == text.size()) return {};
@@ -59,8 +59,8 @@ std::string take_suffix_unit(std::string_view& text) {
   return std::string(unit);
 }
 
-/// Time/ms, v/(m/s), "t in s": what stands behind is a unit if it fits what the name says; behind a time it
-/// is one in any case.
+/// Time/ms, v/(m/s), "t in s": the part behind is a unit if it fits the name; behind a time and a slash it
+/// always is one.
 std::string take_unit_behind(std::string_view& text, std::string_view mark) {
   const std::size_t at = text.find(mark);
   if (at == std::string_view::npos || at == 0) return {};
@@ -77,7 +77,7 @@ std::string take_unit_behind(std::string_view& text, std::string_view mark) {
   return std::string(unit);
 }
 
-/// "timestamp ms", "pos cm": a last word that is a unit of what the name says.
+/// "timestamp ms", "pos cm": a last word that is a unit fitting the name.
 std::string take_last_word_unit(std::string_view& text) {
   const std::size_t blank = text.find_last_of(" \t");
   if (blank == std::string_view::npos || blank + 1 == text.size() || is_digit(text[blank + 1])) return {};
@@ -88,7 +88,7 @@ std::string take_last_word_unit(std::string_view& text) {
   return std::string(unit);
 }
 
-/// "Position (cm) smoothed": a bracket within that holds a unit of what the name says.
+/// "Position (cm) smoothed": a bracket within the name that holds a fitting unit.
 std::string take_unit_within(std::string& text) {
   const std::size_t open = text.find_first_of("(["), close = text.find_first_of(")]", open);
   if (open == std::string::npos || open == 0 || close == std::string::npos) return {};
@@ -104,7 +104,7 @@ void drop_trailing_empty(Cells& cells) {
   while (!cells.empty() && cells.back().empty()) cells.pop_back();
 }
 
-/// "(m)", "[s]", "m/s": what a line of units below the names consists of. "t" is no unit, "s" and "m" are.
+/// "(m)", "[s]", "m/s": the cells of a line of units below the names. "t" is no unit, "s" and "m" are.
 bool is_unit(std::string_view cell) {
   if (cell.empty()) return true;
   const bool bracketed =
@@ -134,7 +134,7 @@ Cells split_at_blanks(std::string_view line) {
   return joined;
 }
 
-/// The names of a header line, if it has as many as the rows have columns under some separator; else empty.
+/// The names of a header line, if some separator gives as many as the rows have columns; else empty.
 Cells split_names(std::string_view line, const Layout& layout, char& separator) {
   Cells cells;
   if (layout.columns == 1) {
@@ -174,7 +174,7 @@ Heading parse_heading(std::string_view cell) {
   Heading heading;
   const std::string whole = unquoted(trimmed(cell));
   std::string_view text = whole;
-  // Spreadsheets are kept from reading =, + or - as a formula by an apostrophe.
+  // An apostrophe keeps spreadsheets from reading =, + or - as a formula.
   if (text.size() > 1 && text[0] == '\'' && std::string_view("=+-@").find(text[1]) != std::string_view::npos)
     text.remove_prefix(1);
   heading.run = take_run(text);

@@ -14,7 +14,7 @@ struct Heading {
   std::string name;
   std::string unit;
   std::string run;     ///< "Run #1", "Latest", "Data Set 2"; "" where the file names none
-  std::string prefix;  ///< the run's label was written in front, with a colon (Logger Pro)
+  std::string prefix;  ///< the run's label, if it stands in front with a colon (Logger Pro)
 };
 Heading parse_heading(std::string_view cell);
 
@@ -25,7 +25,7 @@ struct Header {
   char separator = 0;               ///< of the header; may differ from the rows'
 };
 
-/// `data` is the index of the first row.
+/// Reads the lines above the first row, whose index is `data`.
 Header find_header(const std::vector<std::string_view>& lines, std::size_t data, const Layout& layout);
 
 }  // namespace cromer::core::dialects

@@ -1,4 +1,4 @@
-// Where in which file something is wrong, or worth knowing.
+// Adds the file and the line to what an error or a notice says.
 #pragma once
 
 #include <string_view>
@@ -7,15 +7,15 @@
 
 namespace cromer::core {
 
-/// Of a line of a file whose name is not known here.
+/// For a line of a file whose name is not known here; in_file adds it.
 Error in_line(long line, const Error& error);
 Error in_line(long line, Notice what);
 
-/// "lab.csv: what", and "lab.csv:7: what" of a line.
+/// "lab.csv: what", or "lab.csv:7: what" where in_line named the line.
 Error in_file(std::string_view file, const Error& error);
 Notice in_file(std::string_view file, Notice what);
 
-/// The same of a file of an archive: `"Raw Data":7: what`.
+/// The same for a file of an archive: `"Raw Data":7: what`.
 Notice in_member(std::string_view member, Notice what);
 
 }  // namespace cromer::core

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t sampled_at_start = 50;
 constexpr std::size_t sampled_in_all = 250;
 
-/// Lines that may be rows: all of a short file, else its start and an even choice of the rest.
+/// Lines that may be rows: all of a short file; of a long one its start and every n-th line of the rest.
 std::vector<std::string_view> sample(const std::vector<std::string_view>& lines) {
   std::vector<std::string_view> chosen;
   const std::size_t stride = std::max<std::size_t>(1, lines.size() / sampled_in_all);
@@ -70,7 +70,7 @@ Candidate judge(const std::vector<std::string_view>& chosen, Layout layout) {
   return candidate;
 }
 
-/// Where the sample has whole numbers only, the rest of the file may still show the decimal mark.
+/// If the sample has whole numbers only, the rest of the file may show the decimal mark.
 char decimal_of(const std::vector<std::string_view>& lines) {
   bool comma = false;
   for (const std::string_view line : lines) {
@@ -172,7 +172,7 @@ Result<Layout> settle_commas(const std::vector<std::string_view>& lines, const L
       if (!whole(cells[j].substr(sign ? 1 : 0, exponent - (sign ? 1 : 0)))) return layout;
     }
   }
-  // The line above, as names: as many as cells, or half as many.
+  // The line above may hold names: as many as there are cells, or half as many.
   for (std::size_t i = data; i-- > 0;) {
     if (is_blank(lines[i])) continue;
     std::string_view names = lines[i];

@@ -10,15 +10,15 @@
 
 namespace cromer::core::dialects {
 
-/// The layout under which most of a sample of the lines are rows of numbers. No such lines is an Error
-/// (without the file's name).
+/// The layout under which most sampled lines are rows of numbers. If none is, an Error (without the file's
+/// name).
 Result<Layout> find_layout(const std::vector<std::string_view>& lines, const ReadOptions& options);
 
 /// The first line (index) that is a row of this layout, even if one of its cells is bad.
 std::size_t find_data(const std::vector<std::string_view>& lines, const Layout& layout);
 
-/// Rows such as 1,234,5,678 read in two ways: settled by the header or the options, else an Error that says
-/// which options decide.
+/// Rows such as 1,234,5,678 can be read in two ways. The header or the options decide; else an Error says
+/// which options would.
 Result<Layout> settle_commas(const std::vector<std::string_view>& lines, const Layout& layout,
                              const ReadOptions& options);
 

@@ -32,19 +32,19 @@ struct Dialect {
   std::string decimal;    ///< "point" or "comma"
 };
 
-/// A file read. Units are the file's own; times are seconds.
+/// A file as it was read, in its own units.
 struct Recording {
   std::string file;
   Dialect dialect;
   Table table;              ///< without bad rows; ragged runs padded with NaN
   bool named = false;       ///< the file itself names its columns
   std::vector<long> lines;  ///< line number in the file of each row
-  /// Where tables stand below each other in the file or in an archive: the lines of each, and which of them a
-  /// column stands in; `lines` is empty then, else these are.
+  /// For several tables in one file or archive: the line numbers of each, and the table that each column is
+  /// of. `lines` is empty then; for a single table these two are.
   std::vector<std::vector<long>> lines_of_set;
   std::vector<std::size_t> set_of_column;
   std::vector<Notice> notices;
-  std::string motion{};  ///< what was recorded where, without its direction, where the file says so
+  std::string motion{};  ///< event, date and station without the direction, if the file names them
 };
 
 /// Reads a whole file. An Error names file, line, column and cure: `lab.csv:17: column "Position (m)": "abc"
@@ -58,8 +58,8 @@ inline long line_of(const Recording& recording, std::size_t column, std::size_t 
   return row < lines.size() ? lines[row] : 0;
 }
 
-/// One quantity of one run with its times, missing values left out, times made strictly increasing;
-/// everything repaired is said in notices.
+/// One quantity of one run with its times. Missing values are left out and times rise strictly; notices say
+/// what was repaired.
 struct Series {
   std::string column;    ///< as the file names it, with unit
   std::string quantity;  ///< position, angle, ...
@@ -78,24 +78,23 @@ struct Series {
   std::vector<Notice> notices;
 };
 
-/// The unit of y: of its quantity, else the file's own where values are taken as they are; "" where it has no
-/// name.
+/// The unit of y: the SI unit of its quantity, else the file's own if values are not converted, else "".
 std::string unit_of(const Series& series);
 
 /// The runs of a recording: 1, 2, ...
 std::vector<int> runs(const Recording& recording);
 
-/// Picks a column: `column` matched exactly, else without case, decoration and unit if unambiguous; empty: a
-/// position is taken (else angle, angular velocity, velocity, acceleration); several alike, or several of
-/// which only the names are known, are an Error that lists them. Its times are those of the time column
-/// before it. `run` from 1.
+/// Takes one column of a run (from 1) as a series. `column` is matched exactly, else without case, decoration
+/// and unit. If it is empty, a position is taken, else an angle, angular velocity, velocity or acceleration.
+/// Several that fit, or several of which only the names are known, are an Error that lists them. The times
+/// are those of the time column before it.
 Result<Series> take_series(const Recording& recording, std::string_view column, int run,
                            const ReadOptions& options);
 
-/// Run by run: the time first, in seconds and strictly increasing (repeated and backward rows left out), then
-/// the other columns in the file's own units, missing values NaN. Without a time column the times come from
-/// `options.rate`; without either there is no time column. Reading the table back, written under
-/// column_heading, gives it again.
+/// A recording as one clean table, run by run: first the time in seconds, strictly increasing (rows with
+/// repeated and backward times are left out), then the other columns in the file's own units, missing values
+/// NaN. Without a time column the times come from `options.rate`; without a rate there are none. Written
+/// under column_heading and read back, the table is the same.
 Result<Table> clean_table(const Recording& recording, const ReadOptions& options);
 
 /// "Position (mm)", and "Position (mm) Run #2" in a table of several runs.

@@ -45,7 +45,7 @@ bool may_be_cut_row(std::string_view line) {
   return ends_in(digits);
 }
 
-/// Looks at the last number of the last row, in a text that ends within its line, beside those above it.
+/// Compares the last number of a last line without a line end with the numbers above it.
 void judge_last_line(Rows& rows, const std::vector<std::string_view>& lines, const Layout& layout,
                      std::size_t lines_before) {
   constexpr std::size_t enough = 1000, fewest = 8;  // rows
@@ -84,7 +84,7 @@ void judge_last_line(Rows& rows, const std::vector<std::string_view>& lines, con
 
 Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout& layout,
                        const std::vector<std::string>& names, const RowRules& rules) {
-  // Rows much shorter than the table is wide would cost memory that the file's size does not announce.
+  // Rows far shorter than the table is wide would cost far more memory than the file has bytes.
   std::size_t count_of_lines = 0, bytes = 0;
   for (std::size_t i = rules.from; i < rules.to; ++i) {
     if (lines[i].empty()) continue;
@@ -108,7 +108,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
     CellReader reader(line, layout);
     std::size_t count = 0;
     bool bad = false;
-    // Only the first bad row is spoken of: a name may be as long as the file.
+    // Only the first bad row is described: a name may be as long as the file.
     const auto complain = [&](auto&& of) {
       bad = true;
       if (rows.bad_rows == 0) rows.first_complaint = of();
@@ -122,7 +122,7 @@ Result<Rows> read_rows(const std::vector<std::string_view>& lines, const Layout&
       }
       if (!reader.next(text)) break;
       if (count >= layout.columns) {
-        // A number behind the last column is no remark: a separator stands within a number before it.
+        // A number behind the last column is no remark: some number before it contains a separator.
         if (rules.ignore_beyond && read_cell(text, layout.decimal).kind != CellKind::number) break;
         if (text.empty()) continue;
         complain([&] { return Notice{"more_values_than_columns", {{"columns", layout.columns}}}; });
@@ -162,7 +162,7 @@ Error no_rows(const std::vector<std::string_view>& lines, const Error& reason, s
     const std::string_view line = trimmed(lines[i]);
     if (line.empty() || std::string_view("0123456789+-.,\"").find(line.front()) == std::string_view::npos)
       continue;
-    // The separator is not known: the one that leaves the shortest bad cell.
+    // The separator is not known: takes the one that gives the shortest bad cell.
     std::string_view bad;
     Notice seen;
     for (const char separator : {'\t', ';', ',', ' '}) {

@@ -10,6 +10,10 @@
 namespace cromer::core::dialects {
 namespace {
 
+// The neighbours on either side that show what is usual, and how many robust standard deviations are unusual.
+constexpr std::size_t reach = 20;
+constexpr double robust = 1.4826, deviations = 12;
+
 /// Units in the last decimal place, if six decimals behind the largest value's first digit, or behind the
 /// point, write nearly all values (a logger may print 0.00 as -3.75e-5 now and then); else 0.
 double decimal_step(std::span<const double> values) {
@@ -22,7 +26,7 @@ double decimal_step(std::span<const double> values) {
   for (int decimals = 0; decimals <= 6; ++decimals, scale *= 10) {
     const auto exact = std::count_if(values.begin(), values.end(), [&](double value) {
       const double scaled = value * scale, whole = std::nearbyint(scaled);
-      // What is next to nothing beside a unit is not written by whole units.
+      // A value far below one unit is not a multiple of it.
       if (whole == 0 && value != 0) return false;
       return std::fabs(scaled - whole) <= std::min(0.01, 1e-9 * std::max(1.0, std::fabs(scaled)));
     });
@@ -31,7 +35,7 @@ double decimal_step(std::span<const double> values) {
   return 0;
 }
 
-/// All values of a short series, else as many of a long one as tell its rounding, evenly chosen.
+/// All values of a short series; every n-th of a long one, enough to show its rounding.
 std::vector<double> even_choice(std::span<const double> values) {
   constexpr std::size_t enough = 100'000;
   const std::size_t stride = (values.size() + enough - 1) / enough;
@@ -41,8 +45,7 @@ std::vector<double> even_choice(std::span<const double> values) {
   return chosen;
 }
 
-/// The lower quartile of the changes from sample to sample, those that are none left out: the flicker of a
-/// signal at rest.
+/// The lower quartile of the changes from sample to sample, zeros left out: the flicker of a signal at rest.
 double usual_small_change(std::span<const double> y) {
   std::vector<double> changes;
   for (std::size_t i = 1; i < y.size(); ++i)
@@ -65,9 +68,9 @@ double distance_from_cubic(std::span<const double> y, std::size_t i) {
   return y[i] - (4 * (y[i - 1] + y[i + 1]) - (y[i - 2] + y[i + 2])) / 6;
 }
 
-/// The first and last two samples have no neighbours on one side: they stick out where the cubic through the
-/// next four misses them by far, and the four fit the one behind them. `least` is what sticks out anywhere; a
-/// swing that dies down is missed by more where it is large.
+/// The first and last two samples have no neighbours on one side: they stick out if the cubic through the
+/// next four samples misses them by far but fits the sample behind these. `least` is the distance that sticks
+/// out anywhere; the cubic misses a decaying swing by more where it is large.
 std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span<const double> y, double step,
                                             std::span<const double> size, double least) {
   std::vector<std::size_t> found;
@@ -81,7 +84,7 @@ std::vector<std::size_t> spikes_at_the_ends(std::span<const double> t, std::span
         return std::fabs(y[at(k)] - 4 * y[at(k + 1)] + 6 * y[at(k + 2)] - 4 * y[at(k + 3)] + y[at(k + 4)]);
       };
       const bool even = are_even(t.subspan(std::min(at(0), at(4)), 5), step);
-      // A spike of the next one is missed by four times its size here.
+      // If the next sample is a spike, the cubic misses this one by four times its size.
       if (!even || size[at(3)] > floor || missed(0) <= 6 * floor || missed(0) < 5 * missed(1)) continue;
       found.push_back(at(0));
       break;
@@ -108,7 +111,7 @@ double median_seen(std::span<const double> sizes) {
 
 double rounding_step(std::span<const double> all) {
   std::vector<double> values = even_choice(all);
-  // A value of 1e30 among them tells nothing of the others' decimals.
+  // A stray value of 1e30 says nothing about the decimals of the others.
   constexpr double wild = 1e9;  // times the usual distance from the middle
   const double middle = median(values);
   std::vector<double> distances;
@@ -119,7 +122,7 @@ double rounding_step(std::span<const double> all) {
   std::vector<double> distinct = values;
   std::sort(distinct.begin(), distinct.end());
   const double range = distinct.back() - distinct.front();
-  // Of decimals in binary, whatever their distance from zero.
+  // The binary rounding of decimals, at any distance from zero.
   const double noise =
       std::max(1e-9 * range, 1e-15 * std::max(std::fabs(distinct.front()), std::fabs(distinct.back())));
   distinct.erase(
@@ -149,7 +152,7 @@ double rounding_step(std::span<const double> all) {
   }
   const bool even = static_cast<double>(multiples) >= 0.95 * static_cast<double>(distinct.size() - 1);
   if (!even || counts == 0) return decimal;
-  // A single decimal place is itself, not its average over binary noise.
+  // A step of one decimal place is exactly that, not a mean with binary noise.
   const double mean = sum / counts;
   return decimal > 0 && std::fabs(mean - decimal) < 0.01 * decimal ? decimal : mean;
 }
@@ -182,12 +185,13 @@ std::vector<std::size_t> spikes(std::span<const double> t, std::span<const doubl
                        size[i] > 1.2 * std::max(size[i - 1], size[i + 1]) &&
                        size[i] > 2 * std::max(size[i - 2], size[i + 2]);
     if (!alone) continue;
-    // Beside a gap a spike of the hidden neighbour looks like one here, but hardly moves the other.
+    // Beside a gap, a spike of the neighbour whose size is unknown looks like one here; but then the other
+    // neighbour hardly shows it.
     const auto marked = [&](std::size_t hidden, std::size_t other) {
       return size[hidden] != unseen || 2 * size[other] > size[i];
     };
     if (!marked(i - 1, i + 1) || !marked(i + 1, i - 1)) continue;
-    // Motion may set in on one side only: the livelier side says what is usual.
+    // Motion may begin on one side only: the livelier side shows what is usual.
     const std::size_t from = i > reach + 2 ? i - reach - 2 : 2, to = std::min(i + reach + 3, n - 2);
     const std::span all(size);
     double usual = 0;
@@ -228,7 +232,7 @@ bool tops_cut_off(std::span<const double> y, double step, double resolution) {
       longest = std::max(longest, run);
       run = 0;
     }
-    // A top that is all of the half period is a rectangle, not one cut off.
+    // A top as long as the half period belongs to a square wave.
     const double length = static_cast<double>(longest) * step;
     if (plateaus >= 2 && length > 1.5 * dwell + 3 * step && length < 0.9 * half_period) return true;
   }
@@ -257,14 +261,14 @@ struct Signal {
   }
 };
 
-/// Left for and come back from on the same side, with every sample in between well away.
+/// Whether the jumps away and back are on the same side, and every sample between them is well away.
 bool is_drop_out(const Signal& signal, std::size_t first, std::size_t end, bool flat) {
   const auto& y = signal.y;
   const double in = y[first] - y[first - 1], out = y[end - 1] - y[end];
   if (in * out <= 0) return false;
   const double size = std::min(std::fabs(in), std::fabs(out)), usual = signal.usual(first, end);
   if (usual == 0 || size <= std::max(signal.floor, signal.limit * usual)) return false;
-  // Where what lies beyond both neighbours is like the stretch, the neighbours are two spikes.
+  // If the samples beyond both neighbours are like the stretch, the neighbours are two spikes.
   const auto like_the_stretch = [&](double beyond, double inside) {
     return std::fabs(beyond - inside) < 0.5 * size;
   };

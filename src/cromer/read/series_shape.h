@@ -8,13 +8,9 @@
 
 namespace cromer::core::dialects {
 
-/// How many neighbours on either side say what is usual, and how many robust standard deviations are unusual.
-constexpr std::size_t reach = 20;
-constexpr double robust = 1.4826, deviations = 12;
-
-/// Stands for a size that the times do not let one see.
+/// Stands for a size that is unknown because of a gap in the times.
 constexpr double unseen = -1;
-/// The median of the sizes that are seen; 0 of none.
+/// The median of the known sizes; 0 if there are none.
 double median_seen(std::span<const double> sizes);
 
 /// The median; NaN of nothing. Takes a copy on purpose.
@@ -25,15 +21,16 @@ double median(std::vector<double> values);
 /// step apart.
 double rounding_step(std::span<const double> values);
 
-/// Samples that stick out alone: their distance from the cubic through the four neighbours is more than 12
+/// Single samples that stick out: their distance from the cubic through the four neighbours is more than 12
 /// robust standard deviations (1.4826 MAD) of such distances, near by and overall, more than 6 rounding steps
 /// and more than 6 usual small changes; at either end, from the cubic through the next four samples and more
-/// than 6 times that. Conservative: steps, kinks, flicker and clean oscillations give none.
+/// than 6 times that. Conservative: steps, kinks, flicker and clean oscillations have none.
 std::vector<std::size_t> spikes(std::span<const double> t, std::span<const double> y, double step,
                                 double resolution);
 
-/// The swing's tops are cut off: its largest or least value comes again and again, in runs longer than a
-/// sinusoid of this size and frequency stays within one `resolution` of its top. `step` [s] between samples.
+/// Whether the tops of the swing are cut off: its largest or smallest value comes again and again, in runs
+/// longer than a sinusoid of this size and frequency stays within one `resolution` of its top. `step` [s]
+/// between samples.
 bool tops_cut_off(std::span<const double> y, double step, double resolution);
 
 /// One stretch of samples, from `first` up to, but without, `end`.
@@ -41,10 +38,10 @@ struct DropOut {
   std::size_t first, end;
 };
 
-/// Two to ten samples, or three and more equal ones, that the motion leaves for by a jump and comes back from
-/// by another: both jumps larger than 12 robust standard deviations of the changes near by, on the livelier
-/// side. None where the signal mostly stands still (plateaus are no drop-outs), none where they were more
-/// than a tenth of the samples. `step` [s] is the median step; a gap in the times is no jump.
+/// Stretches that the sensor did not see: two to ten samples, or three and more equal ones, between a jump
+/// away and a jump back. Both jumps are larger than 12 robust standard deviations of the changes near by, on
+/// the livelier side. A signal that mostly stands still has none (plateaus are no drop-outs), nor has one of
+/// which they would be more than a tenth. `step` [s] is the median step; a gap in the times is not a jump.
 std::vector<DropOut> drop_outs(std::span<const double> t, std::span<const double> y, double step,
                                double resolution);
 

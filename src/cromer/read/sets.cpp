@@ -19,7 +19,7 @@ namespace {
 
 bool is_time(const Column& column) { return column.quantity == "time"; }
 
-/// What is laid down already, by run.
+/// The runs laid down so far.
 struct Laid {
   std::map<std::string, int> run_of_label;                     // the last of that label
   std::set<std::tuple<int, std::string, std::string>> titles;  // run, name and unit of what is no time
@@ -31,7 +31,7 @@ struct Laid {
     });
   }
 
-  /// The last time of the run, if it is the same as this one: then the columns that follow have theirs.
+  /// Whether the last time of the run is the same as this one: then the columns that follow share it.
   bool has_time(const std::vector<Column>& table, int run, const Column& time) const {
     const auto last = time_of_run.find(run);
     if (last == time_of_run.end()) return false;
@@ -221,8 +221,8 @@ std::vector<std::size_t> run_starts(const std::vector<double>& numbers) {
   return starts;
 }
 
-/// The rows between the starts as sets, without the first `skipped` columns. False, and nothing done, where
-/// one long run among many short ones would cost memory that the file's size does not announce.
+/// Lays the rows between the starts as sets, without the first `skipped` columns. False, and nothing done, if
+/// one long run among many short ones would cost far more memory than the file has bytes.
 bool lay_runs(Recording& recording, const std::vector<std::size_t>& starts, std::size_t skipped) {
   const auto& columns = recording.table.columns;
   std::size_t longest = 0;

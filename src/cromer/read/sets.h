@@ -20,7 +20,7 @@ struct Set {
   long names_line = 0;          ///< line number in the file of the columns' names; 0: none
 };
 
-/// What a reader of a dialect with a structure of its own is given.
+/// What the reader of a format is given.
 struct Source {
   std::string_view text;  ///< UTF-8
   const std::vector<std::string_view>& lines;
@@ -28,10 +28,10 @@ struct Source {
   const ReadOptions& options;
 };
 
-/// A step of time that a header may give [s]: beyond, times overflow.
+/// Whether a header's step of time [s] can be used: with a longer one the times would overflow.
 inline bool is_step(double step) { return step > 0 && step < 1e12; }
 
-/// What it makes of it; times and missing values are seen to by the stages that follow.
+/// What the reader of a format returns; later stages see to times and missing values.
 struct Sets {
   std::string dialect;
   char separator = 0;
@@ -41,16 +41,16 @@ struct Sets {
   std::string motion{};  ///< as Recording has it
 };
 
-/// Lays the sets side by side as runs 1, 2, ...: sets without a label, or whose columns are there already,
-/// begin a new run. A time that a run has already is not repeated. Sets so unequal that the padding would
-/// cost memory which the file's size does not announce are an Error.
+/// Lays the sets side by side as runs 1, 2, ... A set without a label, or with columns that its run has
+/// already, begins a new run. A time that its run has already is not repeated. Sets of very unequal length
+/// are an Error: padding them would cost far more memory than the file has bytes.
 Result<void> lay_side_by_side(std::vector<Set> sets, Recording& recording);
 
-/// Says what runs are called in the file, where their number does not.
+/// Adds notices of what runs are called in the file, if not by their number.
 void say_labels(const std::vector<std::string>& labels, std::vector<Notice>& notices);
 
-/// Where tables begin (line indices, the first is 0): at a line of names above rows that is the first header
-/// once more, or whose first name is a time; with the titles right above it. One where there is but one.
+/// The line indices at which tables begin; the first is 0. A table begins where the first header comes again,
+/// or at a line of names above rows whose first name is a time; titles right above it belong to it.
 std::vector<std::size_t> find_tables(const std::vector<std::string_view>& lines);
 
 /// Reads each table by the common stages. Tables whose titles name the same "Run #N" are one run.
@@ -64,7 +64,7 @@ std::vector<Set> as_sets(Recording recording, const std::string& label);
 /// side by side and drops that column. False, and nothing done, where the table is not of that form.
 bool split_stacked_runs(Recording& recording);
 
-/// Puts the runs side by side where the one time column starts again, and says so.
+/// A new run begins where the only time column starts again: puts the runs side by side, and says so.
 void split_at_restarts(Recording& recording);
 
 }  // namespace cromer::core::dialects

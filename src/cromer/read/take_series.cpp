@@ -17,8 +17,8 @@
 namespace cromer::core {
 namespace {
 
-/// Without a name: a position, else an angle, ...; several alike are an Error, and so are several of which
-/// nothing is known but their names; without names it is the first that is no time.
+/// The column if none is named: a position, else an angle, ... Several alike are an Error, and so are several
+/// of which only the names are known; in a file without names it is the first that is not a time.
 Result<std::size_t> main_column(const Recording& recording, int run, std::vector<Notice>& notices) {
   constexpr std::array<std::string_view, 5> wanted{"position", "angle", "angular velocity", "velocity",
                                                    "acceleration"};
@@ -71,7 +71,7 @@ void say_assumed_unit(const Column& column, std::vector<Notice>& notices) {
     notices.push_back(Notice{"column_without_unit", {{"column", column.name}}});
 }
 
-/// `rate`: of a series without a time column, else 0.
+/// `rate` of a series without a time column; else 0.
 void describe_times(Series& series, double rate) {
   dialects::Steps steps = dialects::describe_steps(series.t);
   series.rate = rate > 0 && series.t.size() > 1 ? rate : steps.rate;
@@ -92,14 +92,13 @@ void describe_times(Series& series, double rate) {
                                    {"at", rounded(longest->t, 6)}}});
 }
 
-/// What a motion sensor drops is a stretch of its own; of other columns (a force's pulses) only single
-/// samples are doubted.
+/// Motion sensors drop whole stretches. In other columns (a force's pulses) only single samples are doubted.
 bool is_motion(const Series& series) {
   constexpr std::array<std::string_view, 4> motions{"position", "angle", "velocity", "angular velocity"};
   return std::find(motions.begin(), motions.end(), series.quantity) != motions.end();
 }
 
-/// Spikes and drop-outs: listed, counted and said, not changed.
+/// Lists spikes and drop-outs, with a notice; the values stay.
 void set_aside(Series& series) {
   const double step = 1 / series.rate;
   std::set<std::size_t> found;
@@ -212,7 +211,7 @@ Result<Series> take_series(const Recording& recording, std::string_view column, 
         "no_step_of_time",
         {{"column", series.time_column}, {"from", shortest(series.t[0])}, {"to", shortest(series.t[1])}}});
   describe_values(series, as_written);
-  // Pixels are no metres: a displacement in a unit of its own has none that is known.
+  // Pixels are no metres: a displacement in an unknown unit has no known quantity.
   const bool displacement = series.quantity == "position" || series.quantity == "angle";
   if (displacement && !series.unit.empty() && !to_si(value).known) series.quantity.clear();
   return series;

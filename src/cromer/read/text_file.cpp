@@ -17,7 +17,7 @@
 namespace cromer::core::dialects {
 namespace {
 
-/// Dialects with a structure of their own; all others are tables that the common stages read.
+/// Formats with a structure of their own; all others are tables that the common stages read.
 struct OwnStructure {
   bool (*recognised)(const Source& source);
   Result<Sets> (*read)(const Source& source);
@@ -70,7 +70,7 @@ Result<Recording> read_text_file(std::string_view bytes, std::string_view file, 
     if (starts.size() == 1) return read_plain(lines, options);
     auto tables = read_tables(lines, starts, options);
     if (tables) return tables;
-    // A title may look like a row (a date, a count): then there is but one table.
+    // A title may look like a row (a date, a count): then there is only one table.
     auto plain = read_plain(lines, options);
     return plain ? std::move(plain) : std::move(tables);
   };

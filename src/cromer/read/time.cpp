@@ -13,7 +13,7 @@
 namespace cromer::core::dialects {
 namespace {
 
-/// How many rows were left out for one reason, and where that began.
+/// How many rows were left out for one reason, and the line of the first.
 struct LeftOut {
   std::size_t count = 0;
   long line = 0;
@@ -23,8 +23,8 @@ struct LeftOut {
   }
 };
 
-/// Whether the times from row i on rise towards `last` for some rows, or to their end: a new start, where a
-/// single backward time is a glitch.
+/// Whether the times from row i on rise towards `last` for some rows, or to their end. If so, it is a new
+/// start; a single backward time is a glitch.
 bool rises_from(const std::vector<double>& t, std::size_t i, double last) {
   constexpr std::size_t rows = 5;
   double before = t[i];
@@ -38,7 +38,7 @@ bool rises_from(const std::vector<double>& t, std::size_t i, double last) {
   return seen > 0;
 }
 
-/// Rises from `first` to `last` in `count` rows, and starts again in row i.
+/// Whether times that rose from `first` to `last` in `count` rows start again in row i.
 bool starts_again(const std::vector<double>& t, std::size_t i, double first, double last, std::size_t count) {
   constexpr std::size_t fewest = 10;
   return count > fewest && t[i] < last && t[i] - first <= 0.1 * (last - first) && rises_from(t, i, last);
@@ -143,7 +143,7 @@ Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<
 
 namespace {
 
-/// `value` to so many significant digits.
+/// `value` rounded to so many significant digits.
 double to_digits(double value, int digits) {
   if (value == 0 || !std::isfinite(value)) return value;
   const int places = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
@@ -173,8 +173,8 @@ double noise_of(std::span<const double> t) {
   return 4 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(t.front()), std::fabs(t.back()));
 }
 
-/// What the steps of rounded times differ by, where it is a twentieth of them at least; else 0. Rounding
-/// gives even steps two lengths, and others only where samples are missing.
+/// The rounding of times, by which their steps differ, if it is at least a twentieth of a step; else 0.
+/// Rounding gives even steps two lengths; other lengths come only from missing samples.
 double rounding_of(std::span<const double> t, double step) {
   constexpr double coarse = 0.05;
   constexpr std::size_t most = 12;
@@ -200,14 +200,14 @@ double rounding_of(std::span<const double> t, double step) {
   const double rounding = lengths[1].length - lengths[0].length;
   for (const Length& each : lengths)
     if (std::fabs(each.length - rounding * std::nearbyint(each.length / rounding)) > 2 * noise) return 0;
-  // Now and then a whole step more is a missing sample.
+  // A whole step more, now and then, is a missing sample.
   const bool whole = rounding > 0.9 * lengths[0].length;
   if (whole && 10 * lengths[1].count < t.size()) return 0;
   return rounding >= coarse * step ? rounding : 0;
 }
 
-/// Usual time from sample to sample where rounding or jitter makes the median step another: the median of
-/// stretches of sixteen, unless gaps spoil these.
+/// The usual time from sample to sample, also where rounding or jitter spoils the median step: from the
+/// median of stretches of sixteen, unless gaps spoil those.
 double pace_of(std::span<const double> t, double step) {
   constexpr std::size_t length = 16;
   if (t.size() < 4 * length) return step;
@@ -215,8 +215,8 @@ double pace_of(std::span<const double> t, double step) {
   return pace < 1.5 * step ? pace : step;
 }
 
-/// How much later than evenly spaced the times behind step i are than those before it: medians of ten on
-/// either side, which a single late sample does not move.
+/// How much the times behind step i are late, compared with those before it, on an even clock: medians of ten
+/// on either side, which a single late sample does not move.
 double lateness(std::span<const double> t, std::size_t i, double step) {
   constexpr std::size_t reach = 10;
   const auto late = [&](std::size_t from, std::size_t to) {
@@ -228,7 +228,7 @@ double lateness(std::span<const double> t, std::size_t i, double step) {
   return late(i + 1, std::min(i + 1 + reach, t.size())) - late(i + 1 > reach ? i + 1 - reach : 0, i + 1);
 }
 
-/// The straight line through times by the numbers of their samples.
+/// The straight line through times over their sample numbers.
 struct Line {
   double start = 0, step = 0;
 
@@ -282,7 +282,7 @@ std::optional<EvenClock> even_clock(std::span<const double> t) {
   if (n < fewest) return std::nullopt;
   const double median_step = median(differences(t, 1)), r = rounding_of(t, median_step);
   if (!(r > 0)) return std::nullopt;
-  // The mean of stretches that no sample is missing from: they differ by one rounding.
+  // The mean of the stretches without a missing sample, which differ by one rounding at most.
   const std::vector<double> stretches = differences(t, fewest - 1);
   const double usual = median(stretches);
   double sum = 0, count = 0;
@@ -291,8 +291,8 @@ std::optional<EvenClock> even_clock(std::span<const double> t) {
   const double pace = sum / (count * static_cast<double>(fewest - 1));
   if (!(r < pace)) return std::nullopt;
 
-  // The number of each sample: by the clock of those about it, then by that of all. The first clock is the
-  // mean phase of the first times.
+  // The number of each sample, by a clock that follows the samples near by, then by the clock of all. The
+  // first clock is the mean phase of the first times.
   double sine = 0, cosine = 0;
   for (std::size_t i = 0; i < fewest; ++i) {
     const double phase = 2 * std::numbers::pi * std::fmod((t[i] - t[0]) / pace, 1.0);
@@ -316,7 +316,7 @@ std::optional<EvenClock> even_clock(std::span<const double> t) {
     low = std::min(low, off);
     high = std::max(high, off);
   }
-  // The line is not quite the clock; and times off by less than their rounding are better made even.
+  // The line is not exactly the clock, and times off by less than their rounding are better made even.
   if (high - low > 1.25 * r) return std::nullopt;
 
   EvenClock clock{

@@ -19,8 +19,7 @@ std::optional<std::size_t> time_column_of(const Table& table, std::size_t j);
 /// The same for all columns.
 std::vector<std::optional<std::size_t>> time_columns_of(const Table& table);
 
-/// Rows where the times start again from near their beginning and go on from there. Missing times are passed
-/// over.
+/// The rows where the times start again near their beginning and rise from there. Missing times are skipped.
 std::vector<std::size_t> restarts(const std::vector<double>& t);
 
 /// Which rows stay so that their times rise strictly, and what was left out.
@@ -29,7 +28,7 @@ struct RisingTimes {
   std::vector<Notice> notices;    ///< counts and first line numbers
 };
 
-/// Repeated and backward times are left out; where the time starts again, all from there on. A time that runs
+/// Repeated and backward times are left out, and all rows from where the time starts again. A time that runs
 /// backward throughout is an Error. `lines` are the file's line numbers of the times.
 Result<RisingTimes> keep_rising(const std::vector<double>& t, const std::vector<long>& lines);
 
@@ -49,12 +48,12 @@ struct Steps {
 
 /// The steps of strictly rising times; all zero for fewer than two. A rate has 12 significant digits at most,
 /// and is that of the even clock where there is one. A gap is a missing sample: a step of more than 1.5 usual
-/// ones behind which the times stay late by more than half of one. A single late sample, jitter and rounding
-/// are none.
+/// ones, after which the times stay late by more than half a step. A single late sample, jitter and rounding
+/// are no gaps.
 Steps describe_steps(std::span<const double> t);
 
-/// Even times, samples missing or not, that agree with all of these to half their rounding, which must be a
-/// twentieth of a step at least. Empty where there are none, and where the times are even already.
+/// The even times, perhaps with samples missing, that agree with `t` to half its rounding. The rounding must
+/// be a twentieth of a step at least. Nothing if there are no such times, or if `t` is even already.
 std::optional<EvenClock> even_clock(std::span<const double> t);
 
 }  // namespace cromer::core::dialects

@@ -91,7 +91,7 @@ struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 
   void take(double value, bool logarithmic) {
-    // Beyond 1e300 neither spans nor ticks are numbers any more.
+    // Beyond 1e300 spans and ticks overflow.
     if (!(std::abs(value) < 1e300) || (logarithmic && value <= 0)) return;
     low = std::min(low, value);
     high = std::max(high, value);
@@ -128,8 +128,7 @@ AxisRange finish(Extent e, const Axis& axis) {
   return {e.low, e.high, axis.logarithmic, 0, 1, 0};
 }
 
-// Outwards to ticks, by the step of 3 to 6 ticks that gives away least; 0 where each would take too much
-// room.
+// Widens the extent to ticks, by the step of 3 to 6 ticks that adds least. 0 if each would add too much.
 double round_to_ticks(Extent& e) {
   const double span = e.high - e.low;
   Extent best = e;
@@ -139,7 +138,7 @@ double round_to_ticks(Extent& e) {
     const Extent rounded{step * std::floor(e.low / step + 1e-6), step * std::ceil(e.high / step - 1e-6)};
     const double length = rounded.high - rounded.low, ticks = std::round(length / step) + 1;
     if (length > (1 + tick_room) * span || ticks < 3 || ticks > 6) continue;
-    // The curve shall not run along the frame.
+    // The curve should not run along the frame.
     const bool touches = (rounded.low != 0 && e.low - rounded.low < 0.01 * span) ||
                          (rounded.high != 0 && rounded.high - e.high < 0.01 * span);
     if (touches || (best_step != 0 && length >= best.high - best.low)) continue;

@@ -28,19 +28,19 @@ std::vector<Tick> logarithmic_ticks(double low, double high, int most);
 /// `value` as written at a tick: at most four digits, else as "2×10^{5}".
 std::string tick_label(double value);
 
-/// What an axis shows, mapped to px.
+/// The range of values that an axis shows, mapped to px.
 struct AxisRange {
   double low = 0, high = 1;
   bool logarithmic = false;
   double from = 0, to = 1;  ///< px of low and high
   double step = 0;          ///< of the ticks the range was rounded to; 0: none
 
-  /// NaN where a logarithmic axis cannot show the value.
+  /// NaN if a logarithmic axis cannot show the value.
   double px(double value) const;
 };
 
-/// The ranges of a panel: as asked for, else from the data. x ends with the data; y gets room, and begins at
-/// 0 when the data come near it; a phase portrait is centred where the data lie on both sides of 0.
+/// The ranges of a panel: as asked for, else from the data. x ends with the data. y gets room around them and
+/// begins at 0 if they come near it. A phase portrait is centred if its data lie on both sides of 0.
 AxisRange x_range(const Panel& panel);
 AxisRange y_range(const Panel& panel, const AxisRange& x);
 

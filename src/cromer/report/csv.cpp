@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t longest_number = 32;
 constexpr std::size_t block = 4096;  // rows that memory is taken for at their longest
 
-// Text as a cell: quoted where it holds what would end one.
+// Text as a cell, quoted if it holds a character that would end the cell.
 std::string cell_text(const std::string& name) {
   const std::string text = printable(name);
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -77,7 +77,7 @@ void append_csv(std::string& out, std::span<const CsvColumn> columns, std::span<
       *p++ = '\n';
     }
     out.resize(static_cast<std::size_t>(p - out.data()));
-    // Rows are much alike: room for all of them at once, and an eighth more.
+    // Rows have similar lengths: reserves room for all of them, and an eighth more.
     if (first == 0 && last < rows)
       out.reserve(start + (out.size() - start) / (last - first) * rows / 8 * 9 + longest_row * block);
   }

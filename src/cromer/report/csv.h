@@ -9,7 +9,7 @@
 
 namespace cromer::core {
 
-/// A column to write: its header and its numbers. Text columns (a run's label) repeat one text over all rows
+/// A column to write: its header and its numbers. A text column (a run's label) repeats one text in all rows
 /// of a block.
 struct CsvColumn {
   std::string header;

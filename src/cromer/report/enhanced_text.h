@@ -22,18 +22,18 @@ struct TextRun {
 /// The runs of one line. Every text can be read: braces that do not match are left out.
 std::vector<TextRun> runs_of(std::string_view enhanced);
 
-/// Text as it is meant to be read, made safe for a name, title or note of a figure.
+/// Plain text with its special characters escaped, for a name, title or note of a figure.
 std::string figure_text(std::string_view plain);
 
-/// The reverse, for alternative texts: markup and escapes removed, a blank for a line's end.
+/// The reverse, for alternative texts: without markup and escapes, line ends as blanks.
 std::string without_markup(std::string_view enhanced);
 
-/// The font a figure will be drawn with. An SVG is read with a font nobody knows here: it is measured as the
+/// The font of a figure. The font with which an SVG will be shown is not known here: it is measured as the
 /// widest, DejaVu Sans.
 enum class Typeface { lato, dejavu_sans };
 
-/// Width in the unit of `size` of one line of enhanced text ("{/:Italic x}_{0}"), within 3 % for Latin text,
-/// seldom too small.
+/// Width in the unit of `size` of one line of enhanced text ("{/:Italic x}_{0}"), within 3 % for Latin text
+/// and seldom too small.
 double text_width(std::string_view text, double size, bool bold, Typeface typeface);
 
 /// The lines of a text: broken at "\n", and at spaces outside of braces where a line would be wider than

@@ -1,4 +1,4 @@
-// A figure as data: panels of curves with a role, a name and a remark. Drawn in the look of this project.
+// A figure as data: panels of curves with a role, a name and a remark.
 #pragma once
 
 #include <limits>
@@ -10,13 +10,13 @@
 
 namespace cromer::core {
 
-/// How a curve's points are drawn. Dots too dense to be told apart are drawn as a band, a band that is not
-/// dense as a line. Crosses stand at the frame's edge where their place is outside.
+/// How a curve's points are drawn. Dots too dense to be told apart become a band; a band that is not dense
+/// becomes a line. Crosses outside the frame stand at its edge.
 enum class Mark { line, dots, band, crosses };
 
-/// One curve. `role` says what it means and with it its colour, width and dash (palette.h): "exact",
-/// "measured", "fitted", "forward-euler", "euler-cromer", ... (any method's name), "constant-rate",
-/// "family:0" to "family:4" (one hue, dark to light; family_role()), "drive".
+/// One curve. `role` is its meaning, which sets its colour, width and dash (palette.h): "exact", "measured",
+/// "fitted", "forward-euler", "euler-cromer", ... (any method's name), "constant-rate", "family:0" to
+/// "family:4" (one hue, dark to light; family_role()), "drive".
 struct Curve {
   std::vector<double> x, y;  ///< same length; NaN breaks the line
   std::string role;
@@ -29,10 +29,10 @@ struct Curve {
   bool dashed = false;
   bool with_dots =
       false;  ///< dots on the line: of points so few that each is to be seen. Points alone always are
-  bool sets_axes = true;  ///< the vertical axis makes room for it
-  /// Where the word's leader line points to, in data units (label_y alone is optional: the curve's own height
-  /// at label_x). Without label_x the word stands outside at right, or, where names are inside, in a free
-  /// place near the curve.
+  bool sets_axes = true;  ///< the range of the vertical axis includes it
+  /// The point that the name's leader line points to, in data units. Without label_y it is the curve's own
+  /// height at label_x. Without label_x the name stands outside at the right, or, with names inside, in a
+  /// free place near the curve.
   std::optional<double> label_x, label_y;
   std::optional<double> text_x,
       text_y;  ///< where the word stands, in graph fractions 0 to 1; by default a free place near the point
@@ -63,13 +63,14 @@ struct Axis {
   bool logarithmic = false;
 };
 
-/// A quantity over two others, as colour from dark (low) to light, with a bar that tells the numbers.
+/// A quantity over two others, as colour from dark (low) to light, with a colour bar.
 struct HeatMap {
-  std::vector<double> x, y;     ///< of the cells' middles: at least two of each, all rising or all falling
-  std::vector<double> z;        ///< x runs fastest; NaN is left blank
-  std::string name;             ///< of z, with unit: "amplitude (cm)"
-  std::vector<double> reach{};  ///< values that the colours reach to as well: maps side by side share them
-  bool decades = false;         ///< even ratios get even colours where z is positive and spans two decades
+  std::vector<double> x, y;  ///< of the cells' middles: at least two of each, all rising or all falling
+  std::vector<double> z;     ///< x runs fastest; NaN is left blank
+  std::string name;          ///< of z, with unit: "amplitude (cm)"
+  std::vector<double>
+      reach{};  ///< further values that the colours include, so that maps side by side share their colours
+  bool decades = false;  ///< logarithmic colours, if z is positive and spans two decades
 };
 
 struct Panel {
@@ -81,15 +82,15 @@ struct Panel {
   std::vector<Marker> markers;
   int span = 1;               ///< how many of the figure's columns it takes
   bool names_inside = false;  ///< names in free places of the plot instead of the right margin
-  /// Names in a list beside the plot, in the order of the curves. So are more than six, and names inside of
-  /// which one has no place that covers nothing and whose leader line crosses nothing.
+  /// Names in a list beside the plot, in the order of the curves. More than six names are listed in any case,
+  /// and so are names inside if one of them finds no clear place.
   bool names_listed = false;
   std::optional<HeatMap> map{};  ///< in place of curves
 };
 
-/// 760 x 440, 1100 x 440, 480 x 440 px, and for half the report's column 420 x 300 px (tall: 420 x
-/// 385, as high as a phase portrait there), names inside. With
-/// several rows a row is 300 px high (phase: 440). A figure of phase portraits is 480 px wide per column.
+/// 760 x 440, 1100 x 440, 480 x 440 px, and, for half the report's column with names inside, 420 x 300 px
+/// (tall: 420 x 385, as high as a phase portrait there). With several rows a row is 300 px high (phase: 440).
+/// A figure of phase portraits is 480 px wide per column.
 enum class FigureSize { single, wide, phase, half, tall };
 
 struct Figure {
@@ -107,8 +108,8 @@ struct Figure {
 enum class FigureFormat { svg, png, pdf };
 Result<FigureFormat> figure_format(const std::string& path);
 
-/// The picture's bytes. An SVG is drawn here and can stand in a page as it is; PNG and PDF need librsvg, and
-/// an Error says so where it is missing.
+/// The bytes of the picture. An SVG can stand in a page as it is. PNG and PDF need librsvg; an Error says so
+/// if it is missing.
 Result<std::string> draw(const Figure& figure, FigureFormat format);
 
 }  // namespace cromer::core

@@ -22,7 +22,7 @@ bool write_all(int file, std::string_view bytes) {
   return true;
 }
 
-/// What `make` gives, into an open file; `path` is what it is called.
+/// Writes the pieces of `make` into an open file, which is called `path`.
 Result<void> write_pieces(int file, const std::string& path, const PiecesMaker& make) {
   return make([&](std::string_view bytes) -> Result<void> {
     if (!write_all(file, bytes)) return cannot_write(path, errno);

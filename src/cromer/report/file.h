@@ -9,20 +9,20 @@
 
 namespace cromer::core {
 
-/// By a Replacement: on failure nothing is left and the Error names path and reason. "-" is standard output.
-/// A path that is no regular file (/dev/null, a pipe) is written to directly; a symbolic link keeps pointing,
-/// its target is replaced or made. An existing file keeps its permissions.
+/// Writes by a Replacement: on failure nothing is left, and the Error names path and reason. "-" is standard
+/// output. A path that is no regular file (/dev/null, a pipe) is written to directly; a symbolic link keeps
+/// pointing, its target is replaced or made. An existing file keeps its permissions.
 Result<void> write_file(const std::string& path, std::string_view bytes);
 
 /// Takes the next bytes of a file; an Error where they cannot be written.
 using PieceSink = FunctionRef<Result<void>(std::string_view bytes)>;
 using PiecesMaker = FunctionRef<Result<void>(const PieceSink& write)>;
 
-/// The same of a file that `make` writes piece by piece; an Error of its own leaves nothing, too.
+/// The same for a file that `make` writes piece by piece. After an Error of `make` nothing is left either.
 Result<void> write_file(const std::string& path, const PiecesMaker& make);
 
-/// That `path` can be written (folder exists, is writable, path is no folder): asked before long work starts.
-/// Changes nothing.
+/// Checks that `path` can be written (its folder exists and is writable, it is no folder), before long work
+/// starts. Changes nothing.
 Result<void> check_writable(const std::string& path);
 
 /// The bytes of a file, or of standard input for "-". Missing, unreadable, a folder, a device, or

@@ -34,7 +34,7 @@ AxisRange range_of(const std::vector<double>& middles, bool logarithmic) {
   return range;
 }
 
-/// For each px from the low end the nearest of the middles.
+/// The nearest middle to each px, from the low end.
 std::vector<std::size_t> nearest_cells(const std::vector<double>& middles, const AxisRange& range, int px) {
   std::vector<double> sorted(middles.size());
   const bool falls = middles.front() > middles.back();
@@ -79,7 +79,7 @@ MapScale map_scale(const HeatMap& map) {
     }
     return scale;
   }
-  // From nothing, where the data come near it.
+  // The bar begins at 0 if the data come near it.
   if (low > 0 && low < 0.25 * high) low = 0;
   scale.range = {low, high, false};
   scale.ticks = linear_ticks(low, high, tick_step(low, high, 6));

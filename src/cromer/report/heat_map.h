@@ -1,5 +1,5 @@
-// A map: where it and its bar of colours stand, and its colours as a small PNG: 8 bits a px, looked up in the
-// map's palette.
+// A map: the place of its cells and of its colour bar, and its colours as a small PNG of 8 bits a px with a
+// palette.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@ struct MapScale {
   AxisRange range;
   std::vector<Tick> ticks;  ///< without a label: a minor one
 
-  /// Where z stands in the range: 0 darkest to 1 lightest.
+  /// The place of z in the range: 0 darkest to 1 lightest.
   double share(double z) const;
 };
 MapScale map_scale(const HeatMap& map);
@@ -29,7 +29,7 @@ MapScale map_scale(const HeatMap& map);
 PlacedMap place_map(const HeatMap& map, const AxisRange& x, const AxisRange& y, const Box& frame);
 
 /// `values`, 0 darkest to 1 lightest, run along the columns, the lowest row first; as many as columns (>= 1)
-/// times rows (>= 1). What is no number is transparent.
+/// times rows (>= 1). NaN is transparent.
 std::string map_png(const std::vector<double>& values, int columns, int rows);
 
 /// RFC 4648, with padding.

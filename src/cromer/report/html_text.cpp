@@ -50,7 +50,7 @@ constexpr std::string_view no_break = "\u00A0";
 bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
 bool starts_with(std::string_view text, std::string_view with) { return text.substr(0, with.size()) == with; }
 
-// Where the run opened by `mark` before text[from] closes; npos where it does not.
+// The place where the run that `mark` opened before text[from] closes; npos if it does not.
 std::size_t closing(std::string_view text, std::size_t from, std::string_view mark) {
   if (from >= text.size() || is_blank(text[from])) return std::string_view::npos;
   for (std::size_t i = from; i + mark.size() <= text.size(); ++i) {

@@ -9,8 +9,8 @@ namespace cromer::core {
 /// & < > " ' as character references.
 std::string escaped(std::string_view text);
 
-/// A whole document as XML reads it: UTF-8; control characters and marks that change the direction of writing
-/// are spelled out, as on a terminal.
+/// A whole document as XML can read it: UTF-8, with control characters and marks that change the direction of
+/// writing spelled out, as on a terminal.
 std::string well_formed(std::string document);
 
 /// One paragraph as HTML: *italic*, **bold**, `code` (nothing inside it is markup), x_{0}, x^{2}, nested as

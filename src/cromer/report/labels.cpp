@@ -22,7 +22,7 @@ std::vector<double> spread(std::span<const double> centres, std::span<const doub
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return centres[a] < centres[b]; });
 
-  // Groups of touching intervals, each at the mean of what its members ask for: pool adjacent violators.
+  // Pool adjacent violators: each group of touching intervals stands at the mean of its members' wishes.
   struct Group {
     double offset_sum, length;  // sum over members of wanted start minus place in the group
     int members;
@@ -192,7 +192,7 @@ bool is_clear(const Drawn& drawn, const FreePlace& place, std::size_t own) {
   return true;
 }
 
-/// Those of `spots` that no other curve comes near.
+/// The `spots` that no other curve comes near.
 std::vector<Spot> standing_apart(const Drawn& drawn, std::span<const Spot> spots, std::size_t own) {
   std::vector<Spot> alone;
   for (const Spot& p : spots) {

@@ -1,5 +1,5 @@
-// Where words go: names at the right are moved apart, names inside look for a place from which they are read
-// without doubt.
+// Where words go: names at the right are moved apart; names inside look for a place that shows which curve
+// they name.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ namespace cromer::core {
 std::vector<double> spread(std::span<const double> centres, std::span<const double> heights,
                            std::span<const double> gaps, double top, double bottom);
 
-/// What is drawn in a panel already, in squares of 2 px.
+/// The squares of 2 px in a panel that are drawn on already.
 class Occupancy {
  public:
   explicit Occupancy(Box frame);
   void add_line(std::span<const Spot> points, double width);
   void add_box(const Box& box);
-  /// Squares inside `box` that are taken.
+  /// How many squares inside `box` are taken.
   int taken(const Box& box) const;
-  /// Squares that the straight line crosses and that are taken.
+  /// How many taken squares the straight line crosses.
   int crossed(Spot from, Spot to) const;
 
  private:
@@ -36,28 +36,28 @@ class Occupancy {
   std::vector<char> cells_;
 };
 
-/// A place for a box of the given size inside `frame`, as near as can be to one of `targets`, on nothing that
-/// is drawn; and the target it is nearest to.
+/// A place for a box of the given size inside `frame`, on nothing that is drawn and as near as possible to
+/// one of `targets`; and that target.
 struct FreePlace {
   Box box;
   Spot target;
   double distance = 0;
-  int covered = 0;  ///< squares of 2 px that are covered all the same; 0 where there is room
+  int covered = 0;  ///< squares that are covered nevertheless; 0 if there is room
 };
 FreePlace free_place(const Occupancy& drawn, const Box& frame, double width, double height,
                      std::span<const Spot> targets);
 
-/// What a name inside must keep clear of.
+/// What is drawn, and what a name inside must keep clear of.
 struct Drawn {
-  Occupancy all;                          ///< curves, words, leader lines, and lines to read by
-  Occupancy inked;                        ///< the same without lines to read by
-  std::vector<std::vector<Spot>> curves;  ///< of the panel, each; empty where it is a line to read by
+  Occupancy all;                          ///< curves, words, leader lines and guide lines
+  Occupancy inked;                        ///< the same without guide lines
+  std::vector<std::vector<Spot>> curves;  ///< of each curve of the panel; empty for a guide line
 };
 
-/// A place for the name of curve `own`: on nothing, its leader line short and crossing nothing, and without a
-/// leader line closer to its own curve than to any other. First at one of `wanted`, then where the curve
-/// stands apart from the others. Covers lines to read by only where nothing else is left. `covered` > 0 or
-/// `clear` false: there is none, and this is the least bad one.
+/// A place for the name of curve `own`. It covers nothing; its leader line is short and crosses nothing;
+/// without a leader line it is closer to its own curve than to any other. Tried first at one of `wanted`,
+/// then where the curve stands apart from the others. Guide lines are covered only if nothing else is left.
+/// If `covered` > 0 or `clear` is false, there is no such place, and this is the least bad one.
 struct ClearPlace {
   FreePlace place;
   bool clear = false;

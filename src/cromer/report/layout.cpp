@@ -69,7 +69,7 @@ constexpr double edge = 6;                      // free at the figure's edge [px
 constexpr double tick_length = 8;               // with the gap to its number [px]
 constexpr double bar_gap = 16, bar_width = 14;  // of a map's colours, beside its frame [px]
 
-// A panel on its way to its place.
+// A panel while it is laid out.
 struct Cell {
   const Panel* panel;
   Box box;
@@ -244,7 +244,7 @@ void place_colours(PlacedPanel& placed, const Cell& cell, const Fonts& fonts) {
   placed.map = std::move(drawn);
 }
 
-// Bands, then the exact road, then a fitted law, the dots it was fitted to, then the rest as given.
+// The drawing order: bands, the exact curve, a fitted law, the dots it was fitted to, then the rest as given.
 int layer_of(const Curve& curve, const PlacedCurve& placed) {
   if (placed.mark == Mark::band) return 0;
   if (curve.role == "exact") return 1;
@@ -346,7 +346,7 @@ Layout lay_out_as_said(const Figure& figure, Typeface typeface, double smaller_b
   const double note_height = figure.note.empty() ? 0 : 2 * fonts.sizes.remark;
   layout.height += note_height;
 
-  // Panels below each other share their left and right edge where rows hold the same number of panels.
+  // Panels below each other share their left and right edges if the rows have equally many panels.
   for (auto& row : cells) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       for (const auto& other : cells) {
@@ -379,7 +379,7 @@ std::size_t names_inside(const Panel& panel) {
       }));
 }
 
-// Adds to the remark where values lie beyond the frame: their crosses stand at its edge.
+// Extends the remark of crosses if some lie beyond the frame and stand at its edge.
 void say_what_is_outside(Panel& panel) {
   for (Curve& curve : panel.curves) {
     if (curve.remark_outside.empty()) continue;

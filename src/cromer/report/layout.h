@@ -1,4 +1,4 @@
-// A figure with every place worked out, in px, y downwards: what the SVG then only has to write.
+// A figure with every place worked out, in px, y downwards; the SVG only writes it.
 #pragma once
 
 #include <array>
@@ -18,13 +18,13 @@ struct Canvas {
   double width, row_height, text_scale;
 };
 
-/// Of a figure with so many rows of panels.
+/// The canvas of a figure with so many rows of panels.
 Canvas canvas_of(const Figure& figure, int rows);
 
 /// a, b, ... z, aa, ab, ...
 std::string letter_of(std::size_t panel);
 
-/// Panels in rows: one row after the other, each as many columns wide as it says.
+/// The panels of each row; a panel is `span` columns wide.
 std::vector<std::vector<std::size_t>> rows_of(const Figure& figure);
 
 /// Font sizes of a figure [px].
@@ -43,7 +43,7 @@ struct PlacedText {
   bool bold = false;
   bool rotated = false;  ///< reads upwards
   bool ground = false;   ///< stands on white, because it covers a curve
-  Box box;               ///< what it takes
+  Box box;               ///< its extent
 };
 
 struct PlacedLine {

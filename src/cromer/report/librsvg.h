@@ -1,5 +1,5 @@
-// What libraries do that need not be there, loaded when they are first needed: SVG as PNG and PDF by librsvg
-// and cairo, fonts by fontconfig.
+// Optional libraries, loaded when they are first needed: librsvg and cairo make PNG and PDF of an SVG,
+// fontconfig knows the fonts.
 #pragma once
 
 #include <dlfcn.h>

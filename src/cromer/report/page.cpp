@@ -25,7 +25,7 @@ const std::string& cell(const TableBlock& table, std::size_t row, std::size_t co
   return column < table.rows[row].size() ? table.rows[row][column] : empty;
 }
 
-// How many rows a cell takes; 0 where the one above takes it along.
+// How many rows a cell spans; 0 if the cell above spans it.
 std::size_t rows_taken(const TableBlock& table, std::size_t row, std::size_t column) {
   if (column == 0 || !is_text(table, column) || cell(table, row, column).empty()) return 1;
   const std::string& text = cell(table, row, column);
@@ -65,7 +65,7 @@ class Writer {
   void head(const Page& page) {
     add(out_, "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n",
         escaped(page.language));
-    // Nothing is run and nothing is fetched, whatever the names in the data are.
+    // Nothing runs and nothing is fetched, whatever the data contain.
     add(out_,
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
         "'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\">\n");

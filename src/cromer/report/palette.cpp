@@ -13,8 +13,8 @@ namespace {
 constexpr std::array<double, 4> solid{}, long_dash{8, 3, 0, 0}, short_dash{3, 3, 0, 0}, dots{2, 2, 0, 0},
     dash_dot{8, 3, 2, 3};
 
-// Hue is the family, dash the member. Where LOOK.md gives one colour only, the word's is darkened (lightened)
-// to 4.5:1.
+// The hue is the family, the dash the member. If LOOK.md gives one colour only, the word's is that one
+// darkened (lightened) to 4.5:1.
 constexpr std::array<RoleStyle, 27> roles{{
     {"exact", "#8A93A0", "#5B6573", "#7F8A98", "#AAB4C0", 4, solid},
     {"measured", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 2.6, solid},
@@ -48,14 +48,14 @@ constexpr std::array<RoleStyle, 27> roles{{
     {"implicit-family:4", "#469F84", "#2A7560", "#2FA583", "#4DBB99", 1.5, solid},
 }};
 
-// Lines to read by, not to look at: they need no contrast.
+// Guide lines, to read by and not to look at: they need no contrast.
 constexpr RoleStyle grid_line{"grid", "#D5DAE1", "#626C7A", "#323B47", "#949FAE", 0.8, solid};
 
 constexpr RoleStyle unknown{"", "#171C24", "#171C24", "#EDF0F4", "#EDF0F4", 1.5, solid};
 
 constexpr int family_members = 5, shades_between = 20;
 
-/// Every shade of the family: where it lies between two members, their colours are mixed.
+/// Every shade of the family; between two members their colours are mixed.
 const RoleStyle& family_shade(double member) {
   constexpr std::size_t count = (family_members - 1) * shades_between + 1;
   static const auto colours = [] {

@@ -1,5 +1,5 @@
-// Colour, width and dash of every meaning a curve can have: a meaning keeps its colour on every page, figure
-// and report.
+// Colour, width and dash of each role of a curve. A role has the same colour on every page, figure and
+// report.
 #pragma once
 
 #include <array>

@@ -48,7 +48,7 @@ Band band_of_pieces(const std::vector<Spot>& spots, int columns) {
   return all;
 }
 
-/// Two strokes for each spot; one cross for all that would cover each other.
+/// Two strokes for each spot; one cross for several that would cover each other.
 std::vector<std::vector<Spot>> crosses(const std::vector<Spot>& spots) {
   constexpr double reach = 2.2;  // [px]
   std::vector<std::vector<Spot>> strokes;
@@ -129,7 +129,7 @@ double height_at_end(const std::vector<Spot>& spots, const Box& frame) {
   if (seen.empty()) return frame.y + frame.height / 2;
   const double from = frame.x + frame.width * 2 / 3;
   const double end = seen.back().y;
-  // Backwards in time: a turn counts once the curve has come back by 2 px, for noise is no swing.
+  // Backwards in time. A turning point counts once the curve has come back by 2 px: noise is no swing.
   constexpr double come_back = 2;
   double extreme = end, last_peak = end;
   int direction = 0, turns = 0;

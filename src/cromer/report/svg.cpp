@@ -102,7 +102,7 @@ class Svg {
     stroke(light_surface.grid, 0.7, "", path);
   }
 
-  /// Ticks point outwards; the frame has its left and its lower line alone.
+  /// Ticks point outwards; the frame has only its left and its lower line.
   void axes(const PlacedPanel& panel) {
     const Box& f = panel.frame;
     const auto length = [](const PlacedTick& tick) { return tick.minor ? minor_tick_length : tick_length; };
@@ -145,7 +145,7 @@ class Svg {
     stroke(curve.colour, width, " stroke-linecap=\"round\"", dot_path(spots, frame));
   }
 
-  /// A polygon for each piece: forth along the low edge, back along the high one.
+  /// A polygon for each piece: along the low edge and back along the high one.
   void band(const Band& band, const std::string& colour) {
     std::vector<Spot> low, high;
     for (std::size_t i = 0; i <= band.x.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a picture shows of a curve: fewer points that look the same at the size it is drawn, cut at the frame.
+// What is drawn of a curve: fewer points that look the same at the figure's size, cut at the frame.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct Box {
   Spot nearest(Spot p) const;
 };
 
-/// A curve in px as its unbroken pieces; what is not finite breaks it.
+/// The unbroken pieces of a curve in px; points that are not finite break it.
 std::vector<std::vector<Spot>> unbroken(std::span<const Spot> points);
 
 /// Leaves out points until the line through the rest would be off by more than `tolerance` [px]. Where x
@@ -34,12 +34,12 @@ std::vector<std::vector<Spot>> unbroken(std::span<const Spot> points);
 /// that the dense curve keeps every peak.
 std::vector<Spot> thin_line(std::span<const Spot> piece, double tolerance = 0.08);
 
-/// One dot per quarter pixel: what lies under another dot is left out.
+/// One dot per quarter pixel: dots under another are left out.
 std::vector<Spot> thin_dots(std::span<const Spot> dots);
 
-/// Indices of the samples that a picture of so many columns needs: of each column the first, the lowest, the
-/// highest and the last one, in order; all where they are no more than four a column. `x` does not go back;
-/// what is not finite is kept, as it breaks the line.
+/// Indices of the samples that a picture of so many columns needs: the first, lowest, highest and last of
+/// each column, in order; all of them if there are at most four a column. `x` does not go back. Samples that
+/// are not finite are kept, since they break the line.
 std::vector<std::size_t> extremes(std::span<const double> x, std::span<const double> y, std::size_t columns);
 
 /// A filled band: lowest and highest y at each x.
@@ -51,15 +51,14 @@ struct Band {
 /// the next column.
 Band min_max_band(std::span<const Spot> points, int columns);
 
-/// How many pixel columns one period of the signal takes: from the crossings of its middle, gaps left out;
-/// infinite where it never crosses.
+/// How many pixel columns one period of the signal takes, from the crossings of its middle, gaps left out;
+/// infinite if there are none.
 double columns_per_period(std::span<const Spot> points);
 
-/// A hundredth of a px outside, which nobody sees, still counts as inside.
+/// A point up to a hundredth of a px outside counts as inside.
 bool inside(Spot p, const Box& frame);
 
-/// What of an unbroken line lies in the frame: as many pieces as it enters, cut at the edge, each of two
-/// spots or more.
+/// The pieces of an unbroken line inside the frame, cut at the edge, each of two spots or more.
 std::vector<std::vector<Spot>> pieces_inside(const std::vector<Spot>& line, const Box& frame);
 
 /// The columns in the frame, cut at its upper and lower edge; NaN still parts the pieces.

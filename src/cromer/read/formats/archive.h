@@ -29,8 +29,8 @@ Result<std::vector<ZipEntry>> zip_directory(std::string_view bytes);
 /// its packed size and ten kilobytes is an Error, and so are other methods, passwords and damage.
 Result<std::string> unzip(std::string_view bytes, const ZipEntry& entry);
 
-/// Each data set with times is a run, called by its file; meta/ is passed over, sets without times are left
-/// out where others have them, and said.
+/// Each data set with times is a run, named after its file. meta/ is skipped. Sets without times are left
+/// out, with a notice, if others have times.
 Result<Recording> read_archive(std::string_view bytes, const ReadOptions& options);
 
 }  // namespace cromer::core::dialects

@@ -20,7 +20,7 @@
 namespace cromer::core::dialects {
 namespace {
 
-/// What the head of the file says, as far as reading needs it.
+/// What reading needs of the head of the file.
 struct LabviewFile {
   enum class Times { none, one, multi };  ///< X_Columns: none in the rows, one column, one for each channel
   char separator = '\t';
@@ -38,7 +38,7 @@ struct LabviewSegment {
   std::vector<LabviewTag> tags;
   std::size_t names = 0;  ///< index of the line of names behind ***End_of_Header***
 
-  /// The values of a tag; empty where the segment has none of that name.
+  /// The values of a tag; empty if the segment does not have it.
   const std::vector<std::string_view>& operator[](std::string_view tag) const;
 };
 
@@ -57,7 +57,7 @@ LabviewFile labview_file(const std::vector<std::string_view>& lines) {
     const std::string_view line = trimmed(lines[i]);
     file.end = i + 1;
     if (line.starts_with(end_of_header)) break;
-    // The separator is a tab or a comma already in the line that names it.
+    // The line that names the separator uses it already.
     const std::size_t at = line.find_first_of("\t,");
     if (at == std::string_view::npos) continue;
     const std::string_view tag = trimmed(line.substr(0, at)), value = trimmed(line.substr(at + 1));
@@ -114,8 +114,8 @@ std::string unit_of(std::string_view label) {
   return std::string(label);
 }
 
-/// The columns by their line of names: each X_Value a time, the Comment left out, the channels' units from
-/// their tag.
+/// The columns from the line of names: each X_Value is a time, the Comment is left out, the units are those
+/// of the channels' tag.
 std::vector<Column> columns_of(std::string_view names, const LabviewSegment& segment,
                                const LabviewFile& file) {
   std::vector<std::string_view> cells;
@@ -168,7 +168,7 @@ Result<void> compute_times(Set& set, const LabviewSegment& segment) {
   return {};
 }
 
-/// Where header and rows contradict each other the rows count, and it is said.
+/// If header and rows contradict each other, the rows count; adds a notice.
 void say_contradictions(const Set& set, const LabviewSegment& segment, Times times,
                         std::vector<Notice>& notices) {
   const auto say = [&](Notice notice) {
@@ -190,7 +190,7 @@ void say_contradictions(const Set& set, const LabviewSegment& segment, Times tim
                {{"promised", shortest(delta)}, {"step", shortest(read_cell(rounded(step, 6), '.').value)}}});
 }
 
-/// A segment whose times go on where the last set ended, with the same columns: appended.
+/// Whether a segment has the columns of the last set and its times go on behind it: then it is appended.
 bool goes_on(const Set& last, const Set& next) {
   if (last.columns.size() != next.columns.size()) return false;
   for (std::size_t j = 0; j < last.columns.size(); ++j)

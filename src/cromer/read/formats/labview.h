@@ -8,8 +8,8 @@ namespace cromer::core::dialects {
 
 bool is_labview(const Source& source);
 
-/// Segments that go on in time are joined, others are runs. Where rows carry an X_Value, the times are those,
-/// whatever Delta_X says; else they are X0 + i Delta_X.
+/// Segments that continue in time are joined; others are runs. The times are the rows' X_Value, whatever
+/// Delta_X says; in rows without one they are X0 + i Delta_X.
 Result<Sets> read_labview(const Source& source);
 
 }  // namespace cromer::core::dialects

@@ -68,8 +68,8 @@ Column values_of(const std::vector<std::string_view>& lines, std::size_t header,
   std::string unit;
   for (std::size_t i = 0; i < header; ++i) {
     const std::string line = capitals(lines[i]);
-    // "PACIFIC ENGINEERING ... STRONG-MOTION DATA" tells nothing; "ACCELERATION TIME SERIES IN UNITS OF G"
-    // all.
+    // "PACIFIC ENGINEERING ... STRONG-MOTION DATA" says nothing; "ACCELERATION TIME SERIES IN UNITS OF G"
+    // says it all.
     for (const Kind& kind : kinds)
       if (!found && line.find(kind.word) != std::string::npos) found = &kind;
     const std::size_t at = line.find("UNITS OF ");
@@ -89,8 +89,8 @@ Column values_of(const std::vector<std::string_view>& lines, std::size_t header,
   return {std::string(found->name), std::string(found->quantity), unit, 1, {}};
 }
 
-/// Event, date and station of "Loma Prieta, 10/18/1989, Corralitos, 90", the second line of PEER's files:
-/// what stands before the direction, its last cell. Empty where there is no such line above `header`.
+/// Event, date and station of "Loma Prieta, 10/18/1989, Corralitos, 90", the second line of PEER's files: all
+/// but the direction, its last cell. Empty if there is no such line above `header`.
 std::string motion_of(const std::vector<std::string_view>& lines, std::size_t header) {
   if (header < 2) return "";
   const std::string_view line = lines[1];

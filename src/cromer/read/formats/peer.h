@@ -9,7 +9,7 @@ namespace cromer::core::dialects {
 
 bool is_peer(const Source& source);
 
-/// Values are read one after the other, also where a minus sign stands at the digit before it, up to NPTS.
+/// Reads values one after the other, up to NPTS, even if nothing but a minus sign separates them.
 Result<Sets> read_peer(const Source& source);
 
 }  // namespace cromer::core::dialects

@@ -9,8 +9,8 @@
 
 namespace cromer::core::dialects {
 
-/// Stages 4 to 7 on the lines of a file: layout, header, rows, runs. `lines_before` of them are not given,
-/// but counted.
+/// Stages 4 to 7 on the lines of a file: layout, header, rows, runs. `lines_before` lines of the file stand
+/// above those given.
 Result<Recording> read_plain(const std::vector<std::string_view>& lines, const ReadOptions& options,
                              std::size_t lines_before = 0);
 

@@ -120,7 +120,7 @@ class Reader {
   long line_ = 1;
 };
 
-/// Text among binary values, as UTF-8; "" where it is none.
+/// Text among binary values as UTF-8; "" if it is not text.
 std::string readable(std::string_view text) {
   const auto decoded = decode(text);
   return decoded ? std::string(decoded->text()) : std::string{};
@@ -159,7 +159,7 @@ double real_at(std::string_view bytes, std::size_t at, bool little) {
   return static_cast<double>(bit_cast<Real>(bits));
 }
 
-/// All numbers of a binary dataset in their order: uneven ones as pairs, whose time is a single always.
+/// All numbers of a binary dataset in their order. Uneven ones are pairs, whose time is always a single.
 std::vector<double> binary_values(std::string_view bytes, const UffFunction& head, bool little) {
   std::vector<double> values;
   const bool doubles = head.type == 4;
@@ -173,7 +173,7 @@ std::vector<double> binary_values(std::string_view bytes, const UffFunction& hea
   }
 }
 
-/// Why a dataset is left out; it is said in this order.
+/// Why a dataset is left out. Notices come in this order.
 enum class Why { no_step, no_values, no_time_response, other_kind, complex };
 using Reason = std::pair<Why, std::string>;  // with the kind
 
@@ -229,7 +229,7 @@ class Responses {
                  {{"datasets", of.count}, {"what", notice_of(reason)}, {"line", of.line}}});
     return std::move(found_);
   }
-  /// `kind`: a number other than 58.
+  /// `kind` is a dataset number other than 58.
   void leave_out(Why why, long line, const std::string& kind = "") {
     LeftOut& of = left_out_[{why, kind}];
     if (of.count++ == 0) of.line = line;
@@ -300,7 +300,7 @@ Result<Sets> read_uff(std::string_view bytes) {
     } else if (trimmed(number) != "151" && trimmed(number) != "164") {  // of the model and its units
       responses.leave_out(Why::other_kind, begins, shown(readable(trimmed(number))));
     }
-    // To the delimiter that ends it; line ends may stand before it.
+    // Skips to the delimiter that ends the dataset; line ends may stand before it.
     while (!reader.at_end() && !is_delimiter(reader.next_line())) continue;
   }
   Sets found = std::move(responses).take();

@@ -40,12 +40,12 @@ std::string uff_name(const UffFunction& function);
 /// acceleration, position, ...; "" where the axis tells neither by its kind nor by its unit.
 std::string uff_quantity(const UffAxis& axis, std::string_view name);
 
-/// Begins with the line "    -1", blank lines and line ends before it allowed, and a dataset's number.
+/// Whether the bytes begin with the line "    -1" (empty lines may stand before it) and a dataset's number.
 bool is_uff(std::string_view bytes);
 
-/// Every time response is a column with its times; those at the same times share them. Other datasets, other
-/// functions (spectra, frequency responses) and complex values are left out and said. The bytes are the
-/// file's, since binary values stand between the lines.
+/// Every time response is a column with its times; responses at the same times share them. Other datasets,
+/// other functions (spectra, frequency responses) and complex values are left out, with a notice. The bytes
+/// are the file's, since binary values stand between the lines.
 Result<Sets> read_uff(std::string_view bytes);
 
 }  // namespace cromer::core::dialects

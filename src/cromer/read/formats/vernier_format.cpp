@@ -10,7 +10,7 @@
 namespace cromer::core::dialects {
 namespace {
 
-/// No cell is a word: a row, or a line left empty. A row with a bad cell is one too: it begins with a number.
+/// Whether a line is a row or empty: no cell is a word, or it begins with a number (a row with a bad cell).
 bool may_be_row(std::string_view line, char decimal) {
   std::vector<std::string_view> cells;
   split_cells(line, Layout{'\t', decimal, 1}, cells);
