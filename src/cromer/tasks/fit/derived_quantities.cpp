@@ -6,11 +6,10 @@
 #include <optional>
 #include <span>
 
-#include "cromer/analysis/limit_cycle.h"
 #include "cromer/analysis/swing.h"
 #include "cromer/base/dual.h"
-#include "cromer/identify/record.h"
 #include "cromer/identify/diagnose/mean_decay.h"
+#include "cromer/identify/record.h"
 
 namespace cromer::core {
 namespace {
