@@ -129,6 +129,8 @@ TEST(EnergyBalance, OfOneStateIsThatState) {
   EXPECT_EQ(b.method(), 0);
 }
 
+// The quadratures behind the balances, on powers whose integrals are known.
+
 const Oscillator<double> unit{.mass = 1, .stiffness = 0, .friction = 1};
 
 /// The work of the force t^degree on what moves at 1 m/s, from the states at these times.

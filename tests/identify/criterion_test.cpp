@@ -1,3 +1,5 @@
+// The choice among laws, on candidates made by hand: who is admissible, and who wins at, below and above each
+// limit.
 #include "cromer/identify/choose/criterion.h"
 
 #include <gmock/gmock.h>

@@ -189,6 +189,8 @@ TEST(LostMotion, NoneWhereItIsSeenToTheEnd) {
     }
 }
 
+// A kink in an amplitude, on curves that have one at a known place.
+
 struct Curve {
   std::vector<double> t, amplitude;
 

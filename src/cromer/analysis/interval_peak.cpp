@@ -7,21 +7,21 @@ namespace cromer::core {
 namespace {
 
 /// q and its first three derivatives.
-struct Quantity4 {
+struct Derivatives {
   double q, slope, bend, twist;
 };
 
-struct Watch {
+struct WatchedQuantity {
   const LinearLaw<double>& law;
   const Watched<double>& watched;
   const IntervalMotion& motion;
 
-  Quantity4 at(double t) const {
+  Derivatives at(double t) const {
     const IntervalMotion here(law, propagate_ramp(law, motion.f, motion.slope, t, motion.y),
                               motion.f + motion.slope * t, motion.slope);
     return of(here);
   }
-  Quantity4 of(const IntervalMotion& m) const {
+  Derivatives of(const IntervalMotion& m) const {
     const double snap = -2 * law.decay_rate * m.jerk - law.stiffness * m.acceleration;
     return {watched.x * m.y.x + watched.v * m.y.v, watched.x * m.y.v + watched.v * m.acceleration,
             watched.x * m.acceleration + watched.v * m.jerk, watched.x * m.jerk + watched.v * snap};
@@ -47,11 +47,11 @@ double root_between(double a, double fa, double b, double fb, double to_within, 
 }
 
 /// The extreme on a stretch where q' is monotone.
-void include_turn(const Watch& watch, double a, const Quantity4& at_a, double b, const Quantity4& at_b,
-                  double to_within, Extremes& range) {
+void include_turn(const WatchedQuantity& quantity, double a, const Derivatives& at_a, double b,
+                  const Derivatives& at_b, double to_within, Extremes& range) {
   if (!((at_a.slope < 0 && at_b.slope > 0) || (at_a.slope > 0 && at_b.slope < 0))) return;
   root_between(a, at_a.slope, b, at_b.slope, to_within, [&](double u) {
-    const Quantity4 here = watch.at(u);
+    const Derivatives here = quantity.at(u);
     range.include(here.q);
     return std::pair{here.slope, here.bend};
   });
@@ -61,28 +61,28 @@ void include_turn(const Watch& watch, double a, const Quantity4& at_a, double b,
 
 void include_inside(const LinearLaw<double>& law, const Watched<double>& watched,
                     const IntervalMotion& motion, const State<double>& y_end, double h, Extremes& range) {
-  const Watch watch{law, watched, motion};
-  const Quantity4 begin = watch.of(motion);
-  const Quantity4 end = watch.of(IntervalMotion(law, y_end, motion.f + motion.slope * h, motion.slope));
+  const WatchedQuantity quantity{law, watched, motion};
+  const Derivatives begin = quantity.of(motion);
+  const Derivatives end = quantity.of(IntervalMotion(law, y_end, motion.f + motion.slope * h, motion.slope));
   const double to_within = 1e-7 * h;  // q is flat where it turns: good to 1e-14
   if ((begin.bend < 0) == (end.bend < 0)) {
-    include_turn(watch, 0, begin, h, end, to_within, range);
+    include_turn(quantity, 0, begin, h, end, to_within, range);
     return;
   }
   // q'' swings freely and vanishes at most once in half a period: q' turns there.
   const double bend = root_between(0, begin.bend, h, end.bend, to_within, [&](double u) {
-    const Quantity4 here = watch.at(u);
+    const Derivatives here = quantity.at(u);
     return std::pair{here.bend, here.twist};
   });
-  const Quantity4 middle = watch.at(bend);
-  include_turn(watch, 0, begin, bend, middle, to_within, range);
-  include_turn(watch, bend, middle, h, end, to_within, range);
+  const Derivatives middle = quantity.at(bend);
+  include_turn(quantity, 0, begin, bend, middle, to_within, range);
+  include_turn(quantity, bend, middle, h, end, to_within, range);
 }
 
 void include_free(const LinearLaw<double>& law, const Watched<double>& watched, const State<double>& y,
                   Extremes& range) {
-  const Watch watch{law, watched, IntervalMotion(law, y, 0, 0)};
-  const Quantity4 begin = watch.of(watch.motion);
+  const WatchedQuantity quantity{law, watched, IntervalMotion(law, y, 0, 0)};
+  const Derivatives begin = quantity.of(quantity.motion);
   range.include(begin.q);
   range.include(0);
   // q' moves as the law does, from q'(0) with the slope q''(0): it vanishes where
@@ -94,15 +94,15 @@ void include_free(const LinearLaw<double>& law, const Watched<double>& watched, 
   if (discriminant > 0) {
     double angle = std::atan2(w * across, along);
     if (angle < 0) angle += std::numbers::pi;
-    range.include(watch.at(angle / w).q);
-    range.include(watch.at((angle + std::numbers::pi) / w).q);
+    range.include(quantity.at(angle / w).q);
+    range.include(quantity.at((angle + std::numbers::pi) / w).q);
     return;
   }
   const double ratio = across / along;
   if (discriminant == 0) {
-    if (ratio > 0 && std::isfinite(ratio)) range.include(watch.at(ratio).q);
+    if (ratio > 0 && std::isfinite(ratio)) range.include(quantity.at(ratio).q);
   } else if (w * ratio > 0 && w * ratio < 1) {
-    range.include(watch.at(std::atanh(w * ratio) / w).q);
+    range.include(quantity.at(std::atanh(w * ratio) / w).q);
   }
 }
 

@@ -1,9 +1,10 @@
-// Amplitude and frequency of a swing: under the law's springs alone, and what each term of the law does to
-// them, averaged over a cycle.
+// Amplitude and frequency of a swing: under the law's springs alone, what each term of the law does to them,
+// averaged over a cycle, and the limit cycle of a swing that negative damping feeds.
 #pragma once
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "cromer/base/dual.h"
 #include "cromer/model/oscillator.h"
@@ -176,5 +177,13 @@ struct CycleDecay {
 };
 
 using AmplitudeDecay = CycleDecay<double>;
+
+// The limit cycle.
+
+/// The largest displacement [unit] of the limit cycle of an oscillator per unit mass without hysteresis:
+/// the turning point from which the next one on the same side is as far out (H. Poincaré's map). Found by
+/// secants from `near` > 0, an amplitude close to it; `period` > 0 [s] is roughly that of the swing. Error:
+/// 1e-8 of it where the forces are smooth. Empty where none is found.
+std::optional<double> limit_cycle_amplitude(const Oscillator<double>& per_mass, double near, double period);
 
 }  // namespace cromer::core

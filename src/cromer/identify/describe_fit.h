@@ -16,7 +16,7 @@ struct DescribedMinimum {
   Parameters parameters{};      ///< within the bounds
   Parameters without_bounds{};  ///< where the sum of squares is least without them
   SquareMatrix matrix{};        ///< JᵀJ
-  Parameters rounding_bias{};   ///< by how much rounding may have moved the parameters (rounding_bias.h)
+  Parameters rounding_bias{};   ///< by how much rounding may have moved the parameters (noise.h)
   std::span<const double> residuals{};
   /// The Jacobian, sample by sample: called only where the noise is not plain.
   std::function<std::vector<double>()> jacobian{};

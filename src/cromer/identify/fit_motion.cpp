@@ -15,7 +15,7 @@
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_settings.h"
 #include "cromer/identify/fit_viscous.h"
-#include "cromer/identify/least_squares/rounding_bias.h"
+#include "cromer/identify/least_squares/noise.h"
 #include "cromer/identify/rest_minima.h"
 #include "cromer/identify/start/driven_start.h"
 

@@ -9,7 +9,7 @@
 #include "cromer/identify/describe_fit.h"
 #include "cromer/identify/diagnose/refusal.h"
 #include "cromer/identify/fit_settings.h"
-#include "cromer/identify/least_squares/rounding_bias.h"
+#include "cromer/identify/least_squares/noise.h"
 #include "cromer/identify/motion/damped_phasor.h"
 #include "cromer/identify/start/start_values.h"
 

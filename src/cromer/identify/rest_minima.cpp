@@ -130,24 +130,24 @@ LeastSquaresSummary end_of_band_minimum(const Record& record, const FittedParame
 
 namespace {
 
-// One of several minima in one parameter.
-struct Hill {
+// One of several minima in one parameter: a component of the mixture of their distributions.
+struct Component {
   double weight, centre, deviation;
 };
 
-// The value below which the share p of the hills' area lies.
-double quantile(const std::vector<Hill>& hills, double p, double degrees) {
+// The value below which the share p of the mixture lies.
+double quantile(const std::vector<Component>& mixture, double p, double degrees) {
   double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const Hill& hill : hills) {
-    const double reach = student_quantile(0.9999, degrees) * hill.deviation;
-    low = std::min(low, hill.centre - reach);
-    high = std::max(high, hill.centre + reach);
+  for (const Component& component : mixture) {
+    const double reach = student_quantile(0.9999, degrees) * component.deviation;
+    low = std::min(low, component.centre - reach);
+    high = std::max(high, component.centre + reach);
   }
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
     double below = 0;
-    for (const Hill& hill : hills)
-      below += hill.weight * student_cdf((middle - hill.centre) / hill.deviation, degrees);
+    for (const Component& component : mixture)
+      below += component.weight * student_cdf((middle - component.centre) / component.deviation, degrees);
     (below < p ? low : high) = middle;
   }
   return 0.5 * (low + high);
@@ -195,13 +195,13 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
   for (double& weight : weights) weight /= total;
 
   std::vector<double> covariance(fit.covariance.size());
-  std::vector<std::vector<Hill>> hills(static_cast<std::size_t>(n));
+  std::vector<std::vector<Component>> mixtures(static_cast<std::size_t>(n));
   for (std::size_t k = 0; k < minima.size(); ++k) {
     const SquareMatrix spread = inverse(minima[k].equations.matrix, n);
     if (!std::isfinite(spread[0][0])) return;
     for (int i = 0; i < n; ++i) {
       const double off = minima[k].parameters[i] - minima.front().parameters[i];
-      hills[static_cast<std::size_t>(i)].push_back(
+      mixtures[static_cast<std::size_t>(i)].push_back(
           {weights[k], minima[k].parameters[i], std::sqrt(scale[i] * spread[i][i])});
       for (int j = 0; j < n; ++j)
         covariance[static_cast<std::size_t>(i * n + j)] +=
@@ -213,10 +213,10 @@ void spread_over(LawFit& fit, const FittedParameters& fitted,
   const double degrees = std::max(1.0, fit.independent_samples - n);
   for (int i = 0; i < n; ++i) {
     Estimate& estimate = *fit.find(fitted.of[i].name);
-    const auto& hill = hills[static_cast<std::size_t>(i)];
+    const auto& mixture = mixtures[static_cast<std::size_t>(i)];
     estimate.standard_error = std::sqrt(entry(i, i));
-    estimate.low = std::min(quantile(hill, 0.025, degrees), estimate.value);
-    estimate.high = std::max(quantile(hill, 0.975, degrees), estimate.value);
+    estimate.low = std::min(quantile(mixture, 0.025, degrees), estimate.value);
+    estimate.high = std::max(quantile(mixture, 0.975, degrees), estimate.value);
     if (!fitted.of[i].may_be_negative) estimate.low = std::max(estimate.low, 0.0);
   }
 

@@ -89,12 +89,13 @@ constexpr Law additions[] = {
     law_with<Quintic>,      law_with<Viscous, VanDerPol>, law_with<OddQuadratic, Quintic>,
     law_with<Hysteresis>};
 
-// What looks like a term unless the record is good: each makes the same change at the record's middle
+// Terms that look alike unless the record is good: both make the same change at the record's middle
 // amplitude.
-struct Kin {
+struct LookAlikes {
   Law met_often, rare;
 };
-constexpr Kin kin[] = {{law_with<Drag>, law_with<Viscous, VanDerPol>}, {law_with<Cubic>, law_with<Quintic>}};
+constexpr LookAlikes look_alikes[] = {{law_with<Drag>, law_with<Viscous, VanDerPol>},
+                                      {law_with<Cubic>, law_with<Quintic>}};
 
 // True if a law may be compared with others.
 bool is_comparable(const LawFit& fit) {
@@ -112,9 +113,9 @@ std::optional<std::size_t> runner_up(const std::vector<LawFit>& candidates, std:
 }
 
 // The fits of one record under one drive, and the choice among them as it grows.
-class Choosing {
+class LawSearch {
  public:
-  Choosing(const Record& record, const LawFitOptions& options, const Watch& watch)
+  LawSearch(const Record& record, const LawFitOptions& options, const Watch& watch)
       : record_(record), options_(options), watch_(watch) {}
 
   LawChoice among_free(double progress_end) {
@@ -189,7 +190,7 @@ class Choosing {
   void try_rare_terms(const Beginning& beginning) {
     settle();
     drop_terms();
-    try_kin(beginning);
+    try_look_alikes(beginning);
     try_quadratic(beginning);
     try_named_hysteresis(beginning);
     add_terms(beginning);
@@ -197,10 +198,10 @@ class Choosing {
   }
 
   // The best law with a term that is met rarely in the place of one that is met often.
-  void try_kin(const Beginning& beginning) {
+  void try_look_alikes(const Beginning& beginning) {
     const Law base = candidates_[best_].law;
     const Law plain = Law{base.terms & springs.terms}.with(law_with<Viscous>);
-    for (const auto& [often, rare] : kin)
+    for (const auto& [often, rare] : look_alikes)
       if (base.contains(often))
         for (const Law& law : {base.without(often).with(rare), plain.with(rare)})
           try_law(law, beginning.known(law, record_));
@@ -428,12 +429,12 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
   if (!is_comparable(viscous)) return {viscous, {viscous}};
   if (watch.interrupted()) {
     LawChoice choice{viscous, {viscous}};
-    Choosing::mark_interrupted(choice, free_candidates(options.angle), watch);
+    LawSearch::mark_interrupted(choice, free_candidates(options.angle), watch);
     return choice;
   }
   const Selection part = select(record, viscous.angular_frequency().value);
   const Record samples = part.record();
-  LawChoice choice = Choosing(samples, options, watch).among_free(0.5);
+  LawChoice choice = LawSearch(samples, options, watch).among_free(0.5);
   if (!is_comparable(choice.chosen) || choice.chosen.law == law_of("viscous")) {
     choice.chosen = viscous;
   } else if (choice.chosen.status == FitStatus::converged) {
@@ -441,7 +442,7 @@ LawChoice choose_free_on_part(const Record& record, const LawFitOptions& options
     one.start = KnownMotion{choice.chosen.motion, part.end, viscous.decay_rate().value};
     choice.chosen = fit_law(record, one, watch);
   }
-  if (watch.interrupted()) Choosing::mark_interrupted(choice, free_candidates(options.angle), watch);
+  if (watch.interrupted()) LawSearch::mark_interrupted(choice, free_candidates(options.angle), watch);
   choice.chosen.notices.push_back(Notice{"laws_compared_on_a_part",
                                          {{"compared", part.t.size()},
                                           {"samples", record.t.size()},
@@ -458,7 +459,7 @@ LawChoice choose_free(const Record& record, const LawFitOptions& options, const 
     return {fit, {fit}};
   }
   return record.t.size() > 5 * enough_samples ? choose_free_on_part(record, viscous, watch)
-                                              : Choosing(record, viscous, watch).among_free(1);
+                                              : LawSearch(record, viscous, watch).among_free(1);
 }
 
 // One law of a driven motion, or the one that the record asks for, under one reading of its force.
@@ -474,9 +475,9 @@ LawChoice choose_driven(const Record& record, const LawFitOptions& options, cons
     const LawFit fit = refused(*refusal, one);
     return {fit, {fit}};
   }
-  if (record.t.size() <= 2 * enough_driven) return Choosing(record, one, watch).among_driven();
+  if (record.t.size() <= 2 * enough_driven) return LawSearch(record, one, watch).among_driven();
   const Record part = record.first(enough_driven);
-  LawChoice choice = Choosing(part, one, watch).among_driven();
+  LawChoice choice = LawSearch(part, one, watch).among_driven();
   if (choice.chosen.status != FitStatus::converged) return choice;
   one.law = choice.chosen.law;
   one.start = KnownMotion{choice.chosen.motion, record.t.size(), 0};

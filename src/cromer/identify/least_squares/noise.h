@@ -1,4 +1,5 @@
-// The noise of a record as its residuals show it, and what it does to the estimates of a fit.
+// The noise of a record as its residuals show it, and what it and the sensor's rounding do to the estimates
+// of a fit.
 //
 // Noise that is white and alike at all times leaves estimates with the covariance s² H⁻¹, H = JᵀJ the normal
 // matrix. Any other noise, of covariance C over the samples, leaves them with H⁻¹ Jᵀ C J H⁻¹ (the "sandwich",
@@ -14,6 +15,7 @@
 #include "cromer/identify/least_squares/normal_equations.h"
 #include "cromer/identify/least_squares/residual.h"
 #include "cromer/identify/least_squares/sampling.h"
+#include "cromer/identify/record.h"
 
 namespace cromer::core {
 
@@ -51,5 +53,19 @@ struct EstimateNoise {
 /// step of the values, 0 if unknown. Variances are infinite where the Jacobian is singular.
 EstimateNoise estimate_noise(std::span<const double> jacobian, int size, const Noise& noise,
                              double resolution = 0);
+
+// Rounding, where the noise is too small to blur the sensor's steps.
+
+/// Expected rounding error (rounded minus exact) of a value with normal noise, in steps of 1:
+///   sum over k of (-1)^k sin(2 pi k value) exp(-2 pi² k² noise²) / (pi k).
+/// Widrow & Kollár, Quantization Noise (2008), chapter 4. Exact below a noise of 0.05, where no noise is
+/// assumed.
+double expected_rounding_error(double value, double noise);
+
+/// The fitted motion with the rounding errors that the sensor would make of it: a fit of these values is
+/// off by as much as rounding may have moved the record's own fit. The errors repeat with each period, so
+/// they do not average out. `residuals` are the record's minus the fit. Empty where the resolution is
+/// unknown, or the noise blurs it (rms > 0.6 resolution).
+std::vector<double> rounded_motion(const Record& record, std::span<const double> residuals);
 
 }  // namespace cromer::core

@@ -19,13 +19,13 @@ namespace cromer::core {
 // The laws that have code of their own: a measured choice. Every other law shares the code of the smallest
 // one here that has all of its terms, at the price of derivatives that nobody asks for.
 
-inline constexpr Law every_law_that_rubs = smooth_terms.with(law_with<Friction>);
-inline constexpr Law every_law = every_law_that_rubs.with(law_with<Hysteresis>);
+inline constexpr Law every_term_but_hysteresis = smooth_terms.with(law_with<Friction>);
+inline constexpr Law every_term = every_term_but_hysteresis.with(law_with<Hysteresis>);
 
 #ifdef CROMER_PAGE
-inline constexpr Law free_laws[] = {law_of("viscous+drag"), law_of("viscous+drag+cubic"), every_law_that_rubs,
-                                    every_law};
-inline constexpr Law driven_laws[] = {law_of("viscous"), law_of("viscous+drag+quadratic+cubic"), every_law};
+inline constexpr Law free_laws[] = {law_of("viscous+drag"), law_of("viscous+drag+cubic"),
+                                    every_term_but_hysteresis, every_term};
+inline constexpr Law driven_laws[] = {law_of("viscous"), law_of("viscous+drag+quadratic+cubic"), every_term};
 #else
 inline constexpr Law free_laws[] = {law_of("viscous"),
                                     law_of("viscous+drag"),
@@ -39,8 +39,8 @@ inline constexpr Law free_laws[] = {law_of("viscous"),
                                     law_of("viscous+drag+friction+odd-quadratic"),
                                     law_of("viscous+hysteresis"),
                                     smooth_terms,
-                                    every_law_that_rubs,
-                                    every_law};
+                                    every_term_but_hysteresis,
+                                    every_term};
 inline constexpr Law driven_laws[] = {law_of("viscous"),
                                       law_of("viscous+drag"),
                                       law_of("viscous+quadratic+cubic"),
@@ -48,8 +48,8 @@ inline constexpr Law driven_laws[] = {law_of("viscous"),
                                       law_of("viscous+friction"),
                                       law_of("viscous+hysteresis"),
                                       smooth_terms,
-                                      every_law_that_rubs,
-                                      every_law};
+                                      every_term_but_hysteresis,
+                                      every_term};
 #endif
 
 /// The functions of one unit; see motion_model.h.

@@ -135,7 +135,7 @@ struct MotionCode {
   static constexpr Law law = law_;
   using Drive = Drive_;
   static constexpr bool hysteretic = law.template has<Hysteresis>();
-  static constexpr bool rubs = law.template has<Friction>();
+  static constexpr bool has_friction = law.template has<Friction>();
   /// If so many terms share the code, each is asked whether it is present.
   static constexpr bool asks = law.size() > 6;
 
@@ -193,7 +193,7 @@ class MotionSystem {
         add<T>(x, v, sum, by_x, by_v, result);
       }
     });
-    if constexpr (Code::rubs) {
+    if constexpr (Code::has_friction) {
       sum -= direction_ * motion_->per_mass.friction;
       if constexpr (Code::columns > 0) result.derivative[Code::template column_of<Friction>] = -direction_;
     }

@@ -130,19 +130,19 @@ class Path {
   }
 
   double step(double t, double h) {
-    if (!started_) begin(t, rubs() ? direction_at(t, last_.to) : 0);
-    if constexpr (Code::rubs)
-      if (rubs()) return phase(t, h);
+    if (!started_) begin(t, has_friction() ? direction_at(t, last_.to) : 0);
+    if constexpr (Code::has_friction)
+      if (has_friction()) return phase(t, h);
     Steps::step(system_, t, h, last_);
     return h;
   }
 
   const Step& last() const { return last_; }
   int direction() const {
-    if (rubs()) return direction_;
+    if (has_friction()) return direction_;
     return observable(last_.from.v).value + observable(last_.to.v).value < 0 ? -1 : 1;
   }
-  bool sticks() const { return rubs() && direction_ == 0; }
+  bool sticks() const { return has_friction() && direction_ == 0; }
   /// [unit/s^2] of a state in the last step.
   Number acceleration(double t, const Real& x, const Real& v) const {
     if (sticks()) return Number(0.0);
@@ -152,7 +152,7 @@ class Path {
 
  private:
   // Code that many laws share is made for friction too.
-  bool rubs() const { return Code::rubs && motion_.law.has<Friction>(); }
+  bool has_friction() const { return Code::has_friction && motion_.law.has<Friction>(); }
   // What friction must balance to hold it [unit/s^2].
   double pull(double t, const State<Real>& y) const {
     const auto a = system_.sliding(0).acceleration(t, y.x, y.v);
@@ -170,10 +170,10 @@ class Path {
     turning_ = false;
     direction_ = next_ = direction;
     State<Real> y = last_.to;
-    if (rubs() && direction == 0) observable(y.v) = Number(0.0);
+    if (has_friction() && direction == 0) observable(y.v) = Number(0.0);
     system_ = system_.sliding(direction);
     last_ = Steps::start(system_, t, y);
-    if (rubs() && direction == 0) hold(y);
+    if (has_friction() && direction == 0) hold(y);
   }
 
   void hold(const State<Real>& y) {

@@ -1,7 +1,6 @@
-#include "cromer/analysis/limit_cycle.h"
+#include "cromer/analysis/swing.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "cromer/base/state.h"
 #include "cromer/methods/rk4.h"
