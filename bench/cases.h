@@ -7,7 +7,7 @@
 #include "cromer/model/drive.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/terms.h"
-#include "cromer/run/steps.h"
+#include "cromer/run/course.h"
 
 namespace cromer::core::bench {
 

@@ -6,7 +6,7 @@
 
 #include "cromer/methods/method_settings.h"
 #include "cromer/model/any_terms.h"
-#include "cromer/run/stepper.h"
+#include "cromer/run/fixed_steps.h"
 
 namespace cromer::core::page {
 

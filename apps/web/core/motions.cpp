@@ -8,7 +8,7 @@
 #include "cromer/documents/described/methods.h"
 #include "cromer/documents/json/described.h"
 #include "cromer/model/linear_quantities.h"
-#include "cromer/run/outcome.h"
+#include "cromer/run/course.h"
 #include "cromer/tasks/simulate/run_effect.h"
 
 namespace cromer::core::page {

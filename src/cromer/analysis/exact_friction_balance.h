@@ -17,7 +17,6 @@
 #include "cromer/run/course.h"
 #include "cromer/run/fixed_steps.h"
 #include "cromer/run/keep.h"
-#include "cromer/run/stepper.h"
 #include "cromer/run/stick_slip.h"
 
 namespace cromer::core {

@@ -9,7 +9,7 @@
 
 #include "cromer/analysis/energy.h"
 #include "cromer/ensemble/fill_group.h"
-#include "cromer/run/steps.h"
+#include "cromer/run/course.h"
 
 namespace cromer::core {
 namespace {

@@ -54,6 +54,13 @@ concept Method = requires(const M& method, const S& system, double t, double h, 
   { method.step(system, t, h, y, memory) } -> std::convertible_to<Trial<Real>>;
 };
 
+/// One step out of line, for where a call does not count: compiled once for each system and method.
+template <class S, class M, class Real, class Memory>
+[[gnu::noinline]] Trial<Real> one_step(const S& system, const M& method, double t, double h,
+                                       const State<Real>& y, Memory& memory) {
+  return method.step(system, t, h, y, memory);
+}
+
 /// A method that says at which other fractions of a step it asks for accelerations, apart from `start`: a
 /// drive is made ready there. More than one of them are known without an object.
 template <class M>

@@ -5,18 +5,45 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 #include "cromer/base/compensated.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
 #include "cromer/run/course.h"
-#include "cromer/run/look_inside.h"
-#include "cromer/run/ready_for_steps.h"
+#include "cromer/run/event.h"
 #include "cromer/run/step_control.h"
-#include "cromer/run/stepper.h"
 
 namespace cromer::core {
+
+/// A system for steps of any length, one after another: its own form that is ready at the method's nodes, if
+/// system and method have that, else the system itself.
+template <class S, class M>
+class ReadyForSteps {
+ public:
+  explicit ReadyForSteps(const S& system) : system_(system) {}
+  const S& over(double, double) { return system_; }
+
+ private:
+  const S& system_;
+};
+
+template <class S, class M>
+requires requires(const S& system) { system.template on_nodes<M>().move_to(0.0, 1.0); }
+class ReadyForSteps<S, M> {
+ public:
+  explicit ReadyForSteps(const S& system) : ready_(system.template on_nodes<M>()) {}
+
+  /// For the step from t to t + h [s].
+  const auto& over(double t, double h) {
+    ready_.move_to(t, h);
+    return ready_;
+  }
+
+ private:
+  decltype(std::declval<const S&>().template on_nodes<M>()) ready_;
+};
 
 /// Whether the error of a step from t to t + h is the rounding of the acceleration, where the system says how
 /// large that is [m/s^2]: forces that all but cancel, or a drive that has hardly begun, set a motion going so

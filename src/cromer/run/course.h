@@ -1,15 +1,59 @@
-// What the loops that take one step at a time share: the rows to record, and where a run stands.
+// A run from its interval to its outcome: the steps and rows it takes, where it stands, how it ended.
 #pragma once
 
+#include <cmath>
 #include <limits>
 
 #include "cromer/base/dual.h"
 #include "cromer/base/interrupt.h"
 #include "cromer/base/state.h"
-#include "cromer/run/outcome.h"
-#include "cromer/run/steps.h"
+#include "cromer/status.h"
 
 namespace cromer::core {
+
+/// From the first to the last time of a run.
+struct Interval {
+  double from = 0;   // [s]
+  double until = 0;  // [s] >= from
+};
+
+/// Whole steps, and the shorter one that ends the run where they do not fill the interval.
+struct Steps {
+  long long whole = 0;
+  double last = 0;  // [s] 0 if there is no shorter one
+
+  long long count() const { return whole + (last > 0); }
+};
+
+/// An interval that is a whole number of steps to 1e-9 of a step has no shorter one. step [s] > 0. Beyond
+/// 2^53 steps, where times can no longer be told apart, the count saturates.
+inline Steps count_steps(Interval interval, double step) {
+  constexpr double largest = 9007199254740992.0;  // 2^53
+  const double steps = (interval.until - interval.from) / step;
+  if (!(steps > 0)) return {};
+  if (steps >= largest) return {.whole = static_cast<long long>(largest)};
+  // Many steps carry the rounding of the quotient itself.
+  const double slack = std::fmax(1e-9, 4 * std::numeric_limits<double>::epsilon() * steps);
+  const double nearest = std::round(steps);
+  if (std::abs(steps - nearest) <= slack && nearest > 0) return {.whole = static_cast<long long>(nearest)};
+  const double whole = std::floor(steps);
+  return {.whole = static_cast<long long>(whole), .last = interval.until - (interval.from + whole * step)};
+}
+
+/// States 0, every, 2 every, ... of the run, for every >= 1. Each takes 24 bytes in a Trajectory.
+inline long long number_of_kept_states(Steps steps, long long every) { return steps.count() / every + 1; }
+
+/// The last good state, where it was reached, and why the run ended there.
+struct Outcome {
+  Status status = Status::reached_end;
+  double t = 0;              // [s] of the last good state
+  State<double> y{};         // the last good state; always finite
+  long long step = 0;        ///< number of the last good step; the next one failed unless the end was reached
+  bool interrupted = false;  ///< the caller asked for it (then status is stopped_by_event)
+  double last_step =
+      0;  // [s] of the shorter step that ended the run; 0 if `until` was a whole number of steps
+  Counts counts;
+};
 
 /// Times no further apart than this part of a step are the same.
 inline constexpr double same_time = 1e-9;

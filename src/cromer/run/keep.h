@@ -9,7 +9,7 @@
 
 #include "cromer/base/function_ref.h"
 #include "cromer/base/state.h"
-#include "cromer/run/steps.h"
+#include "cromer/run/course.h"
 #include "cromer/trajectory.h"
 
 namespace cromer::core {

@@ -35,12 +35,8 @@
 #include "cromer/run/event.h"
 #include "cromer/run/fixed_steps.h"
 #include "cromer/run/keep.h"
-#include "cromer/run/outcome.h"
 #include "cromer/run/step_control.h"
-#include "cromer/run/stepper.h"
-#include "cromer/run/steps.h"
 #include "cromer/run/stick_slip.h"
-#include "cromer/run/uniform_steps.h"
 
 namespace cromer::core {
 

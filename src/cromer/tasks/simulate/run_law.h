@@ -10,11 +10,10 @@
 #include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
+#include "cromer/run/course.h"
 #include "cromer/run/event.h"
 #include "cromer/run/keep.h"
-#include "cromer/run/outcome.h"
 #include "cromer/run/step_control.h"
-#include "cromer/run/steps.h"
 
 namespace cromer::core {
 

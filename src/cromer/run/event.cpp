@@ -1,4 +1,4 @@
-#include "cromer/run/look_inside.h"
+#include "cromer/run/event.h"
 
 #include <algorithm>
 #include <optional>

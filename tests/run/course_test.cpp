@@ -1,5 +1,5 @@
 // Rows, what is kept of them, and where a run stands: by hand.
-#include "cromer/run/steps.h"
+#include "cromer/run/course.h"
 
 #include <gtest/gtest.h>
 
