@@ -17,9 +17,9 @@
 
 #include "bench/stopwatch.h"
 #include "cromer/ensemble/dispatch.h"
-#include "cromer/ensemble/fill_group.h"
 #include "cromer/ensemble/group.h"
 #include "cromer/ensemble/point.h"
+#include "cromer/ensemble/run_group.h"
 
 namespace {
 

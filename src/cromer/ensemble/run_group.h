@@ -7,9 +7,16 @@
 
 #include "cromer/base/interrupt.h"
 #include "cromer/ensemble/dispatch.h"
+#include "cromer/ensemble/group.h"
 #include "cromer/ensemble/point.h"
 
 namespace cromer::core {
+
+/// The points at their starts; places that are left over repeat the last one.
+void fill_group(std::span<const Point> points, cromer_group::Group& group);
+
+/// What to ask of the unit: so many steps, with weights (one a step) for the sums, or nullptr.
+cromer_group::Order order_of(const Stepping& stepping, long long steps, const double* weights = nullptr);
 
 /// When a driven motion counts as settled, and how long that may take.
 struct Settling {

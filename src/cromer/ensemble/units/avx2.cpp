@@ -1,4 +1,3 @@
 #define CROMER_UNIT avx2
 #define CROMER_PACK_ARCH xsimd::fma3<xsimd::avx2>
-#define CROMER_ADVANCE cromer_advance_avx2
 #include "cromer/ensemble/units/unit.h"

@@ -4,5 +4,4 @@
 #else
 #define CROMER_PACK_ARCH xsimd::default_arch
 #endif
-#define CROMER_ADVANCE cromer_advance_baseline
 #include "cromer/ensemble/units/unit.h"

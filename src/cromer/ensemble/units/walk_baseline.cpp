@@ -1,5 +1,7 @@
 #define CROMER_UNIT baseline
+#if defined(__x86_64__)
 #define CROMER_PACK_ARCH xsimd::sse2
-#define CROMER_IN_FLIGHT 3
-#define CROMER_WALK cromer_walk_baseline
+#else
+#define CROMER_PACK_ARCH xsimd::default_arch
+#endif
 #include "cromer/ensemble/units/walk.h"
