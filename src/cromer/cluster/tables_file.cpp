@@ -2,7 +2,7 @@
 
 #include "cromer/base/replacement.h"
 #include "cromer/cluster/disk.h"
-#include "cromer/cluster/load_hdf5.h"
+#include "cromer/cluster/module.h"
 
 namespace cromer::core {
 namespace {

@@ -13,7 +13,6 @@
 #include "cromer/ensemble/filter_walk.h"
 
 namespace cromer::core {
-
 namespace {
 
 /// One oscillator of a walk.
