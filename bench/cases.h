@@ -4,9 +4,8 @@
 #include <cmath>
 
 #include "cromer/base/state.h"
-#include "cromer/model/drive.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"
-#include "cromer/model/terms.h"
 #include "cromer/run/course.h"
 
 namespace cromer::core::bench {

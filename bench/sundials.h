@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/cases.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer::core::bench {
 

@@ -19,7 +19,7 @@
 #include "bench/cases.h"
 #include "bench/stopwatch.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/report/csv.h"
 #include "cromer/tasks/simulate/run_law.h"
 

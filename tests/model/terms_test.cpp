@@ -14,7 +14,7 @@
 #include "cromer/model/driven_oscillator.h"
 #include "cromer/model/law.h"
 #include "cromer/model/law_force.h"
-#include "cromer/model/terms/coefficient_unit.h"
+#include "cromer/model/terms/term.h"
 
 namespace cromer::core {
 namespace {

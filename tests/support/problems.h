@@ -7,7 +7,6 @@
 #include <string>
 
 #include "cromer/base/state.h"
-#include "cromer/model/drive.h"
 #include "cromer/model/oscillator.h"
 
 namespace cromer::core::problems {

@@ -5,7 +5,7 @@
 
 #include "bench/cases.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/simulate/run_law.h"
 
 namespace cromer::core {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cromer/documents/words/words.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/read/in_file.h"
 #include "cromer/tasks/fit/fit.h"
 #include "cromer/tasks/fit/forced_options.h"

@@ -11,7 +11,7 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law.h"
-#include "cromer/model/terms/coefficient_unit.h"
+#include "cromer/model/terms/term.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/simulate/simulate_setup.h"

@@ -4,7 +4,6 @@
 
 #include "cromer/base/state.h"
 #include "cromer/model/propagate.h"
-#include "cromer/model/ramp_response.h"
 
 namespace cromer::core {
 

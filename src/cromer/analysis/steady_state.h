@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cromer/analysis/frequency_response.h"
-#include "cromer/model/drive.h"
+#include "cromer/model/oscillator.h"
 #include "cromer/result.h"
 #include "cromer/trajectory.h"
 

@@ -6,7 +6,6 @@
 
 #include "cromer/base/state.h"
 #include "cromer/methods/method_settings.h"
-#include "cromer/model/drive.h"
 #include "cromer/model/oscillator.h"
 
 namespace cromer::core {

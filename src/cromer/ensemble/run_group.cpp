@@ -14,7 +14,7 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/run/course.h"
 
 namespace cromer::core {

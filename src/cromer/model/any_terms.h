@@ -9,7 +9,6 @@
 
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
-#include "cromer/model/drive.h"
 #include "cromer/model/harmonic_force.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/oscillator.h"

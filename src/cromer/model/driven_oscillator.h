@@ -14,14 +14,11 @@
 #include "cromer/base/dual.h"
 #include "cromer/base/state.h"
 #include "cromer/model/any_terms.h"
-#include "cromer/model/drive.h"
 #include "cromer/model/friction.h"
 #include "cromer/model/harmonic_force.h"
 #include "cromer/model/law_force.h"
-#include "cromer/model/node_force.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
-#include "cromer/model/terms.h"
 
 namespace cromer::core {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "cromer/model/drive.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/model/propagate.h"
 

@@ -11,7 +11,6 @@
 #include "cromer/base/dual.h"
 #include "cromer/model/between_samples.h"
 #include "cromer/model/propagate.h"
-#include "cromer/model/ramp_response.h"
 
 namespace cromer::core {
 

@@ -6,7 +6,7 @@
 #include "cromer/analysis/growth.h"
 #include "cromer/analysis/steady_state.h"
 #include "cromer/documents/described/simulate.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/study/collect.h"
 #include "cromer/study/facts.h"
 #include "cromer/tasks/simulate/run_energy.h"

@@ -28,7 +28,7 @@
 #include "cromer/ensemble/stepped_force.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer::core {
 

@@ -2,7 +2,7 @@
 // the smallest one here which has all of its terms, at the price of derivatives that nobody asks for.
 #pragma once
 
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer::core {
 

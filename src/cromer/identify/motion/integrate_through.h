@@ -13,7 +13,7 @@
 #include "cromer/identify/motion/motion_model.h"
 #include "cromer/identify/motion/path.h"
 #include "cromer/identify/motion/recorded_force.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer::core {
 

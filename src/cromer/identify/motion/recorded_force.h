@@ -8,7 +8,7 @@
 
 #include "cromer/identify/motion/motion.h"
 #include "cromer/identify/record.h"
-#include "cromer/model/band_limited.h"
+#include "cromer/model/between_samples.h"
 
 namespace cromer::core {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/compare/end_comparison.h"
 #include "cromer/tasks/fit/used_samples.h"
 #include "cromer/tasks/simulate/keep_at.h"

@@ -6,7 +6,7 @@
 #include "cromer/analysis/local_error.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/driven_oscillator.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 
 namespace cromer::core {

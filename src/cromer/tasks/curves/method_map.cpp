@@ -5,7 +5,7 @@
 #include "cromer/model/linear_quantities.h"
 
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/methods/method_effect.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 

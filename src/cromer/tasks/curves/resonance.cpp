@@ -9,7 +9,7 @@
 
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/steady_state.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/run_transmission.h"
 #include "cromer/tasks/simulate/simulate_setup.h"

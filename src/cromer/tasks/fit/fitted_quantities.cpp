@@ -8,7 +8,7 @@
 
 #include "cromer/analysis/air.h"
 #include "cromer/base/pi.h"
-#include "cromer/model/terms/coefficient_unit.h"
+#include "cromer/model/terms/term.h"
 
 namespace cromer::core {
 namespace {

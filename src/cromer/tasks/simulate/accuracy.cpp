@@ -11,7 +11,7 @@
 #include "cromer/analysis/frequency_response.h"
 #include "cromer/analysis/measured_oscillator.h"
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/methods/method_effect.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/simulate/simulate_setup.h"

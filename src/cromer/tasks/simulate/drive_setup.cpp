@@ -9,8 +9,8 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/base/pi.h"
-#include "cromer/model/band_limited.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/between_samples.h"
+#include "cromer/model/law_force.h"
 
 namespace cromer::core {
 namespace {

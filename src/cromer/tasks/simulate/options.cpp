@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "cromer/model/terms/all.h"
-#include "cromer/model/terms/coefficient_unit.h"
+#include "cromer/model/terms/term.h"
 #include "cromer/tasks/option/option.h"
 #include "cromer/tasks/simulate/simulate.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cromer/methods/all.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/simulate/simulate.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 

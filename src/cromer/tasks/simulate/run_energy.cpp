@@ -12,8 +12,8 @@
 #include "cromer/analysis/exact_energy_balance.h"
 #include "cromer/analysis/exact_friction_balance.h"
 #include "cromer/model/general_drive.h"
+#include "cromer/model/law_force.h"
 #include "cromer/model/linear_quantities.h"
-#include "cromer/model/terms.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate_setup.h"
 

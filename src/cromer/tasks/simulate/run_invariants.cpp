@@ -4,7 +4,7 @@
 
 #include "cromer/analysis/energy.h"
 #include "cromer/methods/euler_cromer.h"
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/simulate/simulate.h"
 
 namespace cromer::core {

@@ -7,7 +7,6 @@
 #include "cromer/base/state.h"
 #include "cromer/methods/method.h"
 #include "cromer/methods/method_settings.h"
-#include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/run/course.h"

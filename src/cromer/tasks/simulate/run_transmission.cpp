@@ -3,7 +3,7 @@
 #include <cmath>
 #include "cromer/model/linear_quantities.h"
 
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/simulate/drive_setup.h"
 #include "cromer/tasks/simulate/simulate.h"
 

@@ -11,7 +11,6 @@
 #include "cromer/base/interrupt.h"
 #include "cromer/base/quantity.h"
 #include "cromer/methods/method_settings.h"
-#include "cromer/model/drive.h"
 #include "cromer/model/general_drive.h"
 #include "cromer/model/oscillator.h"
 #include "cromer/result.h"

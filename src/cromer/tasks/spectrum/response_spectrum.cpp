@@ -11,7 +11,7 @@
 #include "cromer/base/grid.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/ensemble/rotated_peaks.h"
-#include "cromer/model/band_limited.h"
+#include "cromer/model/between_samples.h"
 #include "cromer/tasks/spectrum/spectrum_setup.h"
 
 namespace cromer::core {

@@ -2,7 +2,7 @@
 
 #include <variant>
 
-#include "cromer/model/terms.h"
+#include "cromer/model/law_force.h"
 #include "cromer/tasks/simulate/run_law/units.h"
 
 namespace cromer::core {

@@ -1,4 +1,4 @@
-#include "cromer/model/band_limited.h"
+#include "cromer/model/between_samples.h"
 
 #include <gtest/gtest.h>
 

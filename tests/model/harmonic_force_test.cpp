@@ -1,4 +1,4 @@
-#include "cromer/model/node_force.h"
+#include "cromer/model/harmonic_force.h"
 
 #include <gtest/gtest.h>
 
