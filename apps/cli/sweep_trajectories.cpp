@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "cromer/base/bytes.h"
+#include "cromer/base/quantity.h"
 #include "cromer/cluster/disk.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/report/csv.h"

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "cromer/base/bytes.h"
+#include "cromer/base/quantity.h"
 
 namespace cromer::core {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "cromer/base/bytes.h"
+#include "cromer/base/quantity.h"
 
 namespace cromer::core {
 namespace {

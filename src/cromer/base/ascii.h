@@ -1,6 +1,8 @@
-// Letters, digits and blanks of ASCII, whatever the locale is; all other bytes stay as they are.
+// Letters, digits and blanks of ASCII, whatever the locale is; all other bytes stay as they are. And the spelling
+// of option names.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -22,6 +24,13 @@ constexpr std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+/// An option's name, "drive-frequency", as everything but the command line spells it: "drive_frequency".
+inline std::string with_underscores(std::string_view option) {
+  std::string name(option);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 }  // namespace cromer::core

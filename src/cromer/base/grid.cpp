@@ -5,7 +5,6 @@
 #include <string>
 
 #include "cromer/base/ascii.h"
-#include "cromer/base/bytes.h"
 #include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
 

@@ -41,4 +41,7 @@ std::string shortest(double value);
 /// `digits` significant digits, without exponent from 1e-4 to 1e6, true minus sign; for people.
 std::string rounded(double value, int digits);
 
+/// An amount of memory: "1.6 GB", "240 TB", three digits with decimal prefixes; bytes >= 0.
+std::string bytes_in_words(double bytes);
+
 }  // namespace cromer::core

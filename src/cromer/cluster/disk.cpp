@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "cromer/base/bytes.h"
+#include "cromer/base/quantity.h"
 #include "cromer/base/replacement.h"
 
 namespace cromer::core {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/nearest.h"
-#include "cromer/base/option_name.h"
 #include "cromer/study/text.h"
 #include "cromer/tasks/option_owner.h"
 #include "cromer/tasks/sweep/sweep.h"

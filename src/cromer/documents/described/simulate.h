@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "cromer/analysis/energy.h"
-#include "cromer/base/option_name.h"
+#include "cromer/base/ascii.h"
 #include "cromer/documents/described/methods.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/terms/term.h"

@@ -9,7 +9,6 @@
 #include <variant>
 
 #include "cromer/base/ascii.h"
-#include "cromer/base/option_name.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/catalogue.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "cromer/analysis/energy.h"
-#include "cromer/base/bytes.h"
 #include "cromer/base/pi.h"
+#include "cromer/base/quantity.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law_force.h"
 #include "cromer/model/terms/term.h"

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "cromer/base/option_name.h"
+#include "cromer/base/ascii.h"
 #include "cromer/ensemble/dispatch.h"
 #include "cromer/methods/all.h"
 #include "cromer/model/law.h"
