@@ -73,11 +73,9 @@ std::string signed_text(bool negative, const std::string& text) {
 bool needs_power(int exponent) { return exponent < -4 || exponent >= 6; }
 
 std::string power_of_ten(int exponent) {
-  constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
-                                                          "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   std::string text = fmt::format("{0}\u00d7{0}10", no_break_space);
   for (const char c : std::to_string(exponent))
-    text += c == '-' ? "\u207b" : superscripts[static_cast<std::size_t>(c - '0')];
+    text += c == '-' ? "\u207b" : superscript_digits[static_cast<std::size_t>(c - '0')];
   return text;
 }
 

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #endif
 
+#include "cromer/base/ascii.h"
+
 namespace cromer::core {
 
 std::optional<LeadingNumber> leading_number(std::string_view text, char decimal) {
@@ -24,8 +26,8 @@ std::optional<LeadingNumber> leading_number(std::string_view text, char decimal)
     negative = text.front() == '-';
   }
   const std::string_view rest = text.substr(sign);
-  const bool digit = !rest.empty() && rest[0] >= '0' && rest[0] <= '9';
-  const bool fraction = rest.size() > 1 && rest[0] == decimal && rest[1] >= '0' && rest[1] <= '9';
+  const bool digit = !rest.empty() && is_digit(rest[0]);
+  const bool fraction = rest.size() > 1 && rest[0] == decimal && is_digit(rest[1]);
   if (!digit && !fraction) return std::nullopt;
   double value = 0;
   const fast_float::parse_options options(fast_float::chars_format::general, decimal);

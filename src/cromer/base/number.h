@@ -1,10 +1,19 @@
-// One number read from text, the same on every platform and in every locale.
+// Numbers in text, the same on every platform and in every locale.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 namespace cromer::core {
+
+/// Blanks that may stand beside a number: no-break and thin ones too.
+inline constexpr std::array<std::string_view, 6> quantity_blanks{" ",      "\t",     "\r",
+                                                                 "\u00a0", "\u202f", "\u2009"};
+
+/// The digits 0 to 9 as powers are written: ⁰ to ⁹.
+inline constexpr std::array<std::string_view, 10> superscript_digits{
+    "\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074", "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
 
 /// The number that begins `text` and, in `length`, how many bytes it takes: "-3.75e-5 m" gives -3.75e-5
 /// and 8. A leading + and the true minus sign (U+2212) are understood, words (nan, inf) and hexadecimal are

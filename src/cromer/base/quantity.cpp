@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cromer/base/ascii.h"
 #include "cromer/base/number.h"
 
 namespace cromer::core {
@@ -67,10 +68,9 @@ struct Reader {
   std::string_view rest;
 
   void skip_blanks() {
-    constexpr std::array<std::string_view, 6> blanks{" ", "\t", "\r", "\u00a0", "\u202f", "\u2009"};
     for (bool found = true; found;) {
       found = false;
-      for (const std::string_view blank : blanks)
+      for (const std::string_view blank : quantity_blanks)
         if (rest.starts_with(blank)) {
           rest.remove_prefix(blank.size());
           found = true;
@@ -88,7 +88,6 @@ struct Reader {
     return false;
   }
   bool take_plus_minus() { return take("±") || take("+/-") || take("+-") || take("+/\u2212"); }
-  bool at_digit() const { return !rest.empty() && rest[0] >= '0' && rest[0] <= '9'; }
 };
 
 /// What the text says before units are applied.
@@ -105,7 +104,7 @@ std::optional<double> concise_uncertainty(std::string_view number, std::string_v
     return std::nullopt;
   const bool pointed = bracket.find('.') != std::string_view::npos;
   for (const char c : bracket)
-    if (!(c >= '0' && c <= '9') && c != '.') return std::nullopt;
+    if (!is_digit(c) && c != '.') return std::nullopt;
   std::string text(bracket);
   if (!pointed) text += "e-" + std::to_string(places);  // 12.3(1.2) says 1.2 itself
   const auto read = leading_number(text);
@@ -123,8 +122,6 @@ std::optional<int> take_power_of_ten(Reader& reader, bool bracketed) {
   } else if (!(bracketed && (ahead.take("e") || ahead.take("E")))) {
     return 0;
   }
-  constexpr std::array<std::string_view, 10> digits{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
-                                                    "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
   const bool negative = ahead.take("\u207b") || ahead.take("-") || ahead.take("\u2212");
   if (!negative) ahead.take("+");
   int power = 0, count = 0;
@@ -132,7 +129,8 @@ std::optional<int> take_power_of_ten(Reader& reader, bool bracketed) {
     found = false;
     for (int digit = 0; digit < 10; ++digit) {
       const std::string plain(1, static_cast<char>('0' + digit));
-      if (!ahead.take(superscript ? digits[static_cast<std::size_t>(digit)] : std::string_view(plain)))
+      if (!ahead.take(superscript ? superscript_digits[static_cast<std::size_t>(digit)]
+                                  : std::string_view(plain)))
         continue;
       power = 10 * power + digit;
       ++count;
@@ -152,11 +150,10 @@ Result<double> take_number(Reader& reader, std::string_view whole) {
   const std::string_view written = reader.rest.substr(0, number->length);
   reader.rest.remove_prefix(number->length);
   if (!std::isfinite(number->value)) return Error{"too_large", {{"text", whole}}};
-  if (reader.rest.size() > 1 && reader.rest[0] == ',' && reader.rest[1] >= '0' && reader.rest[1] <= '9') {
+  if (reader.rest.size() > 1 && reader.rest[0] == ',' && is_digit(reader.rest[1])) {
     std::string cure(written);
     cure += '.';
-    for (std::size_t i = 1; i < reader.rest.size() && reader.rest[i] >= '0' && reader.rest[i] <= '9'; ++i)
-      cure += reader.rest[i];
+    for (std::size_t i = 1; i < reader.rest.size() && is_digit(reader.rest[i]); ++i) cure += reader.rest[i];
     return Error{"has_decimal_comma", {{"text", whole}, {"cure", cure}}};
   }
   return number->value;

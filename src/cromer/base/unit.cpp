@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cromer/base/ascii.h"
+#include "cromer/base/number.h"
 #include "cromer/base/quantity.h"
 
 namespace cromer::core {
@@ -104,8 +105,6 @@ std::optional<Symbol> find_symbol(std::string_view text) {
   return std::nullopt;
 }
 
-constexpr std::array<std::string_view, 6> blanks{" ", "\t", "\r", "\u00a0", "\u202f", "\u2009"};
-
 /// Reads from the front of a text.
 struct Reader {
   std::string_view rest;
@@ -117,7 +116,8 @@ struct Reader {
   }
 
   bool take_blank() {
-    return std::any_of(blanks.begin(), blanks.end(), [this](std::string_view blank) { return take(blank); });
+    return std::any_of(quantity_blanks.begin(), quantity_blanks.end(),
+                       [this](std::string_view blank) { return take(blank); });
   }
 
   void skip_blanks() {
@@ -126,17 +126,14 @@ struct Reader {
   }
 };
 
-constexpr std::array<std::string_view, 10> superscripts{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
-                                                        "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
-
 std::optional<int> take_digit(Reader& reader) {
   if (!reader.rest.empty() && is_digit(reader.rest[0])) {
     const int digit = reader.rest[0] - '0';
     reader.rest.remove_prefix(1);
     return digit;
   }
-  for (std::size_t digit = 0; digit < superscripts.size(); ++digit)
-    if (reader.take(superscripts[digit])) return static_cast<int>(digit);
+  for (std::size_t digit = 0; digit < superscript_digits.size(); ++digit)
+    if (reader.take(superscript_digits[digit])) return static_cast<int>(digit);
   return std::nullopt;
 }
 
@@ -161,8 +158,9 @@ bool ends_symbol(std::string_view rest) {
   constexpr std::array<std::string_view, 9> ends{")",      "/",      "*",      "^",     "-",
                                                  "\u00b7", "\u22c5", "\u2212", "\u207b"};
   const auto begins = [rest](std::string_view token) { return rest.starts_with(token); };
-  if (std::any_of(ends.begin(), ends.end(), begins) || std::any_of(blanks.begin(), blanks.end(), begins) ||
-      std::any_of(superscripts.begin(), superscripts.end(), begins))
+  if (std::any_of(ends.begin(), ends.end(), begins) ||
+      std::any_of(quantity_blanks.begin(), quantity_blanks.end(), begins) ||
+      std::any_of(superscript_digits.begin(), superscript_digits.end(), begins))
     return true;
   return is_digit(rest[0]);
 }
