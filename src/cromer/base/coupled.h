@@ -1,4 +1,4 @@
-// Two numbers that move together as one scalar: what lets every method carry a third state along.
+// A pair of numbers as one scalar, so that every method can carry a third state along.
 //
 // A force with memory has an inner state z with a rate of its own. State<Coupled<Real>> holds it beside the
 // velocity: v is (velocity, z), x is (position, the unused integral of z), and the system's acceleration
@@ -14,7 +14,8 @@
 
 namespace cromer::core {
 
-/// A pair, added and multiplied by numbers component by component. As a number it counts as its first.
+/// A pair. Sums, and products with numbers, go component by component; comparisons and value_of look at the
+/// first component alone.
 template <class Real>
 struct Coupled {
   Real first{};
@@ -22,11 +23,11 @@ struct Coupled {
 
   constexpr Coupled() = default;
   constexpr Coupled(const Real& a, const Real& b) : first(a), second(b) {}
-  /// The same in both: 0 above all.
+  /// The same number in both components, most often 0.
   template <class Number>
   requires std::is_arithmetic_v<Number>
   constexpr Coupled(Number both) : first(both), second(both) {}  // NOLINT: as numbers do
-  /// A pair of numbers as one of duals, say.
+  /// Converts both components, for example numbers to duals.
   template <class Other>
   requires(!std::same_as<Other, Real> &&
            std::convertible_to<Other, Real>) constexpr explicit Coupled(const Coupled<Other>& other)
@@ -71,7 +72,7 @@ constexpr double value_of(const Coupled<Real>& a) {
   return value_of(a.first);
 }
 
-/// Of each.
+/// The magnitude of each component.
 template <class Real>
 constexpr Coupled<Magnitude<Real>> magnitude(const Coupled<Real>& a) {
   return {magnitude(a.first), magnitude(a.second)};

@@ -99,8 +99,8 @@ constexpr Dual<Real, N> sgn(const Dual<Real, N>& x) {
   return Dual<Real, N>(sgn(x.value));
 }
 
-/// The derivative at 0 is taken as 0: right for v|v|; the hysteretic rate has a corner where v or z is 0,
-/// whose two slopes it lies between.
+/// The derivative at 0 is taken as 0. That is right for v|v|. The hysteretic rate has a corner where v or z
+/// is 0; 0 lies between its two slopes.
 template <class Real, std::size_t N>
 Dual<Real, N> abs(const Dual<Real, N>& x) {
   using std::abs;
@@ -139,7 +139,7 @@ Dual<Real, N> expm1(const Dual<Real, N>& x) {
   return x.chain(expm1(x.value), exp(x.value));
 }
 
-/// To a power that is no variable; of a base of 0 >= 1.
+/// With a constant exponent, which must be at least 1 at a base of 0.
 template <class Real, std::size_t N>
 Dual<Real, N> pow(const Dual<Real, N>& x, double exponent) {
   using std::pow;

@@ -15,8 +15,7 @@ namespace {
 constexpr std::string_view true_minus = "\u2212";
 constexpr std::string_view no_break_space = "\u00a0";
 
-/// digits × 10^place, digits a whole number without sign ("0" for nothing): what is left of a double after
-/// rounding.
+/// A rounded number without its sign, digits × 10^place; digits is a whole number, "0" if nothing is left.
 struct Decimal {
   std::string digits;
   int place = 0;
@@ -64,7 +63,7 @@ std::string fixed(const std::string& digits, int shift) {
                      std::string_view(padded).substr(point));
 }
 
-/// With the sign of the value, unless nothing but zeros is left of it.
+/// With a minus sign if the value is negative and any digit other than 0 is left.
 std::string signed_text(bool negative, const std::string& text) {
   const bool zero = text.find_first_of("123456789") == std::string::npos;
   return negative && !zero ? std::string(true_minus) + text : text;

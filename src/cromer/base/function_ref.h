@@ -1,4 +1,4 @@
-// A function handed down, its type forgotten.
+// A reference to anything that can be called, its type erased.
 #pragma once
 
 #include <concepts>
@@ -11,8 +11,8 @@ namespace cromer::core {
 template <class Signature>
 class FunctionRef;
 
-/// Refers to something callable that outlives it; costs one indirect call and allocates nothing. It keeps
-/// what is called rarely from being compiled once for every caller.
+/// Refers to something callable that outlives it; costs one indirect call and allocates nothing. A function
+/// that takes one is compiled once, not once for every caller.
 template <class R, class... A>
 class FunctionRef<R(A...)> {
  public:

@@ -23,7 +23,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-/// What follows the number that begins the piece.
+/// The text after the number that begins the piece.
 std::string_view after_number(std::string_view piece) {
   const auto number = leading_number(piece);
   return number ? trimmed(piece.substr(number->length)) : std::string_view{};

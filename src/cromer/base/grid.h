@@ -1,4 +1,4 @@
-// The values an option is to take one after the other: a list, or a range with both ends.
+// The values that an option takes one after another: a list, or a range with both ends.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,8 @@ class Grid {
 
   std::uint64_t size() const { return size_; }
 
-  /// Of any i < size(). The ends are exact; between them a few rounding errors of low and high, and whole
-  /// decades of a logarithmic range are met as exactly as the machine's powers of ten.
+  /// The i-th value, i < size(). The ends are exact. Between them the error is a few roundings of low and
+  /// high; whole decades of a logarithmic range are as exact as the machine's powers of ten.
   double operator[](std::uint64_t i) const;
 
   /// The ends by value, whichever way the grid runs and wherever in a list they stand.
@@ -48,14 +48,15 @@ struct GridUnit {
   double factor = 1;
 };
 
-/// The unit at the end of a grid's text that parse_grid reads; that of SI where it has none.
+/// The unit at the end of a text that parse_grid reads; the SI unit if there is none.
 GridUnit unit_of_grid(std::string_view text, std::string_view si_unit);
 
-/// Its values at once. An Error, with what they need, where they and what is made of them, `bytes_per_point`
-/// altogether, take more than `memory` [bytes]; 0: there is no limit but the largest vector.
+/// All values of the grid. bytes_per_point counts a value and all that is made of it. An Error, which says
+/// how much is needed, if the whole exceeds `memory` [bytes]; 0 means no limit but the largest vector.
 Result<std::vector<double>> values_of(const Grid& grid, double bytes_per_point, double memory);
 
-/// That so many points, bytes_per_point each, can be held; said as values_of says it. For products of grids.
+/// Checks that so many points of bytes_per_point each fit into `memory`, with the errors of values_of. For
+/// products of grids.
 Result<void> fits_in_memory(double points, double bytes_per_point, double memory);
 
 }  // namespace cromer::core

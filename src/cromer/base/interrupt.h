@@ -1,4 +1,5 @@
-// How long work learns that it should stop, and tells how far it is. Clocks and signals stay with the caller.
+// How work that takes long is told to stop, and tells how far it is. Clocks and signals stay with the
+// caller.
 #pragma once
 
 #include <atomic>
@@ -14,7 +15,7 @@ struct Watch {
   std::function<void(double fraction)>
       progress{};  ///< called now and then with 0 to 1, from the working thread
   std::shared_ptr<std::atomic<double>>
-      steps_left{};  ///< of integrations, before the work ends; empty: no bound
+      steps_left{};  ///< integration steps left before the work ends; empty: no limit
 
   void take_steps(double count) const {
     if (steps_left) *steps_left = *steps_left - count;

@@ -1,5 +1,5 @@
-// What methods ask of the size of a number, for one number and, where a scalar is a pack of them
-// (ensemble/pack.h), for each lane by itself.
+// The size of a number, as methods ask for it. Where the scalar is a pack of numbers (ensemble/pack.h) each
+// lane has its own.
 #pragma once
 
 #include <cmath>
@@ -28,7 +28,7 @@ constexpr double larger(double a, double b) { return a < b ? b : a; }
 /// True in every lane.
 constexpr bool all(bool truth) { return truth; }
 
-/// yes where it is true, else no.
+/// `yes` if it is true, else `no`.
 template <class Number>
 constexpr Number choose(bool truth, const Number& yes, const Number& no) {
   return truth ? yes : no;

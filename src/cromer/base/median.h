@@ -7,8 +7,8 @@
 
 namespace cromer::core {
 
-/// The value in the middle, of an even number of them the upper of the two; their order changes. `values` is
-/// not empty and holds no NaN.
+/// The middle value; of an even number of values the upper of the two in the middle. Reorders the values.
+/// There must be at least one, and no NaN among them.
 inline double upper_median(std::span<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());

@@ -9,7 +9,7 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::size_t longest_name = 200;  // nobody means a name of ours with more
+constexpr std::size_t longest_name = 200;  // characters; no name is meant by more
 
 /// Optimal string alignment distance; three rows of the usual table are enough for swaps.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
@@ -49,7 +49,7 @@ std::string_view first_nearest(std::string_view typed, std::span<const std::stri
   return best;
 }
 
-/// All that come into question.
+/// The names that may have been meant.
 std::vector<std::string_view> candidates(std::string_view typed, std::span<const std::string_view> names) {
   if (typed.size() > longest_name) return {};
   const std::string_view best = first_nearest(typed, names);
@@ -60,7 +60,7 @@ std::vector<std::string_view> candidates(std::string_view typed, std::span<const
   for (const std::string_view name : names)
     if (contains(name, typed)) containing.push_back(name);
   if (!containing.empty()) return containing;
-  // The nearest by letters may be too far for its own length, and a longer name not for its.
+  // The nearest name may be too far away for its length where a longer name is not.
   std::vector<std::string_view> within;
   for (const std::string_view name : names)
     if (edit_distance(typed, name) <= std::max(typed.size(), name.size()) / 3 + 1) within.push_back(name);

@@ -32,7 +32,7 @@ struct Unit {
 Result<Unit> parse_unit(std::string_view text, const Dimension* expected = nullptr);
 
 /// "0.00984(3) 1/s": the uncertainty in units of the value's last digit, for tables where it would crowd the
-/// number. Where that has no sense (no uncertainty, or one of 10 and more) as format_quantity.
+/// number. Where that makes no sense (no uncertainty, or one of 10 and more), as format_quantity.
 std::string format_concise(Quantity quantity, std::string_view unit);
 
 /// The shortest text that reads back as the same double; "nan" and "inf" as such.

@@ -34,7 +34,7 @@ mode_t default_permissions() {
   return 0666 & ~mask;
 }
 
-// What killed programs left in a folder, once for each folder.
+// Removes what killed programs left in a folder; once for each folder.
 void sweep(const std::string& folder) {
   constexpr double old = 3600;  // [s]
   static std::mutex mutex;
@@ -56,7 +56,7 @@ void sweep(const std::string& folder) {
   }
 }
 
-// The way to an open file that has no name.
+// The path of an open file that has no name.
 std::string place_of(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
 
 }  // namespace
@@ -129,7 +129,7 @@ Replacement::~Replacement() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
 }
 
-// A link cannot take the place of a file that is there: for a moment it has a name of its own.
+// A link cannot replace a file that is there, so the new file first gets a name of its own.
 bool Replacement::give_name() {
   const std::string unnamed = place_of(descriptor_);
   for (int tries = 0; tries < 100; ++tries) {
@@ -156,7 +156,7 @@ Result<void> Replacement::take_place() {
       return {};
     if (errno != EEXIST || !give_name()) return cannot_write(path_, errno);
   }
-  // Over a network a file may turn out not to be written when it is closed.
+  // On a network drive, closing may be what shows that a file was not written.
   if (::close(std::exchange(descriptor_, -1)) != 0) return cannot_write(path_, errno);
   if (::rename(temporary_.c_str(), target_.c_str()) != 0) return cannot_write(path_, errno);
   temporary_.clear();

@@ -14,33 +14,34 @@ std::string target_of(const std::string& path);
 /// "cannot_write" with path and reason, by the number of the system's error.
 Error cannot_write(const std::string& path, int number);
 
-/// A file that is there, opened to be written from where it stands, or added to at its end; -1, with the
-/// system's reason in errno, where it cannot be. A pipe that nobody reads from is not waited for.
+/// Opens a file that is there, to write from its beginning or, `at_end`, to append to it. -1 if that fails,
+/// with the reason in errno. Does not wait for somebody to read from a pipe.
 int open_to_write(const std::string& path, bool at_end);
 
 /// The folder that a file of this path lies in.
 std::string folder_of(const std::string& path);
 
-/// Until it takes its place it has no name, where the file system has such files (Linux, open(2), O_TMPFILE):
-/// whoever kills the program leaves nothing. Elsewhere its name begins with .cromer-, in the same folder;
-/// those that killed programs left more than an hour ago go when the next one is made.
+/// Until it takes its place it has no name, if the file system allows that (Linux, open(2), O_TMPFILE): a
+/// program that is killed then leaves nothing behind. Elsewhere its name begins with .cromer-, in the same
+/// folder; files that killed programs left there more than an hour ago are removed when the next one is
+/// made.
 class Replacement {
  public:
   /// An Error names `path` and the reason. The folder must be there.
   static Result<Replacement> beside(const std::string& path);
-  /// The same for those who open it by its name: it has one.
+  /// The same, but with a name, for code that opens it by its name.
   static Result<Replacement> named_beside(const std::string& path);
 
   Replacement(Replacement&& other) noexcept;
   Replacement& operator=(Replacement&&) = delete;
-  /// Leaves nothing, unless it has taken its place.
+  /// Removes the file, unless it has taken its place.
   ~Replacement();
 
   int descriptor() const { return descriptor_; }
   /// "" where it has none.
   const std::string& name() const { return temporary_; }
 
-  /// With the permissions of the file that it replaces, or those of a new one.
+  /// Replaces the file at the path. Keeps that file's permissions; without one they are those of a new file.
   Result<void> take_place();
 
  private:

@@ -1,4 +1,4 @@
-// What model and methods share: the state of one oscillator and what a method may ask of the thing it
+// What model and methods share: the state of one oscillator and what a method may ask of the system it
 // integrates.
 #pragma once
 

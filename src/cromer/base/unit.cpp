@@ -200,7 +200,7 @@ Result<Unit> parse_unit(std::string_view text, const Dimension* expected) {
   if (reader.rest == "°C" || reader.rest == "degC") return Unit{1, zero_celsius, {.kelvin = 1}};
 
   Unit unit;
-  // What stands in brackets is divided by as a whole: "kg/(m^2 s)".
+  // A bracket is divided by as a whole: "kg/(m^2 s)".
   int sign = 1, outside = 1;
   bool in_brackets = false;
   bool wanted = !reader.rest.empty();

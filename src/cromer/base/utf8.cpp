@@ -46,8 +46,8 @@ bool turns_writing(std::uint32_t code) {
          (code >= 0x2066 && code <= 0x2069);
 }
 
-/// The text with what `replace` gives for what may not be shown: a code point, or a byte that is part of
-/// none.
+/// Replaces whatever may not be shown, a code point or a byte that is part of none, by what `replace` gives
+/// for it.
 template <class Replace>
 std::string without_hidden(std::string_view text, const Replace& replace) {
   std::string plain;

@@ -1,4 +1,4 @@
-// "lab.csv: what": what is said of a file, where its name stands beside it.
+// Notices without the name of their file, "what" for "lab.csv: what", where the name stands beside them.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace cromer::core {
 
-/// What a notice of the values file and what says of this file; any other as it is.
+/// Of a notice with two values, this file and the notice `what`: the notice `what`. Any other notice as it
+/// is.
 inline Notice without_file(const Notice& notice, std::string_view file) {
   if (notice.values.size() != 2 || notice.values[0].name != "file" || notice.values[1].name != "what")
     return notice;
