@@ -79,7 +79,7 @@ auto visit_method(std::string_view name, const MethodSettings& settings, F&& f) 
   }(std::type_identity<AllMethods>{});
 }
 
-/// Success, or what to say about a name that is not in the list.
+/// Success, or an Error for a name that is not in the list, with the names near it.
 inline Result<void> check_method_name(std::string_view name) {
   if (find_method(name)) return {};
   const std::vector<std::string> all(method_names.begin(), method_names.end());

@@ -4,8 +4,8 @@
 
 namespace cromer::core {
 
-/// The closed form, where the system has one; from the start of the run, so that no error builds up, but for
-/// a sampled drive: that by the map of each interval.
+/// The closed form, where the system has one. Every state is computed from the start of the run, so that no
+/// error builds up; under a sampled drive it is computed from interval to interval.
 struct Exact {
   static constexpr MethodInfo info{
       .name = "exact",
@@ -35,7 +35,7 @@ struct Exact {
   requires ExactSystem<S, Real> Trial<Real> step(const S& system, const Time& t, const Time& h,
                                                  const State<Real>& y, Memory<Real>& memory)
   const {
-    // Piece by piece a long way from the start would be walked anew each step.
+    // With many pieces, each step would walk all the way from the start again.
     if constexpr (has_many_pieces<S>()) memory = {Real(t), y};
     return {.y = system.propagate(memory.t0, Real(t + h), memory.y0)};
   }

@@ -31,8 +31,8 @@ struct GeneralizedAlpha {
 
   constexpr std::array<double, 1> asked_at() const { return {1 / (1 + rho_inf)}; }
 
-  /// The method's own acceleration: made anew from the state it would leave the method first order. And the
-  /// largest so far.
+  /// The method's own acceleration, and the largest so far. Computed from the state instead, it would make
+  /// the method first order.
   template <class Real>
   struct Memory {
     Real acceleration;      // [m/s^2]

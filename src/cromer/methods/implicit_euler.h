@@ -26,8 +26,8 @@ struct ImplicitEuler {
 
   NewtonOptions newton;
 
-  /// What the velocity rose by in the last step, as a guess of what it will, and the largest of the motion so
-  /// far.
+  /// The rise of the velocity in the last step, as a guess for the next; and the largest velocity of the
+  /// motion so far.
   template <class Real>
   struct Memory {
     Real rise;              // [m/s]

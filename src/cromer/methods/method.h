@@ -61,8 +61,9 @@ template <class S, class M, class Real, class Memory>
   return method.step(system, t, h, y, memory);
 }
 
-/// A method that says at which other fractions of a step it asks for accelerations, apart from `start`: a
-/// drive is made ready there. More than one of them are known without an object.
+/// A method that asks for accelerations at other times than t + i h/divisions, `start` apart: asked_at()
+/// gives the fractions of a step, so that a drive can be made ready there. If there is more than one,
+/// asked_at() is static.
 template <class M>
 concept AsksAtFractions = requires(const M& method) {
   method.asked_at()[0];
@@ -89,7 +90,7 @@ concept CarriesAcceleration = requires(const M& method, Memory& memory) {
   method.carried(memory);
 };
 
-/// False only where the system's type says so: then methods spare the equation for v'.
+/// False only where the system's type says so: methods then need not solve an equation for v'.
 template <class S>
 constexpr bool depends_on_velocity() {
   if constexpr (requires { S::depends_on_velocity; })
@@ -98,7 +99,7 @@ constexpr bool depends_on_velocity() {
     return true;
 }
 
-/// False also where a system that may resist says that it does not.
+/// The same for systems that say at run time whether they resist.
 template <class S>
 constexpr bool depends_on_velocity([[maybe_unused]] const S& system) {
   if constexpr (requires { system.resists(); })

@@ -7,7 +7,7 @@
 
 namespace cromer::core {
 
-/// A method takes what it has a use for.
+/// Each method takes those it uses.
 struct MethodSettings {
   NewtonOptions newton;
   double beta = Newmark{}.beta;                 ///< of newmark, 0 to 1

@@ -34,8 +34,8 @@ struct UnknownOf<Coupled<Real>, count> {
 template <class Real, std::size_t count = 1>
 using Unknown = typename UnknownOf<Real, count>::Type;
 
-/// Of a pack each lane by itself: one that has arrived stays where it is while others go on, so that it does
-/// not depend on them.
+/// In a pack each lane iterates by itself. A lane that has arrived stays where it is while others go on, so
+/// that it does not depend on them.
 template <class Real, class Root = Real>
 struct NewtonResult {
   Root root;
@@ -66,13 +66,13 @@ class NewtonArrival {
  public:
   NewtonArrival(const NewtonScale<Size>& scale, double tolerance) : scale_(scale), tolerance_(tolerance) {}
 
-  /// Sizes of the latest update and of the root after it. `done`: who had arrived before.
+  /// Sizes of the latest update and of the root after it. `done`: the lanes that had arrived before.
   template <class Yes>
   Yes operator()(const Size& update, const Size& root, const Yes& done) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     const Size motion = larger(scale_.motion, root);
     const Yes near = done || update <= tolerance_ * motion;
-    // Nearly always that is all of them, and there is nothing more to ask.
+    // Nearly always all have arrived, and nothing more need be computed.
     if (all(near)) return near;
     const Yes stalled = update > 0.5 * last_ && update <= larger(scale_.rounding, 1e3 * epsilon * motion);
     last_ = update;
@@ -85,7 +85,7 @@ class NewtonArrival {
   Size last_ = std::numeric_limits<double>::infinity();
 };
 
-/// Solves matrix * x = x for x, by elimination with the largest pivots.
+/// Solves matrix * y = x by Gaussian elimination with partial pivoting; y takes the place of x.
 template <class Real, std::size_t size>
 void solve_linear(std::array<std::array<Real, size>, size>& matrix, std::array<Real, size>& x) {
   for (std::size_t i = 0; i < size; ++i) {
@@ -106,8 +106,8 @@ void solve_linear(std::array<std::array<Real, size>, size>& matrix, std::array<R
   }
 }
 
-/// The same for pairs. The first numbers of all and the second ones each have their own scale, and arrive on
-/// their own.
+/// Newton's iteration for `count` unknowns that are pairs. The first components of all pairs have a scale of
+/// their own and arrive by themselves; so do the second ones.
 template <std::size_t count, class Real, class Residual>
 NewtonResult<Coupled<Real>, std::array<Coupled<Real>, count>> newton_of_pairs(
     const Residual& residual, const std::array<Coupled<Real>, count>& guess,

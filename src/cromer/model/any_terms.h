@@ -1,4 +1,4 @@
-// The law with whichever terms it has, told at run time: one type for all of them, where code must be small.
+// The law with its terms told at run time: one type for all laws, for where code must be small.
 //
 // Absent terms are stepped over, so that accelerations are those of the DrivenOscillator that has exactly the
 // terms present, to the bit (of a zero the sign may differ).
@@ -19,7 +19,7 @@ namespace cromer::core {
 /// Smooth, or sliding one way with dry friction.
 class AnyTerms {
  public:
-  /// Oscillator and force per unit mass; its friction is not looked at.
+  /// Oscillator and force per unit mass. The oscillator's friction is ignored.
   AnyTerms(const Oscillator<double>& per_mass, const HarmonicForce<double>& force)
       : law_(per_mass), present_(law_of(per_mass).without(law_with<Friction>)), force_(force) {}
 
@@ -46,7 +46,7 @@ class AnyTerms {
     return a;
   }
 
-  /// [m/s^2] Where a mass breaks loose, pull and friction cancel to this.
+  /// [m/s^2] Rounding error of the acceleration. Where a mass breaks loose, pull and friction cancel to it.
   double acceleration_rounding(double) const {
     return std::numeric_limits<double>::epsilon() * std::abs(friction_);
   }
@@ -71,7 +71,8 @@ class AnyTerms {
 
   const HarmonicForce<double>& force() const { return force_; }
 
-  /// From now on the drive is looked up there, which must be ready for the times asked; nullptr: computed.
+  /// Looks the drive up in this table from now on, which must be ready for the times asked; nullptr:
+  /// computes it.
   void look_up_drive(const TabulatedForce<double>* table) { table_ = table; }
 
  private:

@@ -1,4 +1,4 @@
-// What something recorded did between its samples.
+// How a recorded quantity runs between its samples.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace cromer::core {
 
-/// Nothing of another word.
+/// By its name; nothing if none has that name.
 constexpr std::optional<BetweenSamples> between_samples_of(std::string_view word) {
   for (const BetweenSamples each :
        {BetweenSamples::linear, BetweenSamples::hold, BetweenSamples::band_limited})

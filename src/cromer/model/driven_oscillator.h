@@ -30,9 +30,9 @@ concept HasClosedForm = requires(const Force& force, const LinearLaw<Real>& law,
   { force.propagate(law, t, t, y) } -> std::convertible_to<State<Real>>;
 };
 
-/// In place of a law that is known when compiling.
+/// Takes the place of the run-time law where the law is known at compile time.
 struct NoLaw {
-  constexpr operator Law() const { return {}; }  // NOLINT: of no terms
+  constexpr operator Law() const { return {}; }  // NOLINT: no terms
 };
 
 /// The law's smooth terms per unit mass: x'' = f(t) - the sum of their forces, each coefficient divided by m.
@@ -46,7 +46,8 @@ class DrivenOscillator {
     if constexpr (terms.law == any_terms) present_ = law_of(per_mass);
   }
 
-  /// The same where the terms that any_terms stand for are known: coefficients may be packs of numbers.
+  /// The same with the terms that are present given by the caller: coefficients may then be packs of
+  /// numbers.
   template <class Present>
   DrivenOscillator(const Coefficients<terms.law, Real>& per_mass, const Force& force, const Present& present)
       : law_(per_mass), force_(force), present_(present) {}
@@ -54,7 +55,7 @@ class DrivenOscillator {
   static constexpr bool depends_on_velocity = has_resistance(terms.law);
   static constexpr bool depends_on_time = terms.drive;
 
-  /// Made ready by on_nodes, for a method of many stages.
+  /// True of the form that on_nodes gives, for methods of many stages.
   static constexpr bool at_nodes = requires(Force & force) { force.move_to(0.0, 1.0); };
 
   /// [m/s^2]. T is Real, or a Dual over it.
@@ -88,7 +89,7 @@ class DrivenOscillator {
   /// The closed form has many pieces: best asked from state to state, not from the start of the run.
   static constexpr bool has_many_pieces = requires { Force::has_many_pieces; };
 
-  /// [m/s^2] How far rounding of the drive may put the acceleration off at times near t.
+  /// [m/s^2] Bound on the error of the acceleration at times near t, from rounding of the drive.
   double acceleration_rounding(double t) const
       requires(terms.drive&& requires(const Force& f) { f.rounding(0.0); }) {
     return force_.rounding(t);
@@ -99,7 +100,8 @@ class DrivenOscillator {
     return force_.next_break(t);
   }
 
-  /// The law with what the drive is at t, at all times: smooth, and the same until the next break.
+  /// The law with the piece of the drive that holds at t, extended to all times: smooth, and the same until
+  /// the next break.
   DrivenOscillator within(double t) const
       requires(terms.drive&& requires(const Force& f) { f.within(0.0); }) {
     DrivenOscillator smooth = *this;
@@ -107,7 +109,7 @@ class DrivenOscillator {
     return smooth;
   }
 
-  /// No step of this length [s], taken from t = 0 on, has a break inside, or a jump at its end.
+  /// Whether steps of this length [s] from t = 0 on have no break inside and no jump at their ends.
   bool is_smooth_in_steps(double step) const {
     if constexpr (requires { force_.is_smooth_in_steps(step); }) return force_.is_smooth_in_steps(step);
     return false;
@@ -160,7 +162,7 @@ HarmonicForce<Real> force_of(const HarmonicDrive<Real>& drive, const Real& mass)
   return {drive.amplitude / mass, drive.frequency, drive.phase};
 }
 
-/// f.operator()<law>() with the compiled law of the terms present.
+/// Calls f.operator()<law>() with the smallest compiled law that has the terms present, or with any_terms.
 template <class F>
 decltype(auto) with_compiled_law(Law present, F&& f) {
   return [&]<std::size_t... i>(std::index_sequence<i...>)->decltype(auto) {
@@ -196,8 +198,8 @@ decltype(auto) with_smooth_terms(const Oscillator<Real>& oscillator, const Harmo
   }
 }
 
-/// Calls f with the DryFriction around the law. It brings the other terms along, but for the linear law
-/// without a drive, which has a closed form.
+/// Calls f with the DryFriction around the law. Inside is the general law (any_terms), or, without a drive
+/// and other terms, the linear one: that has a closed form.
 template <class Real, class F>
 decltype(auto) with_dry_friction(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive,
                                  F&& f) {

@@ -18,7 +18,7 @@
 
 namespace cromer::core {
 
-/// A smooth system and a constant deceleration: what slides one way.
+/// A smooth system with a constant deceleration: the phase of a slide one way.
 template <class S, class Real>
 class Sliding {
  public:
@@ -33,7 +33,8 @@ class Sliding {
     return smooth_.acceleration(t, x, v) - T(friction_);
   }
 
-  /// [m/s^2] Where the mass breaks loose, pull and friction cancel to this.
+  /// [m/s^2] Rounding error of the acceleration. Where the mass breaks loose, pull and friction cancel to
+  /// it.
   double acceleration_rounding([[maybe_unused]] double t) const {
     double rounding = std::numeric_limits<double>::epsilon() * std::abs(value_of(friction_));
     if constexpr (requires { smooth_.acceleration_rounding(t); })
@@ -75,7 +76,7 @@ class DryFriction {
   DryFriction(const S& smooth, const Real& kinetic, const Real& holding)
       : smooth_(smooth), kinetic_(kinetic), holding_(std::max(kinetic, holding)) {}
 
-  /// [m/s^2] At rest 0 if the mass sticks. A method needs the phases below instead: this jumps.
+  /// [m/s^2] At rest 0 if the mass sticks. It jumps, so that methods integrate the phases below instead.
   template <class Time, class T>
   T acceleration(const Time& t, const T& x, const T& v) const {
     const T smooth = smooth_.acceleration(t, x, v);
@@ -83,7 +84,7 @@ class DryFriction {
     return smooth <= T(holding_) && -smooth <= T(holding_) ? T(0) : smooth - T(kinetic_) * sgn(smooth);
   }
 
-  /// While it slides in the direction of velocities of this sign, 1 or -1.
+  /// The phase of a slide with velocities of this sign, 1 or -1.
   Sliding<S, Real> sliding(int direction) const { return {smooth_, direction > 0 ? kinetic_ : -kinetic_}; }
 
   /// What friction must balance to hold the mass at x [m/s^2].
@@ -94,7 +95,7 @@ class DryFriction {
     return smooth_.next_break(t);
   }
 
-  /// The same with what the drive is at t, at all times.
+  /// The same with the piece of the drive that holds at t, extended to all times.
   DryFriction within(double t) const requires(requires(const S& s) { s.within(0.0); }) {
     DryFriction same = *this;
     same.smooth_ = smooth_.within(t);
@@ -105,7 +106,7 @@ class DryFriction {
   /// rises or only falls.
   double next_turn(double t) const requires(depends_on_time) { return smooth_.next_turn(t); }
 
-  /// The most it balances [m/s^2].
+  /// The largest pull that friction balances at rest [m/s^2].
   Real holding() const { return holding_; }
 
  private:

@@ -23,14 +23,14 @@ namespace cromer::core {
 /// Forces that begin, and end. Each is a few pieces, and each piece has a closed form.
 enum class PulseShape { step, rectangular, half_sine, triangular };
 
-/// Zero before start and, but for the step, from start + duration on; at a jump the value after it holds. The
-/// triangle is symmetric.
+/// Zero before start and, except for the step, from start + duration on. At a jump the value after it holds.
+/// The triangle is symmetric.
 template <class Real>
 struct PulseDrive {
   PulseShape shape = PulseShape::step;
   Real amplitude = 0;  // [N] the largest force, any sign
   Real start = 0;      // [s] >= 0
-  Real duration = 0;   // [s] > 0; not looked at by the step
+  Real duration = 0;   // [s] > 0; not used by the step
 
   friend bool operator==(const PulseDrive&, const PulseDrive&) = default;
 };
@@ -94,7 +94,7 @@ class PulseForce {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// How far rounding, of its values and of times near t, may put it off.
+  /// Bound on its error at times near t, from rounding of its values and of the times.
   double rounding(double t) const {
     return std::numeric_limits<double>::epsilon() * (largest_ + std::abs(t) * steepest_);
   }
@@ -106,7 +106,7 @@ class PulseForce {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// The piece that holds at t, at all times: smooth, and the same until the next break.
+  /// The piece that holds at t, extended to all times: smooth, and equal to the force until the next break.
   PulseForce within(double t) const {
     PulseForce one = *this;
     const ForcePiece<Real>* piece = at(t);
@@ -149,7 +149,8 @@ class PulseForce {
     return cromer::core::propagate(law, from, t - piece.begin, y0);
   }
 
-  /// The piece that holds at t; nullptr before the first. A time that is a start to rounding is one.
+  /// The piece that holds at t; nullptr before the first. A time within rounding of a start counts as that
+  /// start.
   const ForcePiece<Real>* at(double t) const {
     if (everywhere_) return &pieces_[0];
     const ForcePiece<Real>* found = nullptr;
@@ -163,7 +164,7 @@ class PulseForce {
 
   std::array<ForcePiece<Real>, 3> pieces_{};
   std::size_t size_ = 0;
-  double largest_ = 0, steepest_ = 0;  // of its size, and of its change in a second
+  double largest_ = 0, steepest_ = 0;  // the largest |value|, and the largest change in a second
   bool everywhere_ = false;            ///< the first piece holds at all times
 };
 
@@ -202,7 +203,7 @@ class ChirpForce {
     return amplitude_ * cos(angle(u));
   }
 
-  /// How far rounding, of its values and of times near t, may put it off.
+  /// Bound on its error at times near t, from rounding of its values and of the times.
   double rounding(double t) const {
     const double size = std::abs(value_of(amplitude_));
     return std::numeric_limits<double>::epsilon() *
@@ -215,7 +216,7 @@ class ChirpForce {
     return t < start ? start : t < end ? end : std::numeric_limits<double>::infinity();
   }
 
-  /// What it is at t, sweep or silence, at all times.
+  /// Sweep or silence, whichever holds at t, extended to all times.
   ChirpForce within(double t) const {
     ChirpForce one = *this;
     const double start = value_of(drive_.start);
@@ -236,7 +237,7 @@ class ChirpForce {
   }
 
  private:
-  /// Since the start, to this angle beyond the phase there [s].
+  /// Time from the start until the angle has grown by this much [s].
   double time_of(double angle) const {
     const double from = value_of(drive_.from), to = value_of(drive_.to), length = value_of(drive_.duration);
     if (drive_.logarithmic) {
@@ -259,7 +260,7 @@ class ChirpForce {
   }
 
   ChirpDrive<Real> drive_;
-  bool everywhere_ = false, on_ = false;  ///< the same at all times
+  bool everywhere_ = false, on_ = false;  ///< everywhere_: on_ holds at all times
   Real amplitude_, log_ratio_ = Real(0);
 };
 
@@ -280,8 +281,8 @@ SampledForce<Real> force_of(const SampledDrive& drive, const Real& mass) {
   return {drive, mass};
 }
 
-/// As with_terms, of one of these drives, with three sets of terms only (linear, any but friction, any): each
-/// force would multiply the instantiations.
+/// with_terms for one of these drives. It knows three sets of terms only (linear, any but friction, any),
+/// since every set is compiled for every force.
 template <class Real, class Drive, class F>
 decltype(auto) with_terms_under(const Oscillator<Real>& oscillator, const Drive& drive, F&& f) {
   const Law present = law_of(oscillator);
@@ -296,7 +297,7 @@ decltype(auto) with_terms_under(const Oscillator<Real>& oscillator, const Drive&
       DrivenOscillator<Real, Terms{.drive = true, .law = linear_terms}, Force>(per_mass, force));
 }
 
-/// The same, whichever it is.
+/// The same for any of them.
 template <class Real, class F>
 decltype(auto) with_terms(const Oscillator<Real>& oscillator, const GeneralDrive<Real>& drive, F&& f) {
   return std::visit([&](const auto& one) -> decltype(auto) { return with_terms_under(oscillator, one, f); },

@@ -99,8 +99,8 @@ class TabulatedForce {
   alignas(64) std::array<Real, block + 1> table_{}, cosine_{}, sine_{};
 };
 
-/// Slots, evenly spaced over a step, of which no two nodes share the nearest: at most 63. Nodes::nodes are
-/// fractions of a step, from 0 to 1.
+/// The fewest slots, evenly spaced over a step, so that no two nodes have the same nearest slot: at most 63,
+/// or 0 if that is too few. Nodes::nodes are fractions of a step, from 0 to 1.
 template <class Nodes>
 constexpr std::size_t slots_for_nodes() {
   for (std::size_t slots = 1; slots < 64; ++slots) {
@@ -116,10 +116,10 @@ constexpr std::size_t slots_for_nodes() {
   return 0;
 }
 
-/// A harmonic force at the nodes of one step after another: while the step's length stays, the angles from
-/// its start to the nodes do, and the next start is one turn on, cos(a + q) = cos a cos q - sin a sin q. A
-/// cosine is asked for at every sixteenth step only, or where the length changes. Error: some twenty
-/// roundings.
+/// A harmonic force at the nodes of one step after another. While the step's length stays the same, so do
+/// the angles from its start to its nodes, and the next start is one turn on: cos(a + q) = cos a cos q - sin
+/// a sin q. Cosines are computed at every sixteenth step only, and where the length changes. Error: some
+/// twenty roundings.
 template <class Real, class Nodes>
 class NodeForce {
  public:
@@ -131,7 +131,7 @@ class NodeForce {
       turn_by(h);
       turns_ = most_turns;
     }
-    // A start that is the last end but for rounding.
+    // The start is the last end, but for rounding.
     const bool next = std::abs(t - (start_ + h)) <= 4 * std::numeric_limits<double>::epsilon() * std::abs(t);
     start_ = t;
     if (next && turns_ < most_turns) {

@@ -37,14 +37,14 @@ class HystereticOscillator {
     return force_.next_break(t);
   }
 
-  /// The law with what the drive is at t, at all times.
+  /// The law with the piece of the drive that holds at t, extended to all times.
   HystereticOscillator within(double t) const requires(requires(const Force& f) { f.within(0.0); }) {
     HystereticOscillator smooth = *this;
     smooth.force_ = force_.within(t);
     return smooth;
   }
 
-  /// No step of this length [s], taken from t = 0 on, has a break inside, or a jump at its end.
+  /// Whether steps of this length [s] from t = 0 on have no break inside and no jump at their ends.
   bool is_smooth_in_steps(double step) const {
     if constexpr (requires { force_.is_smooth_in_steps(step); }) return force_.is_smooth_in_steps(step);
     return false;

@@ -42,7 +42,7 @@ struct Law {
 template <class... T>
 inline constexpr Law law_with{((std::uint32_t{1} << place_of_term<T>) | ... | 0U)};
 
-/// The law of all terms whose info says so.
+/// The law of all terms for whose info says(info) is true.
 template <class Says>
 constexpr Law law_where(Says says) {
   Law law;
@@ -59,7 +59,7 @@ constexpr std::optional<Law> smallest_containing(std::span<const Law> laws, Law 
   return best;
 }
 
-/// Terms that pull a body back to where small swings begin, one of which a law has: none without a spring.
+/// Terms that pull a body back to rest. Every law has one of them.
 inline constexpr Law springs = law_with<Spring, Pendulum>;
 /// Terms that can only take energy away.
 inline constexpr Law dampings = law_where([](const TermInfo& info) { return info.damps; });
@@ -133,7 +133,7 @@ constexpr Oscillator<Real> divided_by_mass(const Oscillator<Real>& oscillator) {
   return per_mass;
 }
 
-/// The oscillator of that mass from its coefficients per unit mass: what divided_by_mass undoes.
+/// The oscillator of that mass from its coefficients per unit mass: the inverse of divided_by_mass.
 template <class Real>
 constexpr Oscillator<Real> multiplied_by_mass(const Oscillator<Real>& per_mass, const Real& mass) {
   Oscillator<Real> oscillator = per_mass;

@@ -17,7 +17,8 @@ namespace cromer::core {
 /// it saves.
 inline constexpr Law any_terms{std::uint32_t{1} << 31};
 
-/// Terms whose force at rest is that of the position, and the others that are smooth: of the velocity too.
+/// Terms whose force depends on the position alone; and the other smooth ones, whose force depends on the
+/// velocity too.
 inline constexpr Law terms_of_position =
     law_where([](const TermInfo& info) { return info.acts_at_rest; }).without(law_with<Hysteresis>);
 inline constexpr Law terms_of_velocity = smooth_terms.without(terms_of_position);
@@ -27,8 +28,8 @@ inline constexpr Law dissipative_terms = terms_of_velocity.with(law_with<Frictio
 /// Whether the force of a law may depend on the velocity.
 constexpr bool has_resistance(Law law) { return law == any_terms || law.shares(terms_of_velocity); }
 
-/// The coefficients of a law's smooth terms, and no more: what a loop carries must fit into registers. With
-/// any_terms all of them.
+/// The coefficients of a law's smooth terms alone, since what a loop carries must fit into registers. With
+/// any_terms those of all smooth terms.
 template <Law law, class Real>
 class Coefficients {
  public:
@@ -45,7 +46,7 @@ class Coefficients {
   Real& of() {
     return numbers_[place<T>];
   }
-  /// 0 of a term that is not among them.
+  /// 0 for a term that is not among them.
   template <class T>
   decltype(auto) of() const {
     if constexpr (terms.has<T>())
@@ -62,7 +63,7 @@ class Coefficients {
   std::array<Real, static_cast<std::size_t>(terms.size())> numbers_{};
 };
 
-/// The places of its terms in the registry.
+/// The places of the law's terms in the registry.
 template <Law law>
 inline constexpr auto places_of = [] {
   std::array<std::size_t, static_cast<std::size_t>(law.size())> places{};
@@ -113,19 +114,19 @@ T sum_of_forces(const Source& per_mass, [[maybe_unused]] Law present, const T& x
   }
 }
 
-/// Of the terms of the position.
+/// The force of the terms of the position.
 template <Law law, class Source, class T>
 T restoring_force(const Source& per_mass, Law present, const T& x) {
   return sum_of_forces<law, terms_of_position>(per_mass, present, x, x);
 }
 
-/// Of the terms of the velocity.
+/// The force of the terms of the velocity.
 template <Law law, class Source, class T>
 T resisting_force(const Source& per_mass, Law present, const T& x, const T& v) {
   return sum_of_forces<law, terms_of_velocity>(per_mass, present, x, v);
 }
 
-/// Of an oscillator as it is [N].
+/// The restoring force of an oscillator [N].
 template <class T>
 T restoring_force(const Oscillator<double>& oscillator, const T& x) {
   return restoring_force<any_terms>(oscillator, law_of(oscillator), x);
@@ -154,7 +155,7 @@ struct Terms {
   friend constexpr bool operator==(const Terms&, const Terms&) = default;
 };
 
-/// All that is there.
+/// The drive and the terms that are present.
 template <class Real>
 constexpr Terms terms_of(const Oscillator<Real>& oscillator, const HarmonicDrive<Real>& drive) {
   return {.drive = drive.amplitude != Real(0), .law = law_of(oscillator)};

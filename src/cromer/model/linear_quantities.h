@@ -1,4 +1,4 @@
-// What the linear part of a law is known by: its frequencies and dampings.
+// Frequencies and dampings of the linear part of a law.
 #pragma once
 
 #include <cmath>
@@ -9,33 +9,33 @@
 
 namespace cromer::core {
 
-/// Of the free motion's envelope, c/2m [1/s].
+/// Decay rate of the free motion's envelope, c/2m [1/s].
 inline double decay_rate(const Oscillator<double>& o) { return o.damping / (2 * o.mass); }
 
-/// Undamped, sqrt(k/m) [rad/s]; 0 where the spring does not pull back.
+/// The frequency without damping, sqrt(k/m) [rad/s]; 0 where the spring does not pull back.
 inline double natural_frequency(const Oscillator<double>& o) {
   return o.stiffness > 0 ? std::sqrt(o.stiffness / o.mass) : 0;
 }
 
-/// Of the damped free motion [rad/s]; 0 where it creeps.
+/// The frequency of the damped free motion [rad/s]; 0 where it does not swing.
 inline double damped_frequency(const Oscillator<double>& o) {
   const double b = decay_rate(o), squared = o.stiffness / o.mass - b * b;
   return squared > 0 ? std::sqrt(squared) : 0;
 }
 
-/// The least damping at which the free motion does not swing, 2 sqrt(k m) [kg/s]; 0 without a spring that
-/// pulls back.
+/// The smallest damping at which the free motion does not swing, 2 sqrt(k m) [kg/s]; 0 where the spring does
+/// not pull back.
 inline double critical_damping(const Oscillator<double>& o) {
   return o.stiffness > 0 ? 2 * std::sqrt(o.stiffness * o.mass) : 0;
 }
 
-/// c over the critical damping; infinite, or not a number, where that is 0.
+/// c over the critical damping; infinite or NaN where that is 0.
 inline double damping_ratio(const Oscillator<double>& o) { return o.damping / critical_damping(o); }
 
-/// sqrt(k m) over c; infinite, or not a number, without damping.
+/// sqrt(k m) over c; infinite or NaN without damping.
 inline double quality_factor(const Oscillator<double>& o) { return critical_damping(o) / (2 * o.damping); }
 
-/// Of the energy, from one cycle of the free motion to the next; 0 where it creeps.
+/// The factor of the energy from one cycle of the free motion to the next; 0 where it does not swing.
 inline double energy_factor_per_cycle(const Oscillator<double>& o) {
   const double w = damped_frequency(o);
   return w > 0 ? std::exp(-4 * std::numbers::pi * decay_rate(o) / w) : 0;

@@ -12,7 +12,7 @@ using Oscillator = OscillatorOf<Real>;
 /// F cos(w t + phi), t from the start of the run.
 template <class Real>
 struct HarmonicDrive {
-  Real amplitude = 0;  // [N] >= 0; 0 is no drive
+  Real amplitude = 0;  // [N] >= 0; 0 means no drive
   Real frequency = 0;  // [rad/s] >= 0, angular
   Real phase = 0;      // [rad]
 

@@ -69,7 +69,7 @@ struct CosineSeries {
   }
 };
 
-/// Of any tau [s].
+/// At any tau [s].
 template <class Real>
 ImpulseResponse<Real> impulse_response(const LinearLaw<Real>& law, const Real& tau) {
   using std::cos, std::exp, std::expm1, std::sin, std::sqrt;
@@ -107,7 +107,7 @@ Complex<Real> exponential_quotient(const Complex<Real>& z) {
   return sum;
 }
 
-/// P(tau), the response from rest to e^{i W u}, of any tau.
+/// P(tau), the response from rest to e^{i W u}, at any tau.
 template <class Real>
 Complex<Real> response_from_rest(const LinearLaw<Real>& law, const ImpulseResponse<Real>& free,
                                  const Real& tau) {
@@ -201,7 +201,7 @@ Real exponential_remainder(const Real& z) {
   return sum / Real(2);
 }
 
-/// Of any tau >= 0 [s], given impulse_response(law, tau).
+/// At any tau >= 0 [s], given impulse_response(law, tau).
 template <class Real>
 RampResponse<Real> ramp_response(const LinearLaw<Real>& law, const ImpulseResponse<Real>& free,
                                  const Real& tau) {
@@ -220,7 +220,7 @@ RampResponse<Real> ramp_response(const LinearLaw<Real>& law, const ImpulseRespon
       last = next;
       sum.step = sum.step + next;
       sum.ramp = sum.ramp + next * tau / Real(n + 1);
-      // Two in a row: without damping every second term is 0. Of short intervals the rest is nothing.
+      // Looks at two in a row: without damping every second term is 0. The rest is too small to count.
       if (std::abs(value_of(next)) + std::abs(value_of(before)) < 1e-25 * std::abs(value_of(sum.step))) break;
     }
     return sum;
@@ -240,8 +240,8 @@ RampResponse<Real> ramp_response(const LinearLaw<Real>& law, const ImpulseRespon
   return {step, (tau - free.g - Real(2) * b * step) / s};
 }
 
-/// The state tau after y0 under the force level + slope * u, u from 0 to tau (per unit mass; the drive of the
-/// law is not looked at).
+/// The state a time tau after y0 under the force level + slope * u, u from 0 to tau, per unit mass. The
+/// drive of the law is not used.
 template <class Real>
 State<Real> propagate_ramp(const LinearLaw<Real>& law, const Real& level, const Real& slope, const Real& tau,
                            const State<Real>& y0) {

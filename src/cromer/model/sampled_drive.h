@@ -21,15 +21,15 @@ struct SampledDrive {
   double spacing = 1;                                // [s] > 0
   BetweenSamples between = BetweenSamples::linear;
 
-  /// Where it ends [s]: with the last sample; one that is held lasts a spacing more.
+  /// Its end [s]: the last sample; one spacing later if samples are held.
   double duration() const {
     const std::size_t intervals = force->size() - (between == BetweenSamples::hold ? 0 : 1);
     return static_cast<double>(intervals) * spacing;
   }
 };
 
-/// The recording as a function of time, per unit mass; before and after it the first and the last value. An
-/// evaluation looks its interval up directly.
+/// The recording as a function of time, per unit mass; before and after it the first and the last value. It
+/// finds the interval of a time directly, without a search.
 template <class Real>
 class SampledForce {
  public:
@@ -62,7 +62,7 @@ class SampledForce {
     return static_cast<double>(interval(u) + 1) * spacing_;
   }
 
-  /// How far rounding, of its values and of times near t, may put it off.
+  /// Bound on its error at times near t, from rounding of its values and of the times.
   double rounding(double t) const {
     return std::numeric_limits<double>::epsilon() * (largest_ + std::abs(t) * 2 * largest_ * per_spacing_);
   }
@@ -70,7 +70,7 @@ class SampledForce {
   /// The next sample after t, where it jumps or bends.
   double next_break(double t) const { return next_turn(t); }
 
-  /// What it does at t, a constant or a ramp, at all times.
+  /// The constant or ramp that holds at t, extended to all times.
   SampledForce within(double t) const {
     SampledForce one = *this;
     one.pinned_ = true;
@@ -78,13 +78,14 @@ class SampledForce {
     return one;
   }
 
-  /// Steps of this length [s] from a sample on never pass one but at their ends, and nothing jumps there.
+  /// Whether steps of this length [s] that begin on a sample meet samples only at their ends, and nothing
+  /// jumps there.
   bool is_smooth_in_steps(double step) const {
     const double steps = spacing_ / step;
     return !hold_ && std::abs(steps - std::round(steps)) < 1e-9 * steps;
   }
 
-  /// Goes from sample to sample: best asked step by step.
+  /// propagate goes from sample to sample: best asked step by step.
   static constexpr bool has_many_pieces = true;
 
   /// The state at t >= t0 of the motion through y0 at t0, by the map of each interval.
@@ -94,7 +95,7 @@ class SampledForce {
     Real now = t0;
     for (std::size_t i = interval(value_of(t0) * per_spacing_); value_of(now) < value_of(t); ++i) {
       const double boundary = static_cast<double>(i + 1) * spacing_;
-      // A boundary that is the end to rounding is the end.
+      // A boundary within rounding of the end is the end.
       const bool ends = i >= last_ || boundary + nearly * spacing_ >= value_of(t);
       const Real end = ends ? t : Real(boundary);
       const Real begin(static_cast<double>(i) * spacing_);
@@ -116,7 +117,7 @@ class SampledForce {
     return per_mass_ * (here + (u - static_cast<double>(pin_)) * (samples_[pin_ + 1] - here));
   }
 
-  /// The interval that u spacings lie in, at most the last sample.
+  /// The interval in which the time of u spacings lies; at most the last sample.
   std::size_t interval(double u) const {
     const double shifted = u + nearly;
     if (!(shifted > 0)) return 0;

@@ -14,7 +14,7 @@
 
 namespace cromer::core {
 
-/// What the sensor does to a position.
+/// What the sensor makes of a position.
 struct Sensor {
   double noise = 0;       // [m] standard deviation, >= 0
   double resolution = 0;  // [m] >= 0; 0: not rounded

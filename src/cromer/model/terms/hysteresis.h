@@ -8,8 +8,8 @@
 
 namespace cromer::core {
 
-/// A force z that depends on how the motion came where it is:
-/// z' = A x' - beta |x'| |z|^(n-1) z - gamma x' |z|^n.
+/// A force z that depends on the way by which the motion came where it is: z' = A x' - beta |x'| |z|^(n-1) z
+/// - gamma x' |z|^n.
 struct Hysteresis {
   static constexpr TermInfo info{
       .name = "hysteresis",

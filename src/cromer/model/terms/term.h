@@ -4,8 +4,8 @@
 //   m x'' = F(t) - the sum over the terms of force(x, v, coefficient)
 //
 // A term is written over three scalars, T of the position, V of the velocity and P of the coefficient: where
-// a derivative is wanted, a dual number of one derivative stands in one of the three places and plain numbers
-// in the others, which costs what a slope written by hand would.
+// a derivative is wanted, a dual number of one derivative stands in one of the three places and plain
+// numbers in the others. That costs no more than a slope written by hand.
 #pragma once
 
 #include <array>
@@ -57,8 +57,8 @@ struct CoefficientInfo {
   std::string_view in_si;      ///< of a fit with a mass: "odd_quadratic_stiffness"; "" where there is none
   std::string_view symbol;     ///< in formulas, "ka"
   std::string_view meaning;    ///< in help
-  int length = 0;              ///< its unit is that of a force times so many powers of metres
-  int time = 0;                ///< and of seconds
+  int length = 0;              ///< powers of metres in its unit, beside that of a force
+  int time = 0;                ///< powers of seconds, likewise
   Sign sign = Sign::any;
   FittedAs fitted = FittedAs::itself;
 };
@@ -70,7 +70,7 @@ struct TermInfo {
   std::string_view meaning;  ///< what makes such a force
   std::string_view source;
   bool damps = false;        ///< takes energy and never gives any
-  bool acts_at_rest = true;  ///< part of the force at rest: of the position
+  bool acts_at_rest = true;  ///< its force depends on the position alone
   bool bounds = false;       ///< bounds the swing that a negative viscous damping feeds
 };
 
