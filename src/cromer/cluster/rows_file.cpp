@@ -236,7 +236,7 @@ Result<void> RowsFile::write(std::uint64_t chunk, const double* rows) {
       return good;
   }
   written_.push_back(chunk);
-  // More often costs time, less often more work after a crash.
+  // Noting more often costs time; less often costs more work after a crash.
   if (std::chrono::steady_clock::now() - noted_ < note_every_) return {};
   return note_finished();
 }
