@@ -2,6 +2,7 @@
 // start.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 
@@ -25,8 +26,11 @@ Result<void*> load_module(const Module& module);
 /// The HDF5 module. If there is none, the Error says where it was looked for and what to do.
 Result<const CromerHdf5*> load_hdf5();
 
-/// What the module could not do, and HDF5's words for it; empty where all is good.
-Notice hdf5_trouble(CromerHdf5End end, const char* message);
+/// The module's `create` and `read`. They return what it could not do, with HDF5's words for it; empty if all
+/// is good.
+Notice create_hdf5(const CromerHdf5& module, const std::string& path, std::span<const CromerHdf5Text> texts,
+                   std::span<const CromerHdf5Group> groups, std::span<CromerHdf5Dataset> datasets);
+Notice read_hdf5(const CromerHdf5& module, const std::string& path, const CromerHdf5Reader& reader);
 
 /// Name and unit of a column: "amplitude (m)" is amplitude in m; without a unit it is "1".
 std::pair<std::string, std::string> name_and_unit(const std::string& column);
