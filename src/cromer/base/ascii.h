@@ -1,5 +1,5 @@
-// Letters, digits and blanks of ASCII, whatever the locale is; all other bytes stay as they are. And the spelling
-// of option names.
+// Letters, digits and blanks of ASCII, whatever the locale is (all other bytes stay as they are), and names
+// of options.
 #pragma once
 
 #include <algorithm>

@@ -55,15 +55,18 @@ template <class A, class B>
   return Coupled<std::decay_t<decltype(a.first - b.first)>>{a.first - b.first, a.second - b.second};
 }
 template <class Factor, class Real>
-requires(!is_coupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(const Factor& c, const Coupled<Real>& a) {
+requires(!is_coupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(const Factor& c,
+                                                                              const Coupled<Real>& a) {
   return Coupled<std::decay_t<decltype(c * a.first)>>{c * a.first, c * a.second};
 }
 template <class Factor, class Real>
-requires(!is_coupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(const Coupled<Real>& a, const Factor& c) {
+requires(!is_coupled<Factor>) [[gnu::always_inline]] constexpr auto operator*(const Coupled<Real>& a,
+                                                                              const Factor& c) {
   return Coupled<std::decay_t<decltype(a.first * c)>>{a.first * c, a.second * c};
 }
 template <class Divisor, class Real>
-requires(!is_coupled<Divisor>) [[gnu::always_inline]] constexpr auto operator/(const Coupled<Real>& a, const Divisor& c) {
+requires(!is_coupled<Divisor>) [[gnu::always_inline]] constexpr auto operator/(const Coupled<Real>& a,
+                                                                               const Divisor& c) {
   return Coupled<std::decay_t<decltype(a.first / c)>>{a.first / c, a.second / c};
 }
 

@@ -61,7 +61,9 @@ struct Dual {
   [[gnu::always_inline]] friend constexpr Dual operator-(Dual a, const Dual& b) { return a -= b; }
   [[gnu::always_inline]] friend constexpr Dual operator*(Dual a, const Dual& b) { return a *= b; }
   // A constant's zero derivatives need no products.
-  [[gnu::always_inline]] friend constexpr Dual operator*(const Real& c, const Dual& b) { return b.chain(c * b.value, c); }
+  [[gnu::always_inline]] friend constexpr Dual operator*(const Real& c, const Dual& b) {
+    return b.chain(c * b.value, c);
+  }
   template <class Number>
   requires(std::is_arithmetic_v<Number> && !std::same_as<Number, Real>)  //
       friend constexpr Dual

@@ -1,4 +1,5 @@
-// The threads of a rank: they make the chunks that they are given, while another thread talks to the ranks.
+// The threads of a rank. They make the chunks that they are given, while another thread talks to the other
+// ranks.
 #pragma once
 
 #include <atomic>
@@ -27,11 +28,12 @@ struct MadeChunk {
 /// What went wrong in making chunks, as it is told to another rank.
 struct Trouble {
   enum class Kind : std::uint64_t { none, not_made, no_memory, in_words } kind = Kind::none;
-  std::string words{};  ///< of those who said it so
+  std::string words{};  ///< of kind in_words
   bool empty() const { return kind == Kind::none; }
 };
 Notice notice_of(const Trouble& trouble);
 
+/// Threads that make chunks. All calls come from one other thread.
 class Crew {
  public:
   /// `work` outlives it.
@@ -46,12 +48,12 @@ class Crew {
   void give(std::uint64_t chunk);
   std::optional<MadeChunk> take();
 
-  /// Chunks given but not begun are dropped, those in work are left as soon as may be.
+  /// Drops the chunks that were given but not begun, and breaks off those in progress as soon as possible.
   void stop();
-  /// After stop(): nothing more will come; what was made can still be taken.
+  /// After stop(): whether no more chunks will come. Those already made can still be taken.
   bool gone();
 
-  /// Waits until a chunk is made, but not longer.
+  /// Waits until a chunk is made, but no longer than this.
   void wait(std::chrono::microseconds patience);
 
   /// What went wrong in making chunks, if anything did.

@@ -1,4 +1,4 @@
-// What two descriptions of work (JSON) do not agree in.
+// How two descriptions of work (JSON) differ.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace cromer::core {
 
-/// The first few, as "stiffness is 9 there and 10 here"; none where they are the same.
+/// The first few differences, as "stiffness is 9 there and 10 here"; none if the descriptions are the same.
 std::vector<Notice> differences(const std::string& there, const std::string& here);
 
 }  // namespace cromer::core

@@ -14,7 +14,7 @@
 namespace cromer::core {
 namespace {
 
-/// Where there is no room.
+/// What to do if the disk is full; empty for any other error.
 Notice cure(int number) {
   const bool full = number == ENOSPC || number == EDQUOT || number == EFBIG;
   return full ? Notice{"finished_is_kept"} : Notice{};

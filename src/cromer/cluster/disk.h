@@ -1,4 +1,4 @@
-// Bytes at their places in a file, and what the disk says to that.
+// Files that are written and read at any place, and the errors of the disk.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace cromer::core {
 
-/// A file opened for writing at places. Errors name the file, the system's reason and, where the disk is
-/// full, the cure.
+/// A file open for writing and reading at any place. Errors name the file, the system's reason and, where
+/// the disk is full, the cure.
 class DiskFile {
  public:
   DiskFile() = default;
@@ -27,9 +27,9 @@ class DiskFile {
   ~DiskFile();
 
   Result<void> write(const void* bytes, std::size_t size, std::uint64_t offset) const;
-  /// How many bytes were there to read, at most `size`.
+  /// Returns how many bytes there were to read, at most `size`.
   std::size_t read(void* bytes, std::size_t size, std::uint64_t offset) const;
-  /// Comes back when the bytes are on the disk.
+  /// Returns when the bytes are on the disk.
   Result<void> sync() const;
   int descriptor() const { return file_; }
 
@@ -38,14 +38,14 @@ class DiskFile {
   int file_ = -1;
 };
 
-/// That a file of so many bytes has room in its folder; the Error says how much is needed and how much there
-/// is.
+/// Checks that a file of so many bytes has room in its folder; the Error says how much is needed and how
+/// much is free.
 Result<void> fits_on_disk(const std::string& path, double bytes);
 
-/// Renames, and comes back when the folder knows it on the disk.
+/// Renames a file; returns when the folder on the disk has the new name.
 Result<void> rename_file(const std::string& from, const std::string& to);
 
-/// Removes, likewise; it may be absent.
+/// Removes a file, which may be absent; returns when the folder on the disk no longer has it.
 Result<void> remove_file(const std::string& path);
 
 }  // namespace cromer::core

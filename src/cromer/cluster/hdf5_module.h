@@ -40,7 +40,7 @@ enum CromerHdf5End : int {
   cromer_hdf5_not_read,
 };
 
-/// Told what a file holds.
+/// Receives what a file holds.
 struct CromerHdf5Reader {
   void* self;
   void (*text)(void* self, const char* name, const char* text);
@@ -51,7 +51,8 @@ struct CromerHdf5 {
   int version;
 
   /// Makes the file: attributes, groups, and datasets whose fill value is NaN, with room for all numbers,
-  /// none written. The same bytes whenever and wherever. The file is good only if that is the end.
+  /// none written. The bytes are the same whenever and wherever it runs. The file is usable only if the
+  /// result is cromer_hdf5_good.
   CromerHdf5End (*create)(const char* path, const CromerHdf5Text* texts, std::size_t text_count,
                           const CromerHdf5Group* groups, std::size_t group_count, CromerHdf5Dataset* datasets,
                           std::size_t dataset_count, char* message, std::size_t room);

@@ -9,24 +9,27 @@
 
 namespace cromer::core {
 
-/// FILE.journal beside FILE. Its size never changes, so that a full disk cannot stop it, and a chunk is
-/// marked by one byte, which is written or not. One program at a time has it.
+/// FILE.journal beside FILE. Its size never changes, so that a full disk cannot stop it. A chunk is marked
+/// by one byte, which is either written or not. Only one program at a time can hold it.
 class Journal {
  public:
   static std::string path_of(const std::string& file) { return file + ".journal"; }
 
-  /// Makes it anew: nothing finished. `work` tells this work from others, without line breaks.
+  /// Makes a new journal, with nothing finished. `work` tells this work from other work; it has no line
+  /// breaks.
   static Result<Journal> create(const std::string& file, std::uint64_t chunks, const std::string& work);
 
-  /// Opens that of the same work; an Error where it is of another, damaged, or another program has it.
+  /// Opens the journal of the same work. An Error if it is of other work or damaged, or if another program
+  /// holds it.
   static Result<Journal> open(const std::string& file, std::uint64_t chunks, const std::string& work);
 
   std::vector<std::uint64_t> unfinished() const;
 
-  /// Comes back when the marks are on the disk. What they stand for must be there before.
+  /// Marks chunks as finished; returns when the marks are on the disk. Their rows must be on the disk
+  /// before.
   Result<void> mark(const std::vector<std::uint64_t>& chunks) const;
 
-  /// All is finished: takes the journal away.
+  /// Removes the journal, once all is finished.
   Result<void> remove() const { return remove_file(path_); }
 
  private:

@@ -19,6 +19,26 @@ std::vector<fs::path> folders() {
   return {program, above / CROMER_LIBDIR / "cromer", above / "lib", above};
 }
 
+constexpr std::size_t message_room = 512;
+
+Notice hdf5_trouble(CromerHdf5End end, const char* message) {
+  switch (end) {
+    case cromer_hdf5_good:
+      break;
+    case cromer_hdf5_not_made:
+      return Notice{"hdf5_not_made", {{"why", message}}};
+    case cromer_hdf5_part:
+      return Notice{"hdf5_part_not_made", {{"why", message}}};
+    case cromer_hdf5_not_written:
+      return Notice{"hdf5_not_written", {{"why", message}}};
+    case cromer_hdf5_not_opened:
+      return Notice{"hdf5_not_opened", {{"why", message}}};
+    case cromer_hdf5_not_read:
+      return Notice{"hdf5_not_read", {{"why", message}}};
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void*> load_module(const Module& module) {
@@ -55,22 +75,19 @@ Result<const CromerHdf5*> load_hdf5() {
   return module;
 }
 
-Notice hdf5_trouble(CromerHdf5End end, const char* message) {
-  switch (end) {
-    case cromer_hdf5_good:
-      break;
-    case cromer_hdf5_not_made:
-      return Notice{"hdf5_not_made", {{"why", message}}};
-    case cromer_hdf5_part:
-      return Notice{"hdf5_part_not_made", {{"why", message}}};
-    case cromer_hdf5_not_written:
-      return Notice{"hdf5_not_written", {{"why", message}}};
-    case cromer_hdf5_not_opened:
-      return Notice{"hdf5_not_opened", {{"why", message}}};
-    case cromer_hdf5_not_read:
-      return Notice{"hdf5_not_read", {{"why", message}}};
-  }
-  return {};
+Notice create_hdf5(const CromerHdf5& module, const std::string& path, std::span<const CromerHdf5Text> texts,
+                   std::span<const CromerHdf5Group> groups, std::span<CromerHdf5Dataset> datasets) {
+  char message[message_room];
+  const CromerHdf5End end =
+      module.create(path.c_str(), texts.data(), texts.size(), groups.data(), groups.size(), datasets.data(),
+                    datasets.size(), message, message_room);
+  return hdf5_trouble(end, message);
+}
+
+Notice read_hdf5(const CromerHdf5& module, const std::string& path, const CromerHdf5Reader& reader) {
+  char message[message_room];
+  const CromerHdf5End end = module.read(path.c_str(), &reader, message, message_room);
+  return hdf5_trouble(end, message);
 }
 
 std::pair<std::string, std::string> name_and_unit(const std::string& column) {

@@ -1,6 +1,8 @@
-// Parts of the program that are loaded only when they are needed: HDF5 and MPI take milliseconds to start.
+// Parts of the program that are loaded only when they are needed, since HDF5 and MPI take milliseconds to
+// start.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 
@@ -9,7 +11,7 @@
 
 namespace cromer::core {
 
-/// A shared library of ours and what it takes to have it.
+/// A shared library of Cromer, and what is needed to have it.
 struct Module {
   const char* file;     ///< "libcromer_hdf5.so"
   const char* symbol;   ///< the function that gives its interface
@@ -21,13 +23,16 @@ struct Module {
 /// program, and in ../lib and the like beside that. An Error says where it was looked for and what to do.
 Result<void*> load_module(const Module& module);
 
-/// An Error where there is none says where it was looked for and what to do.
+/// The HDF5 module. If there is none, the Error says where it was looked for and what to do.
 Result<const CromerHdf5*> load_hdf5();
 
-/// What the module could not do, and HDF5's words for it; empty where all is good.
-Notice hdf5_trouble(CromerHdf5End end, const char* message);
+/// The module's `create` and `read`. They return what it could not do, with HDF5's words for it; empty if all
+/// is good.
+Notice create_hdf5(const CromerHdf5& module, const std::string& path, std::span<const CromerHdf5Text> texts,
+                   std::span<const CromerHdf5Group> groups, std::span<CromerHdf5Dataset> datasets);
+Notice read_hdf5(const CromerHdf5& module, const std::string& path, const CromerHdf5Reader& reader);
 
-/// "amplitude (m)" is amplitude in m; what has no unit has "1".
+/// Name and unit of a column: "amplitude (m)" is amplitude in m; without a unit it is "1".
 std::pair<std::string, std::string> name_and_unit(const std::string& column);
 
 }  // namespace cromer::core

@@ -63,7 +63,7 @@ Words words_of(std::uint64_t number, std::initializer_list<std::string> texts) {
   return words;
 }
 
-/// The text that begins at `at`, which goes on behind it.
+/// The text that begins at `at`; moves `at` behind it.
 std::string text_of(const Words& words, std::size_t& at) {
   std::string text(words.at(at), '\0');
   std::memcpy(text.data(), words.data() + at + 1, text.size());
@@ -104,8 +104,9 @@ class Post {
   std::list<Letter> letters_{};
 };
 
-/// Each rank has as many chunks in hand as it has threads, and one more while there are plenty: it never
-/// waits for the next one, and towards the end no rank holds a chunk that another could begin.
+/// The first rank's part: which rank gets which chunk, and when all is over. Each rank has as many chunks in
+/// hand as it has threads, and one more while there are plenty: it never waits for the next one, and towards
+/// the end no rank holds a chunk that another could begin.
 class HandOut {
  public:
   HandOut(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks, int ranks, int threads,
@@ -156,7 +157,7 @@ Result<ChunksEnd> HandOut::run() {
   supply(0);
   auto patience = microseconds(1000);
   while (left_ + 1 < members_.size() || !crew_.gone()) {
-    // Where something just happened more is likely to come soon.
+    // After something happened, more is likely to come soon.
     patience = look_around() ? microseconds(50) : std::min(2 * patience, microseconds(1000));
     const bool all_done = done_ == chunks_.size();
     if (!ended_ && (all_done || !good_ || interrupted_)) end();
@@ -293,8 +294,7 @@ RankPlace rank_place() {
 int threads_of_rank(int asked) {
   const int usable = threads_of(asked);
   if (asked > 0) return usable;
-  // Where ranks are bound to processors of their own, those are the usable ones; where not, all would take
-  // all.
+  // Ranks bound to processors of their own can use those only. Ranks that are not would each take all.
   int here = 1;
   for (const char* variable : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})
     here = std::max(here, number_in(variable).value_or(1));
@@ -322,8 +322,8 @@ Ranks::Ranks(Ranks&& other) noexcept
 
 Ranks::~Ranks() {
   if (!mpi_) return;
-  // A rank that throws here cannot say so any more; gone without a word it ends the others, and nothing is
-  // lost.
+  // A rank that gets here by an exception cannot say so any more. If it leaves without a word, the others
+  // end, and nothing is lost.
   if (!first() && std::uncaught_exceptions() > 0) std::_Exit(1);
   if (first() && !over_) {
     const auto none = [](std::uint64_t, const double*) { return Result<void>(); };

@@ -15,15 +15,15 @@ namespace cromer::core {
 
 struct Trouble;
 
-/// Which of how many this process is, as those who started it left it in the environment.
+/// The place of this process among those started together, as mpirun or srun left it in the environment.
 struct RankPlace {
   int rank = 0, ranks = 1;
   bool first() const { return rank == 0; }
 };
 RankPlace rank_place();
 
-/// How many threads a rank takes: `asked`, or where that is 0 its share of the machine's processors, of those
-/// it may use.
+/// The number of threads of a rank: `asked`, or if that is 0 its share of the machine's processors, and no
+/// more than it may use.
 int threads_of_rank(int asked);
 
 /// The ranks, from joining them to leaving them. Only the first may write and print.

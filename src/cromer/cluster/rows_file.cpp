@@ -18,8 +18,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::size_t message_room = 512;
-
 /// A dataset of the file.
 struct LaidOut {
   std::string name, unit;
@@ -91,10 +89,7 @@ Result<void> make_file(const std::string& path, const ChunkedRows& work, const R
   const CromerHdf5Text of_file[] = {{"description", work.description.c_str()},
                                     {"program", options.program.c_str()},
                                     {"command", options.command.c_str()}};
-  char message[message_room];
-  const CromerHdf5End end = (*module)->create(path.c_str(), of_file, std::size(of_file), nullptr, 0,
-                                              made.data(), made.size(), message, message_room);
-  if (const Notice trouble = hdf5_trouble(end, message); !trouble.empty())
+  if (const Notice trouble = create_hdf5(**module, path, of_file, {}, made); !trouble.empty())
     return Error{"cannot_write", {{"path", path}, {"why", trouble}}};
 
   auto file = DiskFile::open(path, 0);
@@ -128,9 +123,7 @@ Result<void> find_in_file(const ChunkedRows& work, const RowsFileOptions& option
       [](void* self, const char* name, std::uint64_t numbers, std::uint64_t offset) {
         static_cast<Found*>(self)->datasets[name] = {numbers, offset};
       }};
-  char message[message_room];
-  const CromerHdf5End end = (*module)->read(options.path.c_str(), &reader, message, message_room);
-  if (const Notice trouble = hdf5_trouble(end, message); !trouble.empty())
+  if (const Notice trouble = read_hdf5(**module, options.path, reader); !trouble.empty())
     return Error{"cannot_resume_file", {{"path", options.path}, {"what", trouble}}};
   const auto described = found.texts.find("description");
   if (described == found.texts.end()) return Error{"resume_without_description", {{"path", options.path}}};
@@ -236,7 +229,7 @@ Result<void> RowsFile::write(std::uint64_t chunk, const double* rows) {
       return good;
   }
   written_.push_back(chunk);
-  // More often costs time, less often more work after a crash.
+  // Noting more often costs time; less often costs more work after a crash.
   if (std::chrono::steady_clock::now() - noted_ < note_every_) return {};
   return note_finished();
 }

@@ -1,5 +1,5 @@
-// An HDF5 file that chunks of rows are written into as they come, and that any end of the program leaves
-// good.
+// An HDF5 file into which chunks of rows are written as they come. However the program ends, the file stays
+// usable.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ struct RowsFileOptions {
   std::vector<RowsAxis> axes{};  ///< outermost first; their sizes multiply to the rows. Empty: just rows
   std::string program{};         ///< "cromer 0.1.0", kept in the file
   std::string command{};         ///< the command line, kept in the file
-  std::chrono::milliseconds note_every{1000};  ///< so much work a crash may cost
+  std::chrono::milliseconds note_every{1000};  ///< a crash may cost this much work
 };
 
 /// One dataset for each column: of the axes' shape, or of as many numbers as there are rows; a column that is
@@ -45,16 +45,16 @@ class RowsFile {
   /// Chunks still to be made, in order.
   const std::vector<std::uint64_t>& unfinished() const { return unfinished_; }
 
-  /// Writes a chunk's rows. They are finished with the first call a second (note_every) later, or with
-  /// close().
+  /// Writes a chunk's rows. They count as finished after the first call a second (note_every) later, or
+  /// after close().
   Result<void> write(std::uint64_t chunk, const double* rows);
 
-  /// What was written is finished. Called at the end, whichever it is.
+  /// Notes all that was written as finished. Call it however the work ends.
   Result<void> close();
 
   bool complete() const { return left_ == 0; }
 
-  /// The rows of a chunk as they were written, axes included; NaN where they were not.
+  /// Reads the rows of a chunk as they were written, axes included; NaN where none were.
   void read(std::uint64_t chunk, double* rows) const;
 
  private:
@@ -82,7 +82,7 @@ class RowsFile {
   std::chrono::steady_clock::time_point noted_{};
 };
 
-/// Bytes that the file of this work takes.
+/// The size of the file of this work [bytes].
 double rows_file_bytes(const ChunkedRows& work, const RowsFileOptions& options);
 
 }  // namespace cromer::core

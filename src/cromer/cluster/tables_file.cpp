@@ -7,8 +7,6 @@
 namespace cromer::core {
 namespace {
 
-constexpr std::size_t message_room = 512;
-
 /// What the module is told, and the strings that it points to.
 struct Told {
   std::vector<std::string> names{}, units{};
@@ -64,14 +62,12 @@ Result<void> fill(const std::string& path, const std::string& name, const std::v
   std::vector<CromerHdf5Text> of_file;
   for (const Hdf5Table& table : tables)
     if (table.name.empty()) of_file = texts_of(table);
-  char message[message_room];
-  const CromerHdf5End end =
-      (*module)->create(path.c_str(), of_file.data(), of_file.size(), told.groups.data(), told.groups.size(),
-                        told.datasets.data(), told.datasets.size(), message, message_room);
   const auto cannot_write = [&](const Notice& why) {
     return Error{"cannot_write", {{"path", name}, {"why", why}}};
   };
-  if (const Notice trouble = hdf5_trouble(end, message); !trouble.empty()) return cannot_write(trouble);
+  if (const Notice trouble = create_hdf5(**module, path, of_file, told.groups, told.datasets);
+      !trouble.empty())
+    return cannot_write(trouble);
   auto file = DiskFile::open(path, 0);
   if (!file) return cannot_write(file.error().notice);
   for (std::size_t i = 0; i < told.columns.size(); ++i) {

@@ -25,7 +25,7 @@ struct Hdf5Table {
   std::vector<Hdf5Column> columns{};                         ///< empty ones are left out
 };
 
-/// That such files can be written, asked before long work: an Error where the module is missing.
+/// Checks, before long work, that such files can be written: an Error if the module is missing.
 Result<void> can_write_tables();
 
 /// Writes the file whole or not at all, over what was there. Each dataset has the attribute unit. The same

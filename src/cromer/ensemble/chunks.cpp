@@ -18,7 +18,7 @@ struct Parcel {
   std::vector<double> rows{};
 };
 
-/// The memory of all parcels on their way: as many as the pipeline lets live.
+/// The memory of all parcels on their way, as many as the pipeline allows.
 class Parcels {
  public:
   explicit Parcels(std::size_t count) : all_(count) {

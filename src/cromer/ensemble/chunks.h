@@ -39,7 +39,8 @@ using ChunkSink = std::function<Result<void>(std::uint64_t chunk, const double* 
 /// How the work ended; an Error is the sink's.
 enum class ChunksEnd { done, interrupted };
 
-/// Hands out the chunks to make; nothing: there are no more. Called by one thread at a time; may wait.
+/// Hands out the next chunk to make, or nothing if there are no more. Called by one thread at a time; may
+/// wait.
 using ChunkSource = std::function<std::optional<std::uint64_t>()>;
 
 /// Makes those chunks on so many threads (0: one for each processor) and hands each to the sink. Holds at
@@ -51,12 +52,12 @@ Result<ChunksEnd> make_chunks(const ChunkedRows& work, const std::vector<std::ui
 Result<ChunksEnd> make_chunks(const ChunkedRows& work, const ChunkSource& source, int threads,
                               const ChunkSink& sink, const Watch& watch);
 
-/// What makes chunks: make_chunks, or whatever spreads them further.
+/// A function that makes chunks: make_chunks, or one that spreads them over ranks.
 using ChunkMaker =
     std::function<Result<ChunksEnd>(const ChunkedRows& work, const std::vector<std::uint64_t>& chunks,
                                     int threads, const ChunkSink& sink, const Watch& watch)>;
 
-/// How many threads that is: `threads`, or where it is 0 one for each processor this process may use.
+/// The number of threads: `threads`, or if that is 0 one for each processor that this process may use.
 int threads_of(int threads);
 
 }  // namespace cromer::core

@@ -1,4 +1,4 @@
-// Which of the kernel's units runs: chosen when the program does.
+// Which of the kernel's units runs, chosen at run time.
 #pragma once
 
 #include <string_view>
@@ -17,10 +17,11 @@ struct KernelUnit {
   cromer_walk::Function walk;     ///< walks response filters
 };
 
-/// Those that this machine can run, the fastest last.
+/// The units that this machine can run, the fastest last.
 std::vector<KernelUnit> units_here();
 
-/// The fastest one, or the one of that name: an Error if there is none, or this machine cannot run it.
+/// The fastest unit, or the one of that name. An Error if there is none of that name or this machine cannot
+/// run it.
 Result<KernelUnit> choose_unit(std::string_view name = {});
 
 /// The same with the name in the environment variable CROMER_SIMD, where it is set.

@@ -25,8 +25,8 @@ struct Walk {
   std::size_t samples;         ///< >= 2
   std::size_t substeps = 1;    ///< of an interval, in which the force is a ramp; >= 1
   bool hold = false;           ///< each sample until the next instead of a ramp
-  bool every = true;           ///< look at the end of every substep, or at samples alone
-  std::size_t look_every = 1;  ///< then at every so many samples
+  bool every = true;           ///< look at the end of every substep, not at samples alone
+  std::size_t look_every = 1;  ///< else look at every n-th sample
   std::size_t block = 32;      ///< intervals per block, >= 1
 
   std::size_t blocks() const { return (samples - 1 + block - 1) / block; }
@@ -35,7 +35,7 @@ struct Walk {
 /// What is kept of a block of intervals.
 struct Block {
   Numbers u, d;       // at its beginning
-  Numbers low, high;  // least and greatest value looked at, over the gain; the other way round if none was
+  Numbers low, high;  // least and greatest value looked at, over the gain; low > high if none was
 };
 
 /// Walks the filters along the recording; blocks() of them are written.

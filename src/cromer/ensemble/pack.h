@@ -21,7 +21,7 @@ struct Mask {
   Mask(bool truth = false) : lanes(truth) {}  // NOLINT: the same in every lane
   explicit Mask(const xsimd::batch_bool<double, Arch>& truths) : lanes(truths) {}
 
-  /// Both sides are looked at.
+  /// Both sides are evaluated.
   friend Mask operator&&(const Mask& a, const Mask& b) { return Mask(a.lanes & b.lanes); }
   friend Mask operator||(const Mask& a, const Mask& b) { return Mask(a.lanes | b.lanes); }
   friend bool all(const Mask& m) { return xsimd::all(m.lanes); }

@@ -24,23 +24,23 @@ struct Stepping {
   MethodSettings settings{};
 };
 
-/// Files of rows keep the numbers: new ones come last.
+/// Files of rows store these as numbers: a new one comes last.
 enum class PointStatus : unsigned char {
   done,            ///< settled, or run to its end
-  not_settled,     ///< the motion still changed when the most cycles were over, or never stops to change
+  not_settled,     ///< the motion still changed after the most cycles, or never stops changing
   not_finite,      ///< it ran away
   no_convergence,  ///< Newton's iteration found no solution in some step
   unstable,        ///< of a linear law: the method's free motion grows without end
-  own_damping,     ///< settled, but the law has no damping: by the method's own alone
+  own_damping,     ///< settled by the method's own damping alone: the law has none
 };
 
-/// There are numbers of it.
+/// Whether a point of this status has numbers.
 constexpr bool has_numbers(PointStatus status) {
   return status == PointStatus::done || status == PointStatus::own_damping;
 }
 
-/// What is kept. Numbers that are not there (the amplitude of a motion without a drive, all of one that ran
-/// away) are NaN.
+/// What is kept of a motion. Numbers that do not exist are NaN: the amplitude of a motion without a drive,
+/// all numbers of one that ran away.
 struct PointResult {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 

@@ -24,7 +24,7 @@ struct WalkedLaw {
   double step;  // [s]
 };
 
-/// Its lane of what the walk left.
+/// Its lane in the blocks that the walk wrote.
 struct WalkedLane {
   const cromer_walk::Block* blocks;
   std::size_t lane;
@@ -273,7 +273,7 @@ std::size_t block_length(std::size_t samples, std::size_t steps) {
   return std::max({std::size_t{1}, 32 / steps, samples / 8192});
 }
 
-/// Laws that are walked together, and what the walk leaves.
+/// Laws that are walked together, and the blocks that the walk writes.
 struct Group {
   cromer_walk::Filters filters{};
   std::vector<WalkedLaw> laws{};
@@ -349,7 +349,7 @@ std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<
   std::size_t block_of_forces = 0;
   Group group;
   for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
-    // The finest of them sets the steps of all, but where the steps are part of the definition.
+    // The law with the finest steps sets those of all, except where the steps are part of the definition.
     end = std::min(begin + cromer_walk::lanes, order.size());
     if (search.peaks == Peaks::peer)
       while (steps[order[end - 1]] != steps[order[begin]]) --end;

@@ -1,4 +1,4 @@
-// The extremes that oscillators of many periods reach on ground that shakes as recorded.
+// The extremes of oscillators of many periods on recorded ground motion.
 #pragma once
 
 #include <span>
@@ -17,7 +17,7 @@ struct GroundMotion {
   std::span<const double> acceleration;  // [m/s^2]
   double spacing = 0;                    // [s] > 0
   BetweenSamples between = BetweenSamples::linear;
-  std::size_t refinement = 1;  ///< every so many are recorded samples, those between were put in
+  std::size_t refinement = 1;  ///< every n-th sample was recorded, the others were interpolated
 };
 
 enum class ResponseOf {
@@ -30,8 +30,8 @@ struct PeakSearch {
   Peaks peaks = Peaks::continuous;
   ResponseOf quantity = ResponseOf::displacement;
   bool after_the_end = true;             ///< look at the free motion after the last sample too
-  bool largest_alone = true;             ///< only the largest magnitude of the whole motion needs to be right
-  cromer_walk::Function walk = nullptr;  ///< of choose_unit(); none: the fastest here
+  bool largest_alone = true;             ///< only the largest magnitude of the whole motion must be right
+  cromer_walk::Function walk = nullptr;  ///< of choose_unit(); nullptr: that of the fastest unit here
 };
 
 struct ResponsePeaks {
@@ -44,9 +44,9 @@ struct ResponsePeaks {
 /// The fewest equal parts of an interval that are at most T/10 long: ceil(10 h/T - 1e-9), at least 1.
 std::size_t substeps(double spacing, double period);
 
-/// Of each law (its stiffness positive), from rest at the first sample, by the exact recurrence: the drive is
-/// what the ground motion says. Error of the peaks: about 1e-13 of the largest for continuous ones, 1e-11
-/// after 1e5 samples at long periods. Work and memory grow with spacing/period.
+/// The peaks of each law (stiffness > 0), from rest at the first sample, by the exact recurrence; the ground
+/// motion is the drive. Error of the peaks: about 1e-13 of the largest for continuous ones, 1e-11 after 1e5
+/// samples at long periods. Work and memory grow with spacing/period.
 std::vector<ResponsePeaks> response_peaks(const GroundMotion& ground, std::span<const LinearLaw<double>> laws,
                                           const PeakSearch& search);
 

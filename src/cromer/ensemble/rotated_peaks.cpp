@@ -36,7 +36,7 @@ struct Step {
   double radius() const { return std::hypot(y1.x, y2.x); }
 };
 
-/// A stretch of steps whose reach in each direction is wanted. Most of them lie well inside what a few far
+/// A stretch of steps whose reach in each direction is wanted. Most steps lie well inside what a few far
 /// ones span; only the others are looked at in every direction.
 class Reach {
  public:

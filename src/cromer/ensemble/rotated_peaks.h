@@ -8,8 +8,9 @@
 
 namespace cromer::core {
 
-/// Over the directions 0, 1, ... 179 degrees of the peak displacement that way (D. M. Boore, Bull. Seism.
-/// Soc. Am. 100, 1830 (2010)). The largest of whole degrees is at most 4e-5 below that of all directions.
+/// Median and largest, over the directions 0, 1, ... 179 degrees, of the peak displacement in a direction
+/// (D. M. Boore, Bull. Seism. Soc. Am. 100, 1830 (2010)). The largest of whole degrees is at most 4e-5 below
+/// that of all directions.
 struct RotatedPeaks {
   double median;   // [m] RotD50
   double largest;  // [m] RotD100

@@ -62,13 +62,14 @@ using cromer_group::Group;
 
 constexpr long long steps_between_looks = 1 << 16;  // at the interrupt
 
-/// not_finite or no_convergence where that is so of the i-th; else done.
+/// not_finite or no_convergence if that is so of the i-th member; else done.
 PointStatus status_of(const cromer_group::Group& group, int i) {
   if (group.failed.of[i] != 0) return PointStatus::no_convergence;
   return std::isfinite(group.x.of[i] - group.v.of[i]) ? PointStatus::done : PointStatus::not_finite;
 }
 
-/// The shorter step that ends some runs, for all members: a run of its own, whose drive goes on where it was.
+/// Takes the shorter step that ends some runs, with all members: a run of its own, in which the drive goes
+/// on where it was.
 std::unique_ptr<Group> with_last_step(const Group& group, const KernelUnit& unit, const Stepping& stepping,
                                       const std::array<double, cromer_group::size>& last) {
   auto ended = std::make_unique<Group>(group);
@@ -131,14 +132,14 @@ Measured measure(const Group& group, int i, double weight, double mass) {
   return {fitted[0], {fitted[1], fitted[2]}, sums.xx.of[i] / weight, mass * sums.energy.of[i] / weight};
 }
 
-/// Whether numbers that come one after the other have come to rest: the changes still to come, as a geometric
-/// series with the ratio of the last two, sum up to no more than the tolerance.
+/// Whether a sequence of numbers has converged: the changes still to come, as a geometric series with the
+/// ratio of the last two, sum up to no more than the tolerance.
 class Convergence {
  public:
   bool operator()(std::complex<double> value, double tolerance) {
     const double change = std::abs(value - last_), size = std::abs(value);
     const double ratio = change_ > 0 ? std::min(change / change_, 1.0) : 1;
-    // At rounding level the ratio means nothing, and small changes that do not fall are what leaks.
+    // At rounding level the ratio means nothing. Small changes that do not fall are leakage.
     const bool leaks = ratio >= 1 && change <= tolerance * size;
     const bool falls =
         ratio < 1 && change * ratio / (1 - ratio) <= tolerance * size && change <= 10 * tolerance * size;
@@ -240,7 +241,7 @@ bool run_group(const KernelUnit& unit, std::span<const Point> points, const Step
   const auto members = static_cast<std::ptrdiff_t>(points.size());
   const long long most = *std::max_element(whole.begin(), whole.begin() + members);
   for (long long taken = 0;;) {
-    // To where the next one ends.
+    // To where the next member ends.
     long long next = most;
     for (std::size_t k = 0; k < points.size(); ++k)
       if (whole[k] >= taken) next = std::min(next, whole[k]);
@@ -258,7 +259,7 @@ bool run_group(const KernelUnit& unit, std::span<const Point> points, const Step
       results[k] = result_of(last[k] > 0 ? *ended : *group, i, points[k], until[k]);
     }
     if (taken == most) return true;
-    // Those that have ended are not looked at any more.
+    // Members that have ended are skipped from now on.
     for (std::size_t k = 0; k < points.size(); ++k)
       if (whole[k] == taken) whole[k] = -1;
   }

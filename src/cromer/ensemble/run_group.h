@@ -12,19 +12,19 @@
 
 namespace cromer::core {
 
-/// The points at their starts; places that are left over repeat the last one.
+/// Fills the group with the points at their starts; spare places repeat the last point.
 void fill_group(std::span<const Point> points, cromer_group::Group& group);
 
-/// What to ask of the unit: so many steps, with weights (one a step) for the sums, or nullptr.
+/// An order for the unit: the number of steps, and weights (one for each step) for the sums, or nullptr.
 cromer_group::Order order_of(const Stepping& stepping, long long steps, const double* weights = nullptr);
 
 /// When a driven motion counts as settled, and how long that may take.
 struct Settling {
-  /// At least so many cycles of the drive are dropped, then one window is measured, settled or not; empty: it
-  /// is found out.
+  /// Cycles of the drive that are dropped, at least; then one window is measured, settled or not. Empty:
+  /// runs until the motion has settled.
   std::optional<double> dropped{};
-  double tolerance = 1e-6;   ///< what amplitude and energy may still be off by, relative
-  double most_cycles = 2e4;  ///< after which it is given up
+  double tolerance = 1e-6;   ///< relative error that amplitude and energy may still have
+  double most_cycles = 2e4;  ///< of the drive, after which it gives up
   double window = 8;         ///< cycles over which amplitude, phase, peak and energy are measured, >= 4
 };
 
@@ -37,8 +37,9 @@ struct Settling {
 bool settle_group(const KernelUnit& unit, std::span<const Point> points, const Stepping& stepping,
                   const Settling& settling, std::span<PointResult> results, const Watch& watch = {});
 
-/// Runs up to cromer_group::size points each from 0 to its own end [s] > 0; one that is not a whole number of
-/// steps is reached by a shorter one. Of driven points amplitude and phase are left out. False: interrupted.
+/// Runs up to cromer_group::size points each from 0 to its own end [s] > 0; one that is not a whole number
+/// of steps is reached by a shorter one. Amplitude and phase of driven points are left out. False:
+/// interrupted.
 bool run_group(const KernelUnit& unit, std::span<const Point> points, const Stepping& stepping,
                std::span<const double> until, std::span<PointResult> results, const Watch& watch = {});
 

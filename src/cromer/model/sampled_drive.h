@@ -15,7 +15,7 @@
 namespace cromer::core {
 
 /// Sample i acts at t = i * spacing, from the start of the run. A band-limited recording is refined first
-/// (band_limited.h), then linear.
+/// (between_samples.h), then linear.
 struct SampledDrive {
   std::shared_ptr<const std::vector<double>> force;  // [N] at least two; runs of one recording share it
   double spacing = 1;                                // [s] > 0

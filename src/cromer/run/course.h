@@ -55,7 +55,7 @@ struct Outcome {
   Counts counts;
 };
 
-/// Times no further apart than this part of a step are the same.
+/// Times no further apart than this fraction of a step count as the same.
 inline constexpr double same_time = 1e-9;
 
 /// When to give up.
@@ -88,13 +88,14 @@ struct Course {
   Status status = Status::reached_end;
   bool interrupted = false;
   bool at_rest = false;  ///< a sliding mass has stopped: the next phase begins
-  double last_step = 0;  // [s] of the controller, where a phase ended in full swing; else 0
+  double last_step = 0;  // [s] the step that the controller wanted where a phase ended in full swing; else 0
   Counts counts{};
 
   /// Not at the end, nor ended early.
   bool goes_on(const Rows& rows) const { return status == Status::reached_end && row < rows.last(); }
 
-  /// Looks at interrupt and limit, and tells the progress, every hundred steps or so.
+  /// Checks the step limit. Every hundred steps or so it also checks the interrupt; more rarely it tells the
+  /// progress.
   void look_up(const Rows& rows, const Watch& watch, const Limits& limits) {
     const long long steps = counts.accepted + counts.rejected;
     if (counts.accepted >= limits.steps) status = Status::step_limit;

@@ -15,9 +15,9 @@ struct Part {
   State<double> start, end;
 };
 
-/// Where a quantity, as a function of theta, turns between `from` and `to`, given its values there; empty
-/// where it does not. A turn nearer to an end than 1e-5 of the interval lifts it by next to nothing, and is
-/// none.
+/// The theta between `from` and `to` at which a quantity turns, given its values at both; empty if it does
+/// not. A turn within 1e-5 of the interval from an end changes the quantity by next to nothing, and does not
+/// count.
 template <class Quantity>
 std::optional<double> turn_within(const Quantity& quantity, double from, double at_from, double to,
                                   double at_to) {
@@ -29,8 +29,8 @@ std::optional<double> turn_within(const Quantity& quantity, double from, double 
 }
 
 /// Adds the events within the part of the step from t to t + h to the log; returns where the first one that
-/// stops is. Where the method's own path turns inside the part, the sides before and after the turn are
-/// looked at by themselves: each passes a value once.
+/// stops is. Where the method's own path turns inside the part, the stretches before and after the turn are
+/// searched separately: each passes a value at most once.
 std::optional<double> log_events(EventLog& log, double t, double h, const Part& part, StateInside state_at) {
   std::vector<std::pair<double, std::size_t>> passed;
   for (std::size_t i = 0; i < log.events.size(); ++i) {
@@ -69,8 +69,8 @@ Cut look_inside(const Lookout& look, double t, double h, const State<double>& y0
     if (i < pieces) part.end = state_at(part.to);
     bool at_rest = false;
     if (look.direction != 0 && !slides(part.end)) {
-      // It slid and stopped; or it began to slide in this part and stopped again; or rounding is all there is
-      // to see of a pull that just balances the friction: then it stays where it is for this step.
+      // Either it slid and stopped; or it began to slide in this part and stopped again; or the pull just
+      // balances the friction and only rounding moves it: then it stays where it is for this step.
       double from = part.from;
       State<double> moving = part.start;
       for (double share = 0.5; !slides(moving) && share > 1e-9; share /= 4) {

@@ -42,9 +42,9 @@ struct FoundEvent {
   State<double> y{};
 };
 
-/// What to watch for, and what was found, in order of time.
+/// The events to watch for, and those found, in order of time.
 struct EventLog {
-  static constexpr long long most = 1'000'000;  ///< found events kept; more are counted only
+  static constexpr long long most = 1'000'000;  ///< found events that are kept; others are only counted
 
   std::vector<Event> events{};
   std::vector<FoundEvent> found{};
@@ -66,15 +66,15 @@ struct Lookout {
   bool anything() const { return direction != 0 || (events && !events->events.empty()); }
 };
 
-/// How far a step is good.
+/// How much of a step is kept.
 struct Cut {
-  double theta = 1;  ///< of the step
+  double theta = 1;  ///< fraction of the step
   State<double> y{};
   bool at_rest = false;  ///< the sliding mass stopped there
   bool stopped = false;  ///< an event ends the run there
 };
 
-/// The state at a fraction of a step, 0 to 1. Seldom asked for: only where something happens.
+/// The state at a fraction of a step, 0 to 1. Asked for seldom, only where something happens.
 using StateInside = FunctionRef<State<double>(double theta)>;
 
 /// Looks through the step from y0 at t to y1 at t + h in `pieces` equal parts. state_at(theta) is the state

@@ -18,7 +18,7 @@
 
 namespace cromer::core {
 
-/// A system for any times: itself.
+/// A system that is asked at any times: itself.
 template <class S>
 class OffGrid {
  public:
@@ -30,7 +30,7 @@ class OffGrid {
   const S& system_;
 };
 
-/// A system ready for times t, t + spacing, ..., block of them: its own tabulated form if it has one, else
+/// A system ready for a block of times t, t + spacing, ...: its own tabulated form if it has one, else
 /// itself.
 template <class S>
 class OnGrid : public OffGrid<S> {
@@ -52,7 +52,7 @@ class OnGrid<S> {
   decltype(std::declval<const S&>().on_grid(1.0)) tabulated_;
 };
 
-/// What a run has taken.
+/// The steps and iterations that a run has taken.
 struct Tally {
   long long accepted = 0;  ///< steps
   long long newton_iterations = 0;
@@ -154,6 +154,7 @@ requires Method<M, S, Real> Outcome take_uniform_steps(const S& system, const M&
   return outcome;
 }
 
+/// A method at work on a system, their types erased: what the loop that looks into every step sees.
 class Stepper {
  public:
   virtual ~Stepper() = default;
@@ -161,7 +162,7 @@ class Stepper {
   /// From y at t to t + h; the next step goes on from there.
   virtual Trial<double> step(double t, double h, const State<double>& y) = 0;
 
-  /// A step from where the last one began, which leaves no trace: what part of it gives.
+  /// A step of length h from where the last one began: the result of a part of it. Changes nothing.
   virtual Trial<double> part(double t, double h, const State<double>& y) const = 0;
 
   /// The acceleration of its own that the method keeps from step to step; nullptr where it keeps none.
@@ -169,8 +170,8 @@ class Stepper {
 
   virtual const MethodInfo& info() const = 0;
 
-  /// No two zeros of the velocity lie closer [s]; infinite where the system does not say (then the step is
-  /// the caller's choice).
+  /// No two zeros of the velocity lie closer together than this [s]; infinite where the system does not say
+  /// (then the step is the caller's choice).
   virtual double zero_spacing() const = 0;
 };
 

@@ -14,8 +14,8 @@
 
 namespace cromer::core {
 
-/// Any recorder of states in doubles, its type forgotten: for loops in which a call for every state does not
-/// count.
+/// Any recorder of states in doubles, its type erased: for loops in which a call for each state costs
+/// little.
 using AnyRecorder = FunctionRef<void(double t, const State<double>& y)>;
 
 /// Gives a recorder that works in blocks time to do so: between blocks of steps, out of the way of the fast
@@ -25,10 +25,10 @@ void pause(Recorder& record) {
   if constexpr (requires { record.pause(); }) record.pause();
 }
 
-/// Keeps the first and every Nth state after it. Memory is set aside once, at the start, and used bit by bit,
-/// between blocks of steps, so that a run ended early costs what it kept; check number_of_kept_states before.
-/// Or hands every state to a function: the same type, so that laws and methods
-/// are compiled once for both.
+/// Keeps the first and every Nth state after it. Memory is reserved once, at the start, and used piece by
+/// piece, between blocks of steps, so that a run that ends early costs what it kept. Check
+/// number_of_kept_states first. Or it hands every state to a function: one type does both, so that laws and
+/// methods are compiled once.
 class KeepEvery {
  public:
   static constexpr std::size_t most_between_pauses = 256;

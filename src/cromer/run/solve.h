@@ -13,8 +13,8 @@
 // The tasks do not: they call run_law (tasks/simulate/run_law.h), which has these lines compiled for all laws
 // and methods once.
 //
-// Which loop that is, is decided here: uniform steps (the fast one), steps that are looked into for events,
-// steps that the error estimate chooses; and with dry friction phases of either.
+// The loop is chosen here: uniform steps (the fast loop), steps that are searched for events, or steps that
+// the error estimate chooses; with dry friction, phases of either.
 //
 // The name must be in the list (check_method_name), a law without a closed form refused for `exact`
 // (why_not_exact): a method that cannot integrate a system is a programmer's error.
@@ -58,7 +58,7 @@ concept SystemWithBreaks = requires(const S& system, double t) {
 template <class M>
 constexpr bool is_exact = M::info.order == 0;
 
-/// Whether a run by M in steps of this length meets breaks that its steps do not begin and end at.
+/// Whether a run by M in steps of this length meets breaks inside its steps.
 template <class M, class S>
 bool has_breaks_within_steps(const S& system, Interval interval, double step) {
   if constexpr (SystemWithBreaks<S> && !is_exact<M>)
@@ -144,7 +144,7 @@ requires(CanRun<M, S, double>::value) Outcome
     pause(record);
   };
   one_by_one(course.t, start);
-  // From break to break: a slide that one of them ends goes on in the next.
+  // From break to break: a slide that a break cuts goes on after it.
   const auto slide_within = [&](const S& piece, int direction, double end) {
     const SlidingSystem<S> smooth = piece.sliding(direction);
     const Lookout look{direction, events};
@@ -167,8 +167,8 @@ requires(CanRun<M, S, double>::value) Outcome
   return course.outcome(rows, watch);
 }
 
-/// A method that cannot integrate this system (`exact` and a law without a closed form): to be refused
-/// before.
+/// For a method that cannot integrate this system (`exact` and a law without a closed form), which callers
+/// must refuse.
 template <class S, class M, class Real, class Recorder>
 requires(!CanRun<M, S, Real>::value) Outcome
     solve(const S&, const M&, Interval interval, const State<Real>& start, StepControl, Recorder&&,

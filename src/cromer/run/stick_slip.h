@@ -26,7 +26,7 @@ concept FrictionSystem = requires(const S& system, double t, double x) {
   { system.holding() } -> std::convertible_to<double>;
 };
 
-/// What slides.
+/// The system of a sliding phase.
 template <FrictionSystem S>
 using SlidingSystem = decltype(std::declval<const S&>().sliding(1));
 
@@ -38,8 +38,8 @@ int direction_from_rest(const S& system, double t, double x) {
 }
 
 /// The mass sticks: records rows until the pull exceeds what friction holds, a moment found to rounding, and
-/// returns the direction of the slide that begins; 0 at the end of the run. The pull is looked at wherever it
-/// may turn or jump, on either side, so that none is missed. Without a drive nothing is computed.
+/// returns the direction of the slide that begins; 0 at the end of the run. The pull is looked at wherever
+/// it may turn or jump, on both sides, so that no moment is missed. Without a drive nothing is computed.
 template <FrictionSystem S>
 int stick(const S& system, const Rows& rows, Course<double>& course, AnyRecorder record, const Watch& watch) {
   course.y.v = 0;

@@ -84,7 +84,7 @@ struct NoDrive {
   }
 };
 
-/// As many oscillators of a group as a Real has lanes, on their way. `measured`: sums are kept.
+/// As many oscillators of a group as a Real has lanes, while they run. `measured`: sums are kept.
 template <class Real, class M, Terms terms, bool measured>
 struct Member {
   using Drive = std::conditional_t<terms.drive, DriveFor<Real, M>, NoDrive<Real>>;
@@ -191,8 +191,8 @@ struct Member {
 /// Steps between two exact cosines of a drive.
 inline constexpr long long steps_between_anchors = 128;
 
-/// Calls f with each, without a loop: only then are they numbers in registers to the compiler, not an array
-/// in memory.
+/// Calls f with each member, without a loop: only then does the compiler keep them in registers, not in an
+/// array in memory.
 template <class Members, class F>
 [[gnu::always_inline]] inline void for_each_member(Members& members, const F& f) {
   std::apply(
@@ -246,12 +246,12 @@ void advance_all(cromer_group::Group& group, const M& method, const cromer_group
     advance_members<together, Real, M, terms, measured>(group, first, method, order);
 }
 
-/// The laws that the kernel has code of their own for, which every unit multiplies by methods and drives: a
-/// measured choice. Every other one shares the code of any_terms.
+/// The laws with code of their own in the kernel, which every unit compiles for every method and drive: a
+/// measured choice. All other laws share the code of any_terms.
 inline constexpr Law kernel_laws[] = {law_of("viscous"), law_of("viscous+cubic"),
                                       law_of("viscous+drag+cubic")};
 
-/// With the terms that the group has; the general law is always driven, if by nothing.
+/// With the terms that the group has. The general law is always compiled with a drive, which may be 0.
 template <class Real, class M, bool measured>
 void advance_with_terms(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   const auto by_law = [&]<Law law>() {

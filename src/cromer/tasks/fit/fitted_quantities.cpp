@@ -10,7 +10,6 @@
 
 #include "cromer/analysis/air.h"
 #include "cromer/analysis/swing.h"
-#include "cromer/analysis/limit_cycle.h"
 #include "cromer/base/dual.h"
 #include "cromer/base/pi.h"
 #include "cromer/identify/describe_fit.h"
