@@ -10,6 +10,12 @@ namespace cromer::core::cli {
 /// What stands on the command line after the command's name.
 using Arguments = std::vector<std::string>;
 
+// What the program says to the shell.
+constexpr int done = 0;  ///< the answer is there
+constexpr int no_success =
+    1;  ///< the computation did not succeed: diverged, no convergence, no oscillation, interrupted
+constexpr int wrong_input = 2;  ///< options, files or outputs were wrong
+
 struct Command {
   std::string_view name;
   std::string_view description;  ///< one line

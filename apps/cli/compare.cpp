@@ -1,5 +1,4 @@
 #include "cromer/tasks/compare/compare.h"
-#include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"
@@ -14,9 +13,7 @@
 #include "cromer/report/file.h"
 #include "cromer/tasks/fit/spring_constant.h"
 #include "cromer/tasks/open_recording.h"
-#include "exit_status.h"
 #include "fit_files.h"
-#include "fit_spring.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
@@ -24,6 +21,64 @@
 
 namespace cromer::core::cli {
 namespace {
+
+/// What `cromer fit` is asked instead of, or beyond, the law.
+struct SpringOptions {
+  bool held = false;       ///< --static
+  bool mass_line = false;  ///< --mass-line
+  std::string masses;
+  std::optional<Quantity> gravity;  // [m/s²]
+};
+
+std::vector<Option> options_of(SpringOptions& o) {
+  constexpr std::string_view group = "The spring constant from several masses";
+  return {
+      {"static", &o.held, "", Range::any,
+       "from held extensions: a run, file or plateau for each of --masses, at rest", "the law of a swing",
+       group},
+      {"mass-line", &o.mass_line, "", Range::any,
+       "from the periods: T² against --masses, one for each recording and run; also the spring's own mass",
+       "each by itself", group},
+      {"masses", &o.masses, "", Range::any, "\"48.4 g, 67.95 g, 87.96 g\", in the order of the recordings",
+       "none", group},
+      {"gravity", &o.gravity, "m/s^2", Range::positive, "local acceleration of free fall, for --static",
+       "9.80665 m/s²", group},
+  };
+}
+
+/// Checks that the options go together, and that the masses can be read.
+Result<void> check(const SpringOptions& options) {
+  if (options.held && options.mass_line) return Error{"static_or_mass_line"};
+  const char* way = options.held ? "static" : "mass-line";
+  if (!options.held && options.gravity) return Error{"gravity_without_static"};
+  if (!options.held && !options.mass_line)
+    return options.masses.empty() ? Result<void>{} : Error{"masses_without_line"};
+  if (options.masses.empty()) return Error{"masses_needed", {{"way", way}}};
+  const auto masses = parse_masses(options.masses);
+  if (!masses) return masses.error();
+  if (masses->size() < 2) return Error{"two_masses_needed", {{"way", way}}};
+  return {};
+}
+
+/// `cromer fit --static`, from the files to the exit status.
+int run_static(const std::vector<std::string>& files, const FitOptions& fit, const SpringOptions& options,
+               const OutputOptions& output) {
+  std::vector<Recording> recordings;
+  for (const auto& file : files) {
+    auto recording = open_recording(file, fit.read);
+    if (!recording) return refuse(recording.error());
+    recordings.push_back(*std::move(recording));
+  }
+  StaticOptions task{fit, options.masses, options.gravity.value_or(Quantity{9.80665, 0})};
+  const auto found = fit_static(recordings, task);
+  if (!found) return refuse(found.error());
+  return give({.text = [&] { return static_text(*found); },
+               .json = [&] { return to_json(*found); },
+               .csv = [&] { return static_csv(*found); },
+               .figure = [&] { return static_figure(*found); },
+               .notices = found->notices},
+              output);
+}
 
 /// One file that cannot be read ends the command; of many it is a row.
 Result<std::vector<FittedRecording>> fit_all(const RecordingFiles& found, const FitOptions& options,

@@ -1,5 +1,4 @@
 #include "cromer/tasks/inspect/inspect.h"
-#include "answer.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/json.h"

@@ -8,7 +8,6 @@
 #include "commands.h"
 #include "cromer/base/nearest.h"
 #include "cromer/version.h"
-#include "exit_status.h"
 #include "message.h"
 #include "output.h"
 

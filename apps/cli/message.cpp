@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "commands.h"
 #include "cromer/base/utf8.h"
 #include "cromer/documents/words/words.h"
-#include "exit_status.h"
 
 namespace cromer::core::cli {
 namespace {

@@ -8,13 +8,19 @@
 
 #include "cromer/base/nearest.h"
 #include "cromer/tasks/option_owner.h"
-#include "exit_status.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
 
 namespace cromer::core::cli {
 namespace {
+
+/// In single quotes; a quote inside ends them, stands escaped, and opens them again.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? "'\\''" : std::string(1, c);
+  return text + "'";
+}
 
 /// Looks like an option, not like a value: a negative number has one dash and no letter after it.
 bool is_option(std::string_view word) { return word == "-o" || word.substr(0, 2) == "--"; }
@@ -106,6 +112,17 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
     return refuse(fmt::format("{} takes one file, but {} are given", syntax.command, files.size()));
   if (auto good = assign_all(syntax, typed); !good) return refuse(good.error());
   return std::nullopt;
+}
+
+std::string command_line(std::string_view command, const Arguments& arguments) {
+  std::string line = "cromer " + std::string(command);
+  for (const auto& word : arguments) {
+    const bool plain =
+        !word.empty() && word.find_first_of(" \t\n\"'$*?;&|<>()`\\#~!{}[]") == std::string::npos;
+    line += plain ? " " + word : " " + quoted(word);
+  }
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  return line;
 }
 
 }  // namespace cromer::core::cli

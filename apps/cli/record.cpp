@@ -6,14 +6,12 @@
 #include <cstdio>
 #include <thread>
 
-#include "command_line.h"
 #include "commands.h"
 #include "cromer/documents/json/live.h"
 #include "cromer/documents/text/words.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/tasks/record/live_fit.h"
 #include "cromer/tasks/record/options.h"
-#include "exit_status.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"

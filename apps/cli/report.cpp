@@ -10,7 +10,6 @@
 #include "cromer/documents/words/words.h"
 #include "cromer/study/write_report.h"
 #include "cromer/version.h"
-#include "exit_status.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"

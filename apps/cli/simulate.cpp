@@ -1,7 +1,5 @@
 #include <unistd.h>
 
-#include "answer.h"
-#include "command_line.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/hdf5.h"

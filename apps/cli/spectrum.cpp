@@ -1,7 +1,5 @@
 #include <unistd.h>
 
-#include "answer.h"
-#include "command_line.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/hdf5.h"
@@ -11,7 +9,6 @@
 #include "cromer/report/file.h"
 #include "cromer/tasks/open_recording.h"
 #include "cromer/tasks/spectrum/response_spectrum.h"
-#include "exit_status.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"

@@ -6,10 +6,10 @@
 
 #include <memory>
 
-#include "answer.h"
-#include "command_line.h"
 #include "commands.h"
 #include "cromer/base/grid.h"
+#include "cromer/base/quantity.h"
+#include "cromer/cluster/disk.h"
 #include "cromer/cluster/ranks.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/hdf5.h"
@@ -18,10 +18,8 @@
 #include "cromer/figures/figures.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"
-#include "exit_status.h"
 #include "message.h"
 #include "output.h"
-#include "sweep_trajectories.h"
 #include "syntax.h"
 #include "watching.h"
 
@@ -80,6 +78,55 @@ int show(const SweepResult& result, const OutputOptions& output, const std::stri
   if (const std::vector<Notice> trouble = trouble_of(result); !trouble.empty())
     answer.failures.push_back(in_words(Error{"points_in_trouble", {{"points", trouble}}}));
   return give(answer, output);
+}
+
+struct TrajectoryOptions {
+  std::string path{};   ///< FILE.csv; "" none
+  long long every = 1;  ///< keep every Nth state, > 0
+};
+
+/// Asked before the sweep: that it can be written, and has room. Says how large it will be.
+Result<std::string> announce_trajectories(const SweepPlan& plan, const TrajectoryOptions& options) {
+  const auto format = file_format(options.path);
+  if (!format || *format != FileFormat::csv || options.path == "-")
+    return Error{"trajectories_are_csv", {{"file", options.path}}};
+  if (auto good = check_writable(options.path); !good) return good.error();
+  const auto states = count_trajectory_states(plan, options.every);
+  if (!states) return states.error();
+  // Numbers have 18 characters or so where they are not round.
+  const double bytes = *states * 18.0 * static_cast<double>(plan.swept.size() + 3);
+  if (auto good = fits_on_disk(options.path, bytes); !good)
+    return Error{"trajectories_do_not_fit", {{"what", good.error().notice}}};
+  return fmt::format("trajectories: {} points, about {:.3g} states, at most some {} in {}", plan.rows.rows,
+                     *states, bytes_in_words(bytes), options.path);
+}
+
+/// Columns: the swept options, t, x and v; rows in the order of the sweep's. What there is to say is
+/// returned: points that ran away, or an interruption, after which what came before it is in the file.
+Result<std::string> write_trajectories(const SweepPlan& plan, const TrajectoryOptions& options,
+                                       const std::string& command, const Watch& watch) {
+  std::string said;
+  const auto written = write_file(options.path, [&](const PieceSink& write) -> Result<void> {
+    const std::vector<std::string> comments{command};
+    bool first = true;
+    const auto sink = [&](const std::vector<double>& values, const Trajectory& states) {
+      std::string rows;
+      append_trajectory(rows, plan, values, states, first ? comments : std::vector<std::string>{}, first);
+      first = false;
+      return write(rows);
+    };
+    const auto run = run_trajectories(plan, options.every, sink, watch);
+    if (!run) return run.error();
+    if (run->failed > 0)
+      said = fmt::format("trajectories: {} of {} points did not reach their end; what came before is there",
+                         run->failed, plan.rows.rows);
+    if (run->interrupted)
+      said = fmt::format("trajectories: interrupted after {} of {} points", run->points + run->failed,
+                         plan.rows.rows);
+    return {};
+  });
+  if (!written) return written.error();
+  return said;
 }
 
 }  // namespace

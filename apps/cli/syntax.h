@@ -28,4 +28,7 @@ std::optional<int> parse(const Syntax& syntax, const Arguments& arguments, std::
 /// The text of --help.
 std::string help(const Syntax& syntax);
 
+/// "cromer COMMAND ...", each word quoted where a shell would need it: what made a file stands in the file.
+std::string command_line(std::string_view command, const Arguments& arguments);
+
 }  // namespace cromer::core::cli
