@@ -142,7 +142,7 @@ TEST(FitEdges, TheSimulateLineHasRoundNumbers) {
   Series series = disc();
   series.rate = 1 / 0.00999999999999979;  // one over a median of printed times
   for (double& t : series.t) t += 0.3;
-  const std::string line = fitted(series, {.to = 2.3}).simulate;
+  const std::string line = command_of("simulate", fitted(series, {.to = 2.3}).simulate);
   EXPECT_THAT(line, HasSubstr("--step 0.0033333333333333335 "));
   EXPECT_THAT(line, testing::EndsWith("--until 2"));
 }

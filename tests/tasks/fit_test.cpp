@@ -171,13 +171,13 @@ TEST(FitTask, LeavesOutliersOutOfTheFit) {
 }
 
 TEST(FitTask, WritesTheCommandThatSimulatesTheLaw) {
-  const std::string line = fitted(disc(), disc_options()).simulate;
+  const std::string line = command_of("simulate", fitted(disc(), disc_options()).simulate);
   EXPECT_THAT(line, testing::StartsWith("cromer simulate --mass 0.2176 --stiffness 17.0"));
   for (const char* option : {"--damping 0.000", "--drag 0.02", "--position 0.03", "--velocity ",
                              "--method rk4", "--step 0.0033333333333333335", "--until 120"})
     EXPECT_THAT(line, HasSubstr(option));
   FitOptions per_mass;
-  EXPECT_THAT(fitted(disc(), per_mass).simulate,
+  EXPECT_THAT(command_of("simulate", fitted(disc(), per_mass).simulate),
               testing::StartsWith("cromer simulate --mass 1 --stiffness 78.3"));
 }
 
@@ -224,8 +224,8 @@ TEST(FitTask, AVelocityIsFittedByTheViscousLaw) {
   const FittedRecording result = fitted(series, {});
   EXPECT_EQ(to_text(result.fit.law), "viscous");
   EXPECT_NEAR(result.find("angular_frequency")->value, w0, 1e-8);
-  const std::size_t at = result.simulate.find("--position ") + 11;
-  EXPECT_NEAR(std::stod(result.simulate.substr(at)), 0.1, 1e-8);
+  const std::string line = command_of("simulate", result.simulate);
+  EXPECT_NEAR(std::stod(line.substr(line.find("--position ") + 11)), 0.1, 1e-8);
   EXPECT_THAT(in_words(result.notices), testing::Contains(HasSubstr("holds velocity and is fitted as such")));
   EXPECT_NEAR(result.find("position")->value, 0.1, 1e-8);
 }

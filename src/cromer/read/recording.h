@@ -66,7 +66,7 @@ struct Series {
   std::string unit;      ///< as spelled
   double to_si = 1;      ///< value in SI = to_si * y
   int run = 1;
-  std::string time_column;  ///< "" if the times come from --rate
+  std::string time_column;  ///< "" if the times come from a given rate
   std::vector<double> t;    // [s]
   std::vector<double> y;    ///< in SI units
   std::vector<long> lines;

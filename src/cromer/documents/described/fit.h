@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cromer/documents/described/describe.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/fit/fit.h"
 
 namespace cromer::core {
@@ -332,7 +333,7 @@ struct Described<FittedRecording> {
                       .not_in_study())),
       field("derived", &Fitted::derived, "", "quantities that follow from the law, by name"),
       field(
-          "simulate", [](const Fitted& f) { return unless_empty(f.simulate); }, "",
+          "simulate", [](const Fitted& f) { return unless_empty(command_of("simulate", f.simulate)); }, "",
           "command line that simulates this law; null if there is none"),
       field(
           "residual", [](const Fitted& f) { return f.fit.residual; }, "", "residuals: measured minus fitted")

@@ -151,7 +151,7 @@ std::string one_fit(const FittedRecording& fitted) {
                          candidate.between_samples, candidate.rms, unit.empty() ? "" : " " + unit,
                          rounded(candidate.bic, 6));
   out += more(fitted);
-  if (!fitted.simulate.empty()) out += "  simulate it: " + fitted.simulate + "\n";
+  if (!fitted.simulate.empty()) out += "  simulate it: " + command_of("simulate", fitted.simulate) + "\n";
   return out;
 }
 

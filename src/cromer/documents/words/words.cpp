@@ -203,6 +203,14 @@ std::string first_option(const Notice& notice) {
   return {};
 }
 
+std::string command_of(std::string_view command,
+                       const std::vector<std::pair<std::string, std::string>>& options) {
+  if (options.empty()) return "";
+  std::string line = "cromer " + std::string(command);
+  for (const auto& [option, value] : options) line += " --" + option + " " + value;
+  return line;
+}
+
 std::string_view name(Severity severity) {
   switch (severity) {
     case Severity::wrong_if_ignored:

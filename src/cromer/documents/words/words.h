@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cromer/notice.h"
@@ -36,6 +37,11 @@ std::string argument_of(std::string_view option, bool of_arrays = false);
 
 /// The option that the sentence begins with, without its dashes; "" where it begins otherwise.
 std::string first_option(const Notice& notice);
+
+/// "cromer simulate --mass 1 --step 0.01": options with their values as a command of the program; "" without
+/// any.
+std::string command_of(std::string_view command,
+                       const std::vector<std::pair<std::string, std::string>>& options);
 
 /// "wrong_if_ignored", "worth_knowing", "detail"
 std::string_view name(Severity severity);

@@ -179,7 +179,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   result.parameters = law_parameters(result.fit, si_unit_of(result.series.quantity), record.derivative);
   add_force_parameters(result, body);
   result.derived = derived_quantities(result.fit, si_unit_of(result.series.quantity), record.derivative);
-  result.simulate = simulate_line(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
+  result.simulate = simulate_settings(result.fit, result.series, body.mass ? body.effective_mass().value : 1);
 
   const FittedSamples good = without_outliers(result.series);
   const Record kept{good.t, good.y, record.resolution, record.derivative};

@@ -17,6 +17,7 @@
 #include "cromer/tasks/fit/fitted_quantities.h"
 #include "cromer/tasks/fit/plan_recording.h"
 #include "cromer/tasks/fit/stiffness_budget.h"
+#include "cromer/tasks/option/option.h"
 
 namespace cromer::core {
 
@@ -91,7 +92,7 @@ struct FittedRecording {
   LawFit fit;
   std::vector<Parameter> parameters;  ///< as fitted_parameters() orders them, then force_parameters()
   std::vector<Parameter> derived;
-  std::string simulate;  ///< the command line that simulates this law
+  std::vector<TypedOption> simulate;  ///< options of simulate for this law
   std::vector<Candidate> candidates;
   std::vector<DecaySegment> segments;
   std::optional<Estimate> decay_rate_mean;

@@ -262,7 +262,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   const LawFit& fit = result.fit;
   if (!result.driven) return result;
   const Body body = body_of(options);
-  result.simulate = simulate_line(fit, series, body.mass ? body.effective_mass().value : 1);
+  result.simulate = simulate_settings(fit, series, body.mass ? body.effective_mass().value : 1);
   const double found = fit.motion.drive_frequency;
   if (fit.status == FitStatus::converged && *drive &&
       std::abs(found - **drive) > 4 * two_pi / (t.back() - t.front()))

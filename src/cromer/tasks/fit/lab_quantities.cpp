@@ -94,17 +94,18 @@ Result<void> add_lab_quantities(FittedRecording& result, const Record& record, c
   return {};
 }
 
-std::string simulate_line(const LawFit& fit, const Series& series, double mass) {
+std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& series, double mass) {
   if (fit.drive.kind == DriveKind::recorded || !fit.law.shares(springs)) return {};
   const Motion& motion = fit.motion;
   const double exponent = motion.per_mass.hysteresis_exponent;
   const double shorter = two_pi / std::max(motion.angular_frequency(), motion.drive_frequency);
   for (const double value : {mass, motion.angular_frequency(), motion.position, motion.velocity, shorter})
     if (!std::isfinite(value)) return {};
-  std::string line = fmt::format("cromer simulate --mass {}", shortest(mass));
+  std::vector<TypedOption> settings;
   const auto add = [&](std::string_view option, double value) {
-    line += fmt::format(" --{} {}", option, shortest(value));
+    settings.emplace_back(option, shortest(value));
   };
+  add("mass", mass);
   const Oscillator<double> oscillator = multiplied_by_mass(motion.per_mass, mass);
   if (!motion.law.has<Spring>()) add(Spring::coefficients[0].option, 0);
   for_each_term([&]<class T>() {
@@ -122,13 +123,13 @@ std::string simulate_line(const LawFit& fit, const Series& series, double mass) 
   }
   add("position", motion.position);
   add("velocity", motion.velocity);
-  line += " --method rk4";
+  settings.emplace_back("method", "rk4");
   // A sample is a whole number of steps, and a period has at least the default number.
   constexpr double fewest = default_steps_per_period;
   const double rate = to_twelve_digits(series.rate > 0 ? series.rate : fewest / shorter);
   add("step", 1 / (rate * std::max(1.0, std::ceil(fewest / (rate * shorter) - 1e-9))));
   add("until", to_twelve_digits(series.t.back() - series.t.front()));
-  return line;
+  return settings;
 }
 
 }  // namespace cromer::core

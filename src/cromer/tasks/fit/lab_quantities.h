@@ -1,5 +1,7 @@
-// What a lab asks of a fitted law beside its parameters, and the command that simulates the law.
+// What a lab asks of a fitted law beside its parameters, and the options that simulate the law.
 #pragma once
+
+#include <vector>
 
 #include "cromer/tasks/fit/fit.h"
 
@@ -18,9 +20,9 @@ void add_force_parameters(FittedRecording& result, const Body& body);
 Result<void> add_lab_quantities(FittedRecording& result, const Record& record, const Body& body,
                                 const Watch& watch);
 
-/// The command that simulates a fitted law with this mass [kg], by rk4, from the first sample of the series
+/// The options of simulate for a fitted law with this mass [kg], by rk4, from the first sample of the series
 /// to the last. A sample spacing is a whole number of steps. Empty under a recorded force, whose samples are
 /// in a file, and without a spring.
-std::string simulate_line(const LawFit& fit, const Series& series, double mass);
+std::vector<TypedOption> simulate_settings(const LawFit& fit, const Series& series, double mass);
 
 }  // namespace cromer::core

@@ -17,8 +17,7 @@ struct InspectedColumn {
 };
 
 /// What `cromer inspect` says of the whole file, and of one column in each run. In JSON a column's name is
-/// its title, "Time (s)", as time_column spells it, and as --column and --time-column take it (they take the
-/// bare name too).
+/// its title, "Time (s)", as time_column spells it. The options for columns take the title or the bare name.
 struct Inspection {
   Recording recording;
   std::vector<InspectedColumn> columns;  ///< as in the table
