@@ -130,12 +130,7 @@ Result<FittedRecording> fit_series(const Series& series, std::string_view file, 
   if (!used) return used.error();
   if (const Result<void> checked = check_pauses(*used); !checked) return checked.error();
 
-  FittedRecording result;
-  result.file = file;
-  result.samples = series.t.size();
-  result.options = options;
-  result.series = std::move(*used);
-  result.notices = result.series.notices;
+  FittedRecording result = row_to_fit(series, *std::move(used), file, options);
   FittedSamples samples = without_outliers(result.series);
   if (!options.from && !options.to) {
     const auto part = find_free_part({samples.t, samples.y, result.series.resolution});

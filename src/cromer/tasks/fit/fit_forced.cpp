@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "cromer/base/pi.h"
@@ -183,14 +182,9 @@ Result<FittedRecording> fit_forced(const Series& motion, const Series& force, st
 
   const Result<std::optional<Law>> law = law_of(options);
   if (!law) return law.error();
-  FittedRecording result;
-  result.file = file;
-  result.samples = motion.t.size();
-  result.options = options;
-  result.notices = used->notices;
+  FittedRecording result = row_to_fit(motion, *std::move(used), file, options);
   for (const Notice& notice : force.notices)
     result.notices.push_back(Notice{"of_the_force", {{"what", notice}}});
-  result.series = *std::move(used);
   // The law's motion begins at the first sample that the fit sees, and the series ends at the last.
   FitOptions cut;
   cut.from = t.front();
@@ -235,12 +229,7 @@ Result<FittedRecording> fit_driven(const Series& motion, std::string_view file, 
   const Result<std::optional<double>> drive = drive_of(options);
   if (!drive) return drive.error();
 
-  FittedRecording result;
-  result.file = file;
-  result.samples = motion.t.size();
-  result.options = options;
-  result.notices = used->notices;
-  result.series = *std::move(used);
+  FittedRecording result = row_to_fit(motion, *std::move(used), file, options);
   const Series& series = result.series;
   const auto [t, y] = without_outliers(series);
   if (t.empty()) return Error{"all_set_aside", {{"column", motion.column}}};

@@ -91,6 +91,17 @@ Result<Series> used_part(const Series& series, const FitOptions& options) {
   return used;
 }
 
+FittedRecording row_to_fit(const Series& series, Series used, std::string_view file,
+                           const FitOptions& options) {
+  FittedRecording row;
+  row.file = file;
+  row.samples = series.t.size();
+  row.options = options;
+  row.notices = used.notices;
+  row.series = std::move(used);
+  return row;
+}
+
 FittedSamples without_outliers(const Series& series) {
   if (series.outliers.empty()) return {series.t, series.y};
   FittedSamples kept;

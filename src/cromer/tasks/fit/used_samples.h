@@ -18,6 +18,10 @@ Result<Series> used_part(const Series& series, const FitOptions& options);
 /// for good. Drop-outs join the outliers. An Error if no sample is left.
 Result<Series> samples_in_use(const Series& series, const FitOptions& options);
 
+/// The row of a fit before it is fitted: `used` are the samples in use of `series`, with their notices.
+FittedRecording row_to_fit(const Series& series, Series used, std::string_view file,
+                           const FitOptions& options);
+
 /// The samples that the fit sees: outliers stay in the series, but are not fitted.
 struct FittedSamples {
   std::vector<double> t, y;

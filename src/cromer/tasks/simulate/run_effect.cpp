@@ -1,6 +1,5 @@
 #include "cromer/tasks/simulate/run_effect.h"
 
-#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <vector>

@@ -1,9 +1,6 @@
 #include "cromer/tasks/simulate/simulate.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <variant>
 
 #include "cromer/analysis/energy.h"
 #include "cromer/model/sensor.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "cromer/analysis/hysteretic_peaks.h"
 #include "cromer/base/function_ref.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <variant>
 
 #include "cromer/model/terms/all.h"
 #include "cromer/tasks/option/option.h"
