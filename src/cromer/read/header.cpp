@@ -114,11 +114,10 @@ bool is_unit(std::string_view cell) {
 
 /// "Time (s)  Position (m)" between blanks: a bracket belongs to the word before it.
 Cells split_at_blanks(std::string_view line) {
-  Cells cells;
-  split_cells(line, Layout{' ', '.', 1}, cells);
   Cells joined;
   bool opened = false, closed = false;  // brackets of the last name
-  for (const std::string_view cell : cells) {
+  CellReader words(line, Layout{' ', '.', 1});
+  for (std::string_view cell; words.next(cell);) {
     const bool belongs = cell.starts_with('(') || cell.starts_with('[');
     const bool open = opened && !closed;
     if (joined.empty() || (!belongs && !open)) {
