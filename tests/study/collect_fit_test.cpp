@@ -113,8 +113,8 @@ TEST(CollectCompare, SaysWhereASimulationExceedsTheLawMost) {
   CompareResult both;
   both.recording = fitted();
   ComparedCurve more, law;
-  more.label = "one constant decay rate";
-  law.label = "the law";
+  more.label = Notice{"one_constant_decay_rate"};
+  law.label = Notice{"law_by_name", {{"law", "the law"}}};
   const double tops[] = {1, 1.2, 1.5, 1.1};
   for (int i = 0; i < 4 * 40; ++i) {
     const double t = i * std::numbers::pi / 20, x = std::cos(t - std::numbers::pi / 2);

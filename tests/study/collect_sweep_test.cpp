@@ -20,8 +20,8 @@ SweepResult sweep_of_six() {
   all.plan.rows.columns = {"damping_ratio", "drive_frequency (rad/s)", "amplitude (m)", "status"};
   all.plan.rows.rows = 6;
   all.plan.method = "exact";
-  all.plan.way = "closed form";
-  all.plan.steps = "no steps";
+  all.plan.way = Notice{"closed_form"};
+  all.plan.steps = Notice{"steps_of", {{"step", 0.1}}};
   all.rows = {0.1, 1, 5, 0.1, 2, 7, 0.1, 3, 4, 0.2, 1, nothing, 0.2, 2, 8, 0.2, 3, 8};
   all.counts.not_settled = 2;
   all.counts.not_finite = 1;
@@ -36,7 +36,7 @@ TEST(CollectSweep, HasACurveAlongTheInnermostOptionForEachOfTheOthers) {
   EXPECT_EQ(fact(results, "w.not_finite"), "1");
   EXPECT_EQ(fact(results, "w.method"), "exact");
   EXPECT_EQ(fact(results, "w.way"), "closed form");
-  EXPECT_EQ(fact(results, "w.steps"), "no steps");
+  EXPECT_EQ(fact(results, "w.steps"), "steps of 0.1 s");
   EXPECT_EQ(fact(results, "w.1.label"), "damping ratio 0.1");
   EXPECT_EQ(fact(results, "w.2.label"), "damping ratio 0.2");
   EXPECT_EQ(fact(results, "w.3.label"), "none");

@@ -58,7 +58,7 @@ TEST(SweepGrids, ClosedFormsFollowTheSettingsOfTheirPoint) {
   // Each against the sweep with that setting alone, through the boundaries of chunks.
   const Values law = with(driven, {{"drive-frequency", "0.2:3:3001"}, {"step", "0.1"}});
   const SweepResult all = swept(options_with(with(law, {{"rho-inf", "0,0.5,1"}}), "generalized-alpha"));
-  EXPECT_EQ(all.plan.way, "closed form");
+  EXPECT_EQ(in_words(all.plan.way), "closed form");
   EXPECT_LT(all.plan.rows.rows_per_chunk, all.plan.rows.rows);
   const char* const values[] = {"0", "0.5", "1"};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -117,7 +117,7 @@ TEST(SweepGrids, AGridOfOneValueIsASweepOfOnePoint) {
   EXPECT_EQ(both.plan.rows.columns[0], "damping (kg/s)");
   EXPECT_EQ(both.plan.rows.rows, 57u);
   // A term that is swept only at 0 is absent.
-  EXPECT_EQ(swept(options_with(with(driven, {{"cubic", "0:0:1"}}))).plan.way, "closed form");
+  EXPECT_EQ(in_words(swept(options_with(with(driven, {{"cubic", "0:0:1"}}))).plan.way), "closed form");
   const SweepResult free = swept(options_with({{"position", "0.5"}, {"until", "3"}}, "exact"));
   EXPECT_THAT(free.plan.rows.columns, ElementsAre("position (m)", "until (s)", "peak (m)", "x (m)", "v (m/s)",
                                                   "energy (J)", "status"));
@@ -167,7 +167,7 @@ TEST(SweepGrids, TheEndsOfAGridAreItsLowestAndHighestValues) {
 
 TEST(SweepGrids, SaysHowLongStepsAndRunsAre) {
   const auto steps = [](const Values& values, std::string method = "") {
-    return swept(options_with(values, std::move(method))).plan.steps;
+    return in_words(swept(options_with(values, std::move(method))).plan.steps);
   };
   const std::string usual = "200 steps in a natural or a drive period, whichever is shorter";
   EXPECT_EQ(steps(driven), usual);

@@ -169,7 +169,7 @@ TEST(SweepPlan, HasOneMethodAndADriveThatGoesOn) {
 }
 
 TEST(SweepPlan, TakesTheShortestWayThereIs) {
-  const auto way = [](SweepOptions options) { return planned(options).way; };
+  const auto way = [](SweepOptions options) { return in_words(planned(options).way); };
   SweepOptions options = options_with(harmonic, "rk4");
   EXPECT_EQ(way(options), "closed form");
   EXPECT_EQ(way(options_with(harmonic, "exact")), "closed form");
@@ -196,7 +196,7 @@ TEST(SweepPlan, TakesTheShortestWayThereIs) {
 
 TEST(SweepPlan, SaysHowLongStepsAndRunsAreWordForWord) {
   const auto steps = [](Values values, const char* method) {
-    return planned(options_with(values, method)).steps;
+    return in_words(planned(options_with(values, method)).steps);
   };
   EXPECT_EQ(steps(harmonic, "rk4"), "200 steps in a natural or a drive period, whichever is shorter");
   EXPECT_EQ(steps(harmonic, "exact"), "");

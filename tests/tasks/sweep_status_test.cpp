@@ -105,7 +105,7 @@ TEST(SweepStatus, UndampedNothingSettlesButByTheMethodsOwnDamping) {
   // Stepped, the amplitude at the drive's frequency stands still while the free motion goes on.
   const std::vector<std::string> with_end{"amplitude", "final"};
   const SweepResult stepped = swept(with(drive, {{"drive-frequency", "0.3,0.5"}}), "rk4", {}, with_end);
-  EXPECT_EQ(stepped.plan.way, "stepped until settled");
+  EXPECT_EQ(in_words(stepped.plan.way), "stepped until settled");
   EXPECT_THAT(words(stepped), ElementsAre("not_settled", "not_settled"));
   EXPECT_TRUE(std::isnan(stepped.rows[2]));
   EXPECT_THAT(words(swept(with(drive, {{"step", "0.1"}}), "implicit-euler", {}, with_end)),

@@ -53,7 +53,7 @@ TEST(Sweep, ClosedFormAndSteppingAgreeForEveryMethod) {
     SweepOptions options = options_with(driven, std::string(info.name));
     options.check = true;
     const SweepResult result = swept(options);
-    EXPECT_EQ(result.plan.way, "closed form");
+    EXPECT_EQ(in_words(result.plan.way), "closed form");
     ASSERT_TRUE(result.check) << info.name;
     EXPECT_EQ(result.check->points, 8u) << info.name;
     EXPECT_LT(result.check->difference, 2e-6) << info.name;
@@ -84,7 +84,7 @@ TEST(Sweep, RunsToAnEndAsSimulateDoes) {
                                        {"until", "3.333,20"}},
                                       "rk4");
   const SweepResult result = swept(options);
-  EXPECT_EQ(result.plan.way, "stepped to the end");
+  EXPECT_EQ(in_words(result.plan.way), "stepped to the end");
   EXPECT_THAT(result.plan.rows.columns, ElementsAre("stiffness (N/m)", "position (m)", "until (s)",
                                                     "peak (m)", "x (m)", "v (m/s)", "energy (J)", "status"));
   for (std::size_t at = 0; at < result.rows.size(); at += 7) {
@@ -109,7 +109,7 @@ TEST(Sweep, MeasuresTheSettledMotionOfANonlinearLaw) {
       options_with(with(driven, {{"cubic", "0.3"}, {"drive-frequency", "0.7,1.6,2.5"}}), "rk4");
   options.measure = {"amplitude,phase,peak,energy"};
   const SweepResult result = swept(options);
-  EXPECT_EQ(result.plan.way, "stepped until settled");
+  EXPECT_EQ(in_words(result.plan.way), "stepped until settled");
   for (std::size_t at = 0; at < result.rows.size(); at += 5) {
     const double* row = &result.rows[at];
     const double period = 2 * std::numbers::pi / row[0];
@@ -178,7 +178,7 @@ TEST(Sweep, AveragesOverWholeCycles) {
   SweepOptions linear = options_with(with(driven, {{"drive-frequency", "0.7,1.3"}}), "rk4");
   linear.measure = {"mean,rms,amplitude"};
   const SweepResult known = swept(linear);
-  EXPECT_EQ(known.plan.way, "closed form");
+  EXPECT_EQ(in_words(known.plan.way), "closed form");
   linear.settle = 100;
   const SweepResult stepped = swept(linear);
   for (const std::size_t at : {0u, 4u}) {
@@ -281,7 +281,7 @@ TEST(Sweep, RubbingMassesAreRunOneByOne) {
   SweepOptions options =
       options_with({{"friction", "0.05,0.2"}, {"position", "1"}, {"until", "12"}, {"step", "0.01"}}, "rk4");
   const SweepResult result = swept(options);
-  EXPECT_EQ(result.plan.way, "run one by one");
+  EXPECT_EQ(in_words(result.plan.way), "run one by one");
   // Exact: each half swing takes 2 f/k off the amplitude; after 12 s three and a bit.
   for (const std::size_t i : {0u, 1u}) {
     const double f = i ? 0.2 : 0.05;

@@ -252,7 +252,7 @@ std::string compare_csv(const std::vector<CompareResult>& comparisons) {
     for (const auto& curve : comparison.curves) {
       const CsvColumn columns[] = {
           {"run", fmt::format("{}", series.run)},
-          {"curve", curve.label},
+          {"curve", in_words(curve.label)},
           {"t (s)", std::span<const double>(series.t)},
           {heading("measured displacement", unit), std::span<const double>(measured)},
           {heading("simulated displacement", unit), std::span<const double>(curve.trajectory.x)}};

@@ -27,7 +27,7 @@ Result<Comparison> compare(const LawFit& fit, const CompareOptions& options) {
   Comparison comparison;
   comparison.fit = fit;
   for (const core::ComparedCurve& each : detail->curves)
-    comparison.curves.push_back({each.label, core::to_text(each.law), each.step, each.trajectory,
+    comparison.curves.push_back({text(each.label), core::to_text(each.law), each.step, each.trajectory,
                                  each.complete, each.rms, each.r_squared, each.amplitude_ratio_end,
                                  each.phase_drift});
   comparison.explanation = core::message_of(core::in_arguments(core::explanation(*detail), of_arrays));

@@ -70,7 +70,7 @@ Result<FrequencyResponse> sweep(const Oscillator& oscillator, std::span<const do
     response.frequency.assign(response.amplitude.size(), drive_frequency.front());
   for (const unsigned char each : detail->statuses)
     response.status.emplace_back(core::status_word(detail->plan, each));
-  response.way = detail->plan.way;
+  response.way = text(detail->plan.way);
   response.interrupted = detail->interrupted;
   response.notices = core::notices_of(*detail);
   response.detail = detail;

@@ -29,10 +29,10 @@ std::string by_its_method(const ComparedCurve& curve) {
 
 /// The law in the colour of fits; one constant decay rate dashed, in the colour of its method.
 Curve look_of(const ComparedCurve& compared) {
-  const bool constant = compared.label.find("constant") != std::string::npos;
+  const bool constant = compared.label.code == "one_constant_decay_rate";
   Curve look;
   look.role = constant ? compared.method : "fitted";
-  look.name = constant ? "one constant rate" : compared.label;
+  look.name = constant ? "one constant rate" : to_text(compared.law);
   look.remark = by_its_method(compared) + at_the_end(compared);
   look.dashed = constant;
   look.sets_axes = !compared.diverged;

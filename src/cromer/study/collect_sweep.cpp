@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cromer/documents/words/words.h"
 #include "cromer/study/collect.h"
 
 namespace cromer::core {
@@ -103,8 +104,8 @@ void collect(const std::string& id, const SweepResult& all, Results& results) {
   results.set(id + ".not_settled", static_cast<double>(all.counts.not_settled));
   results.set(id + ".not_finite", static_cast<double>(all.counts.not_finite));
   results.set(id + ".method", all.plan.method);
-  results.set(id + ".way", all.plan.way);
-  results.set(id + ".steps", all.plan.steps);
+  results.set(id + ".way", in_words(all.plan.way));
+  results.set(id + ".steps", in_words(all.plan.steps));
   const Collector collector(all, results);
   const std::uint64_t points = all.plan.swept.back().points, curves = all.plan.rows.rows / points;
   for (std::uint64_t n = 0; n < curves; ++n)

@@ -11,7 +11,9 @@ struct Described<ComparedCurve> {
   using Curve = ComparedCurve;
   static constexpr std::string_view name = "ComparedCurve";
   static constexpr auto entries =
-      members(field("label", &Curve::label, "", "one constant decay rate, or the law"),
+      members(field(
+                  "label", [](const Curve& c) { return in_words(c.label); }, "",
+                  "one constant decay rate, or the law"),
               field(
                   "law", [](const Curve& c) { return to_text(c.law); }, "", "terms of the law"),
               field("method", &Curve::method, "", "method of the simulation"),

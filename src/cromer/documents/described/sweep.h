@@ -2,6 +2,7 @@
 #pragma once
 
 #include "cromer/documents/described/describe.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/tasks/sweep/sweep.h"
 
 namespace cromer::core {
@@ -60,9 +61,9 @@ struct Described<SweepDocument> {
       field(
           "method", [](const S& s) { return s.result.plan.method; }, "", "name of the method"),
       field(
-          "way", [](const S& s) { return s.result.plan.way; }, "", "how the points are computed"),
+          "way", [](const S& s) { return in_words(s.result.plan.way); }, "", "how the points are computed"),
       field(
-          "steps", [](const S& s) { return s.result.plan.steps; }, "", "lengths of steps and runs, in words"),
+          "steps", [](const S& s) { return in_words(s.result.plan.steps); }, "", "lengths of steps and runs, in words"),
       field(
           "simd", [](const S& s) { return s.result.plan.simd; }, "",
           "vector instructions that were used: baseline, avx2 or avx512"),

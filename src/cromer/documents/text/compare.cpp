@@ -46,7 +46,7 @@ std::string compare_text(const std::vector<CompareResult>& comparisons) {
       rows.push_back(
           {std::isfinite(curve.rms) ? fmt::format("{:.4g}", curve.rms) : "", number(curve.r_squared, 6),
            number(curve.amplitude_ratio_end, 4), number(curve.phase_drift, 4), curve.method,
-           curve.measured_at_rest ? curve.label + ", at the end the measured motion rests" : curve.label});
+           in_words(curve.label) + (curve.measured_at_rest ? ", at the end the measured motion rests" : "")});
     if (!comparison.curves.empty()) out += text_table(rows, 0, 4);
     if (const Notice sentence = explanation(comparison); !sentence.empty()) out += in_words(sentence) + "\n";
   }

@@ -61,7 +61,8 @@ std::string extremes(const SweepResult& result) {
 }  // namespace
 
 std::string how(const SweepPlan& plan) {
-  return fmt::format("{}, {}{}{}", plan.method, plan.way, plan.steps.empty() ? "" : ", ", plan.steps);
+  return fmt::format("{}, {}{}{}", plan.method, in_words(plan.way), plan.steps.empty() ? "" : ", ",
+                     in_words(plan.steps));
 }
 
 std::string sweep_text(const SweepResult& result) {

@@ -198,6 +198,23 @@ constexpr Entry entries[] = {
      "{points} von {all} Punkten fanden keine Lösung für ihren Schritt"},
     {"rows_not_reached", clause, "interrupted: rows that were not reached are null",
      "abgebrochen: Zeilen, die nicht erreicht wurden, sind null"},
+    // How points are found, and in which steps.
+    {"closed_form", clause, "closed form", "geschlossene Form"},
+    {"stepped_until_settled", clause, "stepped until settled", "in Schritten bis zum Einschwingen"},
+    {"stepped_to_the_end", clause, "stepped to the end", "in Schritten bis zum Ende"},
+    {"run_one_by_one", clause, "run one by one", "einzeln gerechnet"},
+    {"cycles_dropped", clause, "stepped, {cycles} cycles dropped",
+     "in Schritten, {cycles} Perioden ausgelassen"},
+    {"steps_of", clause, "steps of {step} s", "Schritte von {step} s"},
+    {"steps_in_a_natural_period", clause, "{steps} steps in a natural period",
+     "{steps} Schritte in einer Eigenperiode"},
+    {"steps_in_the_shorter_period", clause,
+     "{steps} steps in a natural or a drive period, whichever is shorter",
+     "{steps} Schritte in der kürzeren von Eigenperiode und Periode des Antriebs"},
+    {"to_the_time", clause, "to {until} s", "bis {until} s"},
+    {"for_natural_periods", clause, "for {periods} natural periods", "{periods} Eigenperioden lang"},
+    {"steps_and_end", clause, "{steps}, {end}", "{steps}, {end}"},
+
     // The machine.
     {"simd_not_here", error, "CROMER_SIMD={name}: this machine has no such instructions",
      "CROMER_SIMD={name}: solche Befehle hat dieser Rechner nicht"},

@@ -158,7 +158,7 @@ EndComparison compare_ends(std::span<const double> t, std::span<const double> fi
 }
 
 struct NamedLaw {
-  std::string label;
+  Notice label;
   Law law;
   Motion motion;  ///< from the recording's first sample on
 };
@@ -238,11 +238,6 @@ void compare_with_law(ComparedCurve& curve, const FittedRecording& recording, co
   curve.method_phase = end.phase_drift;
 }
 
-Notice law_notice(const NamedLaw& law) {
-  const std::string text = to_text(law.law);
-  return law.label == text ? Notice{"law_by_name", {{"law", text}}} : Notice{"one_constant_decay_rate"};
-}
-
 /// Runs the law over the recording's times, by the method and step of the options. The figures leave out
 /// samples set aside. A run that ended early, or that grows tenfold, is a notice. A law that the method
 /// cannot integrate is an Error.
@@ -277,9 +272,9 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
     curve.complete = false;
     curve.diverged = !outcome.interrupted;
     notices.push_back(outcome.interrupted
-                          ? Notice{"curve_interrupted", {{"law", law_notice(law)}, {"t", outcome.t}}}
+                          ? Notice{"curve_interrupted", {{"law", law.label}, {"t", outcome.t}}}
                           : Notice{"curve_ended",
-                                   {{"law", law_notice(law)},
+                                   {{"law", law.label},
                                     {"method", options.method},
                                     {"t", outcome.t},
                                     {"status", name(outcome.status)}}});
@@ -287,7 +282,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
   }
   const double law_step = recording.fit.step > 0 ? recording.fit.step : step;
   const Trajectory itself = motion_states(motion, {}, series.t, law_step);
-  if (itself.size() < series.t.size()) return Error{"law_runs_away", {{"law", law_notice(law)}}};
+  if (itself.size() < series.t.size()) return Error{"law_runs_away", {{"law", law.label}}};
   const Samples samples = good_samples(recording, curve.trajectory, itself);
   compare_with_measured(curve, recording, samples);
   compare_with_law(curve, recording, samples);
@@ -299,7 +294,7 @@ Result<ComparedCurve> simulate_curve(const FittedRecording& recording, const Nam
     curve.diverged = true;
     notices.push_back(Notice{
         "curve_grows",
-        {{"law", law_notice(law)}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
+        {{"law", law.label}, {"method", options.method}, {"step", step}, {"times", largest / start}}});
   }
   return curve;
 }
@@ -342,7 +337,7 @@ Result<NamedLaw> constant_rate(const FittedRecording& recording, const Watch& wa
     }
   }
   if (recording.decay_rate_mean) constant.set_decay_rate(recording.decay_rate_mean->value);
-  return NamedLaw{"one constant decay rate", law_of("viscous"), constant};
+  return NamedLaw{Notice{"one_constant_decay_rate"}, law_of("viscous"), constant};
 }
 
 }  // namespace
@@ -386,7 +381,7 @@ Result<CompareResult> compare_fitted(const FittedRecording& recording, const Com
     result.complete = false;
     return result;
   }
-  const NamedLaw chosen{to_text(fit.law), fit.law, fit.motion};
+  const NamedLaw chosen{Notice{"law_by_name", {{"law", to_text(fit.law)}}}, fit.law, fit.motion};
   for (const NamedLaw& law : {*constant, chosen}) {
     const double done = result.curves.empty() ? 0.2 : 0.6;
     const Watch part = part_of(watch, done, done + 0.4);

@@ -21,7 +21,7 @@ struct CompareOptions {
 /// One simulation at the recording's own times; x is the displacement from the fitted equilibrium. The
 /// figures leave out the samples that the fit set aside.
 struct ComparedCurve {
-  std::string label;  ///< "one constant decay rate", "viscous+drag"
+  Notice label;  ///< one constant decay rate, or the law by its name
   Law law;
   std::string method;
   double step = 0;  // [s]

@@ -46,8 +46,8 @@ struct SweepWork;
 struct SweepPlan {
   std::vector<SweptOption> swept;     ///< outermost first
   std::vector<std::string> measured;  ///< columns of the measures
-  std::string way;                    ///< how points are found: "closed form", "stepped until settled", ...
-  std::string steps;  ///< how long steps and runs are: "steps of 0.01 s, to 60 s"; may be empty
+  Notice way;                         ///< how points are found: in closed form, stepped until settled, ...
+  Notice steps;                       ///< how long steps and runs are; may be empty
   std::string method;
   std::string simd;  ///< the unit of the kernel: baseline, avx2, avx512
   ChunkedRows rows;  ///< the swept values, the measures, and last the status (PointStatus)

@@ -213,48 +213,54 @@ bool is_swept(const SweepWork& work, std::string_view option) {
                      [&](const SweepAxis& axis) { return axis.name == option; });
 }
 
-std::string step_in_words(const SweepWork& work) {
+Notice step_notice(const SweepWork& work) {
   const MethodInfo& info = *find_method(work.method);
   const bool takes_none = info.order == 0 && work.way == SweepWay::closed_form;
-  if (takes_none || info.error_order > 0 || is_swept(work, "step")) return "";
-  if (work.base.step) return fmt::format("steps of {} s", shortest(*work.base.step));
-  return fmt::format("{:g} steps in {}", default_steps_per_period,
-                     work.driven ? "a natural or a drive period, whichever is shorter" : "a natural period");
+  if (takes_none || info.error_order > 0 || is_swept(work, "step")) return {};
+  if (work.base.step) return Notice{"steps_of", {{"step", *work.base.step}}};
+  return work.driven ? Notice{"steps_in_the_shorter_period", {{"steps", default_steps_per_period}}}
+                     : Notice{"steps_in_a_natural_period", {{"steps", default_steps_per_period}}};
 }
 
-std::string end_in_words(const SweepWork& work) {
-  if (!work.runs_to_end() || is_swept(work, "until")) return "";
-  if (work.base.until) return fmt::format("to {} s", shortest(*work.base.until));
-  return fmt::format("for {:g} natural periods", default_periods);
+Notice end_notice(const SweepWork& work) {
+  if (!work.runs_to_end() || is_swept(work, "until")) return {};
+  if (work.base.until) return Notice{"to_the_time", {{"until", *work.base.until}}};
+  return Notice{"for_natural_periods", {{"periods", default_periods}}};
 }
 
-/// "closed form", "stepped until settled", "stepped to the end", "run one by one".
-std::string_view words(SweepWay way) {
+/// The code of its sentence.
+std::string code_of(SweepWay way) {
   switch (way) {
     case SweepWay::closed_form:
-      return "closed form";
+      return "closed_form";
     case SweepWay::settled:
-      return "stepped until settled";
+      return "stepped_until_settled";
     case SweepWay::to_end:
-      return "stepped to the end";
+      return "stepped_to_the_end";
     case SweepWay::one_by_one:
-      return "run one by one";
+      return "run_one_by_one";
   }
   return "";
 }
 
-/// How long the steps are and how far they go, unless that is swept or the method settles it: "steps of 0.01
-/// s, to 60 s", "200 steps in a natural period, for 20 natural periods"; may be empty.
-std::string steps_in_words(const SweepWork& work) {
-  const std::string step = step_in_words(work), end = end_in_words(work);
-  return step + (step.empty() || end.empty() ? "" : ", ") + end;
+/// Files have the code with blanks: "closed form".
+std::string with_blanks(std::string code) {
+  std::replace(code.begin(), code.end(), '_', ' ');
+  return code;
+}
+
+/// How long the steps are and how far they go, unless that is swept or the method settles it; may be empty.
+Notice steps_notice(const SweepWork& work) {
+  const Notice step = step_notice(work), end = end_notice(work);
+  if (step.empty() || end.empty()) return step.empty() ? end : step;
+  return Notice{"steps_and_end", {{"steps", step}, {"end", end}}};
 }
 
 /// All that the rows depend on, in a fixed order, as JSON; `settings` are those of the first row.
 std::string describe(const SweepOptions& options, const SweepWork& work, const MethodSettings& settings,
                      const SweepPlan& plan) {
   std::string text = fmt::format("{{\"method\": \"{}\", \"way\": \"{}\", \"direction\": \"{}\"", work.method,
-                                 words(work.way), options.direction);
+                                 with_blanks(code_of(work.way)), options.direction);
   if (work.way == SweepWay::settled || work.way == SweepWay::to_end)
     text += fmt::format(", \"simd\": \"{}\"", work.unit.name);
   if (options.settle) text += fmt::format(", \"settle\": {}", shortest(*options.settle));
@@ -278,13 +284,13 @@ std::string column_of(const SweepAxis& axis, std::string_view unit) {
   return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
-/// Describes the rows and how they are made, in words and numbers.
+/// Describes the rows and how they are made.
 void describe_rows(const SweepOptions& options, const SweepWork& work, SweepPlan& plan) {
   plan.method = work.method;
   plan.simd = work.unit.name;
-  plan.way = work.settling.dropped ? fmt::format("stepped, {} cycles dropped", shortest(*options.settle))
-                                   : std::string(words(work.way));
-  plan.steps = steps_in_words(work);
+  plan.way = work.settling.dropped ? Notice{"cycles_dropped", {{"cycles", *options.settle}}}
+                                   : Notice{code_of(work.way)};
+  plan.steps = steps_notice(work);
   for (const SweepAxis& axis : work.axes)
     plan.swept.push_back({axis.name, column_of(axis, axis.unit), axis.grid.size(),
                           column_of(axis, axis.typed.name), axis.typed.factor});
