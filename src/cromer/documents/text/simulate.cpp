@@ -102,7 +102,8 @@ std::string steady_tables(const SimulateResult& result) {
     const SimulatedRun& run = result.runs[i];
     if (!run.transmission) continue;
     const RunTransmission& found = *run.transmission;
-    title = transmission_title(found);
+    title = found.of_motion ? "transmissibility: displacement of the mass over that of the base"
+                            : "transmissibility: force on the ground over force on the mass";
     of_motion = found.of_motion;
     const SteadyState exact = frequency_response(run.oscillator, run.drive.amplitude, run.drive.frequency);
     Compared motion{exact.amplitude, exact.phase_lag};

@@ -159,9 +159,4 @@ std::optional<RunTransmission> transmission_of(const SimulateOptions& options, c
   return found;
 }
 
-std::string_view transmission_title(const RunTransmission& transmission) {
-  return transmission.of_motion ? "transmissibility: displacement of the mass over that of the base"
-                                : "transmissibility: force on the ground over force on the mass";
-}
-
 }  // namespace cromer::core

@@ -33,7 +33,4 @@ Notice run_notice(const SimulatedRun& run);
 /// run's effect must be known. Empty otherwise.
 std::optional<RunTransmission> transmission_of(const SimulateOptions& options, const SimulatedRun& run);
 
-/// "transmissibility: displacement of the mass over that of the base".
-std::string_view transmission_title(const RunTransmission& transmission);
-
 }  // namespace cromer::core

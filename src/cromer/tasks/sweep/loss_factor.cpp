@@ -1,24 +1,12 @@
 // Hysteretic damping in a sweep: a spring k (1 + i eta), which has a meaning in steady states only.
 #include "cromer/tasks/sweep/sweep_rows.h"
 
-#include <algorithm>
 #include <string_view>
 #include <vector>
 
 #include "cromer/model/law.h"
 
 namespace cromer::core {
-
-std::vector<Option> point_options(SimulateOptions& o) {
-  auto options = options_of(o);
-  const auto before = std::find_if(options.begin(), options.end(),
-                                   [](const Option& each) { return each.name == "quality-factor"; });
-  options.insert(before + 1,
-                 {"loss-factor", &o.loss_factor, "", Range::not_negative,
-                  "hysteretic damping, a spring k (1 + i eta), in place of a damper: settled motions alone",
-                  "", before->group});
-  return options;
-}
 
 bool has_loss_factor(const SweepOptions& options) {
   const auto typed = options.values.find("loss-factor");

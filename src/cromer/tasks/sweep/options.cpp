@@ -64,6 +64,17 @@ bool is_coefficient(std::string_view name) {
 
 }  // namespace
 
+std::vector<Option> point_options(SimulateOptions& o) {
+  auto options = options_of(o);
+  const auto before = std::find_if(options.begin(), options.end(),
+                                   [](const Option& each) { return each.name == "quality-factor"; });
+  options.insert(before + 1,
+                 {"loss-factor", &o.loss_factor, "", Range::not_negative,
+                  "hysteretic damping, a spring k (1 + i eta), instead of a damper; for settled motions only",
+                  "", before->group});
+  return options;
+}
+
 Notice sweep_refusal(std::string_view option, std::string_view text) {
   if (Notice why = left_out(option); !why.empty()) return why;
   if (is_coefficient<true>(option)) return Notice{"sweep_has_no_memory", {{"option", option}}};
