@@ -87,7 +87,7 @@ TEST(FitLab, GivesAHystereticLawAsSimulateTakesIt) {
   planned.insert(planned.end(), {"--goal", "decay_rate 1 %"});
   const Finished plan = folder.run(planned);
   EXPECT_EQ(plan.status, 2);
-  EXPECT_THAT(plan.err, HasSubstr("how soon a swing with hysteresis dies down is not foretold"));
+  EXPECT_THAT(plan.err, HasSubstr("how soon a swing with hysteresis dies down is not predicted"));
 
   std::istringstream line(fit["simulate"].get<std::string>());
   std::vector<std::string> again{std::istream_iterator<std::string>(line), {}};

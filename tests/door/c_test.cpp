@@ -148,11 +148,11 @@ TEST(CallC, BadInputIsSaid) {
   expect_refused(call("fit", R"({"file": 7})"), "file", "a text");
   expect_refused(call("fit", R"({"file": "/no/such"})"), nullptr, "/no/such");
   expect_refused(call("fit", R"({"file": "a.csv"})", made.arrays()), "file", "leave one of them out");
-  expect_refused(call("fit", R"({"column": "x"})", made.arrays()), "column", "said of a file");
-  expect_refused(call("fit", R"({"rate": 100})", made.arrays()), "rate", "said of a file");
+  expect_refused(call("fit", R"({"column": "x"})", made.arrays()), "column", "is for a file");
+  expect_refused(call("fit", R"({"rate": 100})", made.arrays()), "rate", "is for a file");
   expect_refused(call("spectrum", R"({"spacing": 0.01, "unit": "g"})", {{"acceleration", made.y.data(), 99}}),
-                 "unit", "said of a file");
-  expect_refused(call("simulate", R"({"spacing": 0.1})"), "spacing", "none is given");
+                 "unit", "is for a file");
+  expect_refused(call("simulate", R"({"spacing": 0.1})"), "spacing", "neither is given");
   expect_refused(call("simulate", "{}", {{"force", made.y.data(), 9}}), "spacing", "in seconds");
   expect_refused(call("simulate", "{}", {{"speed", made.y.data(), 9}}), "speed",
                  "simulate takes no array speed");

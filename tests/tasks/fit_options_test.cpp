@@ -329,7 +329,10 @@ TEST(Quantities, HaveTheirOrderOfDerivative) {
   EXPECT_EQ(in_words(fitted_as_it_is("velocity", "v")),
             "column \"v\" holds velocity and is fitted as such: all results are those of the displacement, "
             "except the equilibrium, which is the sensor's offset");
-  EXPECT_THAT(in_words(fitted_as_it_is("angular velocity", "w")), testing::EndsWith("is said of the angle"));
+  EXPECT_THAT(
+      in_words(fitted_as_it_is("angular velocity", "w")),
+      testing::EndsWith(
+          "all results are those of the angle, except the equilibrium, which is the sensor's offset"));
 }
 
 }  // namespace

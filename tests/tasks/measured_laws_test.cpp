@@ -94,7 +94,7 @@ TEST(MeasuredLaws, ARateGyroIsFittedAsOne) {
       EXPECT_EQ(parameter.unit, "rad/s");
     }
   }
-  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("is fitted as that")));
+  EXPECT_THAT(in_words(result->notices), Contains(HasSubstr("is fitted as such")));
 }
 
 }  // namespace
