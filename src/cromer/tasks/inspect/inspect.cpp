@@ -86,7 +86,7 @@ Result<Inspection> inspect(Recording recording, const ReadOptions& options, std:
     if (inspection.column.empty() && (series || main))
       inspection.column = series ? series->column : column_title(*main);
     if (!series) {
-      say(without_file(series.error().notice, file));
+      say(without_file(series.error().notice, inspection.recording.file));
       continue;
     }
     for (const Notice& notice : series->notices) say(notice);

@@ -43,7 +43,9 @@ std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headin
   options.recognise_drive = false;
   for (std::size_t c = 0; c < rows.width && c + 1 < headings.size(); ++c) {
     if (!column.empty() && !is_named(headings[c + 1], column)) continue;
-    auto fits = fit(csv(rows, c, headings[c + 1]), "recording", options, watch);
+    const auto recording = read_recording(csv(rows, c, headings[c + 1]), "recording", {});
+    if (!recording) continue;
+    auto fits = fit(*recording, options, watch);
     if (!fits || fits->empty() || watch.interrupted()) continue;
     if (!best || unexplained(fits->front()) < unexplained(*best)) best = std::move(fits->front());
   }
