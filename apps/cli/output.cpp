@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "commands.h"
 #include "cromer/base/utf8.h"
 #include "cromer/cluster/tables_file.h"
 #include "cromer/report/file.h"
