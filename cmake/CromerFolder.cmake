@@ -16,6 +16,22 @@ if(CROMER_SANITIZE)
   target_link_options(cromer_flags INTERFACE -fsanitize=${CROMER_SANITIZE})
 endif()
 
+# Headers of others that most files include: read once, not by each file again. The preset clang does without, and so sees
+# which file includes less than it uses.
+set(CROMER_COMMON_HEADERS <algorithm> <array> <cmath> <complex> <cstddef> <filesystem> <fstream> <functional> <limits> <map> <memory> <numbers>
+    <optional> <set> <span> <sstream> <string> <string_view> <tuple> <utility> <variant> <vector>)
+
+# cromer_objects(<target>): compiled as all that lies in libcromer, with the precompiled headers of cromer_base.
+function(cromer_objects target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
+  if(target STREQUAL cromer_base)
+    target_precompile_headers(${target} PRIVATE ${CROMER_COMMON_HEADERS} <fmt/format.h>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM cromer_base)
+  endif()
+endfunction()
+
 set_property(GLOBAL PROPERTY CROMER_FOLDERS "")
 
 # cromer_folder(<folder> [EXCEPT <room>] DEPENDS <folders> LIBRARIES <targets>): the library cromer_<folder>, header-only where it has
@@ -33,7 +49,7 @@ function(cromer_folder folder)
     add_library(cromer_${name} STATIC ${sources})
     set(visibility PUBLIC)
     target_compile_features(cromer_${name} PUBLIC cxx_std_20)
-    set_target_properties(cromer_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    cromer_objects(cromer_${name})
     target_link_libraries(cromer_${name} PRIVATE $<BUILD_INTERFACE:cromer_flags> ${ARG_LIBRARIES})
   else()
     add_library(cromer_${name} INTERFACE)

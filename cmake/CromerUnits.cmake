@@ -12,14 +12,16 @@ set(CROMER_UNIT_avx512 -mavx512f -mavx512dq -mavx512bw -mavx512cd -mavx512vl -mf
 # cromer_units(): the options of src/cromer/ensemble/units/*.cpp; off x86-64 only the baseline is built.
 function(cromer_units)
   set(folder ${PROJECT_SOURCE_DIR}/src/cromer/ensemble/units)
-  set_source_files_properties(${folder}/baseline.cpp ${folder}/walk_baseline.cpp PROPERTIES COMPILE_OPTIONS "${CROMER_UNIT_OPTIONS}")
+  set_source_files_properties(${folder}/baseline.cpp ${folder}/walk_baseline.cpp PROPERTIES COMPILE_OPTIONS "${CROMER_UNIT_OPTIONS}"
+                              SKIP_PRECOMPILE_HEADERS ON)
   foreach(unit avx2 avx512)
     set(options ${CROMER_UNIT_OPTIONS} ${CROMER_UNIT_${unit}})
     if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
       list(APPEND options -Wno-uninitialized -Wno-maybe-uninitialized)  # false alarms of g++ 12 in its own avx512fintrin.h
     endif()
     if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-      set_source_files_properties(${folder}/${unit}.cpp ${folder}/walk_${unit}.cpp PROPERTIES COMPILE_OPTIONS "${options}")
+      set_source_files_properties(${folder}/${unit}.cpp ${folder}/walk_${unit}.cpp PROPERTIES COMPILE_OPTIONS "${options}"
+                                  SKIP_PRECOMPILE_HEADERS ON)
     else()
       set_source_files_properties(${folder}/${unit}.cpp ${folder}/walk_${unit}.cpp PROPERTIES HEADER_FILE_ONLY ON)
     endif()
