@@ -2,7 +2,8 @@
 
 set(CROMER_WARNINGS -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
-  list(APPEND CROMER_WARNINGS -Wno-restrict)  # false alarms of g++ 12 on "text" + std::string (GCC bug 105651)
+  # False alarms of g++ 12 on "text" + std::string (GCC bug 105651).
+  list(APPEND CROMER_WARNINGS -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 if(CROMER_WERROR)
   list(APPEND CROMER_WARNINGS -Werror)
