@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "cromer/base/concat.h"
-#include "cromer/read/recording.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/recording.h"
 
 namespace cromer::core {
 namespace {

@@ -5,11 +5,11 @@
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/read/cells.h"
 #include "cromer/read/columns.h"
 #include "cromer/read/dialect_name.h"
-#include "cromer/read/cells.h"
-#include "cromer/read/rows.h"
 #include "cromer/read/recording.h"
+#include "cromer/read/rows.h"
 #include "tests/read/reading.h"
 
 namespace cromer::core {

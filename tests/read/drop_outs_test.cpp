@@ -1,6 +1,6 @@
 // Stretches that a motion sensor did not see, told from what motions do.
-#include "cromer/read/series_shape.h"
 #include "cromer/documents/words/words.h"
+#include "cromer/read/series_shape.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -11,8 +11,8 @@
 #include "cromer/base/concat.h"
 #include "cromer/base/quantity.h"
 #include "cromer/documents/words/words.h"
-#include "cromer/read/recording.h"
 #include "cromer/read/columns.h"
+#include "cromer/read/recording.h"
 
 namespace cromer::core {
 namespace {
