@@ -4,64 +4,64 @@ import type { Maybe, Numbers } from './numbers'
 import type { NoticeObject, Said } from '../words/said'
 
 export interface Column {
-  /** its title, "Time (s)", as the option `column` takes it */
+  /** title of the column, "Time (s)", as the option `column` takes it */
   name: string
-  /** time, position, ... */
+  /** the recorded quantity: time, position, ... */
   quantity: string
-  /** as the file has it */
+  /** unit, as in the file */
   unit: string
-  /** from 1 */
+  /** number of the run, from 1 */
   run: number
-  /** values that are not missing */
+  /** number of values that are not missing */
   samples: number
-  /** the time it is taken with; null of a time, and where there is none */
+  /** the column of its times; null if there is none or if it is a time itself */
   time_column: string | null
-  /** [as the file has it] only in a file written as JSON */
+  /** [as the file has it] its numbers; only in a file written as JSON */
   values?: Numbers
 }
 
 export interface Gap {
-  /** [s] where samples begin to be missing */
+  /** [s] beginning of the gap */
   t: number
-  /** [s] how long */
+  /** [s] length of the gap */
   length: number
-  /** only where there are several */
+  /** number of the run; only if there are several */
   run?: number
 }
 
 export interface Outlier {
-  /** [s] of a sample far from its neighbours */
+  /** [s] time of the sample */
   t: number
-  /** [SI] what it says */
+  /** [SI] its value */
   value: Maybe
-  /** of the file, from 1 */
+  /** its line in the file, from 1 */
   line: number
-  /** only where there are several */
+  /** number of the run; only if there are several */
   run?: number
 }
 
 export interface InspectedFile {
-  /** its name */
+  /** name of the file */
   file: string
   /** the logger that wrote it */
   dialect: string
-  /** of its text */
+  /** encoding of its text */
   encoding: string
-  /** between its columns */
+  /** separator of its columns */
   separator: string
-  /** of its numbers */
+  /** decimal mark of its numbers */
   decimal: string
-  /** all of them */
+  /** all columns */
   columns: Column[]
-  /** the one that the rest describes: that asked for, else what a fit would take, or the first of several alike */
+  /** the column that the rest describes: the one asked for, else the one that a fit takes, or the first of several alike */
   column: string | null
-  /** rows of the longest run */
+  /** number of rows of the longest run */
   samples: number
-  /** [1/s] null where not known */
+  /** [1/s] samples per second; null if not known */
   rate: Maybe
-  /** [s] null where not known */
+  /** [s] duration of the recording; null if not known */
   duration: Maybe
-  /** the time of that column; null without */
+  /** the column of its times; null if there is none */
   time_column: string | null
   /** standard deviation of the time steps over their median */
   jitter: Maybe
@@ -76,110 +76,110 @@ export interface InspectedFile {
 }
 
 export interface InspectedSeries {
-  /** from 1 */
+  /** number of the run, from 1 */
   run: number
-  /** its name */
+  /** title of the column */
   column: string
-  /** what it records */
+  /** the recorded quantity; null if not known */
   observed: string | null
-  /** of x; "" where it has no name */
+  /** unit of x; "" if it has no name */
   unit: string
-  /** [1/s] null where not even */
+  /** [1/s] samples per second; null if their spacing is not even */
   rate: Maybe
-  /** [s] rises; missing values are left out */
+  /** [s] times, increasing; missing values are left out */
   t: Numbers
-  /** [SI] the column */
+  /** [SI] values of the column */
   x: Numbers
 }
 
 export interface Inspection extends InspectedFile {
-  /** the column, one for each run that has it */
+  /** the column in each run that has it */
   series: InspectedSeries[]
 }
 
 export interface Recording {
-  /** where it was read from */
+  /** name of the file */
   file: string
-  /** the column that was fitted, as the file spells it */
+  /** title of the fitted column, as in the file */
   column: string
-  /** what it records: position, angle, velocity, ...; null where it is not known */
+  /** the recorded quantity: position, angle, velocity, ...; null if not known */
   observed: string | null
-  /** which run of the file, from 1 */
+  /** number of the run in the file, from 1 */
   run: number
-  /** how many the file has */
+  /** number of samples in the file */
   samples: number
-  /** how many of them were fitted */
+  /** number of fitted samples */
   used: number
   /** [s] time of the first sample used */
   from: Maybe
-  /** [s] time of the last one */
+  /** [s] time of the last sample used */
   to: Maybe
-  /** [1/s] samples per second; null where they are not even */
+  /** [1/s] samples per second; null if their spacing is not even */
   rate: Maybe
   /** [s] from the first sample used to the last */
   duration: Maybe
-  /** how often samples are missing in between */
+  /** number of gaps, where samples are missing */
   gaps: number
-  /** how many samples were set aside */
+  /** number of samples set aside */
   outliers: number
 }
 
 export interface Estimate {
-  /** the estimate */
+  /** estimate */
   value: Maybe
-  /** its standard error, widened for correlated residuals */
+  /** its standard error, with correlated residuals taken into account */
   standard_error: Maybe
   /** 95 % interval from Student's t */
   confidence_95: [Maybe, Maybe]
-  /** of all of these, SI; 1 of a plain number */
+  /** SI unit of all of these; 1 for a plain number */
   unit: string
 }
 
 export interface Residual {
-  /** [of the column] root mean square of what the law leaves, over the samples used without outliers */
+  /** [of the column] root mean square of the residuals, over the samples used without outliers */
   rms: Maybe
-  /** p of the Jarque-Bera test */
+  /** p value of the Jarque-Bera test */
   normality: Maybe
-  /** from sample to sample */
+  /** correlation of neighbouring residuals */
   autocorrelation: Maybe
-  /** compatible with no correlation up to lag 20 (Ljung-Box, 1 %) */
+  /** no correlation up to lag 20 is found (Ljung-Box test at 1 %) */
   white: boolean
 }
 
 export interface Candidate {
   /** a law that was tried */
   law: string
-  /** [of the column] what it leaves */
+  /** [of the column] rms of its residuals */
   rms: Maybe
-  /** Bayesian information criterion: the smaller, the better */
+  /** Bayesian information criterion; smaller is better */
   bic: Maybe
-  /** how a recorded force was read; only where there is one */
+  /** interpolation of a recorded force; only with one */
   between_samples?: string
 }
 
 export interface Mode {
-  /** [rad/s] of the damped oscillation */
+  /** [rad/s] damped angular frequency */
   angular_frequency: number
   /** [rad/s] its standard error */
   angular_frequency_standard_error: Maybe
-  /** [1/s] below 0 where it grows */
+  /** [1/s] decay rate; negative if the mode grows */
   decay_rate: number
   /** [1/s] its standard error */
   decay_rate_standard_error: Maybe
-  /** [of the column] at the first sample */
+  /** [of the column] amplitude at the first sample */
   amplitude: number
   /** [of the column] its standard error */
   amplitude_standard_error: Maybe
 }
 
 export interface HeldOut {
-  /** [s] first time of the samples that were held out */
+  /** [s] time of the first sample held out */
   from: number
-  /** [s] their last time */
+  /** [s] time of the last one */
   to: number
-  /** how many */
+  /** number of samples held out */
   samples: number
-  /** [of the column] what the law, carried on, leaves of them */
+  /** [of the column] rms of their residuals under the fitted law */
   rms: Maybe
 }
 
@@ -195,7 +195,7 @@ export interface DecaySegment {
 }
 
 export interface AmplitudeRate {
-  /** [of the displacement] in the middle of the stretch */
+  /** [of the displacement] amplitude in the middle of the stretch */
   amplitude: number
   /** [1/s] decay rate of one sinusoid fitted to this stretch alone */
   rate: Maybe
@@ -203,7 +203,7 @@ export interface AmplitudeRate {
   standard_error: Maybe
   /** [1/s] 95 % interval */
   confidence_95: [Maybe, Maybe]
-  /** [1/s] the law's at that amplitude, averaged over a cycle */
+  /** [1/s] decay rate of the fitted law at that amplitude, averaged over a cycle */
   law_rate: Maybe
   /** [s] where the stretch begins */
   from: number
@@ -214,41 +214,41 @@ export interface AmplitudeRate {
 export interface ReynoldsWindow {
   /** [s] where the half second begins */
   t: number
-  /** the largest Reynolds number in it */
+  /** largest Reynolds number in it */
   value: number
 }
 
 export interface Contribution {
-  /** mass, spring_mass or angular_frequency */
+  /** what contributes: mass, spring_mass or angular_frequency */
   quantity: string
-  /** [its own] what it was taken to be */
+  /** [its own] value used */
   value: number
-  /** [its own] of the value */
+  /** [its own] standard uncertainty of that value */
   standard_uncertainty: Maybe
-  /** its own unit */
+  /** unit of both */
   unit: string
-  /** [N/m per its own] derivative of the spring constant */
+  /** [N/m per its own] derivative of the spring constant by this quantity */
   sensitivity: Maybe
-  /** [N/m] what its uncertainty makes of the spring constant's */
+  /** [N/m] its part of the standard uncertainty of the spring constant */
   contribution: Maybe
-  /** of the spring constant's variance, 0 to 1 */
+  /** its share of the variance of the spring constant, 0 to 1 */
   share: Maybe
 }
 
 export interface MonteCarlo {
-  /** what was drawn */
+  /** the quantity of the trials */
   quantity: string
-  /** how many */
+  /** number of trials */
   trials: number
-  /** of the random numbers */
+  /** seed of the random numbers */
   seed: number
-  /** [N/m] of the trials */
+  /** [N/m] mean of the trials */
   mean: number
-  /** [N/m] of the trials */
+  /** [N/m] standard deviation of the trials */
   standard_deviation: number
-  /** [N/m] 95 % of the trials lie between, as many below as above */
+  /** [N/m] interval with 95 % of the trials, and as many below it as above */
   interval_95: [number, number]
-  /** the same by the law of propagation */
+  /** the same by propagation of uncertainty */
   propagated: {
     /** [N/m] spring constant */
     value: Maybe
@@ -257,118 +257,118 @@ export interface MonteCarlo {
     /** [N/m] 95 % interval */
     confidence_95: [Maybe, Maybe]
   }
-  /** of all of these */
+  /** unit of all of these */
   unit: string
 }
 
 export interface RecordingPlan {
-  /** what is to be known better */
+  /** the quantity of the goal */
   quantity: string
   /** its unit */
   unit: string
-  /** [its own] standard uncertainty wanted */
+  /** [its own] wanted standard uncertainty */
   goal: number
   /** [its own] standard uncertainty of this record */
   now: number
-  /** this record is enough */
+  /** whether this record is long enough */
   met: boolean
-  /** a longer record from such a start reaches it */
+  /** whether a longer record from the same start reaches the goal */
   possible: boolean
-  /** [s] that reaches it; where none does, beyond which nothing is gained */
+  /** [s] duration that reaches the goal; if none does, the duration beyond which nothing is gained */
   duration: Maybe
-  /** [its own] where it is not possible: what the longest record gives */
+  /** [its own] only if it is not possible: standard uncertainty of the longest useful record */
   best: Maybe
-  /** all this in a sentence */
+  /** the plan in a sentence */
   text: Said
 }
 
 export interface PeakDecrement {
-  /** logarithmic decrement of a period, from the peaks */
+  /** logarithmic decrement per period, from the peaks */
   value: Maybe
   /** its standard error */
   standard_error: Maybe
-  /** how many stand out of the noise */
+  /** number of peaks above the noise */
   peaks: number
-  /** what is wrong about it */
+  /** what is wrong with this method */
   bias: Said
 }
 
 export interface HalfPowerBandwidth {
-  /** [rad/s] full width of the spectrum's line */
+  /** [rad/s] full width of the line in the spectrum */
   value: Maybe
-  /** of the width */
+  /** unit of the width */
   unit: string
   /** [1/s] half the width */
   decay_rate: Maybe
-  /** that over the line's frequency */
+  /** decay rate over the frequency of the line */
   damping_ratio: Maybe
-  /** [rad/s] an undamped line's width in a record of this length */
+  /** [rad/s] width of an undamped line in a record of this length */
   narrowest: Maybe
-  /** what is wrong about it */
+  /** what is wrong with this method */
   bias: Said
 }
 
 export interface Textbook {
-  /** null with fewer than 3 peaks */
+  /** by the peaks; null with fewer than 3 of them */
   logarithmic_decrement: PeakDecrement | null
-  /** null where the line does not fall to half its power on both sides */
+  /** by the spectrum; null if the line does not fall to half its power on both sides */
   half_power_bandwidth: HalfPowerBandwidth | null
 }
 
 export interface FittedRecording {
-  /** what was fitted */
+  /** the fitted recording */
   recording: Recording
-  /** its terms, "viscous+drag"; null where the recording could not be read */
+  /** terms of the law, "viscous+drag"; null if the recording could not be read */
   law: string | null
   /** converged, or why there is no fit */
   status: string
-  /** why, where it did not converge */
+  /** why there is no fit; only then */
   message?: Said
-  /** of least squares */
+  /** iterations of least squares */
   iterations: number
-  /** linear, hold or band-limited: how a recorded force is read; null without one */
+  /** interpolation of a recorded force: linear, hold or band-limited; null without one */
   between_samples: string | null
-  /** as fitted, per unit mass, by name; then, with a mass, what they are as forces */
+  /** fitted parameters by name, per unit mass; with a mass also those of the forces */
   parameters: Record<string, Estimate>
-  /** of the fitted parameters; its diagonal is the squares of their standard errors */
+  /** covariance of the fitted parameters; its diagonal is the squares of their standard errors */
   covariance: {
     /** their names */
     parameters: string[]
-    /** row by row */
+    /** the covariance matrix, row by row */
     matrix: Numbers[]
   } | null
-  /** what follows from the law, by name */
+  /** quantities that follow from the law, by name */
   derived: Record<string, Estimate>
-  /** the command line that simulates this law; null where there is none */
+  /** command line that simulates this law; null if there is none */
   simulate: string | null
-  /** what the law leaves */
+  /** residuals: measured minus fitted */
   residual: Residual
   /** the laws that were tried */
   candidates: Candidate[]
-  /** where two oscillations were found, the larger first */
+  /** two oscillations, the larger first; empty if only one was found */
   modes: Mode[]
-  /** the samples that were kept from the fit */
+  /** samples that were kept out of the fit */
   held_out?: HeldOut
   /** a decay rate for each segment */
   decay_segments: DecaySegment[]
-  /** [1/s] of the segments; null without */
+  /** [1/s] mean decay rate of the segments; null without segments */
   decay_rate_mean: Maybe
   /** [1/s] its standard error */
   decay_rate_mean_standard_error: Maybe
-  /** the decay rate of each stretch against its amplitude */
+  /** decay rate against amplitude, stretch by stretch */
   decay_by_amplitude: AmplitudeRate[]
-  /** null without a disc */
+  /** Reynolds numbers; null without a disc */
   reynolds: {
-    /** the largest Reynolds number */
+    /** largest Reynolds number */
     max: number
     /** its standard error */
     standard_error: Maybe
-    /** [s] where it is */
+    /** [s] when it is reached */
     t: number
-    /** half a second each */
+    /** largest Reynolds number of each half second */
     windows: ReynoldsWindow[]
   } | null
-  /** null without a disc */
+  /** Keulegan-Carpenter number; null without a disc */
   keulegan_carpenter: {
     /** 2 pi A/D at the largest amplitude */
     max: number
@@ -377,13 +377,13 @@ export interface FittedRecording {
     /** 95 % interval */
     confidence_95: [Maybe, Maybe]
   } | null
-  /** what the spring constant's uncertainty comes from */
+  /** contributions to the uncertainty of the spring constant */
   stiffness_budget: Contribution[]
-  /** the spring constant by trials; null where none were asked for */
+  /** spring constant by Monte Carlo trials; null if not asked for */
   monte_carlo: MonteCarlo | null
-  /** how long to record; null where no goal was given */
+  /** how long to record; null without a goal */
   plan: RecordingPlan | null
-  /** what textbooks would say; null where that was not asked for */
+  /** damping by textbook methods; null if not asked for */
   textbook: Textbook | null
   /** what else there is to know, in sentences */
   warnings: Said[]
@@ -392,41 +392,41 @@ export interface FittedRecording {
 }
 
 export interface MotionUnits {
-  /** of the column, and of the residuals */
+  /** unit of the column and of the residuals */
   measured: string
-  /** of x, and of amplitudes */
+  /** unit of x and of amplitudes */
   displacement: string
-  /** of v */
+  /** unit of v */
   velocity: string
-  /** J, or per mass where none is known */
+  /** unit of energies: J, or per mass if no mass is known */
   energy: string
 }
 
 export interface FitCurves {
-  /** [s] of the samples used */
+  /** [s] times of the samples used */
   t: Numbers
-  /** [of the column] the column */
+  /** [of the column] values of the column */
   measured: Numbers
-  /** [of the column] measured less the fitted law */
+  /** [of the column] measured minus fitted */
   residual: Numbers
-  /** [of the displacement] the law's displacement from its equilibrium */
+  /** [of the displacement] displacement from the equilibrium, by the law */
   x: Numbers
-  /** [of v] the law's velocity */
+  /** [of v] velocity, by the law */
   v: Numbers
-  /** [J, or per mass] the law's */
+  /** [J, or per mass] energy, by the law */
   energy: Numbers
-  /** [of v] from the samples alone; empty where they are no displacement, NaN within half a period of the ends */
+  /** [of v] velocity from the samples alone; empty if they are no displacement, NaN within half a period of the ends */
   measured_velocity: Numbers
-  /** [J, or per mass] likewise */
+  /** [J, or per mass] energy from the samples alone; likewise */
   measured_energy: Numbers
   /** [s] times of the samples set aside as outliers */
   set_aside: Numbers
 }
 
 export interface Fit extends FittedRecording {
-  /** "" where one has no name */
+  /** units of the curves; "" if one has no name */
   units: MotionUnits
-  /** [of the displacement] what the law leaves */
+  /** [of the displacement] rms of the residuals as a displacement */
   displacement_rms: Maybe
   /** the motion beside the law, sample by sample */
   curves: FitCurves | null
@@ -435,44 +435,44 @@ export interface Fit extends FittedRecording {
 export interface ComparedCurve {
   /** one constant decay rate, or the law */
   label: string
-  /** its terms */
+  /** terms of the law */
   law: string
-  /** that simulated it */
+  /** method of the simulation */
   method: string
-  /** [of the column] measured less simulated */
+  /** [of the column] rms of measured minus simulated */
   rms: Maybe
-  /** share of the measured variance that is explained */
+  /** explained share of the measured variance */
   r_squared: Maybe
-  /** simulated over measured, at the end; null where the measured motion has stopped */
+  /** simulated over measured amplitude at the end; null if the measured motion has stopped */
   amplitude_ratio_end: Maybe
-  /** [rad] simulated minus measured, at the end; likewise */
+  /** [rad] simulated minus measured phase at the end; null if the measured motion has stopped */
   phase_drift: Maybe
-  /** [s] of the method */
+  /** [s] step of the method */
   step: number
-  /** [of the column] the same without the method's error */
+  /** [of the column] rms of measured minus the exact solution of the law */
   law_rms: Maybe
-  /** simulated over the law itself, at the end */
+  /** simulated over exact amplitude at the end */
   method_amplitude_ratio: Maybe
-  /** [rad] simulated minus the law itself, at the end */
+  /** [rad] simulated minus exact phase at the end */
   method_phase: Maybe
-  /** the method is not stable at this step */
+  /** whether the method is unstable at this step */
   diverged: boolean
 }
 
 export interface ComparedRecording {
-  /** what it is compared with */
+  /** the measured recording */
   recording: Recording
-  /** of the fit */
+  /** status of the fit */
   status: string
-  /** why, where there is no fit or a simulation ended early */
+  /** why there is no fit, or why a simulation ended early; only then */
   message?: Said
   /** the simulations */
   curves: ComparedCurve[]
-  /** the measured swing is below the noise at the end */
+  /** whether the measured motion is below the noise at the end */
   measured_at_rest?: boolean
   /** whether one decay rate is enough */
   explanation?: Said
-  /** the fit, as `fit` gives it */
+  /** the same as from `fit` */
   fit: FittedRecording
   /** what else there is to know, in sentences */
   warnings: Said[]
@@ -481,23 +481,23 @@ export interface ComparedRecording {
 }
 
 export interface CurveStates {
-  /** [s] of the samples used */
+  /** [s] times of the samples used */
   t: Numbers
-  /** [of the displacement] from the fitted equilibrium */
+  /** [of the displacement] simulated displacement from the fitted equilibrium */
   x: Numbers
-  /** [of v] simulated */
+  /** [of v] simulated velocity */
   v: Numbers
-  /** [J, or per mass] as of a fit's curves */
+  /** [J, or per mass] energy, as in the curves of a fit */
   energy: Numbers
 }
 
 export interface Comparison extends ComparedRecording {
-  /** one for each of the curves */
+  /** states of each of the curves */
   states: CurveStates[]
 }
 
 export interface Parameters {
-  /** [kg] that swings */
+  /** [kg] mass that swings */
   mass: number
   /** [N/m] spring constant k; negative with a cubic is a double well */
   stiffness: Maybe
@@ -525,55 +525,55 @@ export interface Parameters {
   hysteresis_gamma: Maybe
   /** [N] force p of p sin x, x an angle */
   pendulum: Maybe
-  /** of the hysteretic force */
+  /** exponent of the hysteretic force */
   hysteresis_exponent: number
-  /** [N] that holds it at rest */
+  /** [N] friction that holds the mass at rest */
   static_friction: number
-  /** its kind */
+  /** kind of the drive */
   drive: string
-  /** [N] of the drive */
+  /** [N] amplitude of the drive */
   drive_amplitude: number
-  /** [rad/s] of the drive; where a chirp begins */
+  /** [rad/s] angular frequency of the drive; at the beginning of a chirp */
   drive_frequency: number
-  /** [rad] of the drive */
+  /** [rad] phase of the drive */
   drive_phase: number
-  /** [rad/s] where a chirp ends */
+  /** [rad/s] angular frequency at the end of a chirp */
   drive_to?: Maybe
-  /** [s] of pulses and chirps */
+  /** [s] beginning of a pulse or a chirp */
   drive_start?: Maybe
-  /** [s] of pulses and chirps; a step has none */
+  /** [s] duration of a pulse or a chirp; a step has none */
   drive_duration?: Maybe
-  /** [kg] of an unbalance */
+  /** [kg] mass of an unbalance */
   unbalance_mass?: Maybe
-  /** [m] of an unbalance */
+  /** [m] eccentricity of an unbalance */
   eccentricity?: Maybe
   /** [m] amplitude of a shaking base */
   base_displacement?: Maybe
-  /** of a recorded drive */
+  /** file of a recorded drive */
   drive_file?: string
-  /** how a recorded drive is read */
+  /** interpolation of a recorded drive */
   between_samples?: string
-  /** [m] at the start */
+  /** [m] position at the start */
   position: number
-  /** [m/s] at the start */
+  /** [m/s] velocity at the start */
   velocity: number
 }
 
 export interface Counts {
-  /** steps taken */
+  /** number of steps taken */
   accepted: number
-  /** steps tried and thrown away, of adaptive methods */
+  /** number of steps rejected by an adaptive method */
   rejected: number
-  /** of the acceleration */
+  /** evaluations of the acceleration */
   evaluations: number
-  /** over all steps */
+  /** Newton iterations over all steps */
   newton_iterations: number
 }
 
 export interface FoundEvent {
-  /** as it was asked for */
+  /** the event, as it was asked for */
   event: string
-  /** [s] when */
+  /** [s] time of the event */
   t: number
   /** [m] position then */
   x: number
@@ -582,24 +582,24 @@ export interface FoundEvent {
 }
 
 export interface Accuracy {
-  /** largest relative error */
+  /** largest relative error that was asked for */
   asked: number
-  /** [s] that keeps to it */
+  /** [s] longest step that keeps to it */
   step: number
-  /** null where the motion is driven */
+  /** relative error of the frequency; null if the motion is driven */
   frequency_error: Maybe
-  /** likewise, and where nothing is damped */
+  /** relative error of the decay rate; null if the motion is driven or not damped */
   decay_error: Maybe
-  /** of the steady amplitude, or of the whole motion */
+  /** relative error of the steady amplitude, or of the whole motion */
   amplitude_error: number
 }
 
 export interface EnergyBalance {
-  /** [J] stored at the start */
+  /** [J] energy stored at the start */
   start: Maybe
-  /** [J] stored at the end */
+  /** [J] energy stored at the end */
   end: Maybe
-  /** [J] work done by the drive, either sign */
+  /** [J] work done by the drive, of either sign */
   drive: Maybe
   /** [J] taken by this resistance */
   damping: Maybe
@@ -609,90 +609,90 @@ export interface EnergyBalance {
   friction: Maybe
   /** [J] taken by this resistance */
   van_der_pol: Maybe
-  /** [J] made (+) or lost (-) by the method itself */
+  /** [J] energy gained (+) or lost (-) by the error of the method */
   method: Maybe
 }
 
 export interface ModifiedEnergy {
-  /** [J] that the method conserves */
+  /** [J] modified energy, which the method conserves, at the start */
   start: Maybe
-  /** [J] the same at the end */
+  /** [J] modified energy at the end */
   end: Maybe
-  /** the largest change over the start */
+  /** its largest change, relative to the start */
   drift: Maybe
-  /** looked at */
+  /** number of states that were compared */
   states: number
-  /** of the energy itself: half of what lies between its extremes, over their mean */
+  /** swing of the energy itself: half the difference of its extremes over their mean */
   energy_swing: Maybe
 }
 
 export interface Measured {
-  /** [rad/s] half turns over the time they took */
+  /** [rad/s] angular frequency, from the times of the turning points */
   angular_frequency: number
-  /** [1/s] fitted to the logarithm of the amplitudes */
+  /** [1/s] decay rate, fitted to the logarithms of the amplitudes */
   decay_rate: number
-  /** [m] from the first turning point to the second, half */
+  /** [m] half the distance of the first two turning points */
   first_amplitude: number
-  /** [m] likewise at the end */
+  /** [m] half the distance of the last two */
   last_amplitude: number
-  /** turning points less one */
+  /** number of half cycles: turning points less one */
   half_cycles: number
 }
 
 export interface SteadyState {
-  /** [m] where the method's own driven motion settles */
+  /** [m] amplitude of the steady motion as the method simulates it */
   amplitude: Maybe
   /** [rad] its lag behind the force */
   phase: Maybe
 }
 
 export interface Effective {
-  /** [1/s] simulated; null where nothing oscillates */
+  /** [1/s] decay rate of the simulated motion; null if nothing oscillates */
   decay_rate: Maybe
-  /** [rad/s] simulated; likewise */
+  /** [rad/s] angular frequency of the simulated motion; null if nothing oscillates */
   angular_frequency: Maybe
   /** largest modulus of the eigenvalues */
   spectral_radius: Maybe
-  /** of one step, real and imaginary part; the physical pair first */
+  /** eigenvalues of one step, real and imaginary parts; the physical pair first */
   eigenvalues: [number, number][]
-  /** only of a driven motion that settles */
+  /** steady motion; only of a driven motion that settles */
   steady_state?: SteadyState
 }
 
 export interface SimulatedTransmission {
-  /** of the method's motion */
+  /** ratio in the simulated motion */
   ratio: Maybe
-  /** [rad] its lag */
+  /** [rad] phase lag in the simulated motion */
   phase_lag: Maybe
-  /** of the ratio, relative */
+  /** relative error of the ratio */
   error: Maybe
 }
 
 export interface Transmissibility {
-  /** what is transmitted: force or displacement */
+  /** the transmitted quantity: force or displacement */
   of: string
-  /** drive over undamped natural frequency */
+  /** drive frequency over undamped natural frequency */
   frequency_ratio: number
-  /** what comes out over what goes in; null at undamped resonance */
+  /** transmitted over applied amplitude; null at undamped resonance */
   ratio: Maybe
-  /** [rad] of what comes out */
+  /** [rad] phase lag of the transmitted quantity */
   phase_lag: Maybe
-  /** [m or N] amplitude of what goes in */
+  /** [m or N] applied amplitude */
   sent: number
-  /** [m or N] amplitude of what comes out */
+  /** [m or N] transmitted amplitude */
   transmitted: Maybe
-  /** by the method; null where its motion does not settle, and of adaptive methods */
+  /** the same by the method; null if its motion does not settle or the method is adaptive */
   simulated: SimulatedTransmission | null
 }
 
 export interface Sensor {
-  /** [m] standard deviation */
+  /** [m] standard deviation of the noise */
   noise: number
-  /** [m] 0: not rounded */
+  /** [m] resolution; 0: not rounded */
   resolution: number
-  /** [m] added to the position */
+  /** [m] offset, added to the position */
   offset: number
-  /** of the noise */
+  /** seed of the noise */
   seed: number
 }
 
@@ -703,124 +703,124 @@ export interface States {
   x: Numbers
   /** [m/s] velocity */
   v: Numbers
-  /** [J] kinetic and potential */
+  /** [J] kinetic and potential energy */
   energy: Numbers
-  /** [m] what a simulated sensor says; only with one */
+  /** [m] readings of the simulated sensor; only with one */
   sensor?: Numbers
 }
 
 export interface Run {
-  /** its name */
+  /** name of the method */
   method: string
-  /** what tells this run from the others */
+  /** label that tells this run from the others */
   label: string
-  /** what it was made with */
+  /** law, drive and start */
   parameters: Parameters
-  /** [s] of the method */
+  /** [s] step of the method */
   step: number
   /** [s] end of the run */
   until: number
-  /** relative to the motion's scale */
+  /** tolerance, relative to the scale of the motion */
   tolerance: number
-  /** each of so many states is kept */
+  /** every n-th state is kept */
   every: number
-  /** states in compensated sums */
+  /** whether states are compensated sums */
   compensated: boolean
-  /** how it ended */
+  /** how the run ended */
   status: string
-  /** why it ended early */
+  /** why the run ended early; only then */
   message?: Said
-  /** by its user */
+  /** whether its user interrupted it */
   interrupted: boolean
-  /** [s] shorter where the steps do not fill the run */
+  /** [s] last step; shorter if the steps do not fill the run */
   last_step: number
-  /** what it took */
+  /** numbers of steps and evaluations */
   counts: Counts
   /** the last state */
   final: {
-    /** [s] when */
+    /** [s] time */
     t: number
     /** [m] position */
     x: Maybe
     /** [m/s] velocity */
     v: Maybe
-    /** [J] kinetic and potential */
+    /** [J] kinetic and potential energy */
     energy: Maybe
   }
-  /** that were watched for, in order of time */
+  /** events that were asked for, in order of time */
   events: FoundEvent[]
-  /** only where it was asked for */
+  /** the step for the accuracy asked for; only then */
   accuracy?: Accuracy
-  /** end - start = drive - resistances + method; null where the states are too few */
+  /** energies: end - start = drive - resistances + method; null if there are too few states */
   energy_balance: EnergyBalance | null
-  /** only where the method conserves one */
+  /** energy that the method conserves; only if there is one */
   modified_energy?: ModifiedEnergy
-  /** only of a free motion under a law that is not linear */
+  /** oscillation of the simulated motion; only of a free motion under a law that is not linear */
   measured?: Measured
-  /** only of newmark */
+  /** beta of newmark; only of this method */
   beta?: Maybe
-  /** only of newmark */
+  /** gamma of newmark; only of this method */
   gamma?: Maybe
-  /** only of generalized-alpha */
+  /** rho_inf of generalized-alpha; only of this method */
   rho_inf?: Maybe
-  /** what the method makes of the law */
+  /** what the method makes of the law, in words */
   in_words?: Said
-  /** what the method really simulates; null where the law is not linear */
+  /** what the method really simulates; null if the law is not linear */
   effective: Effective | null
-  /** the motion stays bounded */
+  /** whether the simulated motion stays bounded */
   stable?: boolean
-  /** [s] the longest stable step, only where this one is longer; null where there is none */
+  /** [s] longest stable step, only if this one is longer; null if there is none */
   stability_limit?: Maybe
-  /** of the simulated motion; null where nothing oscillates */
+  /** factor of the energy over a cycle of the simulated motion; null if nothing oscillates */
   energy_factor_per_cycle?: Maybe
-  /** only of a driven linear law with a spring */
+  /** transmissibility; only of a driven linear law with a spring */
   transmissibility?: Transmissibility
-  /** the simulated sensor; null without */
+  /** the simulated sensor; null without one */
   sensor: Sensor | null
-  /** only in a file written as JSON */
+  /** kept states; only in a file written as JSON */
   states?: States
 }
 
 export interface Method {
-  /** as typed */
+  /** name, as typed */
   name: string
-  /** null for exact */
+  /** order; null for exact */
   order: number | null
-  /** an equation is solved in each step */
+  /** whether each step solves an equation */
   implicit: boolean
-  /** said of the undamped law */
+  /** whether it is symplectic for the undamped law */
   symplectic: boolean
-  /** it chooses its own steps */
+  /** whether it chooses its own steps */
   adaptive: boolean
-  /** a step back undoes a step */
+  /** whether a step back undoes a step */
   reversible: boolean
-  /** stable at any step where the law is */
+  /** whether it is stable at any step if the law is */
   a_stable: boolean
-  /** where it is published */
+  /** publication */
   source: string
-  /** what it really simulates; only with a step */
+  /** what it really simulates; only if a step was given */
   effective?: Effective
-  /** the motion stays bounded */
+  /** whether the simulated motion stays bounded */
   stable?: boolean
-  /** [s] the longest stable step; null where there is none, 0 where no step is stable */
+  /** [s] longest stable step; null if there is no limit, 0 if no step is stable */
   stability_limit?: Maybe
-  /** of the simulated motion; null where nothing oscillates */
+  /** factor of the energy over a cycle of the simulated motion; null if nothing oscillates */
   energy_factor_per_cycle?: Maybe
-  /** the same in a sentence */
+  /** the same in words */
   in_words?: Said
 }
 
 export interface ResonanceCurve {
-  /** its name */
+  /** name of the method */
   method: string
-  /** false: the motion grows, never settles or was not tried, and the lists are empty */
+  /** false if the motion grows, never settles or was not tried; the lists are then empty */
   settled: boolean
-  /** why it was not tried: a curve of a law that is not linear is stepped */
+  /** true if it was not tried because it takes too many steps */
   too_many_steps: boolean
-  /** [rad/s] of the drive */
+  /** [rad/s] angular frequencies of the drive */
   frequency: Numbers
-  /** [m] steady */
+  /** [m] steady amplitudes */
   amplitude: Numbers
-  /** [rad] lag behind the force */
+  /** [rad] phase lags behind the force */
   phase: Numbers
 }
