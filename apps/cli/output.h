@@ -43,6 +43,9 @@ Result<FileFormat> file_format(const std::string& path, bool hdf5 = false);
 Result<void> check_outputs(const OutputOptions& options, const std::vector<std::string>& inputs = {},
                            const char* option = "-o");
 
+/// [bytes] that this machine has.
+double machine_memory();
+
 /// What there is to say beside the answer, unless --quiet.
 void tell(const std::vector<Notice>& notices, const OutputOptions& output);
 

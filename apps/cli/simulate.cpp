@@ -1,5 +1,4 @@
-#include <unistd.h>
-
+#include "cromer/tasks/simulate/simulate.h"
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/hdf5.h"
@@ -7,21 +6,13 @@
 #include "cromer/documents/text.h"
 #include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
-#include "cromer/tasks/simulate/simulate.h"
 #include "message.h"
 #include "output.h"
 #include "syntax.h"
 #include "watching.h"
 
 namespace cromer::core::cli {
-namespace {
-
-/// Half of the machine's memory: what is kept is written out once more as text.
-double memory_for_states() {
-  return 0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 int run_simulate(const Arguments& arguments) {
   SimulateOptions options;
@@ -40,7 +31,7 @@ int run_simulate(const Arguments& arguments) {
   if (const auto status = parse(syntax, arguments, files)) return *status;
   if (auto good = check_outputs(output); !good) return refuse(good.error());
   if (auto good = load_drive(options, ""); !good) return refuse(good.error());
-  options.memory = memory_for_states();
+  options.memory = machine_memory() / 2;  // what is kept is written out once more as text
 
   const auto result = simulate(options, watching(output.quiet));
   clear_progress();

@@ -1,5 +1,3 @@
-#include <unistd.h>
-
 #include "commands.h"
 #include "cromer/documents/csv.h"
 #include "cromer/documents/hdf5.h"
@@ -72,9 +70,7 @@ int run_spectrum(const Arguments& arguments) {
     if (!recording) return refuse(recording.error());
     recordings.push_back(*std::move(recording));
   }
-  // Half of the machine's: what is computed is written out once more as text.
-  options.memory =
-      0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  options.memory = machine_memory() / 2;  // what is computed is written out once more as text
 
   const auto result = response_spectrum(recordings, options, watching(output.common.quiet));
   clear_progress();

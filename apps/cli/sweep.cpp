@@ -2,7 +2,6 @@
 #include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <memory>
 
@@ -27,11 +26,7 @@ namespace cromer::core::cli {
 namespace {
 
 /// [bytes] for the rows: written out as CSV they take six times as much (measured), as JSON twice that.
-double memory_for_rows(bool json) {
-  const double all =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-  return all / (json ? 16 : 8);
-}
+double memory_for_rows(bool json) { return machine_memory() / (json ? 16 : 8); }
 
 /// [bytes] of rows in a file that are read back only to say what was found.
 constexpr double memory_to_look_through = 200e6;
