@@ -124,7 +124,8 @@ int main(int count, char** words) {
     if (seed % 4 == 0) options.law = "viscous";
     if (seed % 10 == 1) options.drive_frequency = "auto";
     const std::clock_t begin = std::clock();
-    const auto fits = cromer::core::fit(file, "generated.csv", options, {});
+    const auto fits =
+        cromer::core::fit(*cromer::core::read_recording(file, "generated.csv", options.read), options);
     const double took = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     total += took;
     if (const std::string sentence = fits ? nonsense_in(*fits) : ""; !sentence.empty()) {
