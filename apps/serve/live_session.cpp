@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t batch = 10'000;  // numbers in one event: 64 listeners may each have one in memory
-constexpr double shown = 10;         // [s] on the page
+constexpr double shown = 10;           // [s] on the page
 
 /// The path itself, or the first of NAME-2.csv, ... that does not exist or is empty.
 std::string free_path(const std::string& path) {
@@ -100,7 +100,7 @@ std::string LiveSession::events(EventCursor& cursor) const {
   }
   if (now) {
     const std::size_t columns = std::max<std::size_t>(now->recorder->headings().size(), 1);
-    const Rows rows = now->recorder->rows_since(cursor.rows, batch / columns);
+    const SampleRows rows = now->recorder->rows_since(cursor.rows, batch / columns);
     if (rows.size() > 0) text += event("samples", live_samples_json(cursor.rows, rows)) + "\n";
     cursor.rows += rows.size();
     const auto notices = now->recorder->notices_since(cursor.notices);

@@ -9,7 +9,7 @@ namespace cromer::core {
 namespace {
 
 TEST(LiveJson, SamplesAreAListForEachColumn) {
-  Rows rows;
+  SampleRows rows;
   rows.width = 2;
   rows.add(0.5, std::vector<double>{1, 10});
   rows.add(0.75, std::vector<double>{2, std::nan("")});

@@ -23,7 +23,7 @@ std::string_view text_of(const std::uint8_t* data, std::size_t size) {
 }
 
 struct Read {
-  Rows rows;
+  SampleRows rows;
   std::vector<Remark> notices;
   std::size_t garbage = 0;
 };

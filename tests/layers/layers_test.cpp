@@ -140,6 +140,37 @@ TEST(Layers, the_door_includes_nothing_from_within) {
   EXPECT_LT(files, 20);  // and version.h, which CMake makes
 }
 
+/// Types that the headers of src/cromer define, by namespace and name, and where.
+std::map<std::string, std::set<std::string>> types_of_headers() {
+  const fs::path root = fs::path(CROMER_SOURCE_DIR) / "src" / "cromer";
+  const std::regex opens(R"(^namespace ([\w:]+) \{$)"), closes(R"(^\}  // namespace)");
+  const std::regex type(R"(^(struct|class|enum|enum class) (\w+)( final)?( : [^{]+)? \{)");
+  std::map<std::string, std::set<std::string>> found;
+  for (const auto& entry : fs::recursive_directory_iterator(root)) {
+    if (entry.path().extension() != ".h") continue;
+    std::vector<std::string> within;
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) {
+      std::smatch match;
+      if (std::regex_search(line, match, opens))
+        within.push_back(match[1]);
+      else if (std::regex_search(line, closes) && !within.empty())
+        within.pop_back();
+      else if (std::regex_search(line, match, type))
+        found[(within.empty() ? "" : within.back()) + "::" + match[2].str()].insert(entry.path().string());
+    }
+  }
+  return found;
+}
+
+// Two types of one name break the rule of one definition, though no file includes both headers.
+TEST(Layers, no_two_types_have_one_name) {
+  const auto types = types_of_headers();
+  EXPECT_GT(types.size(), 200u);
+  for (const auto& [name, headers] : types)
+    EXPECT_EQ(headers.size(), 1u) << name << ": " << *headers.begin() << ", " << *headers.rbegin();
+}
+
 TEST(Layers, a_wrong_include_is_seen) {
   EXPECT_NE(complaint("model/propagate.h", "run/solve.h"), "");
   EXPECT_NE(complaint("model/propagate.h", "methods/rk4.h"), "");

@@ -54,8 +54,8 @@ class FullDisk : public ::testing::Test {
 };
 
 /// Numbers of which a part reads as another number.
-Rows rows(std::size_t count) {
-  Rows rows;
+SampleRows rows(std::size_t count) {
+  SampleRows rows;
   rows.width = 1;
   for (std::size_t n = 0; n < count; ++n)
     rows.add(static_cast<double>(n) / 8, std::vector{0.1234567891 + static_cast<double>(n)});
@@ -67,7 +67,7 @@ class Logger final : public Source {
  public:
   explicit Logger(std::size_t count) : count_(count) {}
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& to, std::vector<Remark>&) override {
+  bool receive(double, SampleRows& to, std::vector<Remark>&) override {
     to = rows(sent_ ? 0 : count_);
     sent_ = true;
     return true;
@@ -101,7 +101,7 @@ TEST_F(FullDisk, EndsWithAWholeLineWhereverItIsFull) {
       const SmallDisk disk(bytes);
       ASSERT_TRUE(file.begin({"test"}, {"Time (s)", "Value"}));
       ASSERT_TRUE(file.append(rows(100)));
-      Rows more = rows(1000);
+      SampleRows more = rows(1000);
       more.t.erase(more.t.begin(), more.t.begin() + 100);
       more.values.erase(more.values.begin(), more.values.begin() + 100);
       const auto written = file.append(more);

@@ -19,7 +19,7 @@ struct Reading {
   void take(std::string_view bytes, double arrival = 100) { reader.take(bytes, arrival, rows, notices); }
 
   LineReader reader;
-  Rows rows;
+  SampleRows rows;
   std::vector<Remark> notices;
 };
 
@@ -330,7 +330,7 @@ TEST(LineReader, TheFormOfTheNextLineShowsAWholeOne) {
 TEST(LineReader, RowsThatAreLetGoHaveOneValue) {
   Reading reading;
   reading.take("1\n2\n");
-  Rows none, two;
+  SampleRows none, two;
   reading.reader.release(100.1, none, reading.notices);
   EXPECT_EQ(none.width, 0u);
   reading.reader.release_all(two, reading.notices);

@@ -37,7 +37,7 @@ struct Reading {
 
   Pipes pipes;
   LineSource source;
-  Rows rows;
+  SampleRows rows;
   std::vector<Remark> notices;
 };
 
@@ -115,7 +115,7 @@ TEST(Sources, AreMadeByTheirNames) {
   LineSettings lines;
   const auto tcp = make_source({SourceKind::tcp, "127.0.0.1", server.port()}, lines);
   ASSERT_TRUE(tcp->open());
-  Rows rows;
+  SampleRows rows;
   std::vector<Remark> notices;
   EXPECT_TRUE(tcp->receive(0.01, rows, notices));
   const auto serial = make_source({SourceKind::serial, "/dev/null", 9600}, lines)->open();

@@ -189,7 +189,7 @@ struct Reading {
   }
 
   PhyphoxSource source;
-  Rows rows;
+  SampleRows rows;
   std::vector<Remark> notices;
 };
 

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 class Silent final : public Source {
  public:
   Result<void> open() override { return {}; }
-  bool receive(double, Rows&, std::vector<Remark>&) override {
+  bool receive(double, SampleRows&, std::vector<Remark>&) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     return true;
   }
@@ -37,7 +37,7 @@ class Silent final : public Source {
 class Short final : public Source {
  public:
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& rows, std::vector<Remark>&) override {
+  bool receive(double, SampleRows& rows, std::vector<Remark>&) override {
     rows.width = 2;
     rows.add(0, std::vector{1.0, 2.0});
     return false;
@@ -53,7 +53,7 @@ class Device final : public Source {
  public:
   explicit Device(double step) : step_(step) {}
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& rows, std::vector<Remark>&) override {
+  bool receive(double, SampleRows& rows, std::vector<Remark>&) override {
     ::usleep(20000);
     rows.width = 1;
     rows.add(step_ * n_++, std::vector{1.0});
@@ -125,10 +125,10 @@ TEST(Recorder, AColumnThatIsNotThereIsNoticedWithThoseThatAre) {
 /// Sends what it is given, a portion at a time, and ends.
 class Portions final : public Source {
  public:
-  Portions(std::vector<Rows> portions, std::vector<Remark> notices = {})
+  Portions(std::vector<SampleRows> portions, std::vector<Remark> notices = {})
       : portions_(std::move(portions)), notices_(std::move(notices)) {}
   Result<void> open() override { return {}; }
-  bool receive(double, Rows& rows, std::vector<Remark>& notices) override {
+  bool receive(double, SampleRows& rows, std::vector<Remark>& notices) override {
     rows = portions_[n_++];
     notices = std::exchange(notices_, {});
     return n_ < portions_.size();
@@ -137,14 +137,14 @@ class Portions final : public Source {
   SampleTimes times() const override { return {TimesBy::count}; }
 
  private:
-  std::vector<Rows> portions_;
+  std::vector<SampleRows> portions_;
   std::vector<Remark> notices_;
   std::size_t n_ = 0;
   Headings headings_{"Time (s)", "Value"};
 };
 
-Rows rows_at(const std::vector<double>& times) {
-  Rows rows;
+SampleRows rows_at(const std::vector<double>& times) {
+  SampleRows rows;
   rows.width = 1;
   for (const double t : times) rows.add(t, std::vector{10 * t});
   return rows;
@@ -223,7 +223,7 @@ TEST(Recorder, ARecordingOfNothingLeavesNoFile) {
 }
 
 TEST(Recorder, TheDurationIsCountedFromTheFirstSample) {
-  const auto times = [](std::vector<Rows> portions, double duration) {
+  const auto times = [](std::vector<SampleRows> portions, double duration) {
     return Recorded(std::make_unique<Portions>(std::move(portions)), duration).recorder.rows_since(0).t;
   };
   EXPECT_EQ(times({rows_at({5, 5.5, 6, 6.5}), rows_at({7})}, 1), (std::vector<double>{5, 5.5, 6}));
@@ -261,7 +261,7 @@ TEST(Recorder, OutOfMemoryItGoesOnAndSaysSo) {
   class Starving final : public Source {
    public:
     Result<void> open() override { return {}; }
-    bool receive(double, Rows& rows, std::vector<Remark>&) override {
+    bool receive(double, SampleRows& rows, std::vector<Remark>&) override {
       if (n_++ == 1) throw std::bad_alloc();
       rows = rows_at({static_cast<double>(n_)});
       return n_ < 3;
@@ -281,11 +281,11 @@ TEST(Recorder, OutOfMemoryAtItsEndItKeepsWhatWasRead) {
    public:
     explicit Starving(bool finishes) : finishes_(finishes) {}
     Result<void> open() override { return {}; }
-    bool receive(double, Rows& rows, std::vector<Remark>&) override {
+    bool receive(double, SampleRows& rows, std::vector<Remark>&) override {
       rows = rows_at({1});
       return false;
     }
-    void finish(Rows& rows, std::vector<Remark>&) override {
+    void finish(SampleRows& rows, std::vector<Remark>&) override {
       if (!finishes_) throw std::bad_alloc();
       rows = rows_at({2});
     }
@@ -310,7 +310,7 @@ TEST(Recorder, WhereTheSourceCannotBeOpenedNoFileIsLeft) {
   class Closed final : public Source {
    public:
     Result<void> open() override { return Error{"not there"}; }
-    bool receive(double, Rows&, std::vector<Remark>&) override { return false; }
+    bool receive(double, SampleRows&, std::vector<Remark>&) override { return false; }
     const Headings& headings() const override { return headings_; }
     Headings headings_{};
   };

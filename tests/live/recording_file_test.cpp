@@ -37,7 +37,7 @@ TEST_F(RecordingFiles, HoldCommentsHeadingsAndRows) {
   ASSERT_TRUE(file.open(path_));
   ASSERT_TRUE(file.begin({"one", "two"}, {"Time (s)", "x", "y"}));
   EXPECT_EQ(file.rows(), 0u);
-  Rows rows;
+  SampleRows rows;
   rows.width = 2;
   rows.add(0, std::vector{1.5, std::nan("")});
   rows.add(0.25, std::vector{HUGE_VAL, -2.0});

@@ -8,8 +8,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(Rows, TakeOthersAndKeepTheLastOnes) {
-  Rows some, more;
+TEST(SampleRows, TakeOthersAndKeepTheLastOnes) {
+  SampleRows some, more;
   some.width = more.width = 2;
   some.add(0, std::vector{10.0, 20.0});
   some.add(1, std::vector{11.0, 21.0});
@@ -20,7 +20,7 @@ TEST(Rows, TakeOthersAndKeepTheLastOnes) {
   some.keep_last(2);
   EXPECT_THAT(some.t, ElementsAre(1, 2));
   EXPECT_THAT(some.values, ElementsAre(11, 21, 12, 22));
-  Rows none;
+  SampleRows none;
   none.add(some);
   EXPECT_EQ(none.width, 2u);
   EXPECT_EQ(none.row(1)[1], 22);

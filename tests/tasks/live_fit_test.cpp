@@ -13,10 +13,10 @@ namespace {
 constexpr double decay_rate = 0.05, frequency = 1.5;
 
 /// `cycles` of a noisy decay at 100 samples a second beside a column that only drifts.
-Rows swing(double cycles) {
+SampleRows swing(double cycles) {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 5e-4);
-  Rows rows;
+  SampleRows rows;
   rows.width = 2;
   for (int n = 0; n < cycles / frequency * 100; ++n) {
     const double t = n / 100.0;

@@ -61,7 +61,7 @@ bool is_word(std::string_view field) {
 
 }  // namespace
 
-Line read_line(std::string_view text) {
+DeviceLine read_line(std::string_view text) {
   text = trimmed(text);
   if (text.empty()) return {};
   if (text.front() == '#' || text.front() == '%') return {LineKind::comment};
@@ -71,7 +71,7 @@ Line read_line(std::string_view text) {
   const char decimal =
       (separator == ';' || separator == '\t') && text.find('.') == std::string_view::npos ? ',' : '.';
 
-  Line line{LineKind::numbers};
+  DeviceLine line{LineKind::numbers};
   std::size_t words = 0;
   for (const auto field : fields) {
     if (const auto number = number_of(field, decimal))
@@ -125,7 +125,7 @@ std::optional<std::size_t> leading_digits(std::string_view text) {
 /// Whether a line of a time and values is whole, as the next one shows: a time that lost its first digits has
 /// fewer of them, or has lost its decimal mark, or does not come before the next.
 bool has_form_of(std::string_view text, std::string_view next) {
-  const Line line = read_line(text), after = read_line(next);
+  const DeviceLine line = read_line(text), after = read_line(next);
   if (line.kind != LineKind::numbers || after.kind != LineKind::numbers) return false;
   if (line.numbers.size() != after.numbers.size() || line.numbers.size() < 2) return false;
   const double t = line.numbers.front(), later = after.numbers.front();
@@ -158,7 +158,8 @@ void LineReader::connected(double at) {
   surely_whole_ = !may_begin_within_line_;
 }
 
-void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::vector<Remark>& notices) {
+void LineReader::take(std::string_view bytes, double arrival, SampleRows& rows,
+                      std::vector<Remark>& notices) {
   constexpr double silence = 0.03;  // [s] more than the bytes of a line wait for each other, on USB too
   if (at_beginning_ && !lost_ && partial_.empty() && arrival - connected_ > silence) surely_whole_ = true;
   while (!bytes.empty()) {
@@ -179,7 +180,7 @@ void LineReader::take(std::string_view bytes, double arrival, Rows& rows, std::v
   }
 }
 
-void LineReader::take_any_line(std::string_view text, double arrival, Rows& rows,
+void LineReader::take_any_line(std::string_view text, double arrival, SampleRows& rows,
                                std::vector<Remark>& notices) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   ++line_;
@@ -191,7 +192,7 @@ void LineReader::take_any_line(std::string_view text, double arrival, Rows& rows
     first_ = FirstLine{std::string(text), arrival};
 }
 
-void LineReader::judge_first(std::string_view next, Rows& rows, std::vector<Remark>& notices) {
+void LineReader::judge_first(std::string_view next, SampleRows& rows, std::vector<Remark>& notices) {
   const FirstLine first = *std::exchange(first_, std::nullopt);
   if (has_form_of(first.text, next)) {
     take_line(first.text, first.arrival, rows, notices);
@@ -200,24 +201,24 @@ void LineReader::judge_first(std::string_view next, Rows& rows, std::vector<Rema
   }
 }
 
-void LineReader::end(double arrival, Rows& rows, std::vector<Remark>& notices) {
+void LineReader::end(double arrival, SampleRows& rows, std::vector<Remark>& notices) {
   if (!partial_.empty()) take_any_line(std::exchange(partial_, ""), arrival, rows, notices);
   release_all(rows, notices);
 }
 
-void LineReader::let_go(const std::vector<double>& times, Rows& rows) {
+void LineReader::let_go(const std::vector<double>& times, SampleRows& rows) {
   if (!times.empty()) rows.width = 1;
   for (std::size_t i = 0; i < times.size(); ++i) rows.add(times[i], {&held_[i], 1});
   held_.erase(held_.begin(), held_.begin() + static_cast<std::ptrdiff_t>(times.size()));
 }
 
-void LineReader::release(double now, Rows& rows, std::vector<Remark>& notices) {
+void LineReader::release(double now, SampleRows& rows, std::vector<Remark>& notices) {
   std::vector<double> times;
   arrivals_.release(now, times, notices);
   let_go(times, rows);
 }
 
-void LineReader::release_all(Rows& rows, std::vector<Remark>& notices) {
+void LineReader::release_all(SampleRows& rows, std::vector<Remark>& notices) {
   if (first_) judge_first("", rows, notices);
   std::vector<double> times;
   arrivals_.release_all(times, notices);
@@ -230,7 +231,7 @@ SampleTimes LineReader::times() const {
   return settings_.rate > 0 ? SampleTimes{TimesBy::count} : arrivals_.sample_times();
 }
 
-void LineReader::connection_lost(Rows& rows, std::vector<Remark>& notices) {
+void LineReader::connection_lost(SampleRows& rows, std::vector<Remark>& notices) {
   if (first_) judge_first("", rows, notices);
   partial_.clear();
   too_long_ = false;
@@ -272,8 +273,9 @@ void LineReader::begin(std::size_t fields) {
   for (auto& heading : headings_) heading = plain_heading(std::move(heading));
 }
 
-void LineReader::take_line(std::string_view text, double arrival, Rows& rows, std::vector<Remark>& notices) {
-  Line line = read_line(text);
+void LineReader::take_line(std::string_view text, double arrival, SampleRows& rows,
+                           std::vector<Remark>& notices) {
+  DeviceLine line = read_line(text);
   if (line.kind == LineKind::blank || line.kind == LineKind::comment) return;
   // A device that begins anew announces its columns again.
   if (line.kind == LineKind::words && !heading_.empty() && text == heading_text_) return;

@@ -16,7 +16,7 @@ namespace cromer::core {
 /// What a line is. A comment begins with # or %.
 enum class LineKind { blank, comment, numbers, words, garbage };
 
-struct Line {
+struct DeviceLine {
   LineKind kind = LineKind::blank;
   std::vector<double> numbers{};     ///< of a line of numbers; NaN where one is missing
   std::vector<std::string> words{};  ///< of a line without numbers, which may be a heading
@@ -25,7 +25,7 @@ struct Line {
 /// Fields end at commas, semicolons, tabs or blanks. Beside semicolons or tabs a comma is a decimal mark; a
 /// lone `12,5` is two fields. An empty field, nan and null are missing values; a line of missing values only
 /// is one of numbers. Numbers and words mixed, or bytes that are no text, are garbage.
-Line read_line(std::string_view text);
+DeviceLine read_line(std::string_view text);
 
 /// A text as it is shown to people: at most `longest` characters and then "...", with "?" for all that is not
 /// printable ASCII.
@@ -57,16 +57,16 @@ class LineReader {
   void connected(double at);
 
   /// Adds the lines that the bytes complete to `rows` and `notices`; keeps the rest for the next call.
-  void take(std::string_view bytes, double arrival, Rows& rows, std::vector<Remark>& notices);
+  void take(std::string_view bytes, double arrival, SampleRows& rows, std::vector<Remark>& notices);
 
   /// Adds what was held back long enough. Call it some times a second, even if nothing comes.
-  void release(double now, Rows& rows, std::vector<Remark>& notices);
+  void release(double now, SampleRows& rows, std::vector<Remark>& notices);
   /// Adds all that is held back.
-  void release_all(Rows& rows, std::vector<Remark>& notices);
+  void release_all(SampleRows& rows, std::vector<Remark>& notices);
 
   /// The input has ended: a last line without its end is taken; after a lost connection it is dropped.
-  void end(double arrival, Rows& rows, std::vector<Remark>& notices);
-  void connection_lost(Rows& rows, std::vector<Remark>& notices);
+  void end(double arrival, SampleRows& rows, std::vector<Remark>& notices);
+  void connection_lost(SampleRows& rows, std::vector<Remark>& notices);
 
   /// Empty until the first row.
   const Headings& headings() const { return headings_; }
@@ -80,13 +80,13 @@ class LineReader {
     double arrival;  // [s]
   };
 
-  void take_any_line(std::string_view text, double arrival, Rows& rows, std::vector<Remark>& notices);
-  void take_line(std::string_view text, double arrival, Rows& rows, std::vector<Remark>& notices);
-  void judge_first(std::string_view next, Rows& rows, std::vector<Remark>& notices);
+  void take_any_line(std::string_view text, double arrival, SampleRows& rows, std::vector<Remark>& notices);
+  void take_line(std::string_view text, double arrival, SampleRows& rows, std::vector<Remark>& notices);
+  void judge_first(std::string_view next, SampleRows& rows, std::vector<Remark>& notices);
   double in_seconds(double device) const;
   void begin(std::size_t fields);
   void refuse(std::string_view text, long line, std::vector<Remark>& notices);
-  void let_go(const std::vector<double>& times, Rows& rows);
+  void let_go(const std::vector<double>& times, SampleRows& rows);
 
   LineSettings settings_;
   Timekeeper clock_;

@@ -37,13 +37,13 @@ bool LineSource::come_back(double seconds, std::vector<Remark>& notices) {
   return true;
 }
 
-bool LineSource::receive(double seconds, Rows& rows, std::vector<Remark>& notices) {
+bool LineSource::receive(double seconds, SampleRows& rows, std::vector<Remark>& notices) {
   const bool more = read(seconds, rows, notices);
   reader_.release(steady_seconds(), rows, notices);
   return more;
 }
 
-bool LineSource::read(double seconds, Rows& rows, std::vector<Remark>& notices) {
+bool LineSource::read(double seconds, SampleRows& rows, std::vector<Remark>& notices) {
   if (!line_.is_open()) return come_back(seconds, notices);
   if (!readable(line_, seconds)) return true;
   char bytes[4096];

@@ -23,15 +23,15 @@ class LineSource final : public Source {
         reader_(lines, within_line) {}
 
   Result<void> open() override;
-  bool receive(double seconds, Rows& rows, std::vector<Remark>& notices) override;
-  void finish(Rows& rows, std::vector<Remark>& notices) override { reader_.release_all(rows, notices); }
+  bool receive(double seconds, SampleRows& rows, std::vector<Remark>& notices) override;
+  void finish(SampleRows& rows, std::vector<Remark>& notices) override { reader_.release_all(rows, notices); }
   const Headings& headings() const override { return reader_.headings(); }
   SampleTimes times() const override { return reader_.times(); }
   double pace() const override { return reader_.pace(); }
 
  private:
   bool come_back(double seconds, std::vector<Remark>& notices);
-  bool read(double seconds, Rows& rows, std::vector<Remark>& notices);
+  bool read(double seconds, SampleRows& rows, std::vector<Remark>& notices);
 
   std::string name_;
   Connect connect_;

@@ -191,7 +191,7 @@ Result<void> PhyphoxSource::open() {
   return {};
 }
 
-void PhyphoxSource::take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Remark>& notices) {
+void PhyphoxSource::take(const PhyphoxAnswer& answer, SampleRows& rows, std::vector<Remark>& notices) {
   const double arrival = steady_seconds();
   for (std::size_t i = 0; i < answer.rows.size(); ++i) {
     const double t = answer.rows.t[i];
@@ -215,7 +215,7 @@ bool PhyphoxSource::clock_began_anew() {
   return held && (held->rows.size() == 0 || held->rows.t.back() < *after_);
 }
 
-bool PhyphoxSource::receive(double seconds, Rows& rows, std::vector<Remark>& notices) {
+bool PhyphoxSource::receive(double seconds, SampleRows& rows, std::vector<Remark>& notices) {
   rows.width = set_.buffers.size() - 1;
   notices.insert(notices.end(), opening_.begin(), opening_.end());
   opening_.clear();

@@ -29,7 +29,7 @@ Result<PhyphoxSet> read_phyphox_config(std::string_view json);
 std::string phyphox_query(const PhyphoxSet& set, std::optional<double> after);
 
 struct PhyphoxAnswer {
-  Rows rows;               ///< all values, NaN where the phone says null; rows without a time are left out
+  SampleRows rows;         ///< all values, NaN where the phone says null; rows without a time are left out
   std::size_t uneven = 0;  ///< values at the ends of longer buffers, which have no partner yet
   bool measuring = false;
 };
@@ -47,12 +47,12 @@ class PhyphoxSource final : public Source {
       : name_(host + ":" + std::to_string(port)), client_(std::move(host), port) {}
 
   Result<void> open() override;
-  bool receive(double seconds, Rows& rows, std::vector<Remark>& notices) override;
+  bool receive(double seconds, SampleRows& rows, std::vector<Remark>& notices) override;
   const Headings& headings() const override { return set_.headings; }
 
  private:
   Result<PhyphoxAnswer> ask();
-  void take(const PhyphoxAnswer& answer, Rows& rows, std::vector<Remark>& notices);
+  void take(const PhyphoxAnswer& answer, SampleRows& rows, std::vector<Remark>& notices);
   bool clock_began_anew();
 
   std::string name_;

@@ -91,7 +91,7 @@ Result<void> Recorder::write_rows(std::size_t& written, bool& headed) {
       more_.wait_for(lock, std::chrono::milliseconds(100), [&] { return over_ || rows_.size() > written; });
       over = over_;
     }
-    const Rows rows = rows_since(written, at_once);
+    const SampleRows rows = rows_since(written, at_once);
     over = over && rows.size() < at_once;
     if (!headed && rows.size() > 0) {
       good = file_.begin(settings_.comments, headings());
@@ -110,7 +110,7 @@ void Recorder::record() {
   const double begun = steady_seconds();
   double first_arrival = 0;
   bool whole = false, starved = false;
-  Rows rows;
+  SampleRows rows;
   std::vector<Remark> notices;
   for (bool more = true; more && !stop_;) {
     // If memory runs out, rows being read may be lost; rows already read are published later.
@@ -163,7 +163,7 @@ void Recorder::record() {
 }
 
 /// False when the recording has its whole length.
-bool Recorder::publish(Rows& rows, std::vector<Remark>& notices) {
+bool Recorder::publish(SampleRows& rows, std::vector<Remark>& notices) {
   bool more = true;
   if (settings_.duration && rows.size() > 0) {
     const double begin = rows_.size() > 0 ? rows_.t.front() : rows.t.front();
@@ -242,9 +242,9 @@ Headings Recorder::headings() const {
   return headings_;
 }
 
-Rows Recorder::rows_since(std::size_t first, std::size_t most) const {
+SampleRows Recorder::rows_since(std::size_t first, std::size_t most) const {
   const std::lock_guard lock(mutex_);
-  Rows some;
+  SampleRows some;
   some.width = rows_.width;
   const std::size_t from = std::min(first, held()), to = from + std::min(most, held() - from);
   some.t.assign(rows_.t.begin() + from, rows_.t.begin() + to);

@@ -53,7 +53,7 @@ class Recorder {
   RecorderStatus status() const;
   Headings headings() const;
   /// The rows from `first` on, at most `most` of them; the notices likewise.
-  Rows rows_since(std::size_t first, std::size_t most = static_cast<std::size_t>(-1)) const;
+  SampleRows rows_since(std::size_t first, std::size_t most = static_cast<std::size_t>(-1)) const;
   /// Index of the first row of the last `seconds`.
   std::size_t first_within(double seconds) const;
   std::vector<Remark> notices_since(std::size_t first) const;
@@ -62,7 +62,7 @@ class Recorder {
   void record();
   void keep_on_disk();
   Result<void> write_rows(std::size_t& written, bool& headed);
-  bool publish(Rows& rows, std::vector<Remark>& notices);
+  bool publish(SampleRows& rows, std::vector<Remark>& notices);
   void fail(const Error& error);
   Result<void> write_end();
   std::size_t held() const;
@@ -77,7 +77,7 @@ class Recorder {
   std::condition_variable more_;
   bool over_ = false;  ///< nothing more will come
   Headings headings_;
-  Rows rows_;
+  SampleRows rows_;
   std::optional<std::size_t> kept_;  ///< of the rows, by a file that can take no more
   std::vector<Remark> notices_;
   std::size_t garbage_ = 0;

@@ -75,7 +75,7 @@ Result<void> RecordingFile::begin(const std::vector<std::string>& comments, cons
   return write(text + "\n");
 }
 
-Result<void> RecordingFile::append(const Rows& rows) {
+Result<void> RecordingFile::append(const SampleRows& rows) {
   std::string text;
   for (std::size_t i = 0; i < rows.size(); ++i) append_row(text, rows.t[i], rows.row(i));
   const std::size_t before = lines_;

@@ -20,7 +20,7 @@ class RecordingFile {
 
   /// Lines that begin with "# ", then the headings.
   Result<void> begin(const std::vector<std::string>& comments, const Headings& headings);
-  Result<void> append(const Rows& rows);
+  Result<void> append(const SampleRows& rows);
   Result<void> comment(const std::vector<std::string>& lines);
   Result<void> sync();
 

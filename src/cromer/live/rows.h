@@ -12,8 +12,8 @@
 
 namespace cromer::core {
 
-/// Rows with equally many values each, one after the other.
-struct Rows {
+/// Rows of samples, with equally many values each, one after the other.
+struct SampleRows {
   std::size_t width = 0;       ///< values of a row, the time not counted
   std::vector<double> t;       // [s]
   std::vector<double> values;  ///< width * t.size(), row by row; NaN where missing
@@ -22,7 +22,7 @@ struct Rows {
   std::span<const double> row(std::size_t i) const { return {values.data() + i * width, width}; }
   /// If memory runs out, nothing is added: times and values stay in step.
   void add(double time, std::span<const double> row) { add(std::span(&time, 1), row); }
-  void add(const Rows& more) {
+  void add(const SampleRows& more) {
     width = more.width;
     add(more.t, more.values);
   }

@@ -33,10 +33,10 @@ class Source {
 
   /// Waits about `seconds` at most and adds what came; false when nothing more will come. A lost connection
   /// is tried again at each call, with a notice when it is lost and when it is back.
-  virtual bool receive(double seconds, Rows& rows, std::vector<Remark>& notices) = 0;
+  virtual bool receive(double seconds, SampleRows& rows, std::vector<Remark>& notices) = 0;
 
   /// Adds the samples still held back; nothing is received afterwards.
-  virtual void finish(Rows&, std::vector<Remark>&) {}
+  virtual void finish(SampleRows&, std::vector<Remark>&) {}
 
   /// Empty until the first row.
   virtual const Headings& headings() const = 0;

@@ -81,7 +81,7 @@ std::string live_status_json(const std::string& source, std::optional<double> du
   return to_text(object, on_one_line);
 }
 
-std::string live_samples_json(std::size_t first, const Rows& rows) {
+std::string live_samples_json(std::size_t first, const SampleRows& rows) {
   Json values = Json::array();
   for (std::size_t c = 0; c < rows.width; ++c) {
     Json column = Json::array();

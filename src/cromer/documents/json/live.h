@@ -21,7 +21,7 @@ std::string live_status_json(const std::string& source, std::optional<double> du
                              const Headings& headings);
 
 /// {"first", "t": [...], "values": [[...], ...]} with one list of values for each column.
-std::string live_samples_json(std::size_t first, const Rows& rows);
+std::string live_samples_json(std::size_t first, const SampleRows& rows);
 
 /// {"column", "status", "samples", "from", "to", "law", "parameters", "derived"}; without success "message"
 /// and "message_german" in place of the last three.

@@ -62,7 +62,7 @@ struct StepOf<Real, DormandPrince> {
 
 /// Steps of a method: start(...) at a state, step(...) on from where `last` ends.
 template <class System, class Method>
-class Stepper {
+class PathStepper {
  public:
   using Real = typename System::Real;
   using Step = typename StepOf<Real, Method>::Type;
@@ -114,7 +114,7 @@ class Path {
   using System = MotionSystem<Code>;
   using Real = typename System::Real;
   using Number = typename System::Number;
-  using Steps = Stepper<System, Method>;
+  using Steps = PathStepper<System, Method>;
   using Step = typename Steps::Step;
 
   Path(const Motion& motion, const typename Code::Drive& drive) : motion_(motion), system_(motion, drive) {
@@ -205,10 +205,10 @@ class Path {
     }
     // The moment is looked for without derivatives.
     const PlainSystem plain = PlainSystem(motion_, system_.drive()).sliding(direction_);
-    const auto started = Stepper<PlainSystem, Method>::start(plain, t, plain_state(before.to));
+    const auto started = PathStepper<PlainSystem, Method>::start(plain, t, plain_state(before.to));
     const auto velocity = [&](double by) {
       auto trial = started;
-      Stepper<PlainSystem, Method>::step(plain, t, by, trial);
+      PathStepper<PlainSystem, Method>::step(plain, t, by, trial);
       return observable(trial.to.v).value;
     };
     h = std::clamp(find_root(velocity, 0, v, h, end), 1e-12 * h, h);

@@ -25,7 +25,7 @@ double unexplained(const FittedRecording& fitted) {
   return squares > 0 ? fitted.fit.residual.rms / std::sqrt(squares / n) : 1;
 }
 
-std::string csv(const Rows& rows, std::size_t column, const std::string& heading) {
+std::string csv(const SampleRows& rows, std::size_t column, const std::string& heading) {
   std::string text = "Time (s)," + heading + "\n";
   for (std::size_t i = std::max(rows.size(), live_fit_rows) - live_fit_rows; i < rows.size(); ++i)
     append_row(text, rows.t[i], rows.row(i).subspan(column, 1));
@@ -34,8 +34,8 @@ std::string csv(const Rows& rows, std::size_t column, const std::string& heading
 
 }  // namespace
 
-std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headings, std::string_view column,
-                                        const Watch& watch) {
+std::optional<FittedRecording> live_fit(const SampleRows& rows, const Headings& headings,
+                                        std::string_view column, const Watch& watch) {
   std::optional<FittedRecording> best;
   if (rows.size() < fewest) return best;
   FitOptions options;
@@ -77,7 +77,7 @@ void LiveFitter::work() {
 }
 
 void LiveFitter::fit_again_and_again() {
-  Rows rows;
+  SampleRows rows;
   // Only what is fitted: a copy of all rows might be too much again.
   const std::size_t held = recorder_.status().samples;
   std::size_t seen = held - std::min(held, live_fit_rows);  // of the recorder's rows
@@ -87,7 +87,7 @@ void LiveFitter::fit_again_and_again() {
     const double begun = steady_seconds();
     if (begun < next) continue;
     next = begun + 1;
-    const Rows more = recorder_.rows_since(seen);
+    const SampleRows more = recorder_.rows_since(seen);
     if (more.size() == 0) continue;
     seen += more.size();
     rows.add(more);

@@ -20,8 +20,8 @@ constexpr std::size_t live_fit_rows = 100000;
 /// Fits the viscous law to the last rows, at most live_fit_rows, as `cromer fit --law viscous` does to the
 /// file. `column` is a heading, with or without its unit; "" takes the column that a viscous swing explains
 /// best. Empty while there are too few rows, and if none can be fitted.
-std::optional<FittedRecording> live_fit(const Rows& rows, const Headings& headings, std::string_view column,
-                                        const Watch& watch = {});
+std::optional<FittedRecording> live_fit(const SampleRows& rows, const Headings& headings,
+                                        std::string_view column, const Watch& watch = {});
 
 /// Fits a recording while it goes on, in a thread of its own.
 class LiveFitter {
