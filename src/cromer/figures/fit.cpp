@@ -39,6 +39,14 @@ Panel residual_panel(const FittedRecording& fitted, MeasuredAxis axis) {
   return panel;
 }
 
+Curve fitted_look(const FittedRecording& fitted) {
+  Curve look;
+  look.role = "fitted";
+  look.name = "fitted";
+  look.remark = to_text(fitted.fit.law);
+  return look;
+}
+
 /// Decay rate against the amplitude of the displacement: measured, with error bars, and by the law.
 Panel decay_panel(const FittedRecording& fitted) {
   Panel panel;
@@ -48,7 +56,7 @@ Panel decay_panel(const FittedRecording& fitted) {
   const AmplitudeUnit unit = amplitude_unit(fitted, longest);
   panel.x.name = unit.symbol.empty() ? "amplitude" : fmt::format("amplitude ({})", unit.symbol);
   panel.y.name = "decay rate (1/s)";
-  Curve points, bars, law;
+  Curve points, bars, law = fitted_look(fitted);
   double largest = 0, top = 0;
   constexpr double gap = std::numeric_limits<double>::quiet_NaN();
   for (const AmplitudeRate& each : fitted.decay_by_amplitude) {
@@ -70,9 +78,6 @@ Panel decay_panel(const FittedRecording& fitted) {
     law.x.push_back(A);
     law.y.push_back(decay.rate(A * unit.size));
   }
-  law.role = "fitted";
-  law.name = "fitted";
-  law.remark = to_text(fitted.fit.law);
   bars.role = points.role = "measured";
   points.mark = Mark::dots;
   points.name = "measured";
@@ -85,11 +90,7 @@ Panel decay_panel(const FittedRecording& fitted) {
 }
 
 void add_law(Panel& panel, const FittedRecording& fitted, const MeasuredAxis& axis) {
-  Curve look;
-  look.role = "fitted";
-  look.name = "fitted";
-  look.remark = to_text(fitted.fit.law);
-  add_motion(panel, fitted, axis, law_motion(fitted, axis, true), look);
+  add_motion(panel, fitted, axis, law_motion(fitted, axis, true), fitted_look(fitted));
 }
 
 /// The largest swings of an irregular motion. `which` follows in the title: ", held out".
@@ -100,11 +101,7 @@ Panel swings_panel(const FittedRecording& fitted, std::string_view which) {
   const bool all = part.series.t.size() == fitted.series.t.size();
   panel.title = figure_text(fmt::format("{}, run {}{}{}", part.series.column, part.series.run, which,
                                         all ? "" : ", about its largest swing"));
-  Curve look;
-  look.role = "fitted";
-  look.name = "fitted";
-  look.remark = to_text(part.fit.law);
-  add_line(panel, part, axis, law_motion(part, axis, false), look);
+  add_line(panel, part, axis, law_motion(part, axis, false), fitted_look(part));
   return panel;
 }
 

@@ -108,6 +108,20 @@ void point_words(Panel& panel) {
   }
 }
 
+/// Adds a curve for each damping ratio: the only component, or RotD50 of two. Adds nothing and returns false
+/// for two components at a single damping ratio: there is room for more than RotD50 then.
+template <class Add>
+bool add_each_damping(const SpectrumResult& result, Add add) {
+  const bool two = result.components.size() > 1;
+  if (two && result.spectra.size() == 1) return false;
+  for (std::size_t i = 0; i < result.spectra.size(); ++i) {
+    const ResponseSpectrum& spectrum = result.spectra[i];
+    add(two ? spectrum.rotd50 : spectrum.displacement[0],
+        (two ? "RotD50, " : "") + damping_name(result, spectrum), family(result, i));
+  }
+  return true;
+}
+
 Panel response_panel(const SpectrumResult& result) {
   const double unit = written_acceleration(result);
   const Abscissa along = abscissa_of(result);
@@ -124,15 +138,7 @@ Panel response_panel(const SpectrumResult& result) {
     }));
     say_summit(panel.curves.back(), written_unit(result), along.unit);
   };
-  if (result.components.size() == 1) {
-    for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(result, i));
-    point_words(panel);
-    return panel;
-  }
-  if (result.spectra.size() > 1) {
-    for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].rotd50, "RotD50, " + damping_name(result, result.spectra[i]), family(result, i));
+  if (add_each_damping(result, add)) {
     point_words(panel);
     return panel;
   }
@@ -328,13 +334,7 @@ Figure tripartite_figure(const SpectrumResult& result) {
       return pseudo_velocity(displacement[i], result.periods[i]);
     }));
   };
-  if (result.components.size() == 1) {
-    for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].displacement[0], damping_name(result, result.spectra[i]), family(result, i));
-  } else if (result.spectra.size() > 1) {
-    for (std::size_t i = 0; i < result.spectra.size(); ++i)
-      add(result.spectra[i].rotd50, "RotD50, " + damping_name(result, result.spectra[i]), family(result, i));
-  } else {
+  if (!add_each_damping(result, add)) {
     panel.y.name = at_one_damping("pseudo-velocity", result, "m/s");
     add(result.spectra[0].rotd50, "RotD50", "family:2");
     add(result.spectra[0].rotd100, "RotD100", "family:0");
