@@ -124,7 +124,7 @@ TEST(Spectrum, SaysOnceWhatItTakesAColumnFor) {
   const Finished one = folder.run({"spectrum", "plain.csv", "--periods", "0.1"});
   ASSERT_EQ(one.status, 0) << one.err;
   EXPECT_THAT(one.err,
-              HasSubstr("column \"shaking\" has no unit and is taken as m/s^2; --unit says another"));
+              HasSubstr("column \"shaking\" has no unit and is taken as m/s^2; --unit names another"));
   EXPECT_THAT(one.err, testing::Not(HasSubstr("taken as they are")));
   EXPECT_EQ(
       folder.run({"spectrum", "plain.csv", "--periods", "0.025", "--unit", "g", "--peaks", "samples"}).err,

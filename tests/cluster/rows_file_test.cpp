@@ -232,7 +232,7 @@ TEST(RowsFile, says_how_much_a_file_needs_that_does_not_fit) {
   s.work.rows = 1'000'000'000'000'000;
   s.options.axes.clear();
   EXPECT_THAT(s.refusal(), HasSubstr("sweep.h5 needs 3"));  // 32 PB and the journal
-  EXPECT_THAT(s.refusal(), HasSubstr("PB and there are"));
+  EXPECT_THAT(s.refusal(), HasSubstr("PB, but only"));
   EXPECT_FALSE(exists(s.options.path));
 }
 

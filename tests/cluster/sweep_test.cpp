@@ -218,7 +218,7 @@ TEST_F(SweepFile, that_cannot_be_is_refused_before_it_begins) {
     Arguments arguments;
     const char* message;
   } cases[] = {
-      {{"-o", file, "--position", "0:1:1000000000", "--velocity", "0:1:1000000"}, "PB and there are"},
+      {{"-o", file, "--position", "0:1:1000000000", "--velocity", "0:1:1000000"}, "PB, but only"},
       {{"-o", folder / "a.csv", "--resume"}, "--resume: only an HDF5 file can be continued"},
       {{"-o", folder / "nowhere/a.h5", "--position", "1,2"}, "there is no folder"},
       {{"-o", folder / "a.txt", "--position", "1,2"}, "none of .csv, .json and .h5"},

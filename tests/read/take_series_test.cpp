@@ -126,7 +126,7 @@ TEST(TakeSeries, NamesAloneAreNoChoice) {
   const Series s = series("0.0 0.7 1\n0.5 0.6 2\n1.0 0.5 4\n");
   EXPECT_EQ(s.column, "column 2");
   EXPECT_THAT(in_words(s.notices),
-              Contains(HasSubstr("\"column 2\" is taken of \"column 2\", \"column 3\"")));
+              Contains(HasSubstr("of \"column 2\", \"column 3\", \"column 2\" is taken")));
 }
 
 TEST(TakeSeries, EachSensorKeepsTheTimeBeforeIt) {

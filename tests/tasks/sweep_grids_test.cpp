@@ -157,7 +157,7 @@ TEST(SweepGrids, TheEndsOfAGridAreItsLowestAndHighestValues) {
     EXPECT_THAT(in_words(swept(options_with(
                                    with(driven, {{"drive-frequency", frequencies}, {"step", "0.05"}}), "rk4"))
                              .plan.notices),
-                Contains(HasSubstr("has 2.5 steps only")))
+                Contains(HasSubstr("has only 2.5 steps")))
         << frequencies;
   for (const char* steps : {"0.01,0.5", "0.5,0.01", "0.01,0.5,0.02"})
     EXPECT_THAT(in_words(swept(options_with(with(driven, {{"step", steps}}), "forward-euler")).plan.notices),

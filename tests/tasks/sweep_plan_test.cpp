@@ -267,7 +267,7 @@ TEST(SweepPlan, WarnsOfADriveThatTheStepsHardlySee) {
   EXPECT_THAT(notices("6.3,1", "rk4"),
               ElementsAre("--step: at an end of the grid a cycle of the drive has only 10 steps: the result "
                           "there is the method's, not the law's"));
-  EXPECT_THAT(notices("1,20,3", "rk4"), Contains(HasSubstr("has 3.1 steps only")));
+  EXPECT_THAT(notices("1,20,3", "rk4"), Contains(HasSubstr("has only 3.1 steps")));
   EXPECT_THAT(notices("1,20", "exact"), IsEmpty());
   // Steps that do not fill a run are cut at its end in any sweep.
   EXPECT_THAT(
