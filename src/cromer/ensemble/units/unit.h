@@ -236,12 +236,20 @@ template <std::size_t count, class Real, class M, Terms terms, bool measured>
       });
 }
 
-/// All packs of the group, as many side by side as registers hold.
+/// How many packs are stepped side by side: as many as registers hold. The sanitizers take one: the code of
+/// four would take ten minutes to compile.
+#ifdef CROMER_ONE_PACK
+inline constexpr std::size_t side_by_side = 1;
+#else
+inline constexpr std::size_t side_by_side = 4;
+#endif
+
+/// All packs of the group, `side_by_side` at a time.
 template <class Real, class M, Terms terms, bool measured>
 void advance_all(cromer_group::Group& group, const M& method, const cromer_group::Order& order) {
   constexpr std::size_t packs = cromer_group::size / Real::size;
   // The general law has much to do for each pack, and its code would be four times as long.
-  constexpr std::size_t together = terms.law == any_terms ? 1 : std::min<std::size_t>(packs, 4);
+  constexpr std::size_t together = terms.law == any_terms ? 1 : std::min(packs, side_by_side);
   for (std::size_t first = 0; first < cromer_group::size; first += together * Real::size)
     advance_members<together, Real, M, terms, measured>(group, first, method, order);
 }
