@@ -48,7 +48,7 @@ ChunkMaker maker_on(Ranks* ranks) {
   };
 }
 
-/// All but the first rank: what there is to say the first says.
+/// The work of every rank but the first. The first one says what there is to say.
 int help_first_rank(Ranks& ranks, const SweepOptions& options) {
   const auto plan = plan_sweep(options);
   if (plan)
@@ -80,7 +80,8 @@ struct TrajectoryOptions {
   long long every = 1;  ///< keep every Nth state, > 0
 };
 
-/// Asked before the sweep: that it can be written, and has room. Says how large it will be.
+/// Checks, before the sweep, that the file can be written and has room on the disk. Says how large it will
+/// be.
 Result<std::string> announce_trajectories(const SweepPlan& plan, const TrajectoryOptions& options) {
   const auto format = file_format(options.path);
   if (!format || *format != FileFormat::csv || options.path == "-")

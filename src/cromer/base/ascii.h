@@ -1,5 +1,5 @@
-// Letters, digits and blanks of ASCII, whatever the locale is (all other bytes stay as they are), and names
-// of options.
+// Letters, digits and blanks of ASCII, whatever the locale is (all other bytes stay as they are), and the two
+// spellings of an option's name.
 #pragma once
 
 #include <algorithm>
