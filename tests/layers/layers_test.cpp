@@ -1,4 +1,5 @@
-// Which folder may include which: the includes are read and held to the list of the architecture.
+// Which folder may include which: the includes are read and held to the list of the architecture. And no two
+// types have one name.
 #include <gtest/gtest.h>
 
 #include <algorithm>
