@@ -4,7 +4,6 @@
 //   bench_w4 --samples N FILE.csv  writes the recording that it and its peers fit, N samples
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <span>

@@ -1,7 +1,6 @@
 // Messages on standard error, all beginning with "cromer: ".
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 

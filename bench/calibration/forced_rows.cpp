@@ -1,10 +1,8 @@
 #include "bench/calibration/forced_rows.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <optional>
 #include <string_view>
 
 #include "cromer/identify/choose/choose_law.h"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 #include "cromer/base/quantity.h"

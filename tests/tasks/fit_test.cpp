@@ -6,10 +6,7 @@
 
 #include <map>
 
-#include <filesystem>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "cromer/analysis/air.h"
 #include "tests/support/shared_data.h"
