@@ -1,5 +1,4 @@
 #include "cromer/tasks/sweep/sweep.h"
-#include "cromer/documents/words/words.h"
 
 #include <fmt/format.h>
 
@@ -14,6 +13,7 @@
 #include "cromer/documents/hdf5.h"
 #include "cromer/documents/json.h"
 #include "cromer/documents/text.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/figures/figures.h"
 #include "cromer/report/csv.h"
 #include "cromer/report/file.h"

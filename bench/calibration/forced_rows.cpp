@@ -122,9 +122,9 @@ double truth_of(std::string_view name, const ForcedRow& row, const Motion& motio
 
 constexpr const char* names_recorded[] = {"angular_frequency", "decay_rate", "position", "velocity",
                                           "force_gain"};
-constexpr const char* names_driven[] = {"angular_frequency", "decay_rate",      "equilibrium",
-                                        "position",          "velocity",        "drive_frequency",
-                                        "drive_amplitude",   "drive_phase",     "friction"};
+constexpr const char* names_driven[] = {"angular_frequency", "decay_rate",  "equilibrium",
+                                        "position",          "velocity",    "drive_frequency",
+                                        "drive_amplitude",   "drive_phase", "friction"};
 
 LawFit fitted(const ForcedRow& row, const Motion& motion, const std::vector<double>& y) {
   const Record record{motion.t, y};

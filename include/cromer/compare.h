@@ -1,6 +1,7 @@
 // A recording beside simulations of it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

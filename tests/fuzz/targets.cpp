@@ -1,5 +1,4 @@
 #include "targets.h"
-#include "cromer/documents/words/words.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -7,6 +6,7 @@
 
 #include "cromer/base/quantity.h"
 #include "cromer/base/utf8.h"
+#include "cromer/documents/words/words.h"
 #include "cromer/live/line_reader.h"
 #include "cromer/study/study_file.h"
 

@@ -1,6 +1,4 @@
 #include "cromer/tasks/fit/fit_forced.h"
-#include "cromer/documents/words/words.h"
-#include "cromer/tasks/fit/fitted_motion.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +8,8 @@
 #include <random>
 #include <sstream>
 
+#include "cromer/documents/words/words.h"
+#include "cromer/tasks/fit/fitted_motion.h"
 #include "tests/identify/forced_truth.h"
 #include "tests/support/shared_data.h"
 #include "tests/tasks/of_bytes.h"

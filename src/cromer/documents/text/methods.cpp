@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "cromer/documents/words/words.h"
 #include "cromer/documents/text/words.h"
+#include "cromer/documents/words/words.h"
 
 namespace cromer::core {
 namespace {
